@@ -1,0 +1,98 @@
+#include "octoblisk/box_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+namespace octoblisk {
+namespace {
+
+Eigen::Matrix3f principalFrame(const VertexSample& centred) {
+  const Eigen::Matrix3f covariance = centred.transpose() * centred / static_cast<float>(centred.rows());
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3f longest = solver.eigenvectors().col(2);
+  // computeDirect is not orthonormal to the last bit; the boxes' separation test wants it to be.
+  Eigen::Vector3f middle = solver.eigenvectors().col(1) - longest * longest.dot(solver.eigenvectors().col(1));
+  if (!(middle.squaredNorm() > 0.25f)) middle = longest.unitOrthogonal();
+  Eigen::Matrix3f axes;
+  axes << longest.normalized(), middle.normalized(), Eigen::Vector3f::Zero();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes.allFinite() ? axes : Eigen::Matrix3f::Identity();
+}
+
+struct Turn {
+  float cosine = 1.0f, sine = 0.0f;
+};
+
+/// The turn of the axes u, v about their normal that gives the points the box of least area.
+Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<const Eigen::ArrayXf>& v, float slack) {
+  constexpr int kAngles = 12;
+  constexpr float kWorthwhile = 0.999f;  // a turn must gain this much
+  Turn best;
+  float least = std::numeric_limits<float>::infinity();
+  for (int i = 0; i < kAngles; ++i) {
+    const float angle = std::numbers::pi_v<float> / 2.0f * static_cast<float>(i) / kAngles;
+    const Turn turn{std::cos(angle), std::sin(angle)};
+    const auto along_u = turn.cosine * u + turn.sine * v;
+    const auto along_v = turn.cosine * v - turn.sine * u;
+    const float width = along_u.maxCoeff() - along_u.minCoeff() + slack;
+    const float height = along_v.maxCoeff() - along_v.minCoeff() + slack;
+    if (width * height < least * (i == 0 ? 1.0f : kWorthwhile)) {
+      least = width * height;
+      best = turn;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sample) {
+  const std::size_t stride = (records.size() + kSampledTriangles - 1) / kSampledTriangles;
+  sample.resize(static_cast<Eigen::Index>(3 * ((records.size() + stride - 1) / stride)), 3);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < records.size(); i += stride) {
+    for (const Eigen::Vector3f& vertex : records[i].vertices) sample.row(row++) = vertex.transpose();
+  }
+}
+
+BoxF fitBox(const VertexSample& points, float slack) {
+  const Eigen::RowVector3f mean = points.colwise().mean();
+  const VertexSample centred = points.rowwise() - mean;
+  BoxF box;
+  box.axes = principalFrame(centred);
+  VertexSample local = centred.lazyProduct(box.axes);
+
+  Eigen::RowVector3f extent = local.colwise().maxCoeff() - local.colwise().minCoeff();
+  int thinnest = 0;
+  extent.minCoeff(&thinnest);
+  const int u = (thinnest + 1) % 3, v = (thinnest + 2) % 3;
+  const Turn turn = leastAreaTurn(local.col(u), local.col(v), slack);
+  const Eigen::Vector3f axis_u = box.axes.col(u), axis_v = box.axes.col(v);
+  box.axes.col(u) = turn.cosine * axis_u + turn.sine * axis_v;
+  box.axes.col(v) = turn.cosine * axis_v - turn.sine * axis_u;
+
+  local = centred.lazyProduct(box.axes);
+  const Eigen::Vector3f low = local.colwise().minCoeff(), high = local.colwise().maxCoeff();
+  box.half_extents = 0.5f * (high - low);
+  box.center = mean.transpose() + box.axes * (0.5f * (low + high));
+  return box;
+}
+
+BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes) {
+  const Eigen::Vector3f origin = records.front().centroid;  // near the vertices: keeps the rounding small
+  const Eigen::Matrix3f to_local = axes.transpose();
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high = -low;
+  for (const TriangleRecord& record : records) {
+    for (const Eigen::Vector3f& vertex : record.vertices) {
+      const Eigen::Array3f local = (to_local * (vertex - origin)).array();
+      low = low.min(local);
+      high = high.max(local);
+    }
+  }
+  return {origin + axes * (0.5f * (low + high)).matrix(), axes, (0.5f * (high - low)).matrix()};
+}
+
+}  // namespace octoblisk

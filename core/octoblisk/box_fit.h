@@ -1,0 +1,26 @@
+// Tight oriented boxes round triangles: a frame from a sample, the extents from every vertex.
+#pragma once
+
+#include <span>
+
+#include "octoblisk/box8.h"
+#include "octoblisk/triangle_record.h"
+
+namespace octoblisk {
+
+/// A sample of vertices, one a row.
+inline constexpr int kSampledTriangles = 1024;
+using VertexSample = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::ColMajor, 3 * kSampledTriangles, 3>;
+
+/// The vertices of at most kSampledTriangles of the records, taken at equal strides.
+void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sample);
+
+/// The box of the points in their principal frame, turned about its thinnest axis to the least area (twelve
+/// angles over 90°). `slack` is added to each edge while areas are compared, so that flat boxes compare by the
+/// edges that matter. The points need not be centred.
+BoxF fitBox(const VertexSample& points, float slack);
+
+/// The box in the given frame that holds every vertex of the records.
+BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes);
+
+}  // namespace octoblisk

@@ -1,0 +1,21 @@
+// All contacts of two bodies, near misses included.
+#pragma once
+
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/contact.h"
+#include "octoblisk/convex.h"
+
+namespace octoblisk {
+
+/// Replaces `found` by the contact of every pair of triangles no farther apart than `threshold` (>= 0), by
+/// ascending indices. Points and normals are in A's frame. Where `found` has the room, allocates nothing.
+void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
+              std::vector<Contact>& found);
+
+/// The same for every triangle of A and the convex body B.
+void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
+              std::vector<Contact>& found);
+
+}  // namespace octoblisk

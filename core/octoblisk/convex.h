@@ -1,0 +1,59 @@
+// Convex bodies by their support function: all that GJK and EPA want to know of one.
+#pragma once
+
+#include <vector>
+
+#include "octoblisk/types.h"
+
+namespace octoblisk {
+
+/// A convex body: all points within `radius` of a convex core. Sphere: a point and a radius; capsule: a segment
+/// and a radius; box: eight corners and none.
+class Convex {
+ public:
+  virtual ~Convex() = default;
+
+  /// The core's farthest point in a direction of any length but 0, in the body's frame.
+  virtual Vec3 support(const Vec3& direction) const = 0;
+  virtual double radius() const { return 0.0; }
+
+  /// The body's box along the axes of its frame, radius included.
+  Aabb bounds() const {
+    Aabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.max[axis] = support(Vec3::Unit(axis))[axis] + radius();
+      box.min[axis] = support(-Vec3::Unit(axis))[axis] - radius();
+    }
+    return box;
+  }
+};
+
+/// The hull of some points, grown by a radius.
+class ConvexHull final : public Convex {
+ public:
+  /// Throws std::invalid_argument for no points or a negative radius.
+  explicit ConvexHull(std::vector<Vec3> points, double radius = 0.0);
+
+  Vec3 support(const Vec3& direction) const override;
+  double radius() const override { return radius_; }
+
+ private:
+  std::vector<Vec3> points_;
+  double radius_;
+};
+
+/// A box, in the frame that its centre and axes are given in.
+class ConvexBox final : public Convex {
+ public:
+  explicit ConvexBox(const Obb& box) : box_(box) {}
+
+  Vec3 support(const Vec3& direction) const override {
+    const Vec3 local = box_.axes.transpose() * direction;
+    return box_.center + box_.axes * (local.array() < 0.0).select(-box_.half_extents, box_.half_extents);
+  }
+
+ private:
+  Obb box_;
+};
+
+}  // namespace octoblisk

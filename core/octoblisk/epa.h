@@ -1,0 +1,23 @@
+// How deep a triangle lies in the core of a convex body: the expanding polytope algorithm
+// (G. van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001).
+#pragma once
+
+#include <optional>
+
+#include "octoblisk/gjk.h"
+
+namespace octoblisk {
+
+/// The shortest translation that parts triangle and core.
+struct CorePenetration {
+  double depth = 0.0;
+  Vec3 normal = Vec3::UnitX();  ///< unit: moving the triangle along it by the depth parts the two
+  Vec3 on_triangle = Vec3::Zero();
+  Vec3 on_core = Vec3::Zero();
+};
+
+/// Grows the simplex that GJK ended with. None where triangle − core is flat (a sphere's centre on the triangle,
+/// a capsule's axis in its plane): then the triangle's normal parts them at depth 0.
+std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex);
+
+}  // namespace octoblisk

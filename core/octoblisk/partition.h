@@ -1,0 +1,45 @@
+// How the triangles of a mesh become the nested ranges that a tree is made of.
+//
+// Two recipes: recursive clustering in position–normal space, the default, and the paper's own: parts, each
+// divided into k clusters, each cluster by an octree in its principal frame.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "octoblisk/box8.h"
+#include "octoblisk/triangle_record.h"
+
+namespace octoblisk {
+
+/// A range of triangles with the box that holds them and up to eight parts of it, or none for a leaf.
+struct PartitionNode {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t first_child = 0;  ///< the children follow each other
+  std::uint32_t child_count = 0;  ///< 0 for a leaf, else 2..8
+  BoxF box;
+
+  std::uint32_t count() const { return end - begin; }
+};
+
+struct Partition {
+  std::vector<TriangleRecord> records;  ///< in the order that the ranges refer to
+  std::vector<PartitionNode> nodes;     ///< the root first, parents before children
+};
+
+/// Divides each node into up to eight clusters of triangles alike in place and facing, where the boxes round
+/// them are smallest, down to `leaf_capacity` (1..8) triangles.
+Partition clusteringPartition(std::vector<TriangleRecord> records, int leaf_capacity);
+
+struct PaperPartitionOptions {
+  int leaf_capacity = 8;                ///< FNOP, at least 1; a leaf of more than 8 becomes several
+  std::size_t clusters = 2;             ///< k, 1..8, for each part
+  std::uint64_t seed = 1;
+  std::vector<int> part_of_triangle = {};  ///< blade numbers, say; empty: one part
+};
+
+/// The paper's partition over the triangles' centroids.
+Partition paperPartition(std::vector<TriangleRecord> records, const PaperPartitionOptions& options);
+
+}  // namespace octoblisk

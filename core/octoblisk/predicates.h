@@ -1,0 +1,20 @@
+// Exact signs of determinants: the ground that "misses nothing" stands on.
+//
+// A floating-point filter decides nearly all calls; where it can't, the determinant is summed without any
+// rounding (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+// Predicates, 1997). Exact as long as no product of three coordinates over- or underflows, which holds for
+// magnitudes of 0 or 1e-60 to 1e60.
+#pragma once
+
+#include "octoblisk/types.h"
+
+namespace octoblisk {
+
+/// The sign of (b−a)×(c−a)·(d−a): +1 where d lies on the side of the plane abc that its normal points to,
+/// −1 on the other side, 0 in the plane (and for every d where a, b, c are collinear).
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The sign of (b−a)×(c−a) in the plane: +1 where a, b, c turn left, −1 right, 0 where they are collinear.
+int orient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
+
+}  // namespace octoblisk

@@ -1,0 +1,58 @@
+// The small words of the library: vectors, poses, boxes.
+//
+// The library is free of units: a length is in "mesh units", whatever the caller's mesh is in.
+// Poses name their frames: `belt_in_blisk` takes points of the belt's frame to the blisk's.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace octoblisk {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal.
+struct Pose {
+  Mat3 rotation = Mat3::Identity();
+  Vec3 translation = Vec3::Zero();
+
+  Vec3 operator*(const Vec3& point) const { return rotation * point + translation; }
+  Pose operator*(const Pose& inner) const {
+    return {rotation * inner.rotation, rotation * inner.translation + translation};
+  }
+  Pose inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+};
+
+/// An axis-aligned box. Default: empty, so that `extend` may start from it.
+struct Aabb {
+  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void extend(const Vec3& point) {
+    min = min.cwiseMin(point);
+    max = max.cwiseMax(point);
+  }
+  Vec3 center() const { return 0.5 * (min + max); }
+  Vec3 halfExtents() const { return 0.5 * (max - min); }
+};
+
+/// An oriented box: the points center + axes · x with |x_i| <= half_extents_i.
+struct Obb {
+  Vec3 center = Vec3::Zero();
+  Mat3 axes = Mat3::Identity();  ///< columns: an orthonormal, right-handed frame
+  Vec3 half_extents = Vec3::Zero();
+
+  double volume() const { return 8.0 * half_extents.prod(); }
+
+  /// Whether the point lies in the box grown by `tolerance` on each side.
+  bool contains(const Vec3& point, double tolerance = 0.0) const {
+    return ((axes.transpose() * (point - center)).cwiseAbs().array() <= half_extents.array() + tolerance).all();
+  }
+};
+
+inline Obb operator*(const Pose& pose, const Obb& box) {
+  return {pose * box.center, pose.rotation * box.axes, box.half_extents};
+}
+
+}  // namespace octoblisk
