@@ -1,0 +1,153 @@
+// Whole-mesh queries against looking at every triangle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "octoblisk/collide.h"
+#include "octoblisk/contacts.h"
+#include "octoblisk/triangle_convex.h"
+#include "octoblisk/triangle_pair.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::SharedMesh;
+
+struct Case {
+  const char* name;
+  SharedMesh a, b;
+  double spread;  ///< of the translations
+  int poses;
+};
+
+std::vector<Case> cases() {
+  std::mt19937_64 random(18);
+  return {{"linked tori", testing::torus(3, 1, 32, 16), testing::torus(3, 0.8, 32, 16), 5.5, 150},
+          {"torus in a fan", testing::fan(9, 10), testing::torus(0.5, 0.15, 20, 12), 1.3, 300},
+          {"soups", testing::soup(random, 300, 5, 0.4), testing::soup(random, 300, 5, 0.4), 8.0, 150},
+          {"sheets", testing::waveSheet(4, 0.5, 24), testing::waveSheet(3, 0.5, 24), 4.5, 150},
+          {"boxes", testing::boxMesh({1, 2, 3}), testing::boxMesh({2, 1, 1}), 4.4, 400}};
+}
+
+class Queries : public ::testing::TestWithParam<PartitionKind> {};
+
+TEST_P(Queries, collide_vs_bruteforce) {
+  for (const Case& scene : cases()) {
+    const ClusteredOctree a = ClusteredOctree::build(scene.a, {.partition = GetParam()});
+    const ClusteredOctree b = ClusteredOctree::build(scene.b, {.partition = GetParam()});
+    std::mt19937_64 random(19);
+    int hits = 0;
+    for (int i = 0; i < scene.poses; ++i) {
+      const Pose pose = testing::randomPose(random, scene.spread);
+      const auto expected = testing::bruteForcePairs(*scene.a, *scene.b, pose);
+      const auto found = collide(a, b, pose);
+      ASSERT_EQ(found.has_value(), !expected.empty()) << scene.name << ", pose " << i;
+      hits += !expected.empty();
+      ASSERT_TRUE(!found || std::ranges::binary_search(expected, *found)) << scene.name << ", pose " << i;
+    }
+    EXPECT_GE(hits, scene.poses * 3 / 10) << scene.name;
+    EXPECT_LE(hits, scene.poses * 7 / 10) << scene.name;
+  }
+}
+
+TEST_P(Queries, contacts_vs_bruteforce) {
+  std::vector<Contact> found;
+  for (const Case& scene : cases()) {
+    const ClusteredOctree a = ClusteredOctree::build(scene.a, {.partition = GetParam()});
+    const ClusteredOctree b = ClusteredOctree::build(scene.b, {.partition = GetParam()});
+    std::mt19937_64 random(20);
+    int near_misses = 0, meeting = 0;
+    for (int i = 0; i < scene.poses / 3; ++i) {
+      const Pose pose = testing::randomPose(random, scene.spread);
+      const double threshold = i % 3 ? 0.1 : 0.0;
+      const std::vector<Contact> expected = testing::bruteForceContacts(*scene.a, *scene.b, pose, threshold);
+      contacts(a, b, pose, threshold, found);
+      ASSERT_EQ(found.size(), expected.size()) << scene.name << ", pose " << i;
+      for (std::size_t c = 0; c < found.size(); ++c) {
+        ASSERT_EQ(found[c].triangle_a, expected[c].triangle_a);
+        ASSERT_EQ(found[c].triangle_b, expected[c].triangle_b);
+        ASSERT_EQ(found[c].distance, expected[c].distance);
+        ASSERT_EQ(found[c].point_on_a, expected[c].point_on_a);
+        (found[c].distance > 0.0 ? near_misses : meeting) += 1;
+      }
+    }
+    EXPECT_GT(near_misses, 10) << scene.name;
+    EXPECT_GT(meeting, 10) << scene.name;
+  }
+}
+
+TEST_P(Queries, convex_vs_bruteforce) {
+  const SharedMesh mesh = testing::fan(9, 12);
+  const ClusteredOctree tree = ClusteredOctree::build(mesh, {.partition = GetParam()});
+  std::vector<Vec3> points;
+  std::mt19937_64 random(21);
+  for (int i = 0; i < 20; ++i) points.push_back(testing::randomPoint(random, 0.3));
+  const ConvexBox box({Vec3(0.1, 0, 0), Mat3::Identity(), Vec3(0.5, 0.25, 0.1)});
+  const ConvexHull sphere({Vec3(0, 0.1, 0)}, 0.3), hull(points, 0.01);
+  int hits = 0, cases = 0;
+  std::vector<Contact> found;
+  for (const Convex* convex : {static_cast<const Convex*>(&box), static_cast<const Convex*>(&sphere), static_cast<const Convex*>(&hull)}) {
+    for (int i = 0; i < 150; ++i, ++cases) {
+      const Pose pose = testing::randomPose(random, 1.2), inverse = pose.inverse();
+      std::vector<Contact> expected;
+      constexpr double kThreshold = 0.05;
+      for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
+        if (auto contact = contactOf(inverse * mesh->triangle(t), *convex, kThreshold)) {
+          contact->triangle_a = t;
+          expected.push_back(*contact);
+        }
+      }
+      contacts(tree, *convex, pose, kThreshold, found);
+      ASSERT_EQ(found.size(), expected.size()) << "pose " << i;
+      bool meet = false;
+      for (std::size_t c = 0; c < found.size(); ++c) {
+        ASSERT_EQ(found[c].triangle_a, expected[c].triangle_a);
+        ASSERT_EQ(found[c].distance, expected[c].distance);
+        ASSERT_TRUE(found[c].point_on_b.isApprox(pose * expected[c].point_on_b, 1e-12));
+        meet |= found[c].distance <= 0.0;
+      }
+      ASSERT_EQ(collide(tree, *convex, pose).has_value(), meet) << "pose " << i;
+      hits += meet;
+    }
+  }
+  EXPECT_GE(hits, cases * 3 / 10);
+  EXPECT_LE(hits, cases * 7 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Partitions, Queries, ::testing::Values(PartitionKind::clustering, PartitionKind::paper),
+                         [](const auto& kind) { return kind.param == PartitionKind::paper ? "paper" : "clustering"; });
+
+TEST(Queries, touchingIsColliding) {
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  EXPECT_TRUE(collide(box, box, {Mat3::Identity(), Vec3(2, 0, 0)}));
+  EXPECT_FALSE(collide(box, box, {Mat3::Identity(), Vec3(std::nextafter(2.0, 3.0), 0, 0)}));
+  EXPECT_TRUE(collide(box, box, {Mat3::Identity(), Vec3(2, 2, 2)}));
+  EXPECT_TRUE(collide(box, box, Pose{}));
+  EXPECT_FALSE(collide(box, ClusteredOctree::build(testing::boxMesh({0.5, 0.5, 0.5})), Pose{}));  // inside: no surface meets
+}
+
+TEST(Queries, farFromTheOriginNothingIsMissed) {
+  const Vec3 far(1e7, -2e7, 3e7);
+  const SharedMesh near = testing::torus(3, 1, 32, 16);
+  std::vector<Vec3> vertices;
+  for (const Vec3& v : near->vertices()) vertices.push_back(v + far);
+  const auto mesh = std::make_shared<const TriangleMesh>(vertices, near->triangles());
+  const SharedMesh other = testing::torus(3, 0.8, 32, 16);
+  const ClusteredOctree a = ClusteredOctree::build(mesh), b = ClusteredOctree::build(other);
+  std::mt19937_64 random(22);
+  int hits = 0;
+  for (int i = 0; i < 100; ++i) {
+    Pose pose = testing::randomPose(random, 5.5);
+    pose.translation += far;
+    const bool expected = !testing::bruteForcePairs(*mesh, *other, pose).empty();
+    hits += expected;
+    ASSERT_EQ(collide(a, b, pose).has_value(), expected);
+  }
+  EXPECT_GT(hits, 30);
+  EXPECT_LT(hits, 70);
+}
+
+}  // namespace
+}  // namespace octoblisk

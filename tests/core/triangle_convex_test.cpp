@@ -1,0 +1,108 @@
+#include "octoblisk/triangle_convex.h"
+
+#include <gtest/gtest.h>
+
+#include "octoblisk/triangle_pair.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::randomPoint;
+using testing::randomTriangle;
+using testing::uniform;
+
+constexpr double kFar = 100.0;
+
+TEST(TriangleConvex, boxEqualsTheThirteenAxes) {
+  std::mt19937_64 random(15);
+  int hits = 0;
+  constexpr int kCases = 20'000;
+  for (int i = 0; i < kCases; ++i) {
+    const Triangle triangle = randomTriangle(random, 2);
+    const Obb box{randomPoint(random, 1), testing::randomRotation(random), randomPoint(random, 1).cwiseAbs() + Vec3::Constant(0.05)};
+    const double overlap = testing::boxTriangleOverlap(box, triangle);
+    const auto contact = contactOf(triangle, ConvexBox(box), kFar);
+    ASSERT_TRUE(contact);
+    if (overlap > 1e-9) {
+      ++hits;
+      ASSERT_NEAR(contact->distance, -overlap, 1e-7) << "case " << i;
+    } else if (overlap < -1e-9) {
+      ASSERT_GT(contact->distance, 0.0) << "case " << i;
+      ASSERT_GE(contact->distance, -overlap - 1e-9) << "case " << i;  // an axis proves at least its own gap
+    }
+    ASSERT_TRUE((contact->point_on_b + contact->distance * contact->normal).isApprox(contact->point_on_a, 1e-6));
+    ASSERT_TRUE(box.contains(contact->point_on_b, 1e-7));
+  }
+  EXPECT_GT(hits, kCases * 3 / 10);
+  EXPECT_LT(hits, kCases * 7 / 10);
+}
+
+TEST(TriangleConvex, sphereAndCapsuleEqualTheirClosedForms) {
+  std::mt19937_64 random(16);
+  int hits = 0;
+  constexpr int kCases = 20'000;
+  for (int i = 0; i < kCases; ++i) {
+    const Triangle triangle = randomTriangle(random, 2);
+    const Vec3 from = randomPoint(random, 2), to = i % 2 ? from : randomPoint(random, 2);
+    const double radius = uniform(random, 0.1, 1.2);
+    const Triangle axis = {from, to, to};
+    if (intersects(triangle, axis)) continue;  // deep: EPA, checked below
+    const double expected = closestPoints(triangle, axis).distance - radius;
+    const auto contact = contactOf(triangle, ConvexHull({from, to}, radius), kFar);
+    ASSERT_TRUE(contact);
+    hits += expected < 0.0;
+    ASSERT_NEAR(contact->distance, expected, 1e-9) << "case " << i;
+    ASSERT_NEAR((contact->point_on_a - contact->point_on_b).dot(contact->normal), contact->distance, 1e-9);
+  }
+  EXPECT_GT(hits, kCases * 2 / 10);
+}
+
+TEST(TriangleConvex, depthPartsAndNoLessDoes) {
+  std::mt19937_64 random(17);
+  int meeting = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    const Triangle triangle = randomTriangle(random, 1);
+    std::vector<Vec3> points;
+    for (int p = 0; p < 2 + i % 12; ++p) points.push_back(randomPoint(random, 1));
+    const ConvexHull hull(points, i % 3 ? 0.0 : 0.2);
+    const auto contact = contactOf(triangle, hull, 0.0);
+    if (!contact || contact->distance > -1e-6) continue;
+    ++meeting;
+    const auto moved = [&](double factor) { return Pose{Mat3::Identity(), -contact->distance * factor * contact->normal} * triangle; };
+    const auto after = contactOf(moved(1.0 + 1e-4), hull, kFar), before = contactOf(moved(1.0 - 1e-4), hull, kFar);
+    ASSERT_GT(after->distance, 0.0) << "case " << i;
+    ASSERT_LT(before->distance, 0.0) << "case " << i;
+    for (int d = 0; d < 20; ++d) {  // no shorter way out in other directions
+      const Vec3 direction = randomPoint(random, 1).normalized();
+      const Pose shift{Mat3::Identity(), -contact->distance * 0.99 * direction};
+      ASSERT_LE(contactOf(shift * triangle, hull, kFar)->distance, 1e-9) << "case " << i;
+    }
+  }
+  EXPECT_GT(meeting, 1'000);
+}
+
+TEST(TriangleConvex, centreOfASphereOnTheTriangle) {
+  const Triangle triangle = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+  const auto contact = contactOf(triangle, ConvexHull({Vec3::Zero()}, 0.5), 0.0);
+  ASSERT_TRUE(contact);
+  EXPECT_DOUBLE_EQ(contact->distance, -0.5);
+  EXPECT_NEAR(std::abs(contact->normal.z()), 1.0, 1e-12);
+}
+
+TEST(TriangleConvex, nothingBeyondTheThreshold) {
+  const Triangle triangle = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+  const ConvexHull sphere({Vec3(0, 0, 2)}, 0.5);
+  EXPECT_FALSE(contactOf(triangle, sphere, 1.49));
+  ASSERT_TRUE(contactOf(triangle, sphere, 1.51));
+  EXPECT_NEAR(contactOf(triangle, sphere, 1.51)->distance, 1.5, 1e-12);
+}
+
+TEST(TriangleConvex, refusesBadHulls) {
+  EXPECT_THROW(ConvexHull({}), std::invalid_argument);
+  EXPECT_THROW(ConvexHull({Vec3::Zero()}, -1.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace octoblisk
