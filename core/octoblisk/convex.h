@@ -16,6 +16,8 @@ class Convex {
   /// The core's farthest point in a direction of any length but 0, in the body's frame.
   virtual Vec3 support(const Vec3& direction) const = 0;
   virtual double radius() const { return 0.0; }
+  /// The error of support points, relative to their size: searches are not driven beyond it.
+  virtual double precision() const { return 1e-12; }
 
   /// The body's box along the axes of its frame, radius included.
   Aabb bounds() const {

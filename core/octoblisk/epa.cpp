@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxVertices = 96;
 constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4
-constexpr double kRelativeError = 1e-10;     // of the polytope's size
+constexpr double kFlat = 1e-10;              // of the polytope's size: thinner is no polytope
 
 /// A triangle of the polytope, its normal pointing away from the origin.
 struct Face {
@@ -43,7 +43,7 @@ class Polytope {
     }
     if (count_ < 4) return false;
     const double volume = (point(1) - point(0)).cross(point(2) - point(0)).dot(point(3) - point(0));
-    if (std::abs(volume) <= kRelativeError * size_ * size_ * size_) return false;
+    if (std::abs(volume) <= kFlat * size_ * size_ * size_) return false;
     if (volume > 0.0) std::swap(vertices_[1], vertices_[2]);
     return addFace(0, 1, 2) && addFace(0, 2, 3) && addFace(0, 3, 1) && addFace(1, 3, 2);
   }
@@ -54,12 +54,13 @@ class Polytope {
       const Face nearest = *std::ranges::min_element(faces_.begin(), faces_.begin() + face_count_, {}, &Face::distance);
       const SupportPoint next = supportOfDifference(triangle_, convex_, nearest.normal);
       const double gain = next.difference.dot(nearest.normal) - nearest.distance;
-      if (gain <= kRelativeError * size_ || count_ == kMaxVertices || !addVertex(next)) return penetration(nearest);
+      if (gain <= tolerance() || count_ == kMaxVertices || !addVertex(next)) return penetration(nearest);
     }
   }
 
  private:
   static const SupportPoint& at(const Simplex& simplex, int i) { return simplex.point[static_cast<std::size_t>(i)]; }
+  double tolerance() const { return std::max(kFlat, convex_.precision()) * size_; }
   const Vec3& point(int i) const { return vertices_[static_cast<std::size_t>(i)].difference; }
 
   /// Adds the support point in a direction where it widens the simplex by a dimension.
@@ -67,7 +68,7 @@ class Polytope {
     const SupportPoint next = supportOfDifference(triangle_, convex_, direction);
     const double width = std::abs((next.difference - point(0)).dot(direction));
     size_ = std::max(size_, next.difference.norm());
-    if (width <= kRelativeError * size_) return false;
+    if (width <= kFlat * size_) return false;
     vertices_[static_cast<std::size_t>(count_++)] = next;
     return true;
   }
@@ -140,7 +141,7 @@ class Polytope {
     Vec3 weights = Vec3::Constant(-std::numeric_limits<double>::infinity());
     for (int f = 0; f < face_count_; ++f) {
       const Face& candidate = faces_[static_cast<std::size_t>(f)];
-      if (candidate.distance > nearest.distance + kRelativeError * size_) continue;
+      if (candidate.distance > nearest.distance + tolerance()) continue;
       const Vec3 found = weightsOfFoot(candidate);
       if (face && !(found.minCoeff() > weights.minCoeff())) continue;
       face = &candidate;

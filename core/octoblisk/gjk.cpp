@@ -8,7 +8,6 @@ namespace octoblisk {
 namespace {
 
 constexpr int kMaxIterations = 64;
-constexpr double kRelativeError = 1e-12;  // of the squared distance
 
 /// A point of a simplex as weights of its corners; only corners of positive weight are kept.
 struct Closest {
@@ -115,10 +114,11 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
   simplex.point[0] = supportOfDifference(triangle, convex, triangle[0]);
   simplex.count = 1;
   Closest closest = closestOnSimplex(simplex);
+  const double precision = convex.precision();
   double largest = closest.point.squaredNorm();  // of the difference, sets the scale of rounding
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const double squared = closest.point.squaredNorm();
-    if (squared <= kRelativeError * kRelativeError * largest) {
+    if (squared <= precision * precision * largest) {
       result.overlap = true;
       return result;
     }
@@ -129,7 +129,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
       result.beyond_limit = true;
       return result;
     }
-    if (squared - bound <= kRelativeError * std::max(squared, largest * 1e-3)) break;
+    if (squared - bound <= precision * std::max(squared, largest * 1e-3)) break;
     Simplex grown = simplex;
     grown.point[static_cast<std::size_t>(grown.count++)] = next;
     const Closest step = closestOnSimplex(grown);
