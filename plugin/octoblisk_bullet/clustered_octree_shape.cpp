@@ -1,0 +1,122 @@
+#include "octoblisk_bullet/clustered_octree_shape.h"
+
+#include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "octoblisk/traversal.h"
+#include "octoblisk_bullet/convert.h"
+#include "octoblisk_bullet/mesh_interface.h"
+
+namespace octoblisk {
+namespace {
+
+void checkIds(std::size_t triangles, const std::vector<std::uint32_t>& part_begin) {
+  if (part_begin.size() > ClusteredOctreeShape::kMaxParts) {
+    throw std::invalid_argument("the mesh has " + std::to_string(part_begin.size()) + " parts; Bullet's ids hold " +
+                                std::to_string(ClusteredOctreeShape::kMaxParts));
+  }
+  for (std::size_t p = 0; p < part_begin.size(); ++p) {
+    const std::size_t end = p + 1 < part_begin.size() ? part_begin[p + 1] : triangles;
+    if (end - part_begin[p] > ClusteredOctreeShape::kMaxTriangles) {
+      throw std::invalid_argument("part " + std::to_string(p) + " has " + std::to_string(end - part_begin[p]) +
+                                  " triangles; Bullet's ids hold " +
+                                  std::to_string(ClusteredOctreeShape::kMaxTriangles));
+    }
+  }
+}
+
+std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleMesh>& mesh, const Vec3& scaling) {
+  if (scaling == Vec3::Ones()) return mesh;
+  std::vector<Vec3> vertices = mesh->vertices();
+  for (Vec3& vertex : vertices) vertex = vertex.cwiseProduct(scaling);
+  std::vector<TriangleMesh::Indices> triangles = mesh->triangles();
+  if (scaling.prod() < 0.0) {
+    for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+}
+
+const btStridingMeshInterface& notNull(const btStridingMeshInterface* mesh_interface) {
+  if (!mesh_interface) throw std::invalid_argument("ClusteredOctreeShape: the mesh interface is null");
+  return *mesh_interface;
+}
+
+}  // namespace
+
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface, const BuildOptions& options)
+    : ClusteredOctreeShape(notNull(mesh_interface), options) {}
+
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_interface, const BuildOptions& options)
+    : options_(options) {
+  m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  InterfaceMesh source = readMeshInterface(mesh_interface);
+  checkIds(source.mesh.triangleCount(), source.part_begin);
+  part_begin_ = std::move(source.part_begin);
+  unscaled_ = std::make_shared<const TriangleMesh>(std::move(source.mesh));
+  setLocalScaling(mesh_interface.getScaling());
+}
+
+ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree) : tree_(std::move(tree)) {
+  if (!tree_) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
+  m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  unscaled_ = tree_->sharedMesh();
+  checkIds(unscaled_->triangleCount(), part_begin_);
+}
+
+TriangleId ClusteredOctreeShape::triangleId(std::uint32_t triangle) const {
+  const auto next_part = std::ranges::upper_bound(part_begin_, triangle);
+  const auto part = static_cast<int>(next_part - part_begin_.begin()) - 1;
+  return {part, static_cast<int>(triangle - *(next_part - 1))};
+}
+
+btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_factor) const {
+  if (contact_breaking_threshold_ >= 0) return contact_breaking_threshold_;
+  return std::min(gContactBreakingThreshold, getAngularMotionDisc() * default_factor);
+}
+
+void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const {
+  const Aabb& bounds = tree_->mesh().bounds();
+  btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), getMargin(), transform, aabb_min, aabb_max);
+}
+
+void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {
+  if (scaling.x() * scaling.y() * scaling.z() == btScalar(0)) {
+    throw std::invalid_argument("ClusteredOctreeShape: a scaling must not be 0");
+  }
+  if (tree_ && scaling == scaling_) return;
+  tree_ = std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(scaled(unscaled_, fromBullet(scaling)), options_));
+  scaling_ = scaling;
+}
+
+void ClusteredOctreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
+  const Vec3 edges = 2.0 * tree_->mesh().bounds().halfExtents();
+  const Vec3 squares = edges.cwiseAbs2();
+  inertia = toBullet(double(mass) / 12.0 *
+                     Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y()));
+}
+
+void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabb_min,
+                                               const btVector3& aabb_max) const {
+  const Aabb box{fromBullet(aabb_min), fromBullet(aabb_max)};
+  const TriangleMesh& mesh = tree_->mesh();
+  traverseBox(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0, [&](Child leaf) {
+    for (const std::uint32_t t : tree_->triangles(leaf)) {
+      const Triangle triangle = mesh.triangle(t);
+      Aabb bounds;
+      for (const Vec3& corner : triangle) bounds.extend(corner);
+      if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any()) continue;
+      btVector3 corners[3] = {toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2])};
+      const TriangleId id = triangleId(t);
+      callback->processTriangle(corners, id.part, id.index);
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,19 @@
+// Our shape against a convex one.
+#pragma once
+
+#include "octoblisk_bullet/mesh_algorithm.h"
+
+namespace octoblisk {
+
+class MeshConvexAlgorithm final : public MeshAlgorithm {
+ public:
+  MeshConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                      const btCollisionObjectWrapper* body1, bool mesh_is_body1)
+      : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
+
+ private:
+  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
+                    std::vector<Contact>& found) const override;
+};
+
+}  // namespace octoblisk

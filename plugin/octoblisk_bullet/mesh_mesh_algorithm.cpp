@@ -1,0 +1,19 @@
+#include "octoblisk_bullet/mesh_mesh_algorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+
+#include "octoblisk/contacts.h"
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk {
+
+void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                                     double reach, std::vector<Contact>& found) const {
+  const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+  const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
+  const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  contacts(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
+}
+
+}  // namespace octoblisk

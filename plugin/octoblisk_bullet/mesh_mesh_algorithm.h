@@ -1,0 +1,19 @@
+// Our shape against our shape: moving concave against concave.
+#pragma once
+
+#include "octoblisk_bullet/mesh_algorithm.h"
+
+namespace octoblisk {
+
+class MeshMeshAlgorithm final : public MeshAlgorithm {
+ public:
+  MeshMeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                    const btCollisionObjectWrapper* body1)
+      : MeshAlgorithm(info, body0, body1, false) {}
+
+ private:
+  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
+                    std::vector<Contact>& found) const override;
+};
+
+}  // namespace octoblisk

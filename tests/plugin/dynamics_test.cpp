@@ -1,0 +1,87 @@
+// Bodies that fall on, and of, our shape come to rest.
+#include <gtest/gtest.h>
+
+#include "plugin/bullet_world.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletWorld;
+
+ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
+  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+}
+
+void expectRest(const btRigidBody& body, double height, double tolerance) {
+  EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), height, tolerance);
+  EXPECT_LT(double(body.getLinearVelocity().length()), 0.05);
+}
+
+TEST(Dynamics, convexBodiesRestOnAFlatMesh) {
+  auto floor = shapeOf(testing::waveSheet(20, 0.0, 20));
+  btSphereShape sphere(btScalar(0.5));
+  btBoxShape box(btVector3(btScalar(0.5), btScalar(0.4), btScalar(0.3)));
+  btCapsuleShape capsule(btScalar(0.3), btScalar(1.0));
+  BulletWorld world;
+  world.add(floor, 0, at(0, 0, 0));
+  btRigidBody& ball = world.add(sphere, 1, at(-3.1, 0.2, 1.0));
+  btRigidBody& brick = world.add(box, 1, at(0.3, 0.2, 0.8));
+  btRigidBody& lying = world.add(capsule, 1, at(3.3, 0.2, 0.8));
+  world.step(720);
+  expectRest(ball, 0.5, 0.02);
+  expectRest(brick, 0.3, 0.02);
+  expectRest(lying, 0.3, 0.02);
+}
+
+TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
+  auto floor = shapeOf(testing::waveSheet(10, 0.3, 60));
+  auto torus = shapeOf(testing::torus(1.5, 0.4, 32, 16));
+  BulletWorld world;
+  world.add(floor, 0, at(0, 0, 0));
+  btRigidBody& ring = world.add(torus, 1, at(0, 0, 2));
+  ring.setDamping(btScalar(0.05), btScalar(0.05));
+  world.step(240 * 8);
+  const double height = double(ring.getWorldTransform().getOrigin().z());
+  EXPECT_GT(height, 0.3);
+  EXPECT_LT(height, 1.2);
+  EXPECT_LT(double(ring.getLinearVelocity().length()), 0.2);
+}
+
+TEST(Dynamics, aTorusHangsOnATorus) {
+  auto torus = shapeOf(testing::torus(1.0, 0.2, 32, 16));
+  BulletWorld world;
+  world.add(torus, 0, btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI)));
+  btRigidBody& link = world.add(torus, 1, btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI), btVector3(0, 0, btScalar(-1.45))));
+  world.step(240 * 5);
+  EXPECT_GT(double(link.getWorldTransform().getOrigin().z()), -1.75);  // linked: the tubes hold each other
+  EXPECT_LT(double(link.getLinearVelocity().length()), 1.0);
+}
+
+TEST(Dynamics, addingAndRemovingLeavesNothingBehind) {
+  auto torus = shapeOf(testing::torus(1.5, 0.4, 32, 16));
+  btSphereShape sphere(btScalar(0.5));
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  registerAlgorithm(&dispatcher);
+  for (int round = 0; round < 10; ++round) {
+    btCollisionObject a, b, c;
+    a.setCollisionShape(&torus);
+    b.setCollisionShape(&torus);
+    c.setCollisionShape(&sphere);
+    b.setWorldTransform(at(1, 0, 0));
+    c.setWorldTransform(at(1.5, 0, 0.5));
+    for (btCollisionObject* object : {&a, &b, &c}) world.addCollisionObject(object, 1, -1);
+    world.performDiscreteCollisionDetection();
+    EXPECT_GT(dispatcher.getNumManifolds(), 2);
+    for (btCollisionObject* object : {&b, &a, &c}) world.removeCollisionObject(object);
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+    EXPECT_EQ(broadphase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk

@@ -1,0 +1,239 @@
+// Our shape in a Bullet world: contacts of every pair, in both orders, from both tables.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "octoblisk/triangle_pair.h"
+#include "plugin/bullet_world.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletMesh;
+using testing::BulletWorld;
+using testing::PairReport;
+
+std::shared_ptr<const ClusteredOctree> treeOf(const testing::SharedMesh& mesh) {
+  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
+}
+
+struct NamedConvex {
+  const char* name;
+  std::function<std::unique_ptr<btConvexShape>()> make;
+};
+
+std::unique_ptr<btConvexShape> randomHull() {
+  std::mt19937_64 random(33);
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (int i = 0; i < 30; ++i) hull->addPoint(toBullet(testing::randomPoint(random, 0.6)));
+  return hull;
+}
+
+const std::vector<NamedConvex> kConvexes = {
+    {"sphere", [] { return std::make_unique<btSphereShape>(btScalar(0.6)); }},
+    {"box", [] { return std::make_unique<btBoxShape>(btVector3(btScalar(0.7), btScalar(0.5), btScalar(0.3))); }},
+    {"capsule", [] { return std::make_unique<btCapsuleShape>(btScalar(0.4), btScalar(0.8)); }},
+    {"cylinder", [] { return std::make_unique<btCylinderShape>(btVector3(btScalar(0.5), btScalar(0.6), btScalar(0.5))); }},
+    {"cone", [] { return std::make_unique<btConeShape>(btScalar(0.6), btScalar(1.0)); }},
+    {"hull", randomHull},
+};
+
+class ConvexPairs : public ::testing::TestWithParam<NamedConvex> {};
+
+TEST_P(ConvexPairs, contacts_vs_bvh) {
+  const auto mesh = testing::torus(2, 0.7, 24, 12);
+  ClusteredOctreeShape ours(treeOf(mesh));
+  BulletMesh source(*mesh);
+  btBvhTriangleMeshShape bvh(&source, true);
+  bvh.setMargin(0);
+  const std::unique_ptr<btConvexShape> convex = GetParam().make();
+  btCollisionObject ours_object, bvh_object, convex_object;
+  ours_object.setCollisionShape(&ours);
+  bvh_object.setCollisionShape(&bvh);
+  convex_object.setCollisionShape(convex.get());
+  BulletWorld world;
+  std::mt19937_64 random(34);
+  int hits = 0;
+  constexpr int kPoses = 300;
+  for (int i = 0; i < kPoses; ++i) {
+    convex_object.setWorldTransform(toBullet(testing::randomPose(random, 2.4)));
+    PairReport from_ours, from_bvh, swapped;
+    world->contactPairTest(&ours_object, &convex_object, from_ours);
+    world->contactPairTest(&bvh_object, &convex_object, from_bvh);
+    world->contactPairTest(&convex_object, &ours_object, swapped);
+    const bool ours_hits = from_ours.deepest() <= 0.0, bvh_hits = from_bvh.deepest() <= 0.0;
+    hits += ours_hits;
+    if (std::min(std::abs(from_ours.deepest()), std::abs(from_bvh.deepest())) > 1e-3) {
+      ASSERT_EQ(ours_hits, bvh_hits) << "pose " << i;
+      // Bullet's depth is that of its own GJK and EPA on the same triangles.
+      ASSERT_TRUE(!ours_hits || std::abs(from_ours.deepest() - from_bvh.deepest()) < 0.03) << "pose " << i;
+    }
+    ASSERT_EQ(from_ours.points.size(), swapped.points.size());
+    for (std::size_t p = 0; p < swapped.points.size(); ++p) {
+      const auto &a = from_ours.points[p], &b = swapped.points[p];
+      ASSERT_EQ(a.distance, b.distance);
+      ASSERT_TRUE(a.normal.isApprox(-b.normal, 1e-5));
+      ASSERT_TRUE(a.on_a.isApprox(b.on_b, 1e-4));
+      ASSERT_EQ(a.index0, b.index1);
+    }
+  }
+  EXPECT_GT(hits, kPoses * 3 / 10);
+  EXPECT_LT(hits, kPoses * 7 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, ConvexPairs, ::testing::ValuesIn(kConvexes),
+                         [](const auto& convex) { return convex.param.name; });
+
+TEST(MeshPairs, contacts_vs_bruteforce) {
+  const auto mesh_a = testing::torus(2, 0.7, 24, 12), mesh_b = testing::fan(5, 8);
+  ClusteredOctreeShape a(treeOf(mesh_a)), b(treeOf(mesh_b));
+  btCollisionObject object_a, object_b;
+  object_a.setCollisionShape(&a);
+  object_b.setCollisionShape(&b);
+  BulletWorld world;
+  std::mt19937_64 random(35);
+  int hits = 0;
+  constexpr int kPoses = 200;
+  for (int i = 0; i < kPoses; ++i) {
+    object_a.setWorldTransform(toBullet(testing::randomPose(random, 1.0)));
+    object_b.setWorldTransform(toBullet(testing::randomPose(random, 3.0)));
+    const Pose world_a = fromBullet(object_a.getWorldTransform());
+    const Pose b_in_a = world_a.inverse() * fromBullet(object_b.getWorldTransform());
+    const auto expected = testing::bruteForceContacts(*mesh_a, *mesh_b, b_in_a, double(gContactBreakingThreshold));
+    PairReport report, swapped;
+    world->contactPairTest(&object_a, &object_b, report);
+    world->contactPairTest(&object_b, &object_a, swapped);
+    ASSERT_EQ(report.points.empty(), expected.empty()) << "pose " << i;
+    ASSERT_EQ(swapped.points.empty(), expected.empty()) << "pose " << i;
+    hits += !expected.empty();
+    if (expected.empty()) continue;
+    const Contact deepest = *std::ranges::min_element(expected, {}, &Contact::distance);
+    ASSERT_NEAR(report.deepest(), deepest.distance, 1e-5);
+    ASSERT_NEAR(swapped.deepest(), deepest.distance, 1e-4);
+    for (const PairReport::Point& point : report.points) {
+      const auto same = std::ranges::find_if(expected, [&](const Contact& c) {
+        return int(c.triangle_a) == point.index0 && int(c.triangle_b) == point.index1;
+      });
+      ASSERT_NE(same, expected.end());
+      ASSERT_NEAR(point.distance, same->distance, 1e-5);
+      ASSERT_TRUE(point.on_b.isApprox(world_a * same->point_on_b, 1e-4));
+      ASSERT_TRUE(point.normal.isApprox(world_a.rotation * same->normal, 1e-4));
+    }
+  }
+  EXPECT_GT(hits, kPoses * 3 / 10);
+  EXPECT_LT(hits, kPoses * 7 / 10);
+}
+
+TEST(MeshPairs, closestPointsReachAsFarAsAsked) {
+  ClusteredOctreeShape box(treeOf(testing::boxMesh({1, 1, 1})));
+  btCollisionObject a, b;
+  a.setCollisionShape(&box);
+  b.setCollisionShape(&box);
+  b.setWorldTransform(at(2.5, 0.3, 0.2));
+  BulletWorld world;
+  PairReport near, far;
+  near.m_closestDistanceThreshold = btScalar(0.4);
+  far.m_closestDistanceThreshold = btScalar(0.6);
+  world->contactPairTest(&a, &b, near);
+  world->contactPairTest(&a, &b, far);
+  EXPECT_TRUE(near.points.empty());
+  ASSERT_FALSE(far.points.empty());
+  EXPECT_NEAR(far.deepest(), 0.5, 1e-6);
+}
+
+TEST(MeshPairs, marginsThickenTheSurface) {
+  ClusteredOctreeShape box(treeOf(testing::boxMesh({1, 1, 1})));
+  box.setMargin(btScalar(0.1));
+  btCollisionObject a, b;
+  a.setCollisionShape(&box);
+  b.setCollisionShape(&box);
+  b.setWorldTransform(at(0, 0, 2.15));
+  BulletWorld world;
+  PairReport report;
+  world->contactPairTest(&a, &b, report);
+  EXPECT_NEAR(report.deepest(), -0.05, 1e-6);
+  btSphereShape sphere(1);
+  b.setCollisionShape(&sphere);
+  b.setWorldTransform(at(0, 0, 2.05));
+  PairReport with_sphere;
+  world->contactPairTest(&a, &b, with_sphere);
+  ASSERT_FALSE(with_sphere.points.empty());
+  EXPECT_NEAR(with_sphere.deepest(), -0.05, 1e-5);
+  EXPECT_NEAR(with_sphere.points[0].on_a.z(), 1.1, 1e-5);
+}
+
+TEST(Pairs, compoundsWorkThroughTheirChildren) {
+  ClusteredOctreeShape torus(treeOf(testing::torus(2, 0.7, 24, 12)));
+  btSphereShape sphere(btScalar(0.5));
+  btCompoundShape compound;
+  compound.addChildShape(at(0, 0, 5), &sphere);
+  compound.addChildShape(at(0, 0, -5), &torus);
+  btCollisionObject a, b, c;
+  a.setCollisionShape(&torus);
+  b.setCollisionShape(&compound);
+  c.setCollisionShape(&sphere);
+  BulletWorld world;
+  b.setWorldTransform(at(2, 0, -4.0));  // the sphere child on the torus's tube
+  PairReport sphere_child, torus_child, torus_sphere;
+  world->contactPairTest(&a, &b, sphere_child);
+  EXPECT_NEAR(sphere_child.deepest(), -0.18, 0.05);
+  b.setWorldTransform(at(0.5, 0, 5));  // the torus child in the torus
+  world->contactPairTest(&b, &a, torus_child);
+  EXPECT_LT(torus_child.deepest(), 0.0);
+  c.setWorldTransform(at(2.5, 0, 0.5));
+  world->contactPairTest(&c, &b, torus_sphere);
+  EXPECT_LT(torus_sphere.deepest(), 0.0);
+}
+
+TEST(Pairs, contactAddedCallbackSeesTriangles) {
+  ClusteredOctreeShape floor(treeOf(testing::waveSheet(5, 0.0, 10)));
+  btSphereShape ball(1);
+  BulletWorld world;
+  btRigidBody& floor_body = world.add(floor, 0, at(0, 0, 0));
+  world.add(ball, 1, at(0.3, 0.1, 0.99));
+  floor_body.setCollisionFlags(floor_body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  static int calls;
+  static bool all_triangles;
+  calls = 0;
+  all_triangles = true;
+  gContactAddedCallback = [](btManifoldPoint&, const btCollisionObjectWrapper* object0, int part0, int index0,
+                             const btCollisionObjectWrapper* object1, int part1, int index1) {
+    ++calls;
+    const bool floor_is_0 = object0->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE;
+    const auto* side = floor_is_0 ? object0 : object1;
+    all_triangles &= side->getCollisionShape()->getShapeType() == TRIANGLE_SHAPE_PROXYTYPE &&
+                     (floor_is_0 ? part0 : part1) == 0 && (floor_is_0 ? index0 : index1) >= 0;
+    return false;
+  };
+  world.step(1);
+  gContactAddedCallback = nullptr;
+  EXPECT_GT(calls, 0);
+  EXPECT_TRUE(all_triangles);
+}
+
+TEST(Pairs, kinematicAgainstStaticIsReportedWithTheRightFilter) {
+  ClusteredOctreeShape torus(treeOf(testing::torus(2, 0.7, 24, 12)));
+  BulletWorld world;
+  btRigidBody fixed(0, nullptr, &torus), moving(0, nullptr, &torus);
+  moving.setCollisionFlags(moving.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  moving.setActivationState(DISABLE_DEACTIVATION);
+  world->addRigidBody(&fixed, 1, -1);
+  world->addRigidBody(&moving, 1, -1);
+  moving.setWorldTransform(at(1, 0, 0));
+  world->performDiscreteCollisionDetection();
+  int contacts = 0;
+  for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+    contacts += world.dispatcher().getManifoldByIndexInternal(m)->getNumContacts();
+  }
+  EXPECT_GT(contacts, 0);
+  world->removeRigidBody(&moving);
+  world->removeRigidBody(&fixed);
+  EXPECT_EQ(world.dispatcher().getNumManifolds(), 0);
+}
+
+}  // namespace
+}  // namespace octoblisk

@@ -1,0 +1,200 @@
+#include "octoblisk_bullet/clustered_octree_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "plugin/bullet_world.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::BulletMesh;
+
+struct Collected final : btTriangleCallback {
+  struct Corners {
+    Vec3 a, b, c;
+  };
+  std::map<std::pair<int, int>, Corners> triangles;
+  int calls = 0;
+
+  void processTriangle(btVector3* t, int part, int index) override {
+    ++calls;
+    triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
+  }
+};
+
+Collected allOf(const btConcaveShape& shape) {
+  Collected found;
+  const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
+  shape.processAllTriangles(&found, -far, far);
+  return found;
+}
+
+TEST(Shape, processAllTriangles_vs_bruteforce) {
+  const auto mesh = testing::fan(7, 12);
+  const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  std::mt19937_64 random(31);
+  std::size_t visited = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 center = testing::randomPoint(random, 2), half = testing::randomPoint(random, 0.5).cwiseAbs();
+    Collected found;
+    shape.processAllTriangles(&found, toBullet(center - half), toBullet(center + half));
+    ASSERT_EQ(static_cast<std::size_t>(found.calls), found.triangles.size());  // none twice
+    const Vec3 low = fromBullet(toBullet(center - half)), high = fromBullet(toBullet(center + half));
+    for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
+      Aabb bounds;
+      for (const Vec3& corner : mesh->triangle(t)) bounds.extend(corner);
+      const bool bounds_overlap =
+          (bounds.min.array() <= high.array()).all() && (bounds.max.array() >= low.array()).all();
+      const Obb box{0.5 * (low + high), Mat3::Identity(), 0.5 * (high - low)};
+      const bool meets = testing::boxTriangleOverlap(box, mesh->triangle(t)) >= 0.0;
+      const bool reported = found.triangles.contains({0, int(t)});
+      ASSERT_TRUE(reported || !meets) << "box " << i << ", triangle " << t;
+      ASSERT_TRUE(bounds_overlap || !reported) << "box " << i << ", triangle " << t;
+    }
+    visited += found.triangles.size();
+  }
+  EXPECT_GT(visited, 1000u);
+}
+
+/// The same two triangles through every layout that the interface allows.
+template <typename Scalar, typename Index>
+Collected throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type) {
+  struct Vertex {
+    Scalar x, y, z;
+    char padding[5];  // unaligned on purpose
+  } __attribute__((packed));
+  struct Corners {
+    Index a, b, c;
+    unsigned char padding[3];
+  } __attribute__((packed));
+  const Vertex vertices[4] = {{0, 0, 0, {}}, {1, 0, 0, {}}, {1, 1, 0, {}}, {0, 1, Scalar(0.5), {}}};
+  const Corners triangles[2] = {{0, 1, 2, {}}, {0, 2, 3, {}}};
+  btIndexedMesh part;
+  part.m_numTriangles = 2;
+  part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(triangles);
+  part.m_triangleIndexStride = sizeof(Corners);
+  part.m_numVertices = 4;
+  part.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices);
+  part.m_vertexStride = sizeof(Vertex);
+  part.m_vertexType = vertex_type;
+  btTriangleIndexVertexArray mesh;
+  mesh.addIndexedMesh(part, index_type);
+  mesh.addIndexedMesh(part, index_type);
+  mesh.setScaling(btVector3(2, 3, 4));
+  return allOf(ClusteredOctreeShape(&mesh));
+}
+
+void expectBothParts(const Collected& found) {
+  ASSERT_EQ(found.triangles.size(), 4u);
+  for (int part = 0; part < 2; ++part) {
+    const auto& second = found.triangles.at({part, 1});
+    EXPECT_EQ(second.a, Vec3(0, 0, 0));
+    EXPECT_EQ(second.b, Vec3(2, 3, 0));
+    EXPECT_EQ(second.c, Vec3(0, 3, 2));
+  }
+}
+
+TEST(Shape, readsEveryIndexAndVertexTypeStrideAndPart) {
+  expectBothParts(throughInterface<float, std::uint32_t>(PHY_FLOAT, PHY_INTEGER));
+  expectBothParts(throughInterface<double, std::uint32_t>(PHY_DOUBLE, PHY_INTEGER));
+  expectBothParts(throughInterface<float, std::uint16_t>(PHY_FLOAT, PHY_SHORT));
+  expectBothParts(throughInterface<double, std::uint8_t>(PHY_DOUBLE, PHY_UCHAR));
+}
+
+TEST(Shape, sixteenBitIndicesAreUnsigned) {
+  std::vector<float> vertices(3 * 40'000, 0.0f);
+  vertices[3 * 39'999] = 7.0f;
+  vertices[3 * 1 + 1] = 1.0f;
+  const std::uint16_t corners[3] = {0, 1, 39'999};
+  btIndexedMesh part;
+  part.m_numTriangles = 1;
+  part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(corners);
+  part.m_triangleIndexStride = sizeof corners;
+  part.m_numVertices = 40'000;
+  part.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices.data());
+  part.m_vertexStride = 3 * sizeof(float);
+  part.m_vertexType = PHY_FLOAT;
+  btTriangleIndexVertexArray mesh;
+  mesh.addIndexedMesh(part, PHY_SHORT);
+  EXPECT_EQ(allOf(ClusteredOctreeShape(&mesh)).triangles.at({0, 0}).c, Vec3(7, 0, 0));
+}
+
+std::string messageOf(const btStridingMeshInterface* mesh) {
+  try {
+    const ClusteredOctreeShape shape(mesh);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Shape, refusesBadMeshes) {
+  EXPECT_EQ(messageOf(nullptr), "ClusteredOctreeShape: the mesh interface is null");
+  btTriangleIndexVertexArray empty;
+  EXPECT_EQ(messageOf(&empty), "the mesh has no triangles");
+
+  int corners[3] = {0, 1, 5};
+  btScalar vertices[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  btTriangleIndexVertexArray outside(1, corners, sizeof corners, 3, vertices, 3 * sizeof(btScalar));
+  EXPECT_EQ(messageOf(&outside), "triangle 0 of part 0 uses vertex 5, but the part has 3 vertices");
+
+  corners[2] = 2;
+  EXPECT_EQ(messageOf(&outside), "accepted");
+  vertices[4] = std::numeric_limits<btScalar>::quiet_NaN();
+  EXPECT_EQ(messageOf(&outside), "vertex 1 has the coordinate nan; it must be finite and at most 1e12");
+  vertices[4] = 0;
+  outside.getIndexedMeshArray()[0].m_indexType = PHY_FIXEDPOINT88;
+  EXPECT_EQ(messageOf(&outside), "part 0 of the mesh interface has an unsupported index type");
+  EXPECT_THROW(ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree>()), std::invalid_argument);
+}
+
+TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
+  const auto mesh = testing::torus(3, 1, 16, 8);
+  const auto tree = std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
+  ClusteredOctreeShape shape(tree), other(tree);
+  shape.setLocalScaling(btVector3(-1, 2, btScalar(0.5)));
+  EXPECT_EQ(&other.tree(), tree.get());
+  double volume = 0.0;  // by the divergence theorem: positive where triangles face outward
+  for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
+    const Triangle corners = shape.tree().mesh().triangle(t);
+    volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;
+    EXPECT_EQ(corners[0], mesh->triangle(t)[0].cwiseProduct(Vec3(-1, 2, 0.5)));
+  }
+  EXPECT_GT(volume, 0.0);
+  EXPECT_THROW(shape.setLocalScaling(btVector3(1, 0, 1)), std::invalid_argument);
+  shape.setLocalScaling(btVector3(1, 1, 1));
+  EXPECT_EQ(shape.tree().mesh().triangle(0), mesh->triangle(0));
+}
+
+TEST(Shape, aabbHoldsTheTurnedMeshAndTheMargin) {
+  const auto mesh = testing::torus(3, 1, 16, 8);
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  EXPECT_EQ(shape.getMargin(), 0);
+  shape.setMargin(btScalar(0.25));
+  std::mt19937_64 random(32);
+  const btTransform pose = toBullet(testing::randomPose(random, 10));
+  btVector3 low, high;
+  shape.getAabb(pose, low, high);
+  for (const Vec3& vertex : mesh->vertices()) {
+    const btVector3 p = pose * toBullet(vertex);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(low[k], p[k] - btScalar(0.2499));
+      EXPECT_GE(high[k], p[k] + btScalar(0.2499));
+    }
+  }
+}
+
+TEST(Shape, breakingThresholdIsSmallAndSettable) {
+  ClusteredOctreeShape large(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(250, 20, 16, 8))));
+  EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), gContactBreakingThreshold);
+  large.setContactBreakingThreshold(btScalar(0.5));
+  EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), btScalar(0.5));
+}
+
+}  // namespace
+}  // namespace octoblisk
