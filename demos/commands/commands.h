@@ -1,0 +1,11 @@
+// The subcommands of octoblisk. Each adds itself to the app and leaves its exit code when it ran.
+// Bad input is thrown as std::exception with one line that names the file and place.
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace octoblisk::demos {
+
+void addMakeCommand(CLI::App& app, int& exit_code);
+
+}  // namespace octoblisk::demos

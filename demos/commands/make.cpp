@@ -1,0 +1,145 @@
+// octoblisk make: writes a generated blisk or a part of the belt grinder to a mesh file.
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands/commands.h"
+#include "models/belt_grinder.h"
+#include "models/blisk.h"
+#include "models/mesh_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+void writeAndTell(const std::string& file, const TriangleMesh& mesh) {
+  writeMesh(file, mesh);
+  const Vec3 size = 2.0 * mesh.bounds().halfExtents();
+  std::cout << file << ": " << mesh.triangleCount() << " triangles, " << std::setprecision(6) << size.x()
+            << " x " << size.y() << " x " << size.z() << " mm\n";
+}
+
+void addOut(CLI::App& command, std::string& out) {
+  command.add_option("-o,--out", out, "File to write: .stl (binary), .obj or .ply (binary)")->required();
+}
+
+struct BliskRequest {
+  std::string out;
+  std::string sections;
+  std::string hub_profile;
+  double length = 200.0;  // mm
+  BladeParameters blade;
+  BliskOptions blisk;
+  std::vector<const CLI::Option*> parametric;  ///< the options that files replace
+};
+
+void makeBliskFile(const BliskRequest& request) {
+  if (request.sections.empty() != request.hub_profile.empty()) {
+    throw std::invalid_argument("--sections and --hub-profile go together: give both, or neither");
+  }
+  const bool from_files = !request.sections.empty();
+  for (const CLI::Option* option : request.parametric) {
+    if (from_files && option->count() > 0) {
+      throw std::invalid_argument(option->get_name() +
+                                  " is of the parametric blade: it cannot go with --sections");
+    }
+  }
+  const BladeSections sections =
+      from_files ? readBladeSections(request.sections) : makeBladeSections(request.blade);
+  const RadiusProfile hub = from_files ? readHubProfile(request.hub_profile)
+                                       : cylinderProfile(request.blade.hub_radius, 0.5 * request.length);
+  writeAndTell(request.out, makeBlisk(sections, hub, request.blisk).mesh);
+}
+
+void addBlisk(CLI::App& make) {
+  CLI::App& command = *make.add_subcommand("blisk", "A bladed disk as one closed surface, axis Z");
+  const auto request = std::make_shared<BliskRequest>();
+  BladeParameters& blade = request->blade;
+  BliskOptions& blisk = request->blisk;
+  addOut(command, request->out);
+
+  const std::string disk = "Disk";
+  command.add_option("--triangles", blisk.target_triangles, "Triangles wanted, met within 15 %")->group(disk);
+  command.add_option("--blades", blisk.blade_count, "Number of blades")->group(disk);
+  command.add_option("--bore-radius", blisk.bore_radius, "mm")->group(disk);
+  command.add_flag("--shroud", blisk.shroud, "Join the tips by a ring")->group(disk);
+  command.add_option("--shroud-thickness", blisk.shroud_thickness, "mm, radially")->group(disk);
+  command.add_option("--shroud-overhang", blisk.shroud_overhang, "mm, axially beyond the tips")->group(disk);
+
+  const std::string files = "Blade and hub from files";
+  command
+      .add_option("--sections", request->sections,
+                  "Folder of blade sections, one CSV file each (x,y,z in mm), hub to tip by name")
+      ->group(files);
+  command.add_option("--hub-profile", request->hub_profile, "Hub surface, CSV file (z,r in mm)")
+      ->group(files);
+
+  const auto addParameter = [&](const std::string& name, auto& value, const std::string& help) {
+    request->parametric.push_back(command.add_option(name, value, help)->group("Parametric blade and hub"));
+  };
+  addParameter("--length", request->length, "mm, of the hub along Z");
+  addParameter("--hub-radius", blade.hub_radius, "mm");
+  addParameter("--tip-radius", blade.tip_radius, "mm");
+  addParameter("--chord-hub", blade.chord_hub, "mm");
+  addParameter("--chord-tip", blade.chord_tip, "mm");
+  addParameter("--stagger-hub", blade.stagger_hub, "Degrees from the axis to the chord");
+  addParameter("--stagger-tip", blade.stagger_tip, "Degrees from the axis to the chord");
+  addParameter("--thickness-hub", blade.thickness_hub, "mm");
+  addParameter("--thickness-tip", blade.thickness_tip, "mm");
+  addParameter("--camber-hub", blade.camber_hub, "mm, rise of the camber line");
+  addParameter("--camber-tip", blade.camber_tip, "mm, rise of the camber line");
+  addParameter("--edge-radius", blade.edge_radius, "mm, of leading and trailing edge");
+  addParameter("--lean", blade.lean, "Degrees about Z by which the tip leads the hub");
+  addParameter("--section-count", blade.section_count, "Number of sections from hub to tip");
+
+  command.callback([request] { makeBliskFile(*request); });
+}
+
+struct GrinderRequest {
+  std::string out;
+  BeltParameters belt;
+};
+
+void addGrinderPart(CLI::App& make, const std::string& name, const std::string& description,
+                    TriangleMesh (*makePart)(const BeltParameters&)) {
+  CLI::App& command = *make.add_subcommand(name, description);
+  const auto request = std::make_shared<GrinderRequest>();
+  BeltParameters& belt = request->belt;
+  addOut(command, request->out);
+
+  // Every part takes the whole grinder's sizes, so that the parts made with the same ones fit together.
+  const auto addParameter = [&](const std::string& option, auto& value, const std::string& help) {
+    command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
+  };
+  addParameter("--width", belt.width, "mm, of the belt");
+  addParameter("--thickness", belt.thickness, "mm, of the belt");
+  addParameter("--contact-wheel-radius", belt.contact_wheel_radius, "mm, of the belt's inner surface there");
+  addParameter("--drive-wheel-radius", belt.drive_wheel_radius, "mm, of the belt's inner surface there");
+  addParameter("--wheel-distance", belt.wheel_distance, "mm, between the wheels' centres");
+  addParameter("--wheel-gap", belt.wheel_gap, "mm, from wheel to belt");
+  addParameter("--stations", belt.stations, "Stations round the belt");
+  addParameter("--points-per-station", belt.points_per_station, "Points round the belt's cross-section");
+  addParameter("--arm-start", belt.arm_start, "mm, from the contact wheel's centre");
+  addParameter("--arm-width", belt.arm_width, "mm, along the wheels' axes");
+  addParameter("--arm-height", belt.arm_height, "mm, between the strands");
+
+  command.callback([request, makePart] { writeAndTell(request->out, makePart(request->belt)); });
+}
+
+}  // namespace
+
+void addMakeCommand(CLI::App& app, int&) {
+  CLI::App& make = *app.add_subcommand("make", "Write a generated blisk or belt grinder part to a file");
+  make.require_subcommand(1);
+  make.option_defaults()->always_capture_default();
+  addBlisk(make);
+  addGrinderPart(make, "belt", "The abrasive belt: contact wheel at the origin, arm along +x", makeBelt);
+  addGrinderPart(make, "contact-wheel", "The small wheel at the origin, axis z", makeContactWheel);
+  addGrinderPart(make, "drive-wheel", "The great wheel at the arm's far end", makeDriveWheel);
+  addGrinderPart(make, "arm", "The bar between the wheels", makeArm);
+}
+
+}  // namespace octoblisk::demos

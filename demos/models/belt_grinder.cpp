@@ -1,0 +1,229 @@
+#include "models/belt_grinder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kWheelSegments = 120;
+constexpr int kWheelRows = 8;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw std::invalid_argument(message);
+}
+
+/// The line the belt's inner surface follows in the x–y plane: clockwise from -x over the contact wheel,
+/// along the upper strand, round the drive wheel and back.
+class BeltPath {
+ public:
+  explicit BeltPath(const BeltParameters& p) : parameters_(p) {
+    slope_ = std::asin((p.drive_wheel_radius - p.contact_wheel_radius) / p.wheel_distance);
+    const double strand = p.wheel_distance * std::cos(slope_);
+    const double half_contact_turn = 0.5 * kPi - slope_;
+    const double drive_turn = kPi + 2.0 * slope_;
+    pieces_ = {{{half_contact_turn * p.contact_wheel_radius, half_contact_turn},
+                {strand, 0.0},
+                {drive_turn * p.drive_wheel_radius, drive_turn},
+                {strand, 0.0},
+                {half_contact_turn * p.contact_wheel_radius, half_contact_turn}}};
+    for (const Piece& piece : pieces_) length_ += piece.length;
+  }
+
+  struct Station {
+    Vec3 point;   ///< on the inner surface, z = 0
+    Vec3 normal;  ///< outwards
+  };
+
+  /// The station at a fraction 0..1 of the way, the way being half length and half turn.
+  Station at(double fraction) const {
+    double turned = 0.0;
+    double rest = fraction;
+    std::size_t piece = 0;
+    while (piece + 1 < pieces_.size() && rest > share(pieces_[piece])) {
+      rest -= share(pieces_[piece]);
+      turned += pieces_[piece].turn;
+      ++piece;
+    }
+    const double part = rest / share(pieces_[piece]);
+    const double angle = kPi - turned - part * pieces_[piece].turn;
+    const Vec3 normal(std::cos(angle), std::sin(angle), 0.0);
+    const Vec3 ahead(normal.y(), -normal.x(), 0.0);
+    const Vec3 drive_centre(parameters_.wheel_distance, 0.0, 0.0);
+    const Vec3 on_contact_wheel = parameters_.contact_wheel_radius * normal;
+    const Vec3 on_drive_wheel = drive_centre + parameters_.drive_wheel_radius * normal;
+    switch (piece) {
+      case 1:
+        return {on_contact_wheel + part * pieces_[1].length * ahead, normal};
+      case 2:
+        return {on_drive_wheel, normal};
+      case 3:
+        return {on_drive_wheel + part * pieces_[3].length * ahead, normal};
+      default:
+        return {on_contact_wheel, normal};
+    }
+  }
+
+  /// Half the distance between the strands at some x between the wheels.
+  double halfGap(double x) const {
+    return (parameters_.contact_wheel_radius + x * std::sin(slope_)) / std::cos(slope_);
+  }
+
+  /// The greatest turn between two stations, radians: on the smaller wheel or the greater.
+  double greatestTurn() const {
+    const double least_radius = std::min(parameters_.contact_wheel_radius, parameters_.drive_wheel_radius);
+    return 1.0 / (parameters_.stations * (0.5 * least_radius / length_ + 0.25 / kPi));
+  }
+
+ private:
+  struct Piece {
+    double length, turn;
+  };
+
+  double share(const Piece& piece) const { return 0.5 * piece.length / length_ + 0.25 * piece.turn / kPi; }
+
+  BeltParameters parameters_;
+  double slope_ = 0.0;  ///< of the strands against the x axis
+  std::array<Piece, 5> pieces_{};
+  double length_ = 0.0;
+};
+
+void requireUsable(const BeltParameters& p) {
+  const std::pair<double, const char*> sizes[] = {{p.width, "belt width"},
+                                                  {p.thickness, "belt thickness"},
+                                                  {p.contact_wheel_radius, "contact wheel radius"},
+                                                  {p.drive_wheel_radius, "drive wheel radius"},
+                                                  {p.wheel_distance, "wheel distance"},
+                                                  {p.wheel_gap, "wheel gap"},
+                                                  {p.arm_start, "arm start"},
+                                                  {p.arm_width, "arm width"},
+                                                  {p.arm_height, "arm height"}};
+  for (const auto& [size, name] : sizes) {
+    require(std::isfinite(size) && size > 0.0, std::string("the ") + name + " must be above 0 mm");
+  }
+  require(p.wheel_distance > p.contact_wheel_radius + p.drive_wheel_radius + 2.0 * p.thickness,
+          "the wheel distance must keep the two wheels apart");
+  require(p.wheel_gap < 0.5 * std::min(p.contact_wheel_radius, p.drive_wheel_radius),
+          "the wheel gap must be below half the wheels' radii");
+  require(p.points_per_station >= 4, "the belt needs at least four points a station");
+  require(p.stations >= 16, "the belt needs at least 16 stations");
+  const double half_turn = 0.5 * BeltPath(p).greatestTurn();
+  const double cut = std::max(p.contact_wheel_radius, p.drive_wheel_radius) * (1.0 - std::cos(half_turn));
+  require(cut < 0.5 * p.wheel_gap, "the belt needs more stations, or its facets would cut the wheels");
+}
+
+/// A closed cylinder about an axis along z.
+TriangleMesh cylinder(const Vec3& centre, double radius, double width) {
+  std::vector<Vec3> vertices;
+  for (int row = 0; row <= kWheelRows; ++row) {
+    const double z = width * (static_cast<double>(row) / kWheelRows - 0.5);
+    for (int segment = 0; segment < kWheelSegments; ++segment) {
+      const double angle = 2.0 * kPi * segment / kWheelSegments;
+      vertices.push_back(centre + Vec3(radius * std::cos(angle), radius * std::sin(angle), z));
+    }
+  }
+  const auto lower_centre = static_cast<std::uint32_t>(vertices.size());
+  vertices.push_back(centre + Vec3(0.0, 0.0, -0.5 * width));
+  vertices.push_back(centre + Vec3(0.0, 0.0, 0.5 * width));
+
+  const auto at = [](int row, int segment) {
+    return static_cast<std::uint32_t>(row * kWheelSegments + segment % kWheelSegments);
+  };
+  std::vector<TriangleMesh::Indices> triangles;
+  for (int segment = 0; segment < kWheelSegments; ++segment) {
+    for (int row = 0; row < kWheelRows; ++row) {
+      triangles.push_back({at(row, segment), at(row, segment + 1), at(row + 1, segment + 1)});
+      triangles.push_back({at(row, segment), at(row + 1, segment + 1), at(row + 1, segment)});
+    }
+    triangles.push_back({lower_centre, at(0, segment + 1), at(0, segment)});
+    triangles.push_back({lower_centre + 1, at(kWheelRows, segment), at(kWheelRows, segment + 1)});
+  }
+  return TriangleMesh(std::move(vertices), std::move(triangles));
+}
+
+TriangleMesh box(const Vec3& low, const Vec3& high) {
+  std::vector<Vec3> vertices;
+  for (int corner = 0; corner < 8; ++corner) {
+    vertices.emplace_back(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                          corner & 4 ? high.z() : low.z());
+  }
+  return TriangleMesh(std::move(vertices), {{0, 2, 3},
+                                            {0, 3, 1},
+                                            {4, 5, 7},
+                                            {4, 7, 6},
+                                            {0, 1, 5},
+                                            {0, 5, 4},
+                                            {2, 6, 7},
+                                            {2, 7, 3},
+                                            {0, 4, 6},
+                                            {0, 6, 2},
+                                            {1, 3, 7},
+                                            {1, 7, 5}});
+}
+
+}  // namespace
+
+TriangleMesh makeBelt(const BeltParameters& p) {
+  requireUsable(p);
+  const BeltPath path(p);
+  const int outer_points = p.points_per_station / 2;
+  const int inner_points = p.points_per_station - outer_points;
+
+  std::vector<Vec3> vertices;
+  for (int station = 0; station < p.stations; ++station) {
+    const auto [point, normal] = path.at(static_cast<double>(station) / p.stations);
+    for (int k = 0; k < outer_points; ++k) {
+      const double z = p.width * (static_cast<double>(k) / (outer_points - 1) - 0.5);
+      vertices.push_back(point + p.thickness * normal + Vec3(0.0, 0.0, z));
+    }
+    for (int k = 0; k < inner_points; ++k) {
+      const double z = p.width * (0.5 - static_cast<double>(k) / (inner_points - 1));
+      vertices.push_back(point + Vec3(0.0, 0.0, z));
+    }
+  }
+
+  const auto at = [&](int station, int k) {
+    return static_cast<std::uint32_t>((station % p.stations) * p.points_per_station +
+                                      k % p.points_per_station);
+  };
+  std::vector<TriangleMesh::Indices> triangles;
+  for (int station = 0; station < p.stations; ++station) {
+    for (int k = 0; k < p.points_per_station; ++k) {
+      triangles.push_back({at(station, k), at(station + 1, k + 1), at(station + 1, k)});
+      triangles.push_back({at(station, k), at(station, k + 1), at(station + 1, k + 1)});
+    }
+  }
+  return TriangleMesh(std::move(vertices), std::move(triangles));
+}
+
+TriangleMesh makeContactWheel(const BeltParameters& p) {
+  requireUsable(p);
+  return cylinder(Vec3::Zero(), p.contact_wheel_radius - p.wheel_gap, p.width);
+}
+
+TriangleMesh makeDriveWheel(const BeltParameters& p) {
+  requireUsable(p);
+  return cylinder({p.wheel_distance, 0.0, 0.0}, p.drive_wheel_radius - p.wheel_gap, p.width);
+}
+
+TriangleMesh makeArm(const BeltParameters& p) {
+  requireUsable(p);
+  constexpr double kClearance = 1.0;
+  const double arm_end = p.wheel_distance - p.drive_wheel_radius - kClearance;
+  require(p.arm_start >= p.contact_wheel_radius, "the arm must start outside the contact wheel");
+  require(p.arm_start < arm_end, "the arm must start before the drive wheel");
+  const BeltPath path(p);
+  const double half_gap = std::min(path.halfGap(p.arm_start), path.halfGap(arm_end));
+  require(0.5 * p.arm_height < half_gap, "the arm must be lower than the gap between the belt's strands");
+  const Vec3 half_size(0.0, 0.5 * p.arm_height, 0.5 * p.arm_width);
+  return box(Vec3(p.arm_start, 0.0, 0.0) - half_size, Vec3(arm_end, 0.0, 0.0) + half_size);
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,42 @@
+// The parts of a belt grinder: an abrasive belt, its two wheels and the arm between them.
+//
+// All lie in the belt's frame: the contact wheel's centre is the origin, the wheels turn about z, and the
+// arm goes along +x to the drive wheel. The belt grinds at the contact wheel, on the side of -x. Each part
+// is a closed surface, outward oriented, and clear of the others. Lengths are in mm.
+#pragma once
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::demos {
+
+/// All sizes are assumed: no source gives them. The number of stations and points is that of the belt cloud
+/// of the paper, 527 · 37 = 19,499 points.
+struct BeltParameters {
+  double width = 20.0;
+  double thickness = 1.5;
+  double contact_wheel_radius = 8.0;  ///< of the belt's inner surface
+  double drive_wheel_radius = 30.0;   ///< of the belt's inner surface
+  double wheel_distance = 300.0;      ///< between the wheels' centres
+  int stations = 527;                 ///< round the belt, the first at -x
+  int points_per_station = 37;        ///< round the belt's cross-section
+  double wheel_gap = 0.05;            ///< by which the wheels are smaller than the belt's inner surface
+  double arm_start = 15.0;            ///< x of the arm's end at the contact wheel
+  double arm_width = 16.0;            ///< along z
+  double arm_height = 8.0;            ///< along y, between the strands
+};
+
+/// The belt as a closed band of stations · points_per_station vertices (station by station, each beginning at
+/// the outer surface's edge of least z) and twice as many triangles. Half of the stations are spread over its
+/// length and half over its turns, so that the facets follow the wheels closely.
+///
+/// This and the functions below throw std::invalid_argument, naming the parameter, on sizes that make no
+/// belt grinder: not above 0, wheels that overlap, too few stations to go round the wheels.
+TriangleMesh makeBelt(const BeltParameters& parameters = {});
+
+TriangleMesh makeContactWheel(const BeltParameters& parameters = {});
+TriangleMesh makeDriveWheel(const BeltParameters& parameters = {});
+
+/// A bar between the belt's strands, from arm_start to a little before the drive wheel.
+TriangleMesh makeArm(const BeltParameters& parameters = {});
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,203 @@
+#include "models/blade_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "models/monotone_curve.h"
+
+namespace octoblisk::demos {
+namespace {
+
+/// How far beyond the first or last section a blade may be drawn, as a part of its span.
+constexpr double kMaxExtension = 0.25;
+
+Vec3 asVector(const CylindricalPoint& point) { return {point.z, point.radius, point.angle}; }
+CylindricalPoint asPoint(const Vec3& vector) { return {vector[0], vector[1], vector[2]}; }
+
+/// The angle, shifted by whole turns, nearest to another.
+double nearestTurn(double angle, double other) {
+  return angle - 2.0 * std::numbers::pi * std::round((angle - other) / (2.0 * std::numbers::pi));
+}
+
+/// A section as a smooth closed curve of (z, radius, angle) from its leading edge round to it again.
+class SectionCurve {
+ public:
+  SectionCurve(const SectionLoop& loop, std::size_t number, double angle_nearby)
+      : SectionCurve(unrolled(loop, number, angle_nearby), number) {}
+
+  Vec3 at(BladeSide side, double fraction) const {
+    const double trailing = trailing_knot_;
+    return curve_.at(side == forward_first_ ? fraction * trailing
+                                            : length_ - fraction * (length_ - trailing));
+  }
+  double leadingAngle() const { return curve_.at(0.0)[2]; }
+
+ private:
+  struct Unrolled {
+    std::vector<double> knots;  ///< length along the loop
+    std::vector<Vec3> points;
+    std::size_t trailing = 0;
+  };
+
+  SectionCurve(Unrolled loop, std::size_t number)
+      : length_(loop.knots.back()),
+        trailing_knot_(loop.knots[loop.trailing]),
+        curve_(std::move(loop.knots), std::move(loop.points), MonotoneCurve::Ends::kClosed) {
+    const double first_side = curve_.at(0.5 * trailing_knot_)[2];
+    const double second_side = curve_.at(0.5 * (trailing_knot_ + length_))[2];
+    if (first_side == second_side) {
+      throw std::invalid_argument("section " + std::to_string(number) + " has no thickness");
+    }
+    forward_first_ = first_side > second_side ? BladeSide::kForward : BladeSide::kBackward;
+  }
+
+  static Unrolled unrolled(SectionLoop loop, std::size_t number, double angle_nearby) {
+    loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+    if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    if (loop.size() < 4) {
+      throw std::invalid_argument("section " + std::to_string(number) +
+                                  " has fewer than four distinct points");
+    }
+    const auto by_z = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), by_z), loop.end());
+    const auto trailing = std::max_element(loop.begin(), loop.end(), by_z);
+    const auto sharesZ = [&](const Vec3& edge) {
+      return std::count_if(loop.begin(), loop.end(), [&](const Vec3& p) { return p.z() == edge.z(); }) > 1;
+    };
+    if (sharesZ(loop.front()) || sharesZ(*trailing)) {
+      throw std::invalid_argument("section " + std::to_string(number) +
+                                  " has an edge cut square to the axis; one point must have the least z and "
+                                  "one the greatest");
+    }
+    Unrolled result;
+    result.trailing = static_cast<std::size_t>(trailing - loop.begin());
+    double angle = angle_nearby;
+    for (const Vec3& point : loop) {
+      const double radius = std::hypot(point.x(), point.y());
+      angle = nearestTurn(std::atan2(point.y(), point.x()), angle);
+      result.knots.push_back(result.points.empty()
+                                 ? 0.0
+                                 : result.knots.back() + (point - loop[result.points.size() - 1]).norm());
+      result.points.emplace_back(point.z(), radius, angle);
+    }
+    result.knots.push_back(result.knots.back() + (loop.front() - loop.back()).norm());
+    result.points.push_back(result.points.front());
+    return result;
+  }
+
+  double length_;
+  double trailing_knot_;
+  MonotoneCurve curve_;
+  BladeSide forward_first_ = BladeSide::kForward;  ///< the side that comes first along the curve
+};
+
+/// Where each section lies in the span, 0..1: by the mean distance between sections in the meridian.
+std::vector<double> spanPositions(const std::vector<SectionCurve>& sections) {
+  std::vector<double> positions{0.0};
+  for (std::size_t s = 1; s < sections.size(); ++s) {
+    double distance = 0.0;
+    constexpr int kProbes = 8;
+    for (int probe = 0; probe <= kProbes; ++probe) {
+      const double fraction = static_cast<double>(probe) / kProbes;
+      for (const BladeSide side : {BladeSide::kForward, BladeSide::kBackward}) {
+        const Vec3 step = sections[s].at(side, fraction) - sections[s - 1].at(side, fraction);
+        distance += std::hypot(step[0], step[1]);
+      }
+    }
+    if (distance == 0.0) {
+      throw std::invalid_argument("section " + std::to_string(s + 1) + " repeats the one before it");
+    }
+    positions.push_back(positions.back() + distance);
+  }
+  for (double& position : positions) position /= positions.back();
+  return positions;
+}
+
+/// The height of a point over a surface of revolution.
+double heightOver(const RadiusProfile& surface, const Vec3& point) {
+  return point[1] - surface.radiusAt(point[0]);
+}
+
+/// The parameter between low and high at which a line that rises from the surface's inside crosses it.
+double crossing(const MonotoneCurve& line, const RadiusProfile& surface, double low, double high) {
+  for (int halving = 0; halving < 64; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (heightOver(surface, line.at(middle)) < 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+double hubCrossing(const MonotoneCurve& line, const RadiusProfile& hub) {
+  if (!(heightOver(hub, line.at(1.0)) > 0.0)) {
+    throw std::invalid_argument("the blade's tip lies below the hub surface");
+  }
+  if (heightOver(hub, line.at(-kMaxExtension)) > 0.0) {
+    throw std::invalid_argument("the blade's first section lies " +
+                                std::to_string(heightOver(hub, line.at(0.0))) +
+                                " mm outside the hub surface; the blade does not reach it");
+  }
+  return crossing(line, hub, -kMaxExtension, 1.0);
+}
+
+double shroudCrossing(const MonotoneCurve& line, const RadiusProfile& shroud, double root) {
+  if (heightOver(shroud, line.at(root)) >= 0.0 || heightOver(shroud, line.at(1.0 + kMaxExtension)) <= 0.0) {
+    throw std::invalid_argument("the blade does not reach the shroud's inner surface");
+  }
+  return crossing(line, shroud, root, 1.0 + kMaxExtension);
+}
+
+}  // namespace
+
+Vec3 toCartesian(const CylindricalPoint& point) {
+  return {point.radius * std::cos(point.angle), point.radius * std::sin(point.angle), point.z};
+}
+
+BladeGrid::BladeGrid(int chord_cells, int span_cells)
+    : chord_cells_(chord_cells),
+      span_cells_(span_cells),
+      points_(2 * static_cast<std::size_t>(chord_cells + 1) * (span_cells + 1)) {}
+
+BladeGrid sampleBlade(const BladeSections& sections, const RadiusProfile& hub, const RadiusProfile* shroud,
+                      int chord_cells, int span_cells) {
+  if (sections.loops.size() < 2) throw std::invalid_argument("a blade needs at least two sections");
+  std::vector<SectionCurve> curves;
+  for (const SectionLoop& loop : sections.loops) {
+    curves.emplace_back(loop, curves.size() + 1, curves.empty() ? 0.0 : curves.back().leadingAngle());
+  }
+  const std::vector<double> positions = spanPositions(curves);
+
+  BladeGrid grid(chord_cells, span_cells);
+  const auto sampleLine = [&](BladeSide side, int station) {
+    const double fraction = 0.5 * (1.0 - std::cos(std::numbers::pi * station / chord_cells));
+    std::vector<Vec3> points;
+    for (const SectionCurve& curve : curves) points.push_back(curve.at(side, fraction));
+    const MonotoneCurve line(positions, std::move(points));
+    const double root = hubCrossing(line, hub);
+    const double tip = shroud ? shroudCrossing(line, *shroud, root) : 1.0;
+    for (int row = 0; row <= span_cells; ++row) {
+      CylindricalPoint& point = grid.at(side, row, station);
+      point = asPoint(line.at(std::lerp(root, tip, static_cast<double>(row) / span_cells)));
+      if (row == 0) point.radius = hub.radiusAt(point.z);
+      if (row == span_cells && shroud) point.radius = shroud->radiusAt(point.z);
+      if (row > 0 &&
+          heightOver(hub, asVector(point)) <= heightOver(hub, asVector(grid.at(side, row - 1, station)))) {
+        throw std::invalid_argument(
+            "the blade does not rise from the hub to the tip near z = " + std::to_string(point.z) + " mm");
+      }
+    }
+  };
+  for (int station = 0; station <= chord_cells; ++station) {
+    sampleLine(BladeSide::kForward, station);
+    const bool at_edge = station == 0 || station == chord_cells;
+    if (!at_edge) sampleLine(BladeSide::kBackward, station);
+    for (int row = 0; at_edge && row <= span_cells; ++row) {
+      grid.at(BladeSide::kBackward, row, station) = grid.at(BladeSide::kForward, row, station);
+    }
+  }
+  return grid;
+}
+
+}  // namespace octoblisk::demos

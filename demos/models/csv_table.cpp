@@ -1,0 +1,84 @@
+#include "models/csv_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace octoblisk::demos {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> result;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    result.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return result;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+double finiteNumber(std::string_view text, const std::filesystem::path& file, std::size_t line) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    throw std::runtime_error(atLine(file, line, "'" + std::string(text) + "' is not a finite number"));
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string atLine(const std::filesystem::path& file, std::size_t line, const std::string& message) {
+  return file.string() + ":" + std::to_string(line) + ": " + message;
+}
+
+std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string& header) {
+  std::ifstream stream(file);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw std::runtime_error(file.string() + ": cannot be opened for reading");
+  }
+  const std::vector<std::string_view> wanted = cells(header);
+  std::vector<CsvRow> rows;
+  bool in_body = false;
+  std::string text;
+  for (std::size_t line = 1; std::getline(stream, text); ++line) {
+    std::string_view content = text;
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (line == 1 && content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
+    content = trimmed(content);
+    if (content.empty() || content.front() == '#') continue;
+    const std::vector<std::string_view> found = cells(content);
+    if (!in_body) {
+      if (found != wanted) {
+        throw std::runtime_error(
+            atLine(file, line, "the header is '" + std::string(content) + "'; it must be '" + header + "'"));
+      }
+      in_body = true;
+      continue;
+    }
+    if (found.size() != wanted.size()) {
+      throw std::runtime_error(atLine(
+          file, line,
+          std::to_string(found.size()) + " columns; '" + header + "' has " + std::to_string(wanted.size())));
+    }
+    CsvRow row{line, {}};
+    for (const std::string_view cell : found) row.values.push_back(finiteNumber(cell, file, line));
+    rows.push_back(std::move(row));
+  }
+  if (!in_body)
+    throw std::runtime_error(atLine(file, 1, "the file is empty; it must begin with '" + header + "'"));
+  return rows;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,24 @@
+// Reading and writing triangle meshes as STL, OBJ or PLY.
+#pragma once
+
+#include <filesystem>
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::demos {
+
+/// Reads .stl (binary or ASCII), .obj or .ply. Polygons are cut into triangles; points and lines are passed
+/// over. Triangles keep their order and none is dropped, be it degenerate; vertices at equal coordinates
+/// become one, and vertices no triangle uses go. Coordinates are those of the nearest 32-bit floats.
+///
+/// Throws std::runtime_error in one line naming the file, and the line or triangle (counted from 1) where
+/// there is one: missing file, unknown extension, empty or truncated file, no triangles, a value that is no
+/// number, an index of no vertex, a coordinate that is NaN, infinite or too large for a mesh. An OBJ
+/// announces no counts: it is taken for truncated if its last line has no line end.
+TriangleMesh readMesh(const std::filesystem::path& file);
+
+/// Writes by extension: binary .stl, .obj or binary .ply. Coordinates become 32-bit floats.
+/// Throws std::runtime_error naming the file: unknown extension, or a file that cannot be written.
+void writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh);
+
+}  // namespace octoblisk::demos

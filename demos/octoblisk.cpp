@@ -1,0 +1,31 @@
+// The octoblisk command: one file a subcommand, in commands/.
+//
+// Exit codes: 0 clean, 1 interference found, 2 bad input.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "commands/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "OctoBlisk: checks an abrasive belt against a bladed disk (blisk), exactly on the triangles.\n"
+      "Lengths are in mesh units; the generated models and the grinding check are in mm."};
+  app.name("octoblisk");
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.footer("Exit codes: 0 clean, 1 interference found, 2 bad input.");
+
+  int exit_code = 0;
+  octoblisk::demos::addMakeCommand(app, exit_code);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::cerr << "octoblisk: " << error.what() << '\n';
+    return 2;
+  }
+  return exit_code;
+}

@@ -1,0 +1,18 @@
+// Turns a scene and a camera into pixels.
+#pragma once
+
+#include "report/camera.h"
+#include "report/image.h"
+#include "report/scene.h"
+
+namespace octoblisk::demos {
+
+/// The scene before white. Surfaces are lit by a sky and two lamps that move with the camera; silhouettes and
+/// creases are drawn as dark lines; edges are smooth. `pixels_per_point` scales the widths of the marks.
+///
+/// The image is the same, bit for bit, for any number of threads (≥ 1).
+/// Throws std::invalid_argument for a camera that makes no picture, std::runtime_error where Embree fails.
+Image renderScene(const Scene& scene, const Camera& camera, int width, int height, float pixels_per_point,
+                  unsigned threads);
+
+}  // namespace octoblisk::demos
