@@ -81,7 +81,8 @@ btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_fact
 
 void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const {
   const Aabb& bounds = tree_->mesh().bounds();
-  btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), getMargin(), transform, aabb_min, aabb_max);
+  const btScalar reach = getMargin() + std::max(contact_breaking_threshold_, btScalar(0));
+  btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), reach, transform, aabb_min, aabb_max);
 }
 
 void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {

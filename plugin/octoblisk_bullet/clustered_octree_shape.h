@@ -49,6 +49,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   void setContactBreakingThreshold(btScalar threshold) { contact_breaking_threshold_ = threshold; }
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
+  /// Grown by the margin and by a breaking threshold that was set, so that the broadphase loses no near contact.
   void getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const override;
 
   /// Builds a tree over the scaled triangles for this shape alone; negative factors turn the triangles, so that
