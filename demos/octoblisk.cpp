@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
   app.footer("Exit codes: 0 clean, 1 interference found, 2 bad input.");
 
   int exit_code = 0;
+  octoblisk::demos::addGrindCommand(app, exit_code);
   octoblisk::demos::addMakeCommand(app, exit_code);
+  octoblisk::demos::addCheckCommand(app, exit_code);
 
   try {
     app.parse(argc, argv);

@@ -173,9 +173,10 @@ std::string oneLine(std::string message) {
 
 }  // namespace
 
-TriangleMesh readMesh(const std::filesystem::path& file) {
+TriangleMesh readMesh(const std::filesystem::path& file) { return readMesh(file, readBytes(file)); }
+
+TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes) {
   const Format& format = formatOf(file);
-  const std::string bytes = readBytes(file);
   format.check(bytes, file.string());
   Assimp::Importer importer;
   const aiScene* const scene =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "octoblisk/triangle_mesh.h"
 
@@ -16,6 +17,9 @@ namespace octoblisk::demos {
 /// number, an index of no vertex, a coordinate that is NaN, infinite or too large for a mesh. An OBJ
 /// announces no counts: it is taken for truncated if its last line has no line end.
 TriangleMesh readMesh(const std::filesystem::path& file);
+
+/// The same for a file whose bytes are in memory already.
+TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes);
 
 /// Writes by extension: binary .stl, .obj or binary .ply. Coordinates become 32-bit floats.
 /// Throws std::runtime_error naming the file: unknown extension, or a file that cannot be written.

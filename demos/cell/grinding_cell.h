@@ -1,0 +1,48 @@
+// A headless Bullet world with a blisk in it and a belt grinder that is moved along a path.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/contact.h"
+
+namespace octoblisk::demos {
+
+/// A part of the tool. Its mesh is in the tool's frame, mm.
+struct ToolPart {
+  std::string name;
+  std::shared_ptr<const ClusteredOctree> tree;
+};
+
+/// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part: points and normal are in the
+/// blisk's frame (mm), the normal points from the part into the blisk.
+struct PartContact {
+  std::size_t part = 0;  ///< index of the tool part
+  Contact contact;
+};
+
+class GrindingCell {
+ public:
+  /// Contacts are reported up to the distance `reach` (mm, > 0).
+  GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double reach);
+  ~GrindingCell();
+  GrindingCell(const GrindingCell&) = delete;
+  GrindingCell& operator=(const GrindingCell&) = delete;
+
+  const ClusteredOctree& blisk() const;
+  const std::vector<ToolPart>& parts() const { return parts_; }
+
+  /// Moves the tool there and asks Bullet for its contacts: part by part, a few for each patch of touch, the
+  /// deepest among them.
+  std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
+
+ private:
+  class World;
+  std::vector<ToolPart> parts_;
+  double reach_;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace octoblisk::demos

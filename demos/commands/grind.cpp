@@ -1,0 +1,153 @@
+// octoblisk grind: moves the belt grinder along a path and tells what touches what.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "cell/grinding_cell.h"
+#include "cell/verdict.h"
+#include "commands/commands.h"
+#include "models/belt_grinder.h"
+#include "models/blade_finder.h"
+#include "models/embedded_assets.h"
+#include "models/mesh_file.h"
+#include "report/grinding_report.h"
+#include "report/progress_bar.h"
+#include "toolpath/grinding_path.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct GrindRequest {
+  std::string blisk, belt, path;  // files; empty: the defaults
+  std::string out;
+  std::optional<int> ground_blade;
+  double max_depth = 0.1;  // mm
+  double near_miss = 0.5;  // mm
+  bool pictures = true;
+};
+
+std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
+  auto shared = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::move(shared)));
+}
+
+/// The whole default grinder, or the user's belt alone: the default wheels and arm need not fit it.
+std::vector<ToolPart> toolParts(const std::string& belt_file) {
+  std::vector<ToolPart> parts;
+  if (!belt_file.empty()) {
+    parts.push_back({"belt", treeOf(readMesh(belt_file))});
+    return parts;
+  }
+  for (EmbeddedPart& part : embeddedBeltGrinder()) {
+    parts.push_back({std::move(part.name), treeOf(std::move(part.mesh))});
+  }
+  return parts;
+}
+
+std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk, const BladesFound& blades) {
+  if (!request.path.empty()) return readPoses(request.path);
+  if (blades.count == 0) {
+    throw std::invalid_argument((request.blisk.empty() ? "the blisk" : request.blisk) +
+                                ": no blades were found round the z axis, so no path can be made: give one by --path");
+  }
+  const BeltParameters belt;
+  GrindingPathOptions options;
+  options.blade = request.ground_blade.value_or(1);
+  options.wheel_radius = belt.contact_wheel_radius + belt.thickness;
+  return makeGrindingPath(blisk, blades, options);
+}
+
+void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFound& blades, GrindingRun& run) {
+  ProgressBar progress(std::cerr, path.size());
+  std::chrono::duration<double> spent{};
+  for (const Pose& pose : path) {
+    const auto start = std::chrono::steady_clock::now();
+    PoseReport report{pose, cell.contactsAt(pose), {}, {}, Verdict::clear};
+    spent += std::chrono::steady_clock::now() - start;
+    for (const PartContact& found : report.contacts) {
+      report.blades.push_back(blades.blade_of_triangle[found.contact.triangle_a]);
+    }
+    run.poses.push_back(std::move(report));
+    progress.update(run.poses.size());
+  }
+  run.seconds_a_pose = spent.count() / static_cast<double>(path.size());
+}
+
+void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
+  std::cout << run.poses.size() << " poses along blade " << run.rules.ground_blade << " of " << run.blade_count << ": "
+            << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
+            << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
+            << run.count(Verdict::interference) << " interference\n";
+  const PoseReport& shown = run.poses[poseToShow(run)];
+  if (shown.verdict == Verdict::interference) {
+    std::cout << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
+  }
+  std::cout << "Tables: " << (out / "contacts.csv").string() << ", " << (out / "summary.json").string() << ", "
+            << (out / "path.csv").string() << '\n';
+  if (pictures) {
+    std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string() << '\n';
+  }
+}
+
+int grind(const GrindRequest& request) {
+  const std::filesystem::path out = request.out;
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+
+  GrindingRun run;
+  run.blisk_name = request.blisk.empty() ? "default" : request.blisk;
+  run.belt_name = request.belt.empty() ? "default" : request.belt;
+  run.path_name = request.path.empty() ? "generated" : request.path;
+  run.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk));
+  run.parts = toolParts(request.belt);
+  run.near_miss = request.near_miss;
+  const BladesFound blades = findBlades(run.blisk->mesh());
+  run.blade_count = blades.count;
+  const std::vector<Pose> path = pathOf(request, run.blisk->mesh(), blades);
+  writePoses(out / "path.csv", path);
+
+  GrindingCell cell(run.blisk, run.parts, request.near_miss);
+  movePath(cell, path, blades, run);
+  const int default_blade = request.path.empty() ? 1 : mostTouchedBlade(run.poses, run.rules.grinding_part);
+  run.rules.ground_blade = request.ground_blade.value_or(default_blade);
+  run.rules.max_depth = request.max_depth;
+  judge(run.poses, run.rules);
+
+  writeContacts(run, out / "contacts.csv");
+  writeSummary(run, out / "summary.json");
+  if (request.pictures) writePictures(run, out);
+  tell(run, out, request.pictures);
+  return run.count(Verdict::interference) > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void addGrindCommand(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("grind", "Check a belt grinder along a path over a blisk, in a Bullet world");
+  const auto request = std::make_shared<GrindRequest>();
+  command.add_option("--blisk", request->blisk, "Mesh file (mm, axis Z); default: the built-in blisk");
+  command.add_option("--belt", request->belt,
+                     "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
+                     "built-in grinder with belt, wheels and arm");
+  command.add_option("--path", request->path,
+                     "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side");
+  command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")->required();
+  command.add_option("--ground-blade", request->ground_blade,
+                     "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most");
+  command.add_option("--max-depth", request->max_depth, "mm that the belt may be pressed into the ground blade")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--near-miss", request->near_miss, "mm below which a clearance is reported")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_flag("!--no-pictures", request->pictures, "Leave the pictures out");
+  command.footer("Exit codes: 0 no interference, 1 interference found, 2 bad input.");
+  command.callback([request, &exit_code] { exit_code = grind(*request); });
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,89 @@
+#include "report/grinding_report.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace octoblisk::demos {
+namespace {
+
+std::ofstream openForWriting(const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  return stream;
+}
+
+void finish(std::ofstream& stream, const std::filesystem::path& file) {
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+/// Runs of poses that interfere, as pairs of first and last pose.
+nlohmann::ordered_json interferingRanges(const std::vector<PoseReport>& poses) {
+  nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i].verdict != Verdict::interference) continue;
+    const std::size_t first = i;
+    while (i + 1 < poses.size() && poses[i + 1].verdict == Verdict::interference) ++i;
+    ranges.push_back({first, i});
+  }
+  return ranges;
+}
+
+}  // namespace
+
+std::size_t GrindingRun::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
+}
+
+void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
+  std::ofstream stream = openForWriting(file);
+  stream.precision(9);
+  stream << "pose,verdict,part,blade,triangle_blisk,triangle_part,blisk_x,blisk_y,blisk_z,part_x,part_y,part_z,"
+            "normal_x,normal_y,normal_z,depth\n";
+  for (std::size_t p = 0; p < run.poses.size(); ++p) {
+    const PoseReport& pose = run.poses[p];
+    if (pose.contacts.empty()) stream << p << ",clear,,,,,,,,,,,,,,\n";
+    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
+      const auto& [part, contact] = pose.contacts[c];
+      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ',' << pose.blades[c] << ','
+             << contact.triangle_a << ',' << contact.triangle_b;
+      for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
+        stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
+      }
+      stream << ',' << -contact.distance << '\n';
+    }
+  }
+  finish(stream, file);
+}
+
+void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
+  const BuildStats& tree = run.blisk->stats();
+  nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+  for (const ToolPart& part : run.parts) {
+    parts.push_back({{"name", part.name}, {"triangles", part.tree->stats().triangles}});
+  }
+  const nlohmann::ordered_json summary = {
+      {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.blade_count}}},
+      {"belt", run.belt_name},
+      {"path", run.path_name},
+      {"parts", parts},
+      {"limits",
+       {{"ground_blade", run.rules.ground_blade}, {"max_depth_mm", run.rules.max_depth}, {"near_miss_mm", run.near_miss}}},
+      {"poses",
+       {{"total", run.poses.size()},
+        {"clear", run.count(Verdict::clear)},
+        {"intended_contact", run.count(Verdict::intended_contact)},
+        {"near_miss", run.count(Verdict::near_miss)},
+        {"interference", run.count(Verdict::interference)}}},
+      {"interfering_poses", interferingRanges(run.poses)},
+      {"tree",
+       {{"nodes", tree.nodes}, {"leaves", tree.leaves}, {"depth", tree.depth}, {"leaf_volume_mm3", tree.leaf_volume}}},
+      {"mean_query_us", run.seconds_a_pose * 1e6}};
+  std::ofstream stream = openForWriting(file);
+  stream << summary.dump(2) << '\n';
+  finish(stream, file);
+}
+
+}  // namespace octoblisk::demos

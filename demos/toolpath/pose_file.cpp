@@ -1,0 +1,59 @@
+#include "toolpath/pose_file.h"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "models/csv_table.h"
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::demos {
+namespace {
+
+const std::string kHeader = "x,y,z,qw,qx,qy,qz";
+// Quaternions are turned into matrices and back with digits to spare, lest a round trip loses any.
+using Quaternion = Eigen::Quaternion<long double>;
+constexpr double kNormTolerance = 1e-3;  ///< beyond rounding to a few digits, it is no rotation but a mistake
+
+Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
+  const std::vector<double>& v = row.values;
+  const Vec3 translation(v[0], v[1], v[2]);
+  const Quaternion quaternion(v[3], v[4], v[5], v[6]);  // w first
+  if (translation.cwiseAbs().maxCoeff() > TriangleMesh::kMaxCoordinate) {
+    throw std::runtime_error(atLine(file, row.line, "the translation is beyond 1e12 mesh units"));
+  }
+  const auto norm = static_cast<double>(quaternion.coeffs().stableNorm());
+  if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
+    throw std::runtime_error(
+        atLine(file, row.line,
+               "the quaternion's norm is " + std::to_string(norm) + "; it must be within 0.001 of 1"));
+  }
+  return {quaternion.normalized().toRotationMatrix().cast<double>(), translation};
+}
+
+}  // namespace
+
+std::vector<Pose> readPoses(const std::filesystem::path& file) {
+  std::vector<Pose> poses;
+  for (const CsvRow& row : readCsv(file, kHeader)) poses.push_back(poseOf(row, file));
+  if (poses.empty()) throw std::runtime_error(file.string() + ": no poses below the header");
+  return poses;
+}
+
+void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) {
+  std::ofstream stream(file);
+  stream.precision(std::numeric_limits<double>::max_digits10);
+  stream << kHeader << '\n';
+  for (const Pose& pose : poses) {
+    const Vec3& t = pose.translation;
+    const Eigen::Quaterniond q = Quaternion(pose.rotation.cast<long double>()).normalized().cast<double>();
+    stream << t.x() << ',' << t.y() << ',' << t.z() << ',' << q.w() << ',' << q.x() << ',' << q.y() << ','
+           << q.z() << '\n';
+  }
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,24 @@
+// Toolpaths as CSV files: one rigid pose a line.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "octoblisk/types.h"
+
+namespace octoblisk::demos {
+
+/// Reads poses of the moving body in the fixed body's frame from a CSV file with the header
+/// "x,y,z,qw,qx,qy,qz": a translation in mesh units and a quaternion, which is normalised.
+/// Throws std::runtime_error in one line naming the file, and the line where there is one: what readCsv
+/// refuses, no poses, a quaternion whose norm is not within 1e-3 of 1, a translation beyond
+/// ±TriangleMesh::kMaxCoordinate.
+std::vector<Pose> readPoses(const std::filesystem::path& file);
+
+/// Writes poses as readPoses reads them. Rotations come back within 1e-15 an entry, as far as they are
+/// orthonormal; translations come back bit by bit.
+/// Throws std::runtime_error naming the file where it cannot be written.
+void writePoses(const std::filesystem::path& file, std::span<const Pose> poses);
+
+}  // namespace octoblisk::demos
