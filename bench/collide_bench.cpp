@@ -23,7 +23,8 @@ const Scene& sceneOf(std::int64_t triangles) {
   static std::map<std::int64_t, Scene> scenes;
   const auto known = scenes.find(triangles);
   if (known != scenes.end()) return known->second;
-  const auto blisk = std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(static_cast<std::size_t>(triangles)).mesh);
+  const auto blisk =
+      std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(static_cast<std::size_t>(triangles)).mesh);
   const auto belt = std::make_shared<const TriangleMesh>(demos::makeBelt());
   Scene scene{blisk, belt, ClusteredOctree::build(blisk), ClusteredOctree::build(belt),
               demos::makeGrindingPath(*blisk, demos::findBlades(*blisk), {})};

@@ -69,8 +69,8 @@ struct Box8 {
   }
 };
 
-/// For each of the eight boxes the widest gap to `box` along the six face axes of the two: where it is above 0,
-/// they are apart at least that far; where it is not, they may overlap (the nine edge axes are left out).
+/// For each of the eight boxes the widest gap to `box` along the six face axes of the two: where it is above
+/// 0, they are apart at least that far; where it is not, they may overlap (the nine edge axes are left out).
 inline Float8 widestGap(const Box8& boxes, const BoxF& box) {
   Float8 offset[3], gap = Float8::Constant(-1e30f);
   Float8 cosine[3][3], magnitude[3][3];  // [axis of box][axis of boxes]

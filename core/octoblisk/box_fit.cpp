@@ -26,7 +26,8 @@ struct Turn {
 };
 
 /// The turn of the axes u, v about their normal that gives the points the box of least area.
-Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<const Eigen::ArrayXf>& v, float slack) {
+Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<const Eigen::ArrayXf>& v,
+                   float slack) {
   constexpr int kAngles = 12;
   constexpr float kWorthwhile = 0.999f;  // a turn must gain this much
   Turn best;

@@ -16,8 +16,8 @@ using VertexSample = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::ColMajor, 3 
 void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sample);
 
 /// The box of the points in their principal frame, turned about its thinnest axis to the least area (twelve
-/// angles over 90°). `slack` is added to each edge while areas are compared, so that flat boxes compare by the
-/// edges that matter. The points need not be centred.
+/// angles over 90°). `slack` is added to each edge while areas are compared, so that flat boxes compare by
+/// the edges that matter. The points need not be centred.
 BoxF fitBox(const VertexSample& points, float slack);
 
 /// The box in the given frame that holds every vertex of the records.

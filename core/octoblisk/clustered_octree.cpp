@@ -14,11 +14,14 @@ void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& 
   if (!mesh) throw std::invalid_argument("a clustered octree needs a mesh");
   const std::size_t triangles = mesh->triangleCount();
   if (triangles > ClusteredOctree::kMaxTriangles) {
-    throw std::invalid_argument("the mesh has " + std::to_string(triangles) + " triangles; a clustered octree holds " +
+    throw std::invalid_argument("the mesh has " + std::to_string(triangles) +
+                                " triangles; a clustered octree holds " +
                                 std::to_string(ClusteredOctree::kMaxTriangles));
   }
-  if (options.leaf_capacity < 1 || (options.partition == PartitionKind::clustering && options.leaf_capacity > kLanes)) {
-    throw std::invalid_argument("leaf_capacity is " + std::to_string(options.leaf_capacity) + ", but must be 1 to 8");
+  if (options.leaf_capacity < 1 ||
+      (options.partition == PartitionKind::clustering && options.leaf_capacity > kLanes)) {
+    throw std::invalid_argument("leaf_capacity is " + std::to_string(options.leaf_capacity) +
+                                ", but must be 1 to 8");
   }
   if (options.clusters < 1 || options.clusters > kLanes) {
     throw std::invalid_argument("clusters is " + std::to_string(options.clusters) + ", but must be 1 to 8");
@@ -33,8 +36,9 @@ Partition partitionOf(std::vector<TriangleRecord> records, const BuildOptions& o
   if (options.partition == PartitionKind::clustering) {
     return clusteringPartition(std::move(records), options.leaf_capacity);
   }
-  return paperPartition(std::move(records), {options.leaf_capacity, static_cast<std::size_t>(options.clusters),
-                                             options.seed, options.part_of_triangle});
+  return paperPartition(std::move(records),
+                        {options.leaf_capacity, static_cast<std::size_t>(options.clusters), options.seed,
+                         options.part_of_triangle});
 }
 
 /// Room for the rounding of vertices, projections and box centres to single precision.
@@ -87,7 +91,8 @@ void forEachChild(const std::vector<ClusteredOctree::Node>& nodes, Visit&& visit
 
 }  // namespace
 
-ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh, const BuildOptions& options) {
+ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
+                                       const BuildOptions& options) {
   check(mesh, options);
   ClusteredOctree tree;
   tree.mesh_ = std::move(mesh);
@@ -145,11 +150,14 @@ std::vector<Obb> ClusteredOctree::boxes(int depth) const {
 void ClusteredOctree::validate() const {
   std::vector<std::uint32_t> leaves_of_triangle(mesh_->triangleCount(), 0);
   std::vector<Slot> path;  // from the root to the slot at hand
-  const auto fail = [](const std::string& what) { throw std::logic_error("the clustered octree is invalid: " + what); };
+  const auto fail = [](const std::string& what) {
+    throw std::logic_error("the clustered octree is invalid: " + what);
+  };
 
   const auto visit = [&](const auto& self, Slot slot) -> void {
     path.push_back(slot);
-    if (path.size() > static_cast<std::size_t>(kMaxDepth)) fail("it is deeper than " + std::to_string(kMaxDepth));
+    if (path.size() > static_cast<std::size_t>(kMaxDepth))
+      fail("it is deeper than " + std::to_string(kMaxDepth));
     const Child here = child(slot);
     if (here.isLeaf()) {
       for (const std::uint32_t t : triangles(here)) {

@@ -1,5 +1,5 @@
-// The clustered octree: up to eight children a node, each with an oriented box of its own that holds its whole
-// triangles. Built once, never changed: const queries from any number of threads may share it.
+// The clustered octree: up to eight children a node, each with an oriented box of its own that holds its
+// whole triangles. Built once, never changed: const queries from any number of threads may share it.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ enum class PartitionKind {
 
 struct BuildOptions {
   PartitionKind partition = PartitionKind::clustering;
-  int leaf_capacity = 8;              ///< most triangles in a leaf: 1..8; for `paper` the FNOP, at least 1
+  int leaf_capacity = 8;  ///< most triangles in a leaf: 1..8; for `paper` the FNOP, at least 1
   // The rest is for `paper` alone.
-  int clusters = 2;                   ///< k, 1..8, for each part
-  std::uint64_t seed = 1;             ///< of k-means
+  int clusters = 2;                        ///< k, 1..8, for each part
+  std::uint64_t seed = 1;                  ///< of k-means
   std::vector<int> part_of_triangle = {};  ///< e.g. blade numbers, one a triangle; empty: one part
 };
 
@@ -43,7 +43,9 @@ class Child {
  public:
   Child() = default;
   static Child node(std::uint32_t index) { return Child(index); }
-  static Child leaf(std::uint32_t first, std::uint32_t count) { return Child(kLeafBit | first << 3 | (count - 1)); }
+  static Child leaf(std::uint32_t first, std::uint32_t count) {
+    return Child(kLeafBit | first << 3 | (count - 1));
+  }
 
   bool isLeaf() const { return (bits_ & kLeafBit) != 0; }
   bool isEmpty() const { return bits_ == 0; }
@@ -76,15 +78,16 @@ class ClusteredOctree {
   static constexpr std::size_t kMaxTriangles = std::size_t{1} << 28;
 
   /// Builds the tree over all triangles of the mesh, which it shares. Deterministic.
-  /// Throws std::invalid_argument for no mesh, more than kMaxTriangles triangles, or an option out of its range.
+  /// Throws std::invalid_argument for no mesh, more than kMaxTriangles triangles, or an option out of its
+  /// range.
   static ClusteredOctree build(std::shared_ptr<const TriangleMesh> mesh, const BuildOptions& options = {});
 
   const TriangleMesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
   const BuildStats& stats() const { return stats_; }
 
-  /// Checks that every triangle is in exactly one leaf, that every box holds the vertices of all triangles below
-  /// it, and that the depth is bounded. Throws std::logic_error that names the node or triangle.
+  /// Checks that every triangle is in exactly one leaf, that every box holds the vertices of all triangles
+  /// below it, and that the depth is bounded. Throws std::logic_error that names the node or triangle.
   void validate() const;
 
   /// The boxes at a depth (the root's box is 0), and those of leaves above it; in the mesh's frame.

@@ -15,12 +15,12 @@ namespace octoblisk {
 namespace {
 
 constexpr int kLloydSteps = 8;
-constexpr float kNormalWeight = 0.25f;     // of a unit normal, in largest half extents
-constexpr float kSlack = 0.1f;             // added to box edges, in largest half extents of the node
-constexpr float kThinAxis = 0.25f;         // axes shorter than this part of the longest are no seeds
-constexpr float kSameError = 2e-6f;        // relative: two seeds that end here have found the same clusters
-constexpr float kSettled = 1e-6f;          // relative: a plane that moves less has settled
-constexpr int kClusteringDepth = 32;       // below it halves by the median, so that the depth stays bounded
+constexpr float kNormalWeight = 0.25f;  // of a unit normal, in largest half extents
+constexpr float kSlack = 0.1f;          // added to box edges, in largest half extents of the node
+constexpr float kThinAxis = 0.25f;      // axes shorter than this part of the longest are no seeds
+constexpr float kSameError = 2e-6f;     // relative: two seeds that end here have found the same clusters
+constexpr float kSettled = 1e-6f;       // relative: a plane that moves less has settled
+constexpr int kClusteringDepth = 32;    // below it halves by the median, so that the depth stays bounded
 
 using Feature = Eigen::Matrix<float, 6, 1>;
 using FeatureSample = Eigen::Matrix<float, Eigen::Dynamic, 6, Eigen::ColMajor, kSampledTriangles, 6>;
@@ -96,7 +96,8 @@ class ClusteringPartitioner {
       if (const std::optional<Split> split = bestSplit(range.box)) {
         const float normal_weight = normalWeight(range.box);
         const auto middle = std::ranges::partition(triangles, [&](const TriangleRecord& record) {
-          return split->plane.normal.dot(featureOf(record, range.box.center, normal_weight)) < split->plane.offset;
+          return split->plane.normal.dot(featureOf(record, range.box.center, normal_weight)) <
+                 split->plane.offset;
         });
         const auto mid = range.begin + static_cast<std::uint32_t>(middle.begin() - triangles.begin());
         if (mid > range.begin && mid < range.end) {
@@ -140,7 +141,8 @@ class ClusteringPartitioner {
     for (std::size_t i = 0; i < triangles.size(); i += stride) sampled_.push_back(&triangles[i]);
     features_.resize(static_cast<Eigen::Index>(sampled_.size()), 6);
     for (std::size_t i = 0; i < sampled_.size(); ++i) {
-      features_.row(static_cast<Eigen::Index>(i)) = featureOf(*sampled_[i], box.center, normal_weight).transpose();
+      features_.row(static_cast<Eigen::Index>(i)) =
+          featureOf(*sampled_[i], box.center, normal_weight).transpose();
     }
   }
 
@@ -169,7 +171,9 @@ class ClusteringPartitioner {
       }
       const std::optional<float> error = lloyd(plane);
       if (!error) continue;
-      const auto same = [&](float other) { return std::abs(other - *error) <= kSameError * std::abs(*error); };
+      const auto same = [&](float other) {
+        return std::abs(other - *error) <= kSameError * std::abs(*error);
+      };
       if (std::ranges::any_of(seen, same)) continue;
       seen.push_back(*error);
       const BoxF low = sideBox(plane, true), high = sideBox(plane, false);
@@ -187,7 +191,8 @@ class ClusteringPartitioner {
     return solver.eigenvectors().col(2);
   }
 
-  /// Lloyd steps for k = 2, as planes. Returns the squared error, up to a constant; none where a side runs empty.
+  /// Lloyd steps for k = 2, as planes. Returns the squared error, up to a constant; none where a side runs
+  /// empty.
   std::optional<float> lloyd(Plane& plane) const {
     const auto n = static_cast<float>(features_.rows());
     const Feature total = features_.colwise().sum().transpose();

@@ -10,8 +10,8 @@
 namespace octoblisk {
 
 /// A pair of triangles that meet, or none where the two meshes do not touch. B's vertices are posed in double
-/// precision; the verdict then equals exact arithmetic on all pairs of triangles. Surfaces, not solids: one mesh
-/// wholly inside another does not touch it. Allocates nothing.
+/// precision; the verdict then equals exact arithmetic on all pairs of triangles. Surfaces, not solids: one
+/// mesh wholly inside another does not touch it. Allocates nothing.
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
 
 /// A triangle of A that meets the convex body B, or none. Allocates nothing.

@@ -13,10 +13,10 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 struct Contact {
   Vec3 point_on_a = Vec3::Zero();
   Vec3 point_on_b = Vec3::Zero();
-  Vec3 normal = Vec3::UnitX();               ///< unit, from B to A: moving A along it parts the two
-  double distance = 0.0;                     ///< > 0 apart, <= 0 touching or as deep; mesh units
-  std::uint32_t triangle_a = kNoTriangle;    ///< index in A's mesh
-  std::uint32_t triangle_b = kNoTriangle;    ///< index in B's mesh; kNoTriangle where B is convex
+  Vec3 normal = Vec3::UnitX();             ///< unit, from B to A: moving A along it parts the two
+  double distance = 0.0;                   ///< > 0 apart, <= 0 touching or as deep; mesh units
+  std::uint32_t triangle_a = kNoTriangle;  ///< index in A's mesh
+  std::uint32_t triangle_b = kNoTriangle;  ///< index in B's mesh; kNoTriangle where B is convex
 };
 
 /// The indices of two triangles that meet.

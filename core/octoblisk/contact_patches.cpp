@@ -16,7 +16,8 @@ auto byDepth(const Contact& c) { return std::tuple(c.distance, c.triangle_a, c.t
 
 /// The member that scores highest, if it is above the least worthwhile score.
 template <typename Score>
-const Contact* best(std::span<const Contact> all, std::span<const std::uint32_t> members, double worthwhile, Score&& score) {
+const Contact* best(std::span<const Contact> all, std::span<const std::uint32_t> members, double worthwhile,
+                    Score&& score) {
   const Contact* found = nullptr;
   for (const std::uint32_t m : members) {
     const double value = score(all[m]);
@@ -27,18 +28,23 @@ const Contact* best(std::span<const Contact> all, std::span<const std::uint32_t>
   return found;
 }
 
-/// The members sorted by depth → the deepest, the farthest from it, the widest triangle, the widest quadrangle.
+/// The members sorted by depth → the deepest, the farthest from it, the widest triangle, the widest
+/// quadrangle.
 ContactPatch spread(std::span<const Contact> all, std::span<const std::uint32_t> members) {
   ContactPatch patch;
-  const auto add = [&](const Contact& contact) { patch.contacts[static_cast<std::size_t>(patch.count++)] = contact; };
+  const auto add = [&](const Contact& contact) {
+    patch.contacts[static_cast<std::size_t>(patch.count++)] = contact;
+  };
   const auto at = [&](std::size_t i) -> const Vec3& { return patch.contacts[i].point_on_a; };
   add(all[members.front()]);
-  const Contact* far = best(all, members, 0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); });
+  const Contact* far =
+      best(all, members, 0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); });
   if (!far) return patch;
   add(*far);
   const Vec3 base = at(1) - at(0);
   const double flat = 1e-6 * base.squaredNorm();
-  const Contact* wide = best(all, members, flat, [&](const Contact& c) { return base.cross(c.point_on_a - at(0)).norm(); });
+  const Contact* wide =
+      best(all, members, flat, [&](const Contact& c) { return base.cross(c.point_on_a - at(0)).norm(); });
   if (!wide) return patch;
   add(*wide);
   const Vec3 normal = base.cross(at(2) - at(0)).normalized();

@@ -18,14 +18,14 @@ struct ContactPatch {
   std::span<const Contact> points() const { return {contacts.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// Groups contacts into patches. Contacts belong together where a chain of contacts that share a triangle joins
-/// them (all of them, where B is convex) and their normals are within 45° of the patch's deepest.
+/// Groups contacts into patches. Contacts belong together where a chain of contacts that share a triangle
+/// joins them (all of them, where B is convex) and their normals are within 45° of the patch's deepest.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
 
-  /// The patches of the contacts, at most kMaxPatches, the deepest kept; by ascending triangles. Does not depend
-  /// on the order of the contacts. Valid until the next call; once warm, allocates nothing.
+  /// The patches of the contacts, at most kMaxPatches, the deepest kept; by ascending triangles. Does not
+  /// depend on the order of the contacts. Valid until the next call; once warm, allocates nothing.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts);
 
  private:

@@ -39,19 +39,20 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
   found.clear();
   const Aabb bounds = b.bounds();
   const Pose a_in_b = b_in_a.inverse();
-  traverseBox(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, threshold, [&](Child leaf) {
-    const LeafTriangles triangles(a, leaf, &a_in_b);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      std::optional<Contact> contact = contactOf(triangles[i], b, threshold);
-      if (!contact) continue;
-      contact->point_on_a = b_in_a * contact->point_on_a;
-      contact->point_on_b = b_in_a * contact->point_on_b;
-      contact->normal = b_in_a.rotation * contact->normal;
-      contact->triangle_a = triangles.id(i);
-      found.push_back(*contact);
-    }
-    return false;
-  });
+  traverseBox(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, threshold,
+              [&](Child leaf) {
+                const LeafTriangles triangles(a, leaf, &a_in_b);
+                for (std::size_t i = 0; i < triangles.size(); ++i) {
+                  std::optional<Contact> contact = contactOf(triangles[i], b, threshold);
+                  if (!contact) continue;
+                  contact->point_on_a = b_in_a * contact->point_on_a;
+                  contact->point_on_b = b_in_a * contact->point_on_b;
+                  contact->normal = b_in_a.rotation * contact->normal;
+                  contact->triangle_a = triangles.id(i);
+                  found.push_back(*contact);
+                }
+                return false;
+              });
   sortByTriangles(found);
 }
 

@@ -5,7 +5,8 @@
 
 namespace octoblisk {
 
-ConvexHull::ConvexHull(std::vector<Vec3> points, double radius) : points_(std::move(points)), radius_(radius) {
+ConvexHull::ConvexHull(std::vector<Vec3> points, double radius)
+    : points_(std::move(points)), radius_(radius) {
   if (points_.empty()) throw std::invalid_argument("a convex hull needs at least one point");
   if (!(radius_ >= 0.0)) throw std::invalid_argument("the radius of a convex hull must not be negative");
 }

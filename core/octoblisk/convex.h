@@ -7,8 +7,8 @@
 
 namespace octoblisk {
 
-/// A convex body: all points within `radius` of a convex core. Sphere: a point and a radius; capsule: a segment
-/// and a radius; box: eight corners and none.
+/// A convex body: all points within `radius` of a convex core. Sphere: a point and a radius; capsule: a
+/// segment and a radius; box: eight corners and none.
 class Convex {
  public:
   virtual ~Convex() = default;

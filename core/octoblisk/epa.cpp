@@ -51,7 +51,8 @@ class Polytope {
   /// Grows the polytope until its face nearest to the origin lies on the difference's boundary.
   CorePenetration expand() {
     while (true) {
-      const Face nearest = *std::ranges::min_element(faces_.begin(), faces_.begin() + face_count_, {}, &Face::distance);
+      const Face nearest =
+          *std::ranges::min_element(faces_.begin(), faces_.begin() + face_count_, {}, &Face::distance);
       const SupportPoint next = supportOfDifference(triangle_, convex_, nearest.normal);
       const double gain = next.difference.dot(nearest.normal) - nearest.distance;
       if (gain <= tolerance() || count_ == kMaxVertices || !addVertex(next)) return penetration(nearest);
@@ -59,7 +60,9 @@ class Polytope {
   }
 
  private:
-  static const SupportPoint& at(const Simplex& simplex, int i) { return simplex.point[static_cast<std::size_t>(i)]; }
+  static const SupportPoint& at(const Simplex& simplex, int i) {
+    return simplex.point[static_cast<std::size_t>(i)];
+  }
   double tolerance() const { return std::max(kFlat, convex_.precision()) * size_; }
   const Vec3& point(int i) const { return vertices_[static_cast<std::size_t>(i)].difference; }
 
@@ -134,8 +137,8 @@ class Polytope {
     return areas / areas.sum();
   }
 
-  /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference is made
-  /// of several faces in one plane: the foot is on one of them.
+  /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference is
+  /// made of several faces in one plane: the foot is on one of them.
   CorePenetration penetration(const Face& nearest) const {
     const Face* face = nullptr;
     Vec3 weights = Vec3::Constant(-std::numeric_limits<double>::infinity());

@@ -16,8 +16,8 @@ struct CorePenetration {
   Vec3 on_core = Vec3::Zero();
 };
 
-/// Grows the simplex that GJK ended with. None where triangle − core is flat (a sphere's centre on the triangle,
-/// a capsule's axis in its plane): then the triangle's normal parts them at depth 0.
+/// Grows the simplex that GJK ended with. None where triangle − core is flat (a sphere's centre on the
+/// triangle, a capsule's axis in its plane): then the triangle's normal parts them at depth 0.
 std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex);
 
 }  // namespace octoblisk

@@ -24,7 +24,9 @@ struct Closest {
   }
 };
 
-Vec3 corner(const Simplex& simplex, int index) { return simplex.point[static_cast<std::size_t>(index)].difference; }
+Vec3 corner(const Simplex& simplex, int index) {
+  return simplex.point[static_cast<std::size_t>(index)].difference;
+}
 
 Closest closestOnSegment(const Simplex& simplex, int i, int j) {
   const Vec3 a = corner(simplex, i), edge = corner(simplex, j) - a;
@@ -60,7 +62,8 @@ Closest closestOnTriangle(const Simplex& simplex, int i, int j, int k) {
 
 /// The point of a tetrahedron closest to the origin; all four corners where the origin is inside.
 Closest closestOnTetrahedron(const Simplex& simplex) {
-  constexpr std::array<std::array<int, 4>, 4> kFaces = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
+  constexpr std::array<std::array<int, 4>, 4> kFaces = {
+      {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
   Closest best;
   best.point.setConstant(std::numeric_limits<double>::infinity());
   bool inside = true;
@@ -85,9 +88,12 @@ Closest closestOnSimplex(const Simplex& simplex) {
       closest.add(0, 1.0, simplex);
       return closest;
     }
-    case 2: return closestOnSegment(simplex, 0, 1);
-    case 3: return closestOnTriangle(simplex, 0, 1, 2);
-    default: return closestOnTetrahedron(simplex);
+    case 2:
+      return closestOnSegment(simplex, 0, 1);
+    case 3:
+      return closestOnTriangle(simplex, 0, 1, 2);
+    default:
+      return closestOnTetrahedron(simplex);
   }
 }
 
@@ -103,7 +109,8 @@ void keepOnly(Simplex& simplex, const Closest& closest) {
 }  // namespace
 
 SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex, const Vec3& direction) {
-  const Vec3 on_triangle = *std::ranges::max_element(triangle, {}, [&](const Vec3& v) { return v.dot(direction); });
+  const Vec3 on_triangle =
+      *std::ranges::max_element(triangle, {}, [&](const Vec3& v) { return v.dot(direction); });
   const Vec3 on_core = convex.support(-direction);
   return {on_triangle - on_core, on_triangle, on_core};
 }

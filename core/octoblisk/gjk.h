@@ -28,7 +28,7 @@ struct GjkResult {
   bool beyond_limit = false;  ///< the distance is above the limit; the points then are not the closest
   Vec3 on_triangle = Vec3::Zero();
   Vec3 on_core = Vec3::Zero();
-  Simplex simplex;            ///< where the search ended: round the origin where they overlap
+  Simplex simplex;  ///< where the search ended: round the origin where they overlap
 };
 
 /// Triangle and body in the body's frame. Stops early where the distance is proved to be above `limit`.

@@ -97,11 +97,12 @@ Clustering lloyd(std::span<const Vec3> points, std::vector<Vec3> centers, int ma
 
 Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options) {
   if (options.k < 1 || options.k > points.size()) {
-    throw std::invalid_argument("k-means: k is " + std::to_string(options.k) + ", but must be 1 to the number of points, " +
-                                std::to_string(points.size()));
+    throw std::invalid_argument("k-means: k is " + std::to_string(options.k) +
+                                ", but must be 1 to the number of points, " + std::to_string(points.size()));
   }
   if (options.max_iterations < 1) throw std::invalid_argument("k-means: max_iterations must be at least 1");
-  Clustering clustering = lloyd(points, randomCenters(points, options.k, options.seed), options.max_iterations);
+  Clustering clustering =
+      lloyd(points, randomCenters(points, options.k, options.seed), options.max_iterations);
   if (options.paper_start) clustering = lloyd(points, std::move(clustering.centers), options.max_iterations);
   return clustering;
 }

@@ -10,10 +10,10 @@
 namespace octoblisk {
 
 struct KMeansOptions {
-  std::size_t k = 2;          ///< number of clusters, 1..n
-  std::uint64_t seed = 1;     ///< of the random initial centres (step 1)
-  int max_iterations = 300;   ///< cap of one run
-  bool paper_start = true;    ///< start from the cluster means of a first run (section 4.1)
+  std::size_t k = 2;         ///< number of clusters, 1..n
+  std::uint64_t seed = 1;    ///< of the random initial centres (step 1)
+  int max_iterations = 300;  ///< cap of one run
+  bool paper_start = true;   ///< start from the cluster means of a first run (section 4.1)
 };
 
 struct Clustering {
@@ -25,10 +25,10 @@ struct Clustering {
   bool converged = false;      ///< the assignment no longer changes
 };
 
-/// Clusters the points. Deterministic: the same bits for the same points and options. A point at equal distance
-/// belongs to the lowest cluster. A cluster that runs empty takes the point farthest from its own centre; only
-/// where there are fewer than k distinct points may one stay empty.
-/// Throws std::invalid_argument where k is not in 1..n or max_iterations is below 1.
+/// Clusters the points. Deterministic: the same bits for the same points and options. A point at equal
+/// distance belongs to the lowest cluster. A cluster that runs empty takes the point farthest from its own
+/// centre; only where there are fewer than k distinct points may one stay empty. Throws std::invalid_argument
+/// where k is not in 1..n or max_iterations is below 1.
 Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options = {});
 
 }  // namespace octoblisk

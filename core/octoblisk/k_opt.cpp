@@ -38,7 +38,8 @@ KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options) {
     }
     result.cost.push_back(cost);
   }
-  result.k = options.k_min + static_cast<std::size_t>(std::ranges::min_element(result.cost) - result.cost.begin());
+  result.k =
+      options.k_min + static_cast<std::size_t>(std::ranges::min_element(result.cost) - result.cost.begin());
   return result;
 }
 

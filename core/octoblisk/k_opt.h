@@ -10,8 +10,9 @@
 namespace octoblisk {
 
 enum class KCriterion {
-  least_nodes,        ///< paper mode: axis-aligned octrees over the clusters with the fewest nodes in all (TNON)
-  least_leaf_volume,  ///< our own: octrees in the clusters' principal frames with the least volume of leaf cells
+  least_nodes,  ///< paper mode: axis-aligned octrees over the clusters with the fewest nodes in all (TNON)
+  least_leaf_volume,  ///< our own: octrees in the clusters' principal frames with the least volume of leaf
+                      ///< cells
 };
 
 struct KOptOptions {
@@ -23,8 +24,8 @@ struct KOptOptions {
 };
 
 struct KOpt {
-  std::size_t k = 0;           ///< the least k of the least cost
-  std::vector<double> cost;    ///< for k_min, k_min + 1, … k_max: nodes, or mesh units cubed
+  std::size_t k = 0;         ///< the least k of the least cost
+  std::vector<double> cost;  ///< for k_min, k_min + 1, … k_max: nodes, or mesh units cubed
 };
 
 /// Clusters the points for each k and divides every cluster by an octree.

@@ -7,8 +7,8 @@
 
 namespace octoblisk {
 
-/// A leaf's triangles and their bounds; posed by the very expression that `pose * triangle` is, so that verdicts
-/// equal those of brute force to the last bit.
+/// A leaf's triangles and their bounds; posed by the very expression that `pose * triangle` is, so that
+/// verdicts equal those of brute force to the last bit.
 class LeafTriangles {
  public:
   LeafTriangles(const ClusteredOctree& tree, Child leaf, const Pose* pose = nullptr)
@@ -31,8 +31,8 @@ class LeafTriangles {
   std::array<Aabb, kLanes> bounds_;
 };
 
-/// Calls visit(i, j) for all pairs of triangles whose bounds are within `reach` of each other along every axis.
-/// Returns true as soon as visit does, else false.
+/// Calls visit(i, j) for all pairs of triangles whose bounds are within `reach` of each other along every
+/// axis. Returns true as soon as visit does, else false.
 template <typename Visit>
 bool forEachPairWithin(const LeafTriangles& a, const LeafTriangles& b, double reach, Visit&& visit) {
   reach *= 1.0 + 1e-12;  // room for the rounding of the subtractions below

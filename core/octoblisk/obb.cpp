@@ -35,6 +35,8 @@ Obb boundingBox(std::span<const Vec3> points, const Mat3& axes) {
   return {axes * local.center(), axes, local.halfExtents()};
 }
 
-Obb principalBox(std::span<const Vec3> points) { return boundingBox(points, principalAxes(covariance(points))); }
+Obb principalBox(std::span<const Vec3> points) {
+  return boundingBox(points, principalAxes(covariance(points)));
+}
 
 }  // namespace octoblisk

@@ -63,7 +63,8 @@ Octree Octree::build(std::span<const Vec3> points, const OctreeOptions& options)
 
     const std::span<std::uint32_t> range(octree.order_.data() + node.begin, node.count());
     std::array<std::uint32_t, 9> start{};  // counting sort by octant, stable
-    for (const std::uint32_t point : range) ++start[static_cast<std::size_t>(octantOf(local[point], node.center)) + 1];
+    for (const std::uint32_t point : range)
+      ++start[static_cast<std::size_t>(octantOf(local[point], node.center)) + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::array<std::uint32_t, 8> next;
     std::copy_n(start.begin(), 8, next.begin());

@@ -41,12 +41,14 @@ Cell encloseMany(std::vector<Cell> cells) {
   return enclose(std::move(cells));
 }
 
-/// At most eight triangles fit a leaf: more (a large capacity, or duplicates at the depth cap) become several.
+/// At most eight triangles fit a leaf: more (a large capacity, or duplicates at the depth cap) become
+/// several.
 Cell leafCell(const TriangleSet& triangles) {
   std::vector<Cell> leaves;
   for (std::size_t begin = 0; begin < triangles.size(); begin += kLanes) {
     const auto from = triangles.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto to = triangles.begin() + static_cast<std::ptrdiff_t>(std::min(begin + kLanes, triangles.size()));
+    const auto to =
+        triangles.begin() + static_cast<std::ptrdiff_t>(std::min(begin + kLanes, triangles.size()));
     leaves.push_back({TriangleSet(from, to), {}});
   }
   return encloseMany(std::move(leaves));
@@ -93,8 +95,9 @@ class PaperPartitioner {
 
   Cell divideCluster(const TriangleSet& triangles) const {
     const std::vector<Vec3> points = centroidsOf(triangles);
-    const Octree octree = Octree::build(points, {.leaf_capacity = static_cast<std::size_t>(options_.leaf_capacity),
-                                                 .axes = principalAxes(covariance(points))});
+    const Octree octree =
+        Octree::build(points, {.leaf_capacity = static_cast<std::size_t>(options_.leaf_capacity),
+                               .axes = principalAxes(covariance(points))});
     return octreeCell(octree, octree.nodes().front(), triangles);
   }
 

@@ -33,8 +33,8 @@ struct Partition {
 Partition clusteringPartition(std::vector<TriangleRecord> records, int leaf_capacity);
 
 struct PaperPartitionOptions {
-  int leaf_capacity = 8;                ///< FNOP, at least 1; a leaf of more than 8 becomes several
-  std::size_t clusters = 2;             ///< k, 1..8, for each part
+  int leaf_capacity = 8;     ///< FNOP, at least 1; a leaf of more than 8 becomes several
+  std::size_t clusters = 2;  ///< k, 1..8, for each part
   std::uint64_t seed = 1;
   std::vector<int> part_of_triangle = {};  ///< blade numbers, say; empty: one part
 };

@@ -6,9 +6,9 @@
 namespace octoblisk {
 namespace {
 
-constexpr double kEpsilon = 0x1p-53;                                  // half an ulp of 1
-constexpr double kFilter3d = (7.0 + 56.0 * kEpsilon) * kEpsilon;      // Shewchuk's o3derrboundA
-constexpr double kFilter2d = (3.0 + 16.0 * kEpsilon) * kEpsilon;      // Shewchuk's ccwerrboundA
+constexpr double kEpsilon = 0x1p-53;                              // half an ulp of 1
+constexpr double kFilter3d = (7.0 + 56.0 * kEpsilon) * kEpsilon;  // Shewchuk's o3derrboundA
+constexpr double kFilter2d = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // Shewchuk's ccwerrboundA
 
 int sign(double value) { return (value > 0.0) - (value < 0.0); }
 

@@ -20,7 +20,8 @@ bool overlaps(const Obb& a, const Obb& b, SeparatingAxes axes) {
   for (int i = 0; i < 3; ++i) {
     if (separates(a.axes.col(i), a, b) || separates(b.axes.col(i), a, b)) return false;
   }
-  constexpr double kParallel = 1e-6;  // below this |sin| the cross product is noise, and the face axes suffice
+  constexpr double kParallel =
+      1e-6;  // below this |sin| the cross product is noise, and the face axes suffice
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 axis = a.axes.col(i).cross(b.axes.col(j));

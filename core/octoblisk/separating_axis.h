@@ -8,11 +8,13 @@ namespace octoblisk {
 
 enum class SeparatingAxes {
   exact15,  ///< three face axes of each box and nine edge cross products: an exact test of overlap
-  paper1,   ///< the X axis of the first box alone, as the paper does: never misses an overlap, often claims one
+  paper1,   ///< the X axis of the first box alone, as the paper does: never misses an overlap, often claims
+            ///< one
 };
 
-/// False where one of the axes separates the boxes (eq. 11; boxes that touch overlap). Cross products of nearly
-/// parallel edges are passed over: a box rounded to touch may be called overlapping, never the reverse.
+/// False where one of the axes separates the boxes (eq. 11; boxes that touch overlap). Cross products of
+/// nearly parallel edges are passed over: a box rounded to touch may be called overlapping, never the
+/// reverse.
 bool overlaps(const Obb& a, const Obb& b, SeparatingAxes axes = SeparatingAxes::exact15);
 
 }  // namespace octoblisk

@@ -14,8 +14,8 @@ namespace octoblisk {
 /// of the summed radii and the distance of the origins.
 inline constexpr double kTraversalRounding = 0x1p-18;
 
-/// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above its
-/// leaves: this never overflows.
+/// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above
+/// its leaves: this never overflows.
 template <typename Entry, int kLevels>
 class TraversalStack {
  public:
@@ -25,7 +25,8 @@ class TraversalStack {
   /// Puts an entry so that those since `first` come out by ascending gap.
   void pushSorted(std::size_t first, const Entry& entry) {
     std::size_t place = count_++;
-    for (; place > first && entries_[place - 1].gap < entry.gap; --place) entries_[place] = entries_[place - 1];
+    for (; place > first && entries_[place - 1].gap < entry.gap; --place)
+      entries_[place] = entries_[place - 1];
     entries_[place] = entry;
   }
   std::size_t size() const { return count_; }
@@ -63,7 +64,9 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   const auto limit = static_cast<float>(
       reach + kTraversalRounding * (local.translation.norm() + a.radius() + b.radius() + reach));
 
-  const auto gap = [&] { return widestGap(a.boxes(ClusteredOctree::kRoot), b_to_a * b.boxes(ClusteredOctree::kRoot).get(0))[0]; }();
+  const auto gap = [&] {
+    return widestGap(a.boxes(ClusteredOctree::kRoot), b_to_a * b.boxes(ClusteredOctree::kRoot).get(0))[0];
+  }();
   if (!(gap <= limit)) return false;
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
   stack.pushSorted(0, {ClusteredOctree::kRoot, ClusteredOctree::kRoot, gap});
@@ -95,8 +98,8 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   return false;
 }
 
-/// Calls visit(leaf) for all leaves whose boxes may be within `reach` of a box in the mesh's frame, those that
-/// overlap most first. Returns true as soon as visit does, else false.
+/// Calls visit(leaf) for all leaves whose boxes may be within `reach` of a box in the mesh's frame, those
+/// that overlap most first. Returns true as soon as visit does, else false.
 template <typename Visit>
 bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double reach, Visit&& visit) {
   struct Entry {
@@ -106,7 +109,8 @@ bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double rea
     Entry(Slot at, float widest_gap) : slot(at), gap(widest_gap) {}
   };
   const Vec3 center = box_in_tree.center - tree.origin();
-  const BoxF box{center.cast<float>(), box_in_tree.axes.cast<float>(), box_in_tree.half_extents.cast<float>()};
+  const BoxF box{center.cast<float>(), box_in_tree.axes.cast<float>(),
+                 box_in_tree.half_extents.cast<float>()};
   const auto limit = static_cast<float>(
       reach + kTraversalRounding * (center.norm() + tree.radius() + box_in_tree.half_extents.norm() + reach));
 

@@ -32,7 +32,8 @@ std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex,
     core = {0.0, apart / core_distance, search.on_triangle, search.on_core};
   }
   if (distance > threshold) return std::nullopt;
-  return Contact{core.on_triangle, core.on_core + radius * core.normal, core.normal, distance, kNoTriangle, kNoTriangle};
+  return Contact{core.on_triangle, core.on_core + radius * core.normal, core.normal, distance, kNoTriangle,
+                 kNoTriangle};
 }
 
 }  // namespace octoblisk

@@ -20,8 +20,9 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> tria
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (const std::uint32_t index : triangles_[t]) {
       if (index >= vertices_.size()) {
-        throw std::invalid_argument("triangle " + std::to_string(t) + " uses vertex " + std::to_string(index) +
-                                    ", but the mesh has " + std::to_string(vertices_.size()) + " vertices");
+        throw std::invalid_argument("triangle " + std::to_string(t) + " uses vertex " +
+                                    std::to_string(index) + ", but the mesh has " +
+                                    std::to_string(vertices_.size()) + " vertices");
       }
     }
   }

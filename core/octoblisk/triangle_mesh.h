@@ -15,7 +15,9 @@ using Triangle = std::array<Vec3, 3>;
 /// (b−a)×(c−a): the outward normal, of twice the triangle's area; zero for a degenerate triangle.
 inline Vec3 scaledNormal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
-inline Triangle operator*(const Pose& pose, const Triangle& t) { return {pose * t[0], pose * t[1], pose * t[2]}; }
+inline Triangle operator*(const Pose& pose, const Triangle& t) {
+  return {pose * t[0], pose * t[1], pose * t[2]};
+}
 
 /// Indexed triangles over double vertices.
 ///

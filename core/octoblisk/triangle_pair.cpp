@@ -18,8 +18,8 @@ Vec2 project(const Vec3& point, int dropped_axis) {
   return {point[(dropped_axis + 1) % 3], point[(dropped_axis + 2) % 3]};
 }
 
-/// The coordinate axis along which the plane of a, b, c may be projected without flattening it; none where the
-/// three points are collinear.
+/// The coordinate axis along which the plane of a, b, c may be projected without flattening it; none where
+/// the three points are collinear.
 std::optional<int> droppableAxis(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orient2d(project(a, axis), project(b, axis), project(c, axis)) != 0) return axis;
@@ -32,7 +32,8 @@ bool intervalsOverlap(double a0, double a1, double b0, double b1) {
 }
 
 bool segmentsMeet2d(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
-  if (!intervalsOverlap(a0.x(), a1.x(), b0.x(), b1.x()) || !intervalsOverlap(a0.y(), a1.y(), b0.y(), b1.y())) {
+  if (!intervalsOverlap(a0.x(), a1.x(), b0.x(), b1.x()) ||
+      !intervalsOverlap(a0.y(), a1.y(), b0.y(), b1.y())) {
     return false;
   }
   return orient2d(a0, a1, b0) * orient2d(a0, a1, b1) <= 0 && orient2d(b0, b1, a0) * orient2d(b0, b1, a1) <= 0;
@@ -67,14 +68,17 @@ bool coplanarSegmentMeets(const Vec3& p, const Vec3& q, const Triangle& t, int d
   return p_inside;
 }
 
-/// Whether the closed segment pq, whose ends lie on the given sides of t's plane, meets the closed triangle t.
+/// Whether the closed segment pq, whose ends lie on the given sides of t's plane, meets the closed triangle
+/// t.
 bool segmentMeets(const Vec3& p, const Vec3& q, int side_p, int side_q, const Triangle& t) {
   if (side_p * side_q > 0) return false;
   if (side_p != 0 || side_q != 0) {
-    const int s0 = orient3d(p, q, t[0], t[1]), s1 = orient3d(p, q, t[1], t[2]), s2 = orient3d(p, q, t[2], t[0]);
+    const int s0 = orient3d(p, q, t[0], t[1]), s1 = orient3d(p, q, t[1], t[2]),
+              s2 = orient3d(p, q, t[2], t[0]);
     return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
   }
-  if (const std::optional<int> axis = droppableAxis(t[0], t[1], t[2])) return coplanarSegmentMeets(p, q, t, *axis);
+  if (const std::optional<int> axis = droppableAxis(t[0], t[1], t[2]))
+    return coplanarSegmentMeets(p, q, t, *axis);
   return segmentsMeet(p, q, t[0], t[1]) || segmentsMeet(p, q, t[1], t[2]) || segmentsMeet(p, q, t[2], t[0]);
 }
 
@@ -207,14 +211,20 @@ Contact contactOf(const Triangle& a, const Triangle& b) {
   if (!intersects(a, b)) return closestPoints(a, b);
   const std::optional<Penetration> below_a = penetration(a, b), below_b = penetration(b, a);
   if (below_a && (!below_b || below_a->depth <= below_b->depth)) {
-    return {below_a->deepest + below_a->depth * below_a->normal, below_a->deepest, -below_a->normal,
-            -below_a->depth, kNoTriangle, kNoTriangle};
+    return {below_a->deepest + below_a->depth * below_a->normal,
+            below_a->deepest,
+            -below_a->normal,
+            -below_a->depth,
+            kNoTriangle,
+            kNoTriangle};
   }
   if (below_b) {
-    return {below_b->deepest, below_b->deepest + below_b->depth * below_b->normal, below_b->normal,
-            -below_b->depth, kNoTriangle, kNoTriangle};
+    return {below_b->deepest, below_b->deepest + below_b->depth * below_b->normal,
+            below_b->normal,  -below_b->depth,
+            kNoTriangle,      kNoTriangle};
   }
-  Contact touch = closestPoints(a, b);  // two degenerate triangles, or a touch lost to rounding in the clipping
+  Contact touch =
+      closestPoints(a, b);  // two degenerate triangles, or a touch lost to rounding in the clipping
   touch.distance = -0.0;
   return touch;
 }

@@ -1,6 +1,5 @@
 #include "octoblisk/triangle_record.h"
 
-
 namespace octoblisk {
 
 std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin) {

@@ -47,7 +47,8 @@ struct Obb {
 
   /// Whether the point lies in the box grown by `tolerance` on each side.
   bool contains(const Vec3& point, double tolerance = 0.0) const {
-    return ((axes.transpose() * (point - center)).cwiseAbs().array() <= half_extents.array() + tolerance).all();
+    return ((axes.transpose() * (point - center)).cwiseAbs().array() <= half_extents.array() + tolerance)
+        .all();
   }
 };
 

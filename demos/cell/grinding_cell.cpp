@@ -12,7 +12,8 @@ namespace {
 /// Collects what Bullet reports of one part (object 0 is the blisk, object 1 the part).
 class Report final : public btCollisionWorld::ContactResultCallback {
  public:
-  Report(std::size_t part, double reach, std::vector<PartContact>& found) : part_(part), reach_(reach), found_(found) {
+  Report(std::size_t part, double reach, std::vector<PartContact>& found)
+      : part_(part), reach_(reach), found_(found) {
     m_closestDistanceThreshold = btScalar(reach);
   }
 
@@ -91,7 +92,8 @@ class GrindingCell::World {
   std::vector<std::unique_ptr<Body>> parts_;
 };
 
-GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double reach)
+GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+                           double reach)
     : parts_(std::move(parts)), reach_(reach), world_(std::make_unique<World>(std::move(blisk), parts_)) {}
 
 GrindingCell::~GrindingCell() = default;

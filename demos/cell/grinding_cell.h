@@ -16,8 +16,8 @@ struct ToolPart {
   std::shared_ptr<const ClusteredOctree> tree;
 };
 
-/// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part: points and normal are in the
-/// blisk's frame (mm), the normal points from the part into the blisk.
+/// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part: points and normal are in
+/// the blisk's frame (mm), the normal points from the part into the blisk.
 struct PartContact {
   std::size_t part = 0;  ///< index of the tool part
   Contact contact;

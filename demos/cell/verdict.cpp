@@ -8,10 +8,14 @@ namespace octoblisk::demos {
 
 std::string nameOf(Verdict verdict) {
   switch (verdict) {
-    case Verdict::clear: return "clear";
-    case Verdict::intended_contact: return "intended contact";
-    case Verdict::near_miss: return "near miss";
-    case Verdict::interference: return "interference";
+    case Verdict::clear:
+      return "clear";
+    case Verdict::intended_contact:
+      return "intended contact";
+    case Verdict::near_miss:
+      return "near miss";
+    case Verdict::interference:
+      return "interference";
   }
   return {};
 }
@@ -35,7 +39,8 @@ int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part) {
     }
     for (const int blade : touched) ++poses_of_blade[blade];
   }
-  const auto most = std::ranges::max_element(poses_of_blade, {}, [](const auto& entry) { return entry.second; });
+  const auto most =
+      std::ranges::max_element(poses_of_blade, {}, [](const auto& entry) { return entry.second; });
   return most == poses_of_blade.end() ? 0 : most->first;
 }
 

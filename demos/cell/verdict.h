@@ -30,8 +30,8 @@ Verdict verdictOf(const PartContact& contact, int blade, const VerdictRules& rul
 struct PoseReport {
   Pose tool_in_blisk;
   std::vector<PartContact> contacts;
-  std::vector<int> blades;         ///< of each contact
-  std::vector<Verdict> verdicts;   ///< of each contact
+  std::vector<int> blades;        ///< of each contact
+  std::vector<Verdict> verdicts;  ///< of each contact
   Verdict verdict = Verdict::clear;
 };
 

@@ -13,6 +13,7 @@
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
+#include "models/orientation.h"
 #include "report/grinding_report.h"
 #include "report/progress_bar.h"
 #include "toolpath/grinding_path.h"
@@ -35,11 +36,20 @@ std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
   return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::move(shared)));
 }
 
+/// A mesh of the user's, facing outward: depths and normals are measured along the triangles' outward
+/// normals.
+TriangleMesh readOutward(const std::string& file) {
+  TriangleMesh mesh = readMesh(file);
+  if (enclosedVolume(mesh) >= 0.0) return mesh;
+  std::cout << file << ": its triangles face inward; they are taken turned round\n";
+  return turned(mesh);
+}
+
 /// The whole default grinder, or the user's belt alone: the default wheels and arm need not fit it.
 std::vector<ToolPart> toolParts(const std::string& belt_file) {
   std::vector<ToolPart> parts;
   if (!belt_file.empty()) {
-    parts.push_back({"belt", treeOf(readMesh(belt_file))});
+    parts.push_back({"belt", treeOf(readOutward(belt_file))});
     return parts;
   }
   for (EmbeddedPart& part : embeddedBeltGrinder()) {
@@ -51,8 +61,9 @@ std::vector<ToolPart> toolParts(const std::string& belt_file) {
 std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk, const BladesFound& blades) {
   if (!request.path.empty()) return readPoses(request.path);
   if (blades.count == 0) {
-    throw std::invalid_argument((request.blisk.empty() ? "the blisk" : request.blisk) +
-                                ": no blades were found round the z axis, so no path can be made: give one by --path");
+    throw std::invalid_argument(
+        (request.blisk.empty() ? "the blisk" : request.blisk) +
+        ": no blades were found round the z axis, so no path can be made: give one by --path");
   }
   const BeltParameters belt;
   GrindingPathOptions options;
@@ -61,7 +72,8 @@ std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk,
   return makeGrindingPath(blisk, blades, options);
 }
 
-void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFound& blades, GrindingRun& run) {
+void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFound& blades,
+              GrindingRun& run) {
   ProgressBar progress(std::cerr, path.size());
   std::chrono::duration<double> spent{};
   for (const Pose& pose : path) {
@@ -78,18 +90,19 @@ void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFou
 }
 
 void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
-  std::cout << run.poses.size() << " poses along blade " << run.rules.ground_blade << " of " << run.blade_count << ": "
-            << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
-            << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
-            << run.count(Verdict::interference) << " interference\n";
+  std::cout << run.poses.size() << " poses along blade " << run.rules.ground_blade << " of "
+            << run.blade_count << ": " << run.count(Verdict::clear) << " clear, "
+            << run.count(Verdict::intended_contact) << " intended contact, " << run.count(Verdict::near_miss)
+            << " near miss, " << run.count(Verdict::interference) << " interference\n";
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict == Verdict::interference) {
     std::cout << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
-  std::cout << "Tables: " << (out / "contacts.csv").string() << ", " << (out / "summary.json").string() << ", "
-            << (out / "path.csv").string() << '\n';
+  std::cout << "Tables: " << (out / "contacts.csv").string() << ", " << (out / "summary.json").string()
+            << ", " << (out / "path.csv").string() << '\n';
   if (pictures) {
-    std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string() << '\n';
+    std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string()
+              << '\n';
   }
 }
 
@@ -103,7 +116,7 @@ int grind(const GrindRequest& request) {
   run.blisk_name = request.blisk.empty() ? "default" : request.blisk;
   run.belt_name = request.belt.empty() ? "default" : request.belt;
   run.path_name = request.path.empty() ? "generated" : request.path;
-  run.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk));
+  run.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readOutward(request.blisk));
   run.parts = toolParts(request.belt);
   run.near_miss = request.near_miss;
   const BladesFound blades = findBlades(run.blisk->mesh());
@@ -128,18 +141,24 @@ int grind(const GrindRequest& request) {
 }  // namespace
 
 void addGrindCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("grind", "Check a belt grinder along a path over a blisk, in a Bullet world");
+  CLI::App& command =
+      *app.add_subcommand("grind", "Check a belt grinder along a path over a blisk, in a Bullet world");
   const auto request = std::make_shared<GrindRequest>();
   command.add_option("--blisk", request->blisk, "Mesh file (mm, axis Z); default: the built-in blisk");
-  command.add_option("--belt", request->belt,
-                     "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
-                     "built-in grinder with belt, wheels and arm");
-  command.add_option("--path", request->path,
-                     "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side");
-  command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")->required();
-  command.add_option("--ground-blade", request->ground_blade,
-                     "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most");
-  command.add_option("--max-depth", request->max_depth, "mm that the belt may be pressed into the ground blade")
+  command.add_option(
+      "--belt", request->belt,
+      "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
+      "built-in grinder with belt, wheels and arm");
+  command.add_option(
+      "--path", request->path,
+      "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side");
+  command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")
+      ->required();
+  command.add_option(
+      "--ground-blade", request->ground_blade,
+      "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most");
+  command
+      .add_option("--max-depth", request->max_depth, "mm that the belt may be pressed into the ground blade")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--near-miss", request->near_miss, "mm below which a clearance is reported")

@@ -5,14 +5,13 @@
 #include "models/mesh_file.h"
 
 // Puts a file of assets/ into the program, between two symbols.
-#define OCTOBLISK_EMBED(symbol, file)                       \
-  __asm__(                                                  \
-      ".pushsection .rodata\n" #symbol                      \
-      "_begin:\n"                                           \
-      ".incbin \"" OCTOBLISK_ASSETS "/" file "\"\n" #symbol \
-      "_end:\n"                                             \
-      ".byte 0\n"                                           \
-      ".popsection\n");                                     \
+#define OCTOBLISK_EMBED(symbol, file)                           \
+  __asm__(".pushsection .rodata\n" #symbol                      \
+          "_begin:\n"                                           \
+          ".incbin \"" OCTOBLISK_ASSETS "/" file "\"\n" #symbol \
+          "_end:\n"                                             \
+          ".byte 0\n"                                           \
+          ".popsection\n");                                     \
   extern "C" const char symbol##_begin[], symbol##_end[]
 
 OCTOBLISK_EMBED(octoblisk_blisk, "blisk.ply");
@@ -35,7 +34,8 @@ TriangleMesh embeddedBlisk() { return embedded("blisk.ply", octoblisk_blisk_begi
 std::vector<EmbeddedPart> embeddedBeltGrinder() {
   return {
       {"belt", embedded("belt.ply", octoblisk_belt_begin, octoblisk_belt_end)},
-      {"contact wheel", embedded("contact_wheel.ply", octoblisk_contact_wheel_begin, octoblisk_contact_wheel_end)},
+      {"contact wheel",
+       embedded("contact_wheel.ply", octoblisk_contact_wheel_begin, octoblisk_contact_wheel_end)},
       {"drive wheel", embedded("drive_wheel.ply", octoblisk_drive_wheel_begin, octoblisk_drive_wheel_end)},
       {"arm", embedded("arm.ply", octoblisk_arm_begin, octoblisk_arm_end)}};
 }

@@ -31,7 +31,9 @@ Color colorOf(Verdict verdict) {
 std::size_t worstContact(const PoseReport& pose) {
   std::size_t worst = 0;
   for (std::size_t c = 1; c < pose.contacts.size(); ++c) {
-    const auto rank = [&](std::size_t i) { return std::pair(pose.verdicts[i], -pose.contacts[i].contact.distance); };
+    const auto rank = [&](std::size_t i) {
+      return std::pair(pose.verdicts[i], -pose.contacts[i].contact.distance);
+    };
     if (rank(c) > rank(worst)) worst = c;
   }
   return worst;
@@ -42,7 +44,8 @@ void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
     picture.scene.addMesh(part.tree->mesh(), pose.tool_in_blisk, colorOf(part.name));
     const bool wheel = part.name == "drive wheel";  // one entry for both wheels
     if (!wheel) {
-      picture.annotation.legend.push_back({colorOf(part.name), part.name == "contact wheel" ? "wheels" : part.name});
+      picture.annotation.legend.push_back(
+          {colorOf(part.name), part.name == "contact wheel" ? "wheels" : part.name});
     }
   }
 }
@@ -54,7 +57,8 @@ void addContacts(const PoseReport& pose, float width, Picture& picture) {
       if (pose.verdicts[c] == verdict) points.push_back(pose.contacts[c].contact.point_on_a);
     }
     if (points.empty()) continue;
-    picture.scene.addPoints(points, {.color = colorOf(verdict), .width = width, .hidden_opacity = 0.6f, .halo = true});
+    picture.scene.addPoints(
+        points, {.color = colorOf(verdict), .width = width, .hidden_opacity = 0.6f, .halo = true});
     picture.annotation.legend.push_back({colorOf(verdict), nameOf(verdict), LegendSymbol::kPoint});
   }
 }
@@ -93,8 +97,9 @@ std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
   const std::size_t c = worstContact(pose);
   const auto& [part, contact] = pose.contacts[c];
   std::ostringstream text;
-  text << run.parts[part].name << (pose.blades[c] ? " on blade " + std::to_string(pose.blades[c]) : " on the hub")
-       << ", " << std::fixed << std::setprecision(2) << std::abs(contact.distance) << " mm "
+  text << run.parts[part].name
+       << (pose.blades[c] ? " on blade " + std::to_string(pose.blades[c]) : " on the hub") << ", "
+       << std::fixed << std::setprecision(2) << std::abs(contact.distance) << " mm "
        << (contact.distance > 0.0 ? "away" : "deep");
   return text.str();
 }
@@ -128,11 +133,13 @@ void writePictures(const GrindingRun& run, const std::filesystem::path& folder) 
   addPath(run, overview);
   addContacts(pose, 11.0f, overview);
   const Vec3 sideways = Vec3::UnitZ().cross(outward);
-  overview.camera = frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
+  overview.camera =
+      frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
   writePng(overview, (folder / "overview.png").string(), kWidth, kHeight);
 
   Picture closeup;
-  closeup.annotation = {.title = title(run, shown), .subtitle = "No contact at this pose", .length_unit = "mm"};
+  closeup.annotation = {
+      .title = title(run, shown), .subtitle = "No contact at this pose", .length_unit = "mm"};
   closeup.annotation.legend.push_back({palette::kSteel, "blisk"});
   closeup.scene.addMesh(run.blisk->mesh(), {}, palette::kSteel);
   addTool(run, pose, closeup);
@@ -143,10 +150,12 @@ void writePictures(const GrindingRun& run, const std::filesystem::path& folder) 
   }
   const std::vector<Obb> boxes = boxesNear(*run.blisk, center);
   closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f});
-  closeup.annotation.legend.push_back({palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth), LegendSymbol::kLine});
+  closeup.annotation.legend.push_back(
+      {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth), LegendSymbol::kLine});
   addContacts(pose, 13.0f, closeup);
   const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);
-  const Vec3 along = wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
+  const Vec3 along =
+      wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
   const Aabb cube{center - Vec3::Constant(kCloseUp), center + Vec3::Constant(kCloseUp)};
   closeup.camera = frame(cube, along - 0.35 * outward, outward);
   writePng(closeup, (folder / "closeup.png").string(), kWidth, kHeight);

@@ -40,15 +40,16 @@ std::size_t GrindingRun::count(Verdict verdict) const {
 void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
   std::ofstream stream = openForWriting(file);
   stream.precision(9);
-  stream << "pose,verdict,part,blade,triangle_blisk,triangle_part,blisk_x,blisk_y,blisk_z,part_x,part_y,part_z,"
-            "normal_x,normal_y,normal_z,depth\n";
+  stream
+      << "pose,verdict,part,blade,triangle_blisk,triangle_part,blisk_x,blisk_y,blisk_z,part_x,part_y,part_z,"
+         "normal_x,normal_y,normal_z,depth\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     if (pose.contacts.empty()) stream << p << ",clear,,,,,,,,,,,,,,\n";
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
       const auto& [part, contact] = pose.contacts[c];
-      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ',' << pose.blades[c] << ','
-             << contact.triangle_a << ',' << contact.triangle_b;
+      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ',' << pose.blades[c]
+             << ',' << contact.triangle_a << ',' << contact.triangle_b;
       for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
         stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
       }
@@ -70,7 +71,9 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
       {"path", run.path_name},
       {"parts", parts},
       {"limits",
-       {{"ground_blade", run.rules.ground_blade}, {"max_depth_mm", run.rules.max_depth}, {"near_miss_mm", run.near_miss}}},
+       {{"ground_blade", run.rules.ground_blade},
+        {"max_depth_mm", run.rules.max_depth},
+        {"near_miss_mm", run.near_miss}}},
       {"poses",
        {{"total", run.poses.size()},
         {"clear", run.count(Verdict::clear)},
@@ -79,7 +82,10 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", interferingRanges(run.poses)},
       {"tree",
-       {{"nodes", tree.nodes}, {"leaves", tree.leaves}, {"depth", tree.depth}, {"leaf_volume_mm3", tree.leaf_volume}}},
+       {{"nodes", tree.nodes},
+        {"leaves", tree.leaves},
+        {"depth", tree.depth},
+        {"leaf_volume_mm3", tree.leaf_volume}}},
       {"mean_query_us", run.seconds_a_pose * 1e6}};
   std::ofstream stream = openForWriting(file);
   stream << summary.dump(2) << '\n';

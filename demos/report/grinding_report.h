@@ -30,14 +30,15 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file);
 /// summary.json: limits, counts, the ranges of poses that interfere, the tree. Throws as above.
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file);
 
-/// The pose to look at: the deepest contact that is not intended, else the deepest, else the middle of the path.
+/// The pose to look at: the deepest contact that is not intended, else the deepest, else the middle of the
+/// path.
 std::size_t poseToShow(const GrindingRun& run);
 
 /// The worst contact of a pose that has one: "belt on blade 2, 0.31 mm deep".
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
 
-/// overview.png: the blisk, the path and the tool at the pose to show. closeup.png: where it touches, with the
-/// boxes of the tree. Throws as above.
+/// overview.png: the blisk, the path and the tool at the pose to show. closeup.png: where it touches, with
+/// the boxes of the tree. Throws as above.
 void writePictures(const GrindingRun& run, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

@@ -53,7 +53,7 @@ class SideOfBlade {
     for (const Triangle& corners : of_blade) {
       const Vec3 normal = outwards * scaledNormal(corners);
       if (towards_side * normal.dot(tangentialAt(centroidOf(corners))) <= 0.0) continue;
-      facets_.push_back({corners, {}});
+      facets_.push_back({corners});
       for (const Vec3& corner : corners) {
         normals.try_emplace(key(corner), Vec3::Zero()).first->second += normal;
       }
@@ -90,7 +90,7 @@ class SideOfBlade {
  private:
   struct Facet {
     Triangle corners;
-    std::array<Vec3, 3> normals;  ///< of the side at the corners
+    std::array<Vec3, 3> normals = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of the side at the corners
   };
 
   static std::optional<SurfacePoint> pointOn(const std::vector<const Facet*>& facets, double z,

@@ -17,20 +17,22 @@ namespace {
 
 void checkIds(std::size_t triangles, const std::vector<std::uint32_t>& part_begin) {
   if (part_begin.size() > ClusteredOctreeShape::kMaxParts) {
-    throw std::invalid_argument("the mesh has " + std::to_string(part_begin.size()) + " parts; Bullet's ids hold " +
+    throw std::invalid_argument("the mesh has " + std::to_string(part_begin.size()) +
+                                " parts; Bullet's ids hold " +
                                 std::to_string(ClusteredOctreeShape::kMaxParts));
   }
   for (std::size_t p = 0; p < part_begin.size(); ++p) {
     const std::size_t end = p + 1 < part_begin.size() ? part_begin[p + 1] : triangles;
     if (end - part_begin[p] > ClusteredOctreeShape::kMaxTriangles) {
-      throw std::invalid_argument("part " + std::to_string(p) + " has " + std::to_string(end - part_begin[p]) +
-                                  " triangles; Bullet's ids hold " +
+      throw std::invalid_argument("part " + std::to_string(p) + " has " +
+                                  std::to_string(end - part_begin[p]) + " triangles; Bullet's ids hold " +
                                   std::to_string(ClusteredOctreeShape::kMaxTriangles));
     }
   }
 }
 
-std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleMesh>& mesh, const Vec3& scaling) {
+std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleMesh>& mesh,
+                                           const Vec3& scaling) {
   if (scaling == Vec3::Ones()) return mesh;
   std::vector<Vec3> vertices = mesh->vertices();
   for (Vec3& vertex : vertices) vertex = vertex.cwiseProduct(scaling);
@@ -48,10 +50,12 @@ const btStridingMeshInterface& notNull(const btStridingMeshInterface* mesh_inter
 
 }  // namespace
 
-ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface, const BuildOptions& options)
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
+                                           const BuildOptions& options)
     : ClusteredOctreeShape(notNull(mesh_interface), options) {}
 
-ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_interface, const BuildOptions& options)
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_interface,
+                                           const BuildOptions& options)
     : options_(options) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   InterfaceMesh source = readMeshInterface(mesh_interface);
@@ -61,7 +65,8 @@ ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_i
   setLocalScaling(mesh_interface.getScaling());
 }
 
-ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree) : tree_(std::move(tree)) {
+ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree)
+    : tree_(std::move(tree)) {
   if (!tree_) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   unscaled_ = tree_->sharedMesh();
@@ -79,7 +84,8 @@ btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_fact
   return std::min(gContactBreakingThreshold, getAngularMotionDisc() * default_factor);
 }
 
-void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const {
+void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,
+                                   btVector3& aabb_max) const {
   const Aabb& bounds = tree_->mesh().bounds();
   const btScalar reach = getMargin() + std::max(contact_breaking_threshold_, btScalar(0));
   btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), reach, transform, aabb_min, aabb_max);
@@ -111,7 +117,8 @@ void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, con
       const Triangle triangle = mesh.triangle(t);
       Aabb bounds;
       for (const Vec3& corner : triangle) bounds.extend(corner);
-      if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any()) continue;
+      if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any())
+        continue;
       btVector3 corners[3] = {toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2])};
       const TriangleId id = triangleId(t);
       callback->processTriangle(corners, id.part, id.index);

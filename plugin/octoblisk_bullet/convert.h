@@ -21,8 +21,8 @@ inline btVector3 toBullet(const Vec3& v) { return {btScalar(v.x()), btScalar(v.y
 
 inline btTransform toBullet(const Pose& pose) {
   const Mat3& r = pose.rotation;
-  return btTransform(btMatrix3x3(btScalar(r(0, 0)), btScalar(r(0, 1)), btScalar(r(0, 2)),   //
-                                 btScalar(r(1, 0)), btScalar(r(1, 1)), btScalar(r(1, 2)),   //
+  return btTransform(btMatrix3x3(btScalar(r(0, 0)), btScalar(r(0, 1)), btScalar(r(0, 2)),  //
+                                 btScalar(r(1, 0)), btScalar(r(1, 1)), btScalar(r(1, 2)),  //
                                  btScalar(r(2, 0)), btScalar(r(2, 1)), btScalar(r(2, 2))),
                      toBullet(pose.translation));
 }

@@ -12,22 +12,26 @@
 namespace octoblisk {
 namespace {
 
-/// One body of a contact as Bullet wants to be told of it: where it is our shape, by part and triangle, with the
-/// triangle itself as the shape that gContactAddedCallback sees.
+/// One body of a contact as Bullet wants to be told of it: where it is our shape, by part and triangle, with
+/// the triangle itself as the shape that gContactAddedCallback sees.
 class ContactSide {
  public:
   ContactSide(const btCollisionObjectWrapper& body, std::uint32_t triangle) {
-    const auto* shape = triangle == kNoTriangle ? nullptr : static_cast<const ClusteredOctreeShape*>(body.m_shape);
+    const auto* shape =
+        triangle == kNoTriangle ? nullptr : static_cast<const ClusteredOctreeShape*>(body.m_shape);
     if (!shape) return;
     id_ = shape->triangleId(triangle);
     const Triangle corners = shape->tree().mesh().triangle(triangle);
     triangle_.emplace(toBullet(corners[0]), toBullet(corners[1]), toBullet(corners[2]));
     triangle_->setMargin(shape->getMargin());
-    wrap_.emplace(&body, &*triangle_, body.getCollisionObject(), body.getWorldTransform(), id_.part, id_.index);
+    wrap_.emplace(&body, &*triangle_, body.getCollisionObject(), body.getWorldTransform(), id_.part,
+                  id_.index);
   }
 
   const TriangleId& id() const { return id_; }
-  const btCollisionObjectWrapper* wrapOr(const btCollisionObjectWrapper* body) const { return wrap_ ? &*wrap_ : body; }
+  const btCollisionObjectWrapper* wrapOr(const btCollisionObjectWrapper* body) const {
+    return wrap_ ? &*wrap_ : body;
+  }
 
  private:
   TriangleId id_ = {-1, -1};
@@ -42,14 +46,16 @@ double marginBeyondSurface(const btCollisionObjectWrapper& body) {
 
 }  // namespace
 
-MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
-                             const btCollisionObjectWrapper* body1, bool mesh_is_body1)
+MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
+                             const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
+                             bool mesh_is_body1)
     : btActivatingCollisionAlgorithm(info, body0, body1),
       mesh_is_body1_(mesh_is_body1),
       manifolds_(*info.m_dispatcher1, body0->getCollisionObject(), body1->getCollisionObject()) {}
 
-void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
-                                     const btDispatcherInfo&, btManifoldResult* result) {
+void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
+                                     const btCollisionObjectWrapper* body1, const btDispatcherInfo&,
+                                     btManifoldResult* result) {
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
   const double mesh_margin = marginBeyondSurface(mesh), other_margin = marginBeyondSurface(other);

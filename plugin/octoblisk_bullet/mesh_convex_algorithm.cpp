@@ -15,7 +15,8 @@ namespace {
 /// Bullet's convex shapes are a core and a margin round it, as ours are.
 class BulletConvex final : public Convex {
  public:
-  explicit BulletConvex(const btConvexShape& shape) : shape_(shape), margin_(double(shape.getMarginNonVirtual())) {}
+  explicit BulletConvex(const btConvexShape& shape)
+      : shape_(shape), margin_(double(shape.getMarginNonVirtual())) {}
 
   Vec3 support(const Vec3& direction) const override {
     return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
@@ -30,11 +31,13 @@ class BulletConvex final : public Convex {
 
 }  // namespace
 
-void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                                       double reach, std::vector<Contact>& found) const {
+void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
+                                       const btCollisionObjectWrapper& other, double reach,
+                                       std::vector<Contact>& found) const {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()));
-  const Pose convex_in_mesh = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  const Pose convex_in_mesh =
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape.tree(), convex, convex_in_mesh, reach, found);
 }
 

@@ -23,19 +23,26 @@ class LockedPart {
   Vec3 vertex(int v) const {
     const unsigned char* data = vertices_ + static_cast<std::ptrdiff_t>(v) * vertex_stride_;
     switch (vertex_type_) {
-      case PHY_FLOAT: return read<float>(data);
-      case PHY_DOUBLE: return read<double>(data);
-      default: throw unsupported("vertex type");
+      case PHY_FLOAT:
+        return read<float>(data);
+      case PHY_DOUBLE:
+        return read<double>(data);
+      default:
+        throw unsupported("vertex type");
     }
   }
 
   std::array<std::uint32_t, 3> triangle(int t) const {
     const unsigned char* data = indices_ + static_cast<std::ptrdiff_t>(t) * index_stride_;
     switch (index_type_) {
-      case PHY_INTEGER: return readIndices<std::uint32_t>(data);
-      case PHY_SHORT: return readIndices<std::uint16_t>(data);
-      case PHY_UCHAR: return readIndices<std::uint8_t>(data);
-      default: throw unsupported("index type");
+      case PHY_INTEGER:
+        return readIndices<std::uint32_t>(data);
+      case PHY_SHORT:
+        return readIndices<std::uint16_t>(data);
+      case PHY_UCHAR:
+        return readIndices<std::uint8_t>(data);
+      default:
+        throw unsupported("index type");
     }
   }
 
@@ -58,7 +65,8 @@ class LockedPart {
   }
 
   std::invalid_argument unsupported(const char* what) const {
-    return std::invalid_argument("part " + std::to_string(part_) + " of the mesh interface has an unsupported " + what);
+    return std::invalid_argument("part " + std::to_string(part_) +
+                                 " of the mesh interface has an unsupported " + what);
   }
 
   const btStridingMeshInterface& source_;

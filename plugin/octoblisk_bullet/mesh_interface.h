@@ -10,13 +10,13 @@ class btStridingMeshInterface;
 namespace octoblisk {
 
 struct InterfaceMesh {
-  TriangleMesh mesh;                        ///< unscaled, all parts one after the other
-  std::vector<std::uint32_t> part_begin;    ///< the first triangle of each part
+  TriangleMesh mesh;                      ///< unscaled, all parts one after the other
+  std::vector<std::uint32_t> part_begin;  ///< the first triangle of each part
 };
 
 /// Reads any vertex type (float, double), index type (32, 16 or 8 bits), stride and number of parts.
-/// Throws std::invalid_argument that names the part, and the triangle or vertex of the whole, where there are no
-/// triangles, a type is none of these, an index is out of range or a coordinate is not finite.
+/// Throws std::invalid_argument that names the part, and the triangle or vertex of the whole, where there are
+/// no triangles, a type is none of these, an index is out of range or a coordinate is not finite.
 InterfaceMesh readMeshInterface(const btStridingMeshInterface& source);
 
 }  // namespace octoblisk

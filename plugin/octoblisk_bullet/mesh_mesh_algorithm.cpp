@@ -8,8 +8,9 @@
 
 namespace octoblisk {
 
-void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                                     double reach, std::vector<Contact>& found) const {
+void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
+                                     const btCollisionObjectWrapper& other, double reach,
+                                     std::vector<Contact>& found) const {
   const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());

@@ -30,14 +30,16 @@ using Wrapper = btCollisionObjectWrapper;
 
 struct CreateMeshConvex final : btCollisionAlgorithmCreateFunc {
   explicit CreateMeshConvex(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
-  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0, const Wrapper* body1) override {
+  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
+                                                 const Wrapper* body1) override {
     if (!hasOurShape(m_swapped ? body1 : body0)) return make<btEmptyAlgorithm>(info);
     return make<MeshConvexAlgorithm>(info, body0, body1, m_swapped);
   }
 };
 
 struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
-  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0, const Wrapper* body1) override {
+  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
+                                                 const Wrapper* body1) override {
     if (!hasOurShape(body0) || !hasOurShape(body1)) return make<btEmptyAlgorithm>(info);
     return make<MeshMeshAlgorithm>(info, body0, body1);
   }

@@ -24,7 +24,8 @@ int main() {
   bool touched = false;
   for (int step = 0; step < 60; ++step) {
     world.stepSimulation(btScalar(1) / 240, 0);
-    touched |= dispatcher.getNumManifolds() > 0 && dispatcher.getManifoldByIndexInternal(0)->getNumContacts() > 0;
+    touched |=
+        dispatcher.getNumManifolds() > 0 && dispatcher.getManifoldByIndexInternal(0)->getNumContacts() > 0;
     lowest = btMin(lowest, falling->getWorldTransform().getOrigin().z());
   }
   for (btRigidBody* body : {falling, fixed}) {

@@ -29,8 +29,9 @@ std::vector<SharedMesh> meshes() {
           testing::soup(random, 3000, 10, 0.5),
           testing::boxMesh({1, 2, 3}),
           std::make_shared<const TriangleMesh>(one),
-          std::make_shared<const TriangleMesh>(one.vertices(), same),                            // all duplicates
-          std::make_shared<const TriangleMesh>(std::vector<Vec3>{{1, 2, 3}}, std::vector<TriangleMesh::Indices>(100)),
+          std::make_shared<const TriangleMesh>(one.vertices(), same),  // all duplicates
+          std::make_shared<const TriangleMesh>(std::vector<Vec3>{{1, 2, 3}},
+                                               std::vector<TriangleMesh::Indices>(100)),
           moved(torus, 1e9, {1e11, 0, 0}),
           moved(torus, 1e-9, {1, 1, 1}),
           moved(torus, 1e-30, {0, 0, 0}),
@@ -42,7 +43,8 @@ TEST(ClusteredOctree, isValidForEveryMeshAndPartition) {
     for (const int capacity : {1, 3, 8}) {
       ClusteredOctree::build(mesh, {.leaf_capacity = capacity}).validate();
       for (const int clusters : {1, 2, 8}) {
-        ClusteredOctree::build(mesh, {.partition = PartitionKind::paper, .leaf_capacity = capacity, .clusters = clusters})
+        ClusteredOctree::build(
+            mesh, {.partition = PartitionKind::paper, .leaf_capacity = capacity, .clusters = clusters})
             .validate();
       }
     }
@@ -54,7 +56,8 @@ TEST(ClusteredOctree, leavesHoldNoMoreThanTheirCapacity) {
   const SharedMesh mesh = testing::fan(7, 20);
   for (const PartitionKind partition : {PartitionKind::clustering, PartitionKind::paper}) {
     for (const int capacity : {1, 5, 8}) {
-      const ClusteredOctree tree = ClusteredOctree::build(mesh, {.partition = partition, .leaf_capacity = capacity});
+      const ClusteredOctree tree =
+          ClusteredOctree::build(mesh, {.partition = partition, .leaf_capacity = capacity});
       std::size_t leaves = 0;
       for (const ClusteredOctree::Node& node : tree.nodes()) {
         for (const Child child : node.children) {
@@ -75,9 +78,10 @@ TEST(ClusteredOctree, partsAreNeverMixedInTheUpperLevels) {
   const SharedMesh mesh = testing::fan(kBlades, 12);
   std::vector<int> blade;
   const std::size_t triangles_of_blade = mesh->triangleCount() / kBlades;
-  for (std::size_t t = 0; t < mesh->triangleCount(); ++t) blade.push_back(static_cast<int>(t / triangles_of_blade));
-  const ClusteredOctree tree =
-      ClusteredOctree::build(mesh, {.partition = PartitionKind::paper, .clusters = 3, .part_of_triangle = blade});
+  for (std::size_t t = 0; t < mesh->triangleCount(); ++t)
+    blade.push_back(static_cast<int>(t / triangles_of_blade));
+  const ClusteredOctree tree = ClusteredOctree::build(
+      mesh, {.partition = PartitionKind::paper, .clusters = 3, .part_of_triangle = blade});
   tree.validate();
   for (const ClusteredOctree::Node& node : tree.nodes()) {
     for (const Child child : node.children) {
@@ -94,7 +98,8 @@ TEST(ClusteredOctree, isTheSameEveryTime) {
   const ClusteredOctree a = ClusteredOctree::build(mesh), b = ClusteredOctree::build(mesh);
   EXPECT_TRUE(std::ranges::equal(a.triangleOrder(), b.triangleOrder()));
   ASSERT_EQ(a.nodes().size(), b.nodes().size());
-  EXPECT_EQ(std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(ClusteredOctree::Node)), 0);
+  EXPECT_EQ(std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(ClusteredOctree::Node)),
+            0);
 }
 
 TEST(ClusteredOctree, boxesGrowTighterWithDepth) {

@@ -56,7 +56,8 @@ TEST(ContactPatches, normalsFarApartAreTwoPatches) {
 }
 
 TEST(ContactPatches, doesNotDependOnTheOrder) {
-  const ClusteredOctree a = ClusteredOctree::build(testing::fan(9, 12)), b = ClusteredOctree::build(testing::torus(0.5, 0.2, 24, 12));
+  const ClusteredOctree a = ClusteredOctree::build(testing::fan(9, 12)),
+                        b = ClusteredOctree::build(testing::torus(0.5, 0.2, 24, 12));
   std::mt19937_64 random(41);
   std::vector<Contact> found;
   int with_patches = 0;
@@ -86,7 +87,8 @@ TEST(ContactPatches, doesNotDependOnTheOrder) {
 
 TEST(ContactPatches, keepsTheDeepestWhereThereAreTooMany) {
   std::vector<Contact> contacts;
-  for (std::uint32_t i = 0; i < 40; ++i) contacts.push_back(contactAt({double(i), 0, 0}, Vec3::UnitZ(), -0.01 * i, i, i));
+  for (std::uint32_t i = 0; i < 40; ++i)
+    contacts.push_back(contactAt({double(i), 0, 0}, Vec3::UnitZ(), -0.01 * i, i, i));
   const auto patches = ContactPatches().reduce(contacts);
   ASSERT_EQ(patches.size(), ContactPatches::kMaxPatches);
   for (const ContactPatch& patch : patches) EXPECT_GE(patch.contacts[0].triangle_a, 24u);

@@ -45,7 +45,8 @@ TEST(KMeans, oftenReachesTheOptimumOfAllAssignmentsAndNeverPassesIt) {
   int optimal = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const std::vector<Vec3> points = randomPoints(seed, 8);
-    const double least = leastSquaredError(points, 3), found = kMeans(points, {.k = 3, .seed = seed}).squared_error;
+    const double least = leastSquaredError(points, 3),
+                 found = kMeans(points, {.k = 3, .seed = seed}).squared_error;
     EXPECT_GE(found, least * (1 - 1e-12));
     optimal += found <= least * (1 + 1e-9);
   }
@@ -62,7 +63,8 @@ TEST(KMeans, endsInAFixedPointOfStepsTwoAndThree) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::uint32_t own = clustering.cluster_of_point[i];
       for (std::size_t c = 0; c < k; ++c) {
-        EXPECT_LE((points[i] - clustering.centers[own]).norm(), (points[i] - clustering.centers[c]).norm() + 1e-12);
+        EXPECT_LE((points[i] - clustering.centers[own]).norm(),
+                  (points[i] - clustering.centers[c]).norm() + 1e-12);
       }
       sum[own] += points[i];
       error += (points[i] - clustering.centers[own]).squaredNorm();
@@ -85,7 +87,8 @@ TEST(KMeans, sameSeedSameBitsOtherSeedOtherStart) {
 
 TEST(KMeans, paperStartBeginsAtTheMeansOfAFirstRun) {
   const std::vector<Vec3> points = randomPoints(1, 300);
-  EXPECT_EQ(kMeans(points, {.k = 5}).iterations, 2);  // a converged start moves nothing: assign once, confirm once
+  EXPECT_EQ(kMeans(points, {.k = 5}).iterations,
+            2);  // a converged start moves nothing: assign once, confirm once
   EXPECT_GT(kMeans(points, {.k = 5, .paper_start = false}).iterations, 2);
 }
 
@@ -116,10 +119,12 @@ TEST(KMeans, anEmptyClusterTakesTheFarthestPoint) {
 TEST(KOpt, prefersTheNumberOfClumps) {
   std::mt19937_64 random(3);
   std::vector<Vec3> points;
-  for (int i = 0; i < 600; ++i) points.push_back(Vec3(100.0 * (i % 3), 70.0 * (i % 3 == 1), 0) + testing::randomPoint(random, 1));
+  for (int i = 0; i < 600; ++i)
+    points.push_back(Vec3(100.0 * (i % 3), 70.0 * (i % 3 == 1), 0) + testing::randomPoint(random, 1));
   const KOpt result = optimalK(points, {.criterion = KCriterion::least_leaf_volume, .leaf_capacity = 20});
   EXPECT_EQ(result.cost.size(), 7u);
-  EXPECT_GT(result.cost[0], 2.0 * *std::ranges::min_element(result.cost));  // two clusters span a gap between clumps
+  EXPECT_GT(result.cost[0],
+            2.0 * *std::ranges::min_element(result.cost));  // two clusters span a gap between clumps
   EXPECT_GE(result.k, 3u);
   EXPECT_EQ(result.cost[result.k - 2], *std::ranges::min_element(result.cost));
 }

@@ -42,7 +42,8 @@ TEST(Obb, holdsItsPointsWhateverTheirSpread) {
     std::vector<Vec3> points;
     const Vec3 spread(1.0, i % 3 ? 1e-3 : 0.0, i % 2 ? 1e-9 : 0.0);  // solid, flat and collinear clouds
     const Pose pose = testing::randomPose(random, 100);
-    for (int p = 0; p <= i % 7; ++p) points.push_back(pose * testing::randomPoint(random, 1).cwiseProduct(spread));
+    for (int p = 0; p <= i % 7; ++p)
+      points.push_back(pose * testing::randomPoint(random, 1).cwiseProduct(spread));
     const Obb box = principalBox(points);
     for (const Vec3& point : points) EXPECT_TRUE(box.contains(point, 1e-12));
     EXPECT_TRUE((box.axes.transpose() * box.axes).isIdentity(1e-12));

@@ -10,8 +10,8 @@ namespace octoblisk {
 namespace {
 
 /// Splits counted by plain recursion over copies of the points.
-std::size_t bruteForceSplits(const std::vector<Vec3>& points, const Vec3& low, const Vec3& high, std::size_t capacity,
-                             int depth) {
+std::size_t bruteForceSplits(const std::vector<Vec3>& points, const Vec3& low, const Vec3& high,
+                             std::size_t capacity, int depth) {
   if (points.size() <= capacity || depth == 0) return 0;
   const Vec3 middle = 0.5 * (low + high);
   std::size_t splits = 1;
@@ -45,7 +45,8 @@ TEST(Octree, countsNodesAsBruteForceDoes) {
 TEST(Octree, everyPointIsInOneLeafThatHoldsIt) {
   std::mt19937_64 random(10);
   std::vector<Vec3> points;
-  for (int i = 0; i < 2000; ++i) points.push_back(testing::randomPoint(random, 5).cwiseProduct(Vec3(1, 0.2, 0.01)));
+  for (int i = 0; i < 2000; ++i)
+    points.push_back(testing::randomPoint(random, 5).cwiseProduct(Vec3(1, 0.2, 0.01)));
   const Octree octree = Octree::build(points, {.leaf_capacity = 3, .axes = testing::randomRotation(random)});
   std::vector<int> seen(points.size(), 0);
   double leaf_volume = 0.0;

@@ -34,7 +34,8 @@ TEST(Predicates, orient3dEqualsIntegers) {
     const auto point = [&] { return Vec3(randomPoint(random, 1 << 30).array().round()); };
     const Vec3 a = point(), b = point(), c = point();
     Vec3 d = point();
-    if (i % 4 != 0) {  // in the plane of a, b, c up to rounding: the filter must give up, the exact sum decide
+    if (i % 4 !=
+        0) {  // in the plane of a, b, c up to rounding: the filter must give up, the exact sum decide
       d = (a + uniform(random, -1, 1) * (b - a) + uniform(random, -1, 1) * (c - a)).array().round();
       if (i % 4 == 1) d = 2.0 * b - a;  // on the line through a and b: exactly 0
     }
@@ -73,12 +74,16 @@ TEST(Predicates, orient2dEqualsIntegers) {
   std::mt19937_64 random(3);
   int collinear = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const auto point = [&] { return Eigen::Vector2d(randomPoint(random, 1 << 30).head<2>().array().round()); };
+    const auto point = [&] {
+      return Eigen::Vector2d(randomPoint(random, 1 << 30).head<2>().array().round());
+    };
     const Eigen::Vector2d a = point(), b = point();
     Eigen::Vector2d c = point();
     if (i % 2 == 0) c = (a + uniform(random, -1, 1) * (b - a)).array().round();
     if (i % 8 == 0) c = 2.0 * b - a;
-    const auto d = [&](const Eigen::Vector2d& p, int k) { return static_cast<Int128>(p[k]) - static_cast<Int128>(a[k]); };
+    const auto d = [&](const Eigen::Vector2d& p, int k) {
+      return static_cast<Int128>(p[k]) - static_cast<Int128>(a[k]);
+    };
     const int expected = sign(d(b, 0) * d(c, 1) - d(b, 1) * d(c, 0));
     collinear += expected == 0;
     ASSERT_EQ(orient2d(a, b, c), expected) << "case " << i;

@@ -88,7 +88,8 @@ TEST_P(Queries, convex_vs_bruteforce) {
   const ConvexHull sphere({Vec3(0, 0.1, 0)}, 0.3), hull(points, 0.01);
   int hits = 0, cases = 0;
   std::vector<Contact> found;
-  for (const Convex* convex : {static_cast<const Convex*>(&box), static_cast<const Convex*>(&sphere), static_cast<const Convex*>(&hull)}) {
+  for (const Convex* convex : {static_cast<const Convex*>(&box), static_cast<const Convex*>(&sphere),
+                               static_cast<const Convex*>(&hull)}) {
     for (int i = 0; i < 150; ++i, ++cases) {
       const Pose pose = testing::randomPose(random, 1.2), inverse = pose.inverse();
       std::vector<Contact> expected;
@@ -116,8 +117,11 @@ TEST_P(Queries, convex_vs_bruteforce) {
   EXPECT_LE(hits, cases * 7 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Partitions, Queries, ::testing::Values(PartitionKind::clustering, PartitionKind::paper),
-                         [](const auto& kind) { return kind.param == PartitionKind::paper ? "paper" : "clustering"; });
+INSTANTIATE_TEST_SUITE_P(Partitions, Queries,
+                         ::testing::Values(PartitionKind::clustering, PartitionKind::paper),
+                         [](const auto& kind) {
+                           return kind.param == PartitionKind::paper ? "paper" : "clustering";
+                         });
 
 TEST(Queries, touchingIsColliding) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
@@ -125,7 +129,8 @@ TEST(Queries, touchingIsColliding) {
   EXPECT_FALSE(collide(box, box, {Mat3::Identity(), Vec3(std::nextafter(2.0, 3.0), 0, 0)}));
   EXPECT_TRUE(collide(box, box, {Mat3::Identity(), Vec3(2, 2, 2)}));
   EXPECT_TRUE(collide(box, box, Pose{}));
-  EXPECT_FALSE(collide(box, ClusteredOctree::build(testing::boxMesh({0.5, 0.5, 0.5})), Pose{}));  // inside: no surface meets
+  EXPECT_FALSE(collide(box, ClusteredOctree::build(testing::boxMesh({0.5, 0.5, 0.5})),
+                       Pose{}));  // inside: no surface meets
 }
 
 TEST(Queries, farFromTheOriginNothingIsMissed) {

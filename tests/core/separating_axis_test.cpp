@@ -22,7 +22,8 @@ bool segmentMeetsBox(const Obb& box, const Vec3& from, const Vec3& to) {
   const Vec3 start = box.axes.transpose() * (from - box.center), step = box.axes.transpose() * (to - from);
   double enter = 0.0, leave = 1.0;
   for (int k = 0; k < 3; ++k) {
-    const double t0 = (-box.half_extents[k] - start[k]) / step[k], t1 = (box.half_extents[k] - start[k]) / step[k];
+    const double t0 = (-box.half_extents[k] - start[k]) / step[k],
+                 t1 = (box.half_extents[k] - start[k]) / step[k];
     enter = std::max(enter, std::min(t0, t1));
     leave = std::min(leave, std::max(t0, t1));
   }
@@ -69,11 +70,16 @@ TEST(SeparatingAxis, someBoxesArePartedByEdgeAxesAlone) {
     const Obb a = randomBox(random, 0.8), b = randomBox(random, 0.8);
     bool faces_part = false;
     for (int k = 0; k < 3; ++k) {
-      const Obb a_turned{a.center, (Mat3() << a.axes.col(k), a.axes.col((k + 1) % 3), a.axes.col((k + 2) % 3)).finished(),
-                         {a.half_extents[k], a.half_extents[(k + 1) % 3], a.half_extents[(k + 2) % 3]}};
-      const Obb b_turned{b.center, (Mat3() << b.axes.col(k), b.axes.col((k + 1) % 3), b.axes.col((k + 2) % 3)).finished(),
-                         {b.half_extents[k], b.half_extents[(k + 1) % 3], b.half_extents[(k + 2) % 3]}};
-      faces_part |= !overlaps(a_turned, b, SeparatingAxes::paper1) || !overlaps(b_turned, a, SeparatingAxes::paper1);
+      const Obb a_turned{
+          a.center,
+          (Mat3() << a.axes.col(k), a.axes.col((k + 1) % 3), a.axes.col((k + 2) % 3)).finished(),
+          {a.half_extents[k], a.half_extents[(k + 1) % 3], a.half_extents[(k + 2) % 3]}};
+      const Obb b_turned{
+          b.center,
+          (Mat3() << b.axes.col(k), b.axes.col((k + 1) % 3), b.axes.col((k + 2) % 3)).finished(),
+          {b.half_extents[k], b.half_extents[(k + 1) % 3], b.half_extents[(k + 2) % 3]}};
+      faces_part |=
+          !overlaps(a_turned, b, SeparatingAxes::paper1) || !overlaps(b_turned, a, SeparatingAxes::paper1);
     }
     edge_axes_needed += !faces_part && !overlaps(a, b);
   }

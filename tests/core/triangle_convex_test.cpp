@@ -21,7 +21,8 @@ TEST(TriangleConvex, boxEqualsTheThirteenAxes) {
   constexpr int kCases = 20'000;
   for (int i = 0; i < kCases; ++i) {
     const Triangle triangle = randomTriangle(random, 2);
-    const Obb box{randomPoint(random, 1), testing::randomRotation(random), randomPoint(random, 1).cwiseAbs() + Vec3::Constant(0.05)};
+    const Obb box{randomPoint(random, 1), testing::randomRotation(random),
+                  randomPoint(random, 1).cwiseAbs() + Vec3::Constant(0.05)};
     const double overlap = testing::boxTriangleOverlap(box, triangle);
     const auto contact = contactOf(triangle, ConvexBox(box), kFar);
     ASSERT_TRUE(contact);
@@ -32,7 +33,8 @@ TEST(TriangleConvex, boxEqualsTheThirteenAxes) {
       ASSERT_GT(contact->distance, 0.0) << "case " << i;
       ASSERT_GE(contact->distance, -overlap - 1e-9) << "case " << i;  // an axis proves at least its own gap
     }
-    ASSERT_TRUE((contact->point_on_b + contact->distance * contact->normal).isApprox(contact->point_on_a, 1e-6));
+    ASSERT_TRUE(
+        (contact->point_on_b + contact->distance * contact->normal).isApprox(contact->point_on_a, 1e-6));
     ASSERT_TRUE(box.contains(contact->point_on_b, 1e-7));
   }
   EXPECT_GT(hits, kCases * 3 / 10);
@@ -70,8 +72,11 @@ TEST(TriangleConvex, depthPartsAndNoLessDoes) {
     const auto contact = contactOf(triangle, hull, 0.0);
     if (!contact || contact->distance > -1e-6) continue;
     ++meeting;
-    const auto moved = [&](double factor) { return Pose{Mat3::Identity(), -contact->distance * factor * contact->normal} * triangle; };
-    const auto after = contactOf(moved(1.0 + 1e-4), hull, kFar), before = contactOf(moved(1.0 - 1e-4), hull, kFar);
+    const auto moved = [&](double factor) {
+      return Pose{Mat3::Identity(), -contact->distance * factor * contact->normal} * triangle;
+    };
+    const auto after = contactOf(moved(1.0 + 1e-4), hull, kFar),
+               before = contactOf(moved(1.0 - 1e-4), hull, kFar);
     ASSERT_GT(after->distance, 0.0) << "case " << i;
     ASSERT_LT(before->distance, 0.0) << "case " << i;
     for (int d = 0; d < 20; ++d) {  // no shorter way out in other directions

@@ -22,9 +22,11 @@ const std::vector<Vec3> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST(TriangleMesh, namesWhatIsWrong) {
   EXPECT_EQ(messageOf(kCorners, {}), "the mesh has no triangles");
-  EXPECT_EQ(messageOf(kCorners, {{0, 1, 2}, {0, 1, 3}}), "triangle 1 uses vertex 3, but the mesh has 3 vertices");
+  EXPECT_EQ(messageOf(kCorners, {{0, 1, 2}, {0, 1, 3}}),
+            "triangle 1 uses vertex 3, but the mesh has 3 vertices");
   EXPECT_EQ(messageOf({}, {{0, 0, 0}}), "triangle 0 uses vertex 0, but the mesh has 0 vertices");
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e13}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e13}) {
     std::vector<Vec3> vertices = kCorners;
     vertices[2].y() = bad;
     EXPECT_EQ(messageOf(vertices, {{0, 1, 2}}).rfind("vertex 2 has the coordinate ", 0), 0u);

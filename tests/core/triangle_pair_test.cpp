@@ -43,7 +43,7 @@ TEST(TrianglePair, verdictEqualsIntegersOnDegenerateNeighbours) {
 
 TEST(TrianglePair, touchingAtAVertexAnEdgeAndInAPlane) {
   const Triangle a = {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
-  EXPECT_TRUE(intersects(a, {Vec3(1, 1, 0), Vec3(1, 1, 3), Vec3(2, 1, 3)}));     // a vertex on the face
+  EXPECT_TRUE(intersects(a, {Vec3(1, 1, 0), Vec3(1, 1, 3), Vec3(2, 1, 3)}));      // a vertex on the face
   EXPECT_TRUE(intersects(a, {Vec3(2, -1, 1), Vec3(2, 1, -1), Vec3(2, -9, -9)}));  // edge on edge
   EXPECT_TRUE(intersects(a, {Vec3(1, 1, 0), Vec3(1.5, 1, 0), Vec3(1, 1.5, 0)}));  // inside, coplanar
   EXPECT_TRUE(intersects(a, {Vec3(4, 0, 0), Vec3(8, 0, 0), Vec3(8, 4, 0)}));      // a shared vertex, coplanar
@@ -90,7 +90,9 @@ TEST(TrianglePair, depthIsTheLeastTranslationAlongAFaceThatParts) {
     const Vec3 normal_a = scaledNormal(a).normalized(), normal_b = scaledNormal(b).normalized();
     ASSERT_TRUE(contact.normal.isApprox(-normal_a, 1e-9) || contact.normal.isApprox(normal_b, 1e-9));
     ASSERT_NEAR((contact.point_on_a - contact.point_on_b).norm(), -contact.distance, 1e-12);
-    const auto moved = [&](double factor) { return Pose{Mat3::Identity(), -contact.distance * factor * contact.normal} * a; };
+    const auto moved = [&](double factor) {
+      return Pose{Mat3::Identity(), -contact.distance * factor * contact.normal} * a;
+    };
     ASSERT_FALSE(intersects(moved(1.0 + 1e-6), b)) << "case " << i;
     ASSERT_TRUE(intersects(moved(1.0 - 1e-6), b)) << "case " << i;
     // No shorter translation along the other face's normal parts them.

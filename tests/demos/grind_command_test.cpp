@@ -10,6 +10,8 @@
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
 #include "models/embedded_assets.h"
+#include "models/mesh_file.h"
+#include "models/orientation.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "toolpath/pose_file.h"
@@ -40,7 +42,8 @@ std::vector<std::map<std::string, std::string>> readContacts(const std::filesyst
     const std::vector<std::string> values = cells(line);
     EXPECT_EQ(values.size(), header.size());
     rows.emplace_back();
-    for (std::size_t i = 0; i < std::min(values.size(), header.size()); ++i) rows.back()[header[i]] = values[i];
+    for (std::size_t i = 0; i < std::min(values.size(), header.size()); ++i)
+      rows.back()[header[i]] = values[i];
   }
   return rows;
 }
@@ -104,14 +107,27 @@ TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
 }
 
 TEST_F(GrindCommand, ownFilesAreUsedAndTheBladeIsFoundByTouch) {
-  ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --blades 20 --out blisk.stl").exit_code, 0);
+  ASSERT_EQ(
+      runOctoblisk(folder_.path(), "make blisk --triangles 10000 --blades 20 --out blisk.stl").exit_code, 0);
   ASSERT_EQ(runOctoblisk(folder_.path(), "make belt --out belt.obj").exit_code, 0);
   ASSERT_LE(run("--blisk blisk.stl --ground-blade 5 --no-pictures --out first").exit_code, 1);
-  ASSERT_LE(run("--blisk blisk.stl --belt belt.obj --path first/path.csv --no-pictures --out second").exit_code, 1);
+  ASSERT_LE(
+      run("--blisk blisk.stl --belt belt.obj --path first/path.csv --no-pictures --out second").exit_code, 1);
   const auto summary = nlohmann::json::parse(contentOf(file("second/summary.json")));
   EXPECT_EQ(summary["limits"]["ground_blade"], 5);
   EXPECT_EQ(summary["blisk"]["blades"], 20);
   EXPECT_EQ(summary["parts"].size(), 1u);
+}
+
+TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {
+  writeMesh(file("outward.ply"), embeddedBlisk());
+  writeMesh(file("inward.ply"), turned(embeddedBlisk()));
+  for (const char* way : {"outward", "inward"}) {
+    ASSERT_LE(run("--blisk " + std::string(way) + ".ply --no-pictures --out " + way).exit_code, 1);
+  }
+  const std::string outward = contentOf(file("outward/contacts.csv"));
+  EXPECT_GT(outward.size(), 10'000u);
+  EXPECT_EQ(outward, contentOf(file("inward/contacts.csv")));
 }
 
 TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {

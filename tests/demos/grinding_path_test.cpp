@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "models/blisk.h"
 #include "octoblisk/collide.h"

@@ -14,14 +14,16 @@ namespace octoblisk::demos {
 namespace {
 
 std::shared_ptr<const ClusteredOctree> treeOf(const TriangleMesh& mesh) {
-  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
+  return std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
 }
 
 void expectSame(const TriangleMesh& found, const TriangleMesh& expected) {
   ASSERT_EQ(found.triangleCount(), expected.triangleCount());
   for (std::size_t t = 0; t < found.triangleCount(); ++t) {
     for (std::size_t v = 0; v < 3; ++v) {
-      ASSERT_LT((found.triangle(t)[v] - expected.triangle(t)[v]).norm(), 1e-4) << "triangle " << t;  // files hold floats
+      ASSERT_LT((found.triangle(t)[v] - expected.triangle(t)[v]).norm(), 1e-4)
+          << "triangle " << t;  // files hold floats
     }
   }
 }
@@ -37,7 +39,8 @@ TEST(EmbeddedAssets, areWhatTheGeneratorsMake) {
 }
 
 TEST(GrindingCell, contacts_vs_bruteforce) {
-  const auto blisk = testing::fan(9, 10), ring = testing::torus(0.5, 0.15, 20, 12), box = testing::boxMesh({0.3, 0.2, 0.1});
+  const auto blisk = testing::fan(9, 10), ring = testing::torus(0.5, 0.15, 20, 12),
+             box = testing::boxMesh({0.3, 0.2, 0.1});
   constexpr double kReach = 0.05;
   GrindingCell cell(treeOf(*blisk), {{"ring", treeOf(*ring)}, {"box", treeOf(*box)}}, kReach);
   std::mt19937_64 random(51);

@@ -16,6 +16,7 @@
 #include "models/blade_sections.h"
 #include "models/blade_surface.h"
 #include "models/blisk.h"
+#include "models/orientation.h"
 #include "models/radius_profile.h"
 
 namespace octoblisk::demos {

@@ -79,15 +79,6 @@ long eulerCharacteristic(const TriangleMesh& mesh) {
          static_cast<long>(mesh.triangleCount());
 }
 
-double enclosedVolume(const TriangleMesh& mesh) {
-  double volume = 0.0;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const Triangle corners = mesh.triangle(t);
-    volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;
-  }
-  return volume;
-}
-
 std::size_t countCrossings(const TriangleMesh& mesh) {
   // Triangles are paired in the cells of a grid; a pair that meets in several cells is counted in one.
   const double cell_size = mesh.bounds().halfExtents().maxCoeff() / 20.0;

@@ -11,9 +11,6 @@ bool isWatertight(const TriangleMesh& mesh);
 /// Vertices − edges + triangles: 2 − 2·genus for a closed surface.
 long eulerCharacteristic(const TriangleMesh& mesh);
 
-/// Positive if the triangles look outwards.
-double enclosedVolume(const TriangleMesh& mesh);
-
 /// Pairs of triangles, sharing one vertex at most, of which an edge of one properly crosses the other.
 std::size_t countCrossings(const TriangleMesh& mesh);
 

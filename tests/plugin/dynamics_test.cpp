@@ -53,7 +53,9 @@ TEST(Dynamics, aTorusHangsOnATorus) {
   auto torus = shapeOf(testing::torus(1.0, 0.2, 32, 16));
   BulletWorld world;
   world.add(torus, 0, btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI)));
-  btRigidBody& link = world.add(torus, 1, btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI), btVector3(0, 0, btScalar(-1.45))));
+  btRigidBody& link = world.add(
+      torus, 1,
+      btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI), btVector3(0, 0, btScalar(-1.45))));
   world.step(240 * 5);
   EXPECT_GT(double(link.getWorldTransform().getOrigin().z()), -1.75);  // linked: the tubes hold each other
   EXPECT_LT(double(link.getLinearVelocity().length()), 1.0);

@@ -35,9 +35,13 @@ std::unique_ptr<btConvexShape> randomHull() {
 
 const std::vector<NamedConvex> kConvexes = {
     {"sphere", [] { return std::make_unique<btSphereShape>(btScalar(0.6)); }},
-    {"box", [] { return std::make_unique<btBoxShape>(btVector3(btScalar(0.7), btScalar(0.5), btScalar(0.3))); }},
+    {"box",
+     [] { return std::make_unique<btBoxShape>(btVector3(btScalar(0.7), btScalar(0.5), btScalar(0.3))); }},
     {"capsule", [] { return std::make_unique<btCapsuleShape>(btScalar(0.4), btScalar(0.8)); }},
-    {"cylinder", [] { return std::make_unique<btCylinderShape>(btVector3(btScalar(0.5), btScalar(0.6), btScalar(0.5))); }},
+    {"cylinder",
+     [] {
+       return std::make_unique<btCylinderShape>(btVector3(btScalar(0.5), btScalar(0.6), btScalar(0.5)));
+     }},
     {"cone", [] { return std::make_unique<btConeShape>(btScalar(0.6), btScalar(1.0)); }},
     {"hull", randomHull},
 };
@@ -103,7 +107,8 @@ TEST(MeshPairs, contacts_vs_bruteforce) {
     object_b.setWorldTransform(toBullet(testing::randomPose(random, 3.0)));
     const Pose world_a = fromBullet(object_a.getWorldTransform());
     const Pose b_in_a = world_a.inverse() * fromBullet(object_b.getWorldTransform());
-    const auto expected = testing::bruteForceContacts(*mesh_a, *mesh_b, b_in_a, double(gContactBreakingThreshold));
+    const auto expected =
+        testing::bruteForceContacts(*mesh_a, *mesh_b, b_in_a, double(gContactBreakingThreshold));
     PairReport report, swapped;
     world->contactPairTest(&object_a, &object_b, report);
     world->contactPairTest(&object_b, &object_a, swapped);
@@ -195,7 +200,8 @@ TEST(Pairs, contactAddedCallbackSeesTriangles) {
   BulletWorld world;
   btRigidBody& floor_body = world.add(floor, 0, at(0, 0, 0));
   world.add(ball, 1, at(0.3, 0.1, 0.99));
-  floor_body.setCollisionFlags(floor_body.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+  floor_body.setCollisionFlags(floor_body.getCollisionFlags() |
+                               btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
   static int calls;
   static bool all_triangles;
   calls = 0;

@@ -1,10 +1,9 @@
-#include "octoblisk_bullet/clustered_octree_shape.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
+#include "octoblisk_bullet/clustered_octree_shape.h"
 #include "plugin/bullet_world.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -190,7 +189,8 @@ TEST(Shape, aabbHoldsTheTurnedMeshAndTheMargin) {
 }
 
 TEST(Shape, breakingThresholdIsSmallAndSettable) {
-  ClusteredOctreeShape large(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(250, 20, 16, 8))));
+  ClusteredOctreeShape large(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(250, 20, 16, 8))));
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), gContactBreakingThreshold);
   large.setContactBreakingThreshold(btScalar(0.5));
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), btScalar(0.5));

@@ -17,7 +17,8 @@ Aabb boundsOf(const Triangle& triangle) {
 }
 
 template <typename Visit>
-void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, double reach, Visit&& visit) {
+void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, double reach,
+                     Visit&& visit) {
   std::vector<Triangle> posed;
   std::vector<Aabb> bounds;
   for (std::size_t j = 0; j < b.triangleCount(); ++j) {
@@ -30,7 +31,8 @@ void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b
     box.min.array() -= 1.001 * reach;
     box.max.array() += 1.001 * reach;
     for (std::size_t j = 0; j < posed.size(); ++j) {
-      if ((box.min.array() > bounds[j].max.array()).any() || (bounds[j].min.array() > box.max.array()).any()) continue;
+      if ((box.min.array() > bounds[j].max.array()).any() || (bounds[j].min.array() > box.max.array()).any())
+        continue;
       visit(TrianglePair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)}, triangle, posed[j]);
     }
   }
@@ -56,13 +58,14 @@ std::vector<TrianglePair> bruteForcePairs(const TriangleMesh& a, const TriangleM
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold) {
   std::vector<Contact> found;
-  forEachPairNear(a, b, b_in_a, threshold, [&](TrianglePair pair, const Triangle& in_a, const Triangle& in_b) {
-    Contact contact = contactOf(in_a, in_b);
-    if (contact.distance > threshold) return;
-    contact.triangle_a = pair.a;
-    contact.triangle_b = pair.b;
-    found.push_back(contact);
-  });
+  forEachPairNear(a, b, b_in_a, threshold,
+                  [&](TrianglePair pair, const Triangle& in_a, const Triangle& in_b) {
+                    Contact contact = contactOf(in_a, in_b);
+                    if (contact.distance > threshold) return;
+                    contact.triangle_a = pair.a;
+                    contact.triangle_b = pair.b;
+                    found.push_back(contact);
+                  });
   return found;
 }
 
@@ -103,7 +106,8 @@ double boxTriangleOverlap(const Obb& box, const Triangle& triangle) {
   for (const Vec3& axis : axes) {
     if (axis.norm() < 1e-12) continue;
     const Vec3 unit = axis.normalized();
-    const auto [low, high] = std::ranges::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
+    const auto [low, high] =
+        std::ranges::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
     const double radius = unit.cwiseAbs().dot(box.half_extents);
     least = std::min({least, radius - low, radius + high});
   }

@@ -16,12 +16,12 @@ std::vector<TrianglePair> bruteForcePairs(const TriangleMesh& a, const TriangleM
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold);
 
-/// The exact verdict on two triangles with integer corners, |coordinate| <= 1024: separating axes in integers.
-/// Shares no step with the library's test.
+/// The exact verdict on two triangles with integer corners, |coordinate| <= 1024: separating axes in
+/// integers. Shares no step with the library's test.
 bool integerTrianglesMeet(const Triangle& a, const Triangle& b);
 
-/// How far a box must move along the best of the thirteen axes of a triangle and a box to part from it: the depth
-/// where above 0; where not, they are apart.
+/// How far a box must move along the best of the thirteen axes of a triangle and a box to part from it: the
+/// depth where above 0; where not, they are apart.
 double boxTriangleOverlap(const Obb& box, const Triangle& triangle);
 
 }  // namespace octoblisk::testing

@@ -72,10 +72,19 @@ SharedMesh boxMesh(const Vec3& half_extents) {
     const Vec3 side(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
     vertices.push_back(side.cwiseProduct(half_extents));
   }
-  return std::make_shared<const TriangleMesh>(
-      std::move(vertices),
-      std::vector<TriangleMesh::Indices>{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                                         {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}});
+  return std::make_shared<const TriangleMesh>(std::move(vertices),
+                                              std::vector<TriangleMesh::Indices>{{0, 2, 3},
+                                                                                 {0, 3, 1},
+                                                                                 {4, 5, 7},
+                                                                                 {4, 7, 6},
+                                                                                 {0, 1, 5},
+                                                                                 {0, 5, 4},
+                                                                                 {2, 6, 7},
+                                                                                 {2, 7, 3},
+                                                                                 {0, 4, 6},
+                                                                                 {0, 6, 2},
+                                                                                 {1, 3, 7},
+                                                                                 {1, 7, 5}});
 }
 
 SharedMesh waveSheet(double half_size, double height, int segments) {
@@ -91,7 +100,8 @@ SharedMesh fan(int blades, int segments) {
   for (int blade = 0; blade < blades; ++blade) {
     const auto one = gridMesh(segments + 1, 2 * segments, false, true, [&](int i, int j) -> Vec3 {
       const double span = static_cast<double>(i) / segments, round = kTurn * j / (2 * segments);
-      const double chord = 0.5 * std::cos(round), thickness = 0.02 * std::sin(round), stagger = 0.5 + 0.6 * span;
+      const double chord = 0.5 * std::cos(round), thickness = 0.02 * std::sin(round),
+                   stagger = 0.5 + 0.6 * span;
       const double z = chord * std::cos(stagger) - thickness * std::sin(stagger);
       const double y = chord * std::sin(stagger) + thickness * std::cos(stagger);
       return Eigen::AngleAxisd(kTurn * blade / blades, Vec3::UnitZ()) * Vec3(1.0 + span, y, z);
@@ -112,11 +122,20 @@ SharedMesh soup(std::mt19937_64& random, int triangles, double half_size, double
     for (const Vec3& corner : randomTriangle(random, triangle_size)) vertices.push_back(center + corner);
     indices.push_back({first, first + 1, first + 2});
     switch (t % 32) {
-      case 8: vertices[first + 2] = vertices[first + 1]; break;                                  // a segment
-      case 16: vertices[first + 2] = 0.5 * (vertices[first] + vertices[first + 1]); break;       // collinear
-      case 24: vertices[first + 1] = vertices[first + 2] = vertices[first]; break;               // a point
-      case 31: indices.back() = indices[indices.size() / 2]; break;                              // a duplicate
-      default: break;
+      case 8:
+        vertices[first + 2] = vertices[first + 1];
+        break;  // a segment
+      case 16:
+        vertices[first + 2] = 0.5 * (vertices[first] + vertices[first + 1]);
+        break;  // collinear
+      case 24:
+        vertices[first + 1] = vertices[first + 2] = vertices[first];
+        break;  // a point
+      case 31:
+        indices.back() = indices[indices.size() / 2];
+        break;  // a duplicate
+      default:
+        break;
     }
   }
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(indices));

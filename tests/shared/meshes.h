@@ -34,7 +34,8 @@ SharedMesh waveSheet(double half_size, double height, int segments);
 /// Thin twisted blades round the z axis, not joined: what a blisk is like to a tree.
 SharedMesh fan(int blades, int segments);
 
-/// Random triangles, each of about the given size, within ±half_size; every eighth is degenerate or a duplicate.
+/// Random triangles, each of about the given size, within ±half_size; every eighth is degenerate or a
+/// duplicate.
 SharedMesh soup(std::mt19937_64& random, int triangles, double half_size, double triangle_size);
 
 }  // namespace octoblisk::testing
