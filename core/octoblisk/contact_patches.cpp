@@ -81,7 +81,7 @@ void ContactPatches::join(std::span<const Contact> contacts) {
   }
 }
 
-std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> contacts) {
+std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> contacts) & {
   patches_.clear();
   order_.resize(contacts.size());
   std::iota(order_.begin(), order_.end(), 0u);

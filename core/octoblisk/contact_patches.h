@@ -26,7 +26,7 @@ class ContactPatches {
 
   /// The patches of the contacts, at most kMaxPatches, the deepest kept; by ascending triangles. Does not
   /// depend on the order of the contacts. Valid until the next call; once warm, allocates nothing.
-  std::span<const ContactPatch> reduce(std::span<const Contact> contacts);
+  std::span<const ContactPatch> reduce(std::span<const Contact> contacts) &;
 
  private:
   void join(std::span<const Contact> contacts);

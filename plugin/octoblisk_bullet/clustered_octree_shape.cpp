@@ -110,8 +110,11 @@ void ClusteredOctreeShape::calculateLocalInertia(btScalar mass, btVector3& inert
 
 void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabb_min,
                                                const btVector3& aabb_max) const {
-  const Aabb box{fromBullet(aabb_min), fromBullet(aabb_max)};
   const TriangleMesh& mesh = tree_->mesh();
+  // Callers that want everything pass boxes of any size, infinite ones too.
+  const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
+                 fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
+  if ((box.min.array() > box.max.array()).any()) return;
   traverseBox(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0, [&](Child leaf) {
     for (const std::uint32_t t : tree_->triangles(leaf)) {
       const Triangle triangle = mesh.triangle(t);

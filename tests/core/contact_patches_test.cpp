@@ -52,7 +52,8 @@ TEST(ContactPatches, regionsThatShareNoTriangleAreApart) {
 TEST(ContactPatches, normalsFarApartAreTwoPatches) {
   std::vector<Contact> contacts = {contactAt({0, 0, 0}, Vec3::UnitZ(), -0.2, 0, 0),
                                    contactAt({1, 0, 0}, -Vec3::UnitZ(), -0.1, 1, 0)};
-  EXPECT_EQ(ContactPatches().reduce(contacts).size(), 2u);
+  ContactPatches reducer;
+  EXPECT_EQ(reducer.reduce(contacts).size(), 2u);
 }
 
 TEST(ContactPatches, doesNotDependOnTheOrder) {
@@ -89,7 +90,8 @@ TEST(ContactPatches, keepsTheDeepestWhereThereAreTooMany) {
   std::vector<Contact> contacts;
   for (std::uint32_t i = 0; i < 40; ++i)
     contacts.push_back(contactAt({double(i), 0, 0}, Vec3::UnitZ(), -0.01 * i, i, i));
-  const auto patches = ContactPatches().reduce(contacts);
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(contacts);
   ASSERT_EQ(patches.size(), ContactPatches::kMaxPatches);
   for (const ContactPatch& patch : patches) EXPECT_GE(patch.contacts[0].triangle_a, 24u);
 }

@@ -60,6 +60,17 @@ TEST(Shape, processAllTriangles_vs_bruteforce) {
   EXPECT_GT(visited, 1000u);
 }
 
+TEST(Shape, processAllTrianglesTakesBoxesOfAnySize) {
+  const auto mesh = testing::torus(3, 1, 16, 8);
+  const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  for (const btScalar size :
+       {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY, std::numeric_limits<btScalar>::infinity()}) {
+    Collected found;
+    shape.processAllTriangles(&found, btVector3(-size, -size, -size), btVector3(size, size, size));
+    EXPECT_EQ(found.triangles.size(), mesh->triangleCount()) << size;
+  }
+}
+
 /// The same two triangles through every layout that the interface allows.
 template <typename Scalar, typename Index>
 Collected throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type) {

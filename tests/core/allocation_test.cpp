@@ -1,0 +1,55 @@
+// Warm queries allocate nothing: every operator new of this program is counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "octoblisk/collide.h"
+#include "octoblisk/contact_patches.h"
+#include "octoblisk/contacts.h"
+#include "shared/meshes.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace octoblisk {
+namespace {
+
+TEST(Allocation, warmQueriesAllocateNothing) {
+  const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 12));
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(0.4, 0.2, 0.1)});
+  ContactPatches patches;
+  std::vector<Contact> found;
+  std::size_t hits = 0;
+  const auto queryAll = [&] {
+    std::mt19937_64 random(61);
+    for (int i = 0; i < 50; ++i) {
+      const Pose pose = testing::randomPose(random, 1.2);
+      hits += collide(fan, ring, pose).has_value() + collide(fan, box, pose).has_value();
+      contacts(fan, ring, pose, 0.05, found);
+      patches.reduce(found);
+      contacts(fan, box, pose, 0.05, found);
+      patches.reduce(found);
+    }
+  };
+  queryAll();
+  const std::size_t before = allocations;
+  EXPECT_GT(before, 0u);  // the counter counts
+  queryAll();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hits, 50u);
+}
+
+}  // namespace
+}  // namespace octoblisk
