@@ -90,7 +90,9 @@ void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFou
 }
 
 void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
-  std::cout << run.poses.size() << " poses along blade " << run.rules.ground_blade << " of "
+  const int blade = run.rules.ground_blade;
+  std::cout << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ")
+            << (blade == 0 ? "no blade ground" : "grinding blade " + std::to_string(blade)) << " of "
             << run.blade_count << ": " << run.count(Verdict::clear) << " clear, "
             << run.count(Verdict::intended_contact) << " intended contact, " << run.count(Verdict::near_miss)
             << " near miss, " << run.count(Verdict::interference) << " interference\n";

@@ -27,7 +27,7 @@ inline Outcome runOctoblisk(const std::filesystem::path& folder, const std::stri
   // Under the leak sanitizer, what the libraries keep to the end is no leak of ours.
   const std::string command = "cd '" + folder.string() +
                               "' && LSAN_OPTIONS='suppressions=" OCTOBLISK_LEAK_SUPPRESSIONS
-                              "' '" OCTOBLISK_COMMAND "' " +
+                              ":print_suppressions=0' '" OCTOBLISK_COMMAND "' " +
                               arguments + " >stdout.txt 2>stderr.txt </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "stdout.txt"),
