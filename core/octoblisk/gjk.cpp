@@ -118,25 +118,28 @@ SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex,
 GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
   GjkResult result;
   Simplex& simplex = result.simplex;
-  simplex.point[0] = supportOfDifference(triangle, convex, triangle[0]);
+  simplex.point[0] = supportOfDifference(triangle, convex, Vec3::UnitX());
   simplex.count = 1;
   Closest closest = closestOnSimplex(simplex);
-  const double precision = convex.precision();
+  // Only the core's support points are inexact, so the triangle's size must not widen the tolerance.
+  double core_size = simplex.point[0].on_core.norm();
   double largest = closest.point.squaredNorm();  // of the difference, sets the scale of rounding
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const double squared = closest.point.squaredNorm();
-    if (squared <= precision * precision * largest) {
+    const double rounding = convex.precision() * core_size + 1e-14 * std::sqrt(largest);
+    if (squared <= rounding * rounding) {
       result.overlap = true;
       return result;
     }
     const SupportPoint next = supportOfDifference(triangle, convex, -closest.point);
     largest = std::max(largest, next.difference.squaredNorm());
+    core_size = std::max(core_size, next.on_core.norm());
     const double bound = closest.point.dot(next.difference);  // squared · (proved lower bound / distance)
     if (bound > 0.0 && bound * bound > limit * limit * squared) {
       result.beyond_limit = true;
       return result;
     }
-    if (squared - bound <= precision * std::max(squared, largest * 1e-3)) break;
+    if (squared - bound <= rounding * std::sqrt(squared)) break;
     Simplex grown = simplex;
     grown.point[static_cast<std::size_t>(grown.count++)] = next;
     const Closest step = closestOnSimplex(grown);

@@ -3,6 +3,7 @@
 // Boxes are compared in single precision, grown by the rounding of the comparison, so that nothing is missed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -13,6 +14,9 @@ namespace octoblisk {
 /// Distances in single precision err by less than this part of the sizes involved: 64 units in the last place
 /// of the summed radii and the distance of the origins.
 inline constexpr double kTraversalRounding = 0x1p-18;
+
+/// Beyond it lie only the empty boxes of a node: a reach is cut off here, so that they are never entered.
+inline constexpr double kFarthest = 1e29;
 
 /// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above
 /// its leaves: this never overflows.
@@ -61,8 +65,8 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   };
   const Pose local{b_in_a.rotation, b_in_a * b.origin() - a.origin()};  // between the trees' local frames
   const PoseF b_to_a(local), a_to_b(local.inverse());
-  const auto limit = static_cast<float>(
-      reach + kTraversalRounding * (local.translation.norm() + a.radius() + b.radius() + reach));
+  const auto limit = static_cast<float>(std::min(
+      kFarthest, reach + kTraversalRounding * (local.translation.norm() + a.radius() + b.radius() + reach)));
 
   const auto gap = [&] {
     return widestGap(a.boxes(ClusteredOctree::kRoot), b_to_a * b.boxes(ClusteredOctree::kRoot).get(0))[0];
@@ -111,8 +115,9 @@ bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double rea
   const Vec3 center = box_in_tree.center - tree.origin();
   const BoxF box{center.cast<float>(), box_in_tree.axes.cast<float>(),
                  box_in_tree.half_extents.cast<float>()};
-  const auto limit = static_cast<float>(
-      reach + kTraversalRounding * (center.norm() + tree.radius() + box_in_tree.half_extents.norm() + reach));
+  const auto limit = static_cast<float>(std::min(
+      kFarthest, reach + kTraversalRounding *
+                             (center.norm() + tree.radius() + box_in_tree.half_extents.norm() + reach)));
 
   const float gap = widestGap(tree.boxes(ClusteredOctree::kRoot), box)[0];
   if (!(gap <= limit)) return false;

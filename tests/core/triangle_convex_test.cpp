@@ -104,6 +104,33 @@ TEST(TriangleConvex, nothingBeyondTheThreshold) {
   EXPECT_NEAR(contactOf(triangle, sphere, 1.51)->distance, 1.5, 1e-12);
 }
 
+TEST(TriangleConvex, aLargeTriangleDoesNotWidenTheTolerance) {
+  // A core known to single precision over a floor a thousand times its size.
+  class Rough final : public Convex {
+   public:
+    explicit Rough(const Obb& box) : box_(box) {}
+    Vec3 support(const Vec3& direction) const override { return box_.support(direction); }
+    double radius() const override { return 0.04; }
+    double precision() const override { return 2e-6; }
+
+   private:
+    ConvexBox box_;
+  };
+  std::mt19937_64 random(18);
+  for (int i = 0; i < 500; ++i) {
+    const Mat3 tilt = Eigen::AngleAxisd(0.1, testing::randomPoint(random, 1).normalized()).toRotationMatrix();
+    const Obb box{Vec3::Zero(), tilt, Vec3::Constant(0.46)};
+    double lowest = 0.0;
+    for (int k = 0; k < 3; ++k) lowest -= 0.46 * std::abs(tilt(2, k));
+    const double floor = lowest - 0.035, x = uniform(random, -300, 300), y = uniform(random, -100, 300);
+    const Triangle triangle = {Vec3(x - 1000, y - 1000, floor), Vec3(x + 1000, y - 1000, floor),
+                               Vec3(x, y + 1000, floor)};
+    const auto contact = contactOf(triangle, Rough(box), 0.02);
+    ASSERT_TRUE(contact) << "case " << i;
+    ASSERT_NEAR(contact->distance, -0.005, 1e-5) << "case " << i;
+  }
+}
+
 TEST(TriangleConvex, refusesBadHulls) {
   EXPECT_THROW(ConvexHull({}), std::invalid_argument);
   EXPECT_THROW(ConvexHull({Vec3::Zero()}, -1.0), std::invalid_argument);
