@@ -1,6 +1,7 @@
 // octoblisk grind: moves the belt grinder along a path and tells what touches what.
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -109,6 +110,9 @@ void tell(const GrindingRun& run, const std::filesystem::path& out, bool picture
 }
 
 int grind(const GrindRequest& request) {
+  if (!std::isfinite(request.max_depth) || !std::isfinite(request.near_miss)) {
+    throw std::invalid_argument("--max-depth and --near-miss must be finite numbers of mm");
+  }
   const std::filesystem::path out = request.out;
   std::error_code error;
   std::filesystem::create_directories(out, error);
@@ -123,8 +127,14 @@ int grind(const GrindRequest& request) {
   run.near_miss = request.near_miss;
   const BladesFound blades = findBlades(run.blisk->mesh());
   run.blade_count = blades.count;
+  if (request.ground_blade && (*request.ground_blade < 1 || *request.ground_blade > blades.count)) {
+    throw std::invalid_argument("--ground-blade " + std::to_string(*request.ground_blade) +
+                                ": the blisk has " + std::to_string(blades.count) +
+                                " blades, numbered from 1");
+  }
   const std::vector<Pose> path = pathOf(request, run.blisk->mesh(), blades);
-  writePoses(out / "path.csv", path);
+  const bool is_input = std::filesystem::equivalent(request.path, out / "path.csv", error);
+  if (!is_input) writePoses(out / "path.csv", path);
 
   GrindingCell cell(run.blisk, run.parts, request.near_miss);
   movePath(cell, path, blades, run);

@@ -152,6 +152,8 @@ TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
   EXPECT_EQ(run("").exit_code, 2);
   EXPECT_EQ(run("--max-depth -1 --out run").exit_code, 2);
   EXPECT_EQ(run("--near-miss 0 --out run").exit_code, 2);
+  EXPECT_EQ(run("--near-miss nan --out run").exit_code, 2);
+  EXPECT_EQ(run("--max-depth nan --out run").exit_code, 2);
   EXPECT_EQ(run("--help").exit_code, 0);
 }
 
