@@ -129,7 +129,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
     const double rounding = convex.precision() * core_size + 1e-14 * std::sqrt(largest);
     if (squared <= rounding * rounding) {
       result.overlap = true;
-      return result;
+      break;
     }
     const SupportPoint next = supportOfDifference(triangle, convex, -closest.point);
     largest = std::max(largest, next.difference.squaredNorm());
@@ -146,7 +146,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
     if (step.count == 4) {
       simplex = grown;
       result.overlap = true;
-      return result;
+      break;
     }
     if (step.point.squaredNorm() >= squared) break;  // rounding: no progress any more
     keepOnly(grown, step);

@@ -24,7 +24,7 @@ struct Simplex {
 };
 
 struct GjkResult {
-  bool overlap = false;       ///< the triangle meets the core; the points then are not set
+  bool overlap = false;       ///< the triangle meets the core; the points then are the last found
   bool beyond_limit = false;  ///< the distance is above the limit; the points then are not the closest
   Vec3 on_triangle = Vec3::Zero();
   Vec3 on_core = Vec3::Zero();

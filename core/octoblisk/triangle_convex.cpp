@@ -8,10 +8,9 @@ namespace {
 
 CorePenetration penetrationOfCore(const Triangle& triangle, const Convex& convex, const GjkResult& search) {
   if (const auto found = epa(triangle, convex, search.simplex)) return *found;
-  const SupportPoint& touch = search.simplex.point[0];
   const Vec3 normal = scaledNormal(triangle);
   const Vec3 direction = normal.squaredNorm() > 0.0 ? Vec3(-normal.normalized()) : Vec3::UnitX();
-  return {0.0, direction, touch.on_triangle, touch.on_core};
+  return {0.0, direction, search.on_triangle, search.on_core};
 }
 
 }  // namespace

@@ -94,6 +94,7 @@ TEST(TriangleConvex, centreOfASphereOnTheTriangle) {
   ASSERT_TRUE(contact);
   EXPECT_DOUBLE_EQ(contact->distance, -0.5);
   EXPECT_NEAR(std::abs(contact->normal.z()), 1.0, 1e-12);
+  EXPECT_NEAR(contact->point_on_a.norm(), 0.0, 1e-12);  // the centre, not a corner
 }
 
 TEST(TriangleConvex, nothingBeyondTheThreshold) {
