@@ -96,6 +96,7 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   check(mesh, options);
   ClusteredOctree tree;
   tree.mesh_ = std::move(mesh);
+  tree.options_ = options;
   tree.origin_ = tree.mesh_->bounds().center();
   tree.radius_ = tree.mesh_->bounds().halfExtents().norm();
 

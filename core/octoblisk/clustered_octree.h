@@ -84,6 +84,7 @@ class ClusteredOctree {
 
   const TriangleMesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
+  const BuildOptions& options() const { return options_; }
   const BuildStats& stats() const { return stats_; }
 
   /// Checks that every triangle is in exactly one leaf, that every box holds the vertices of all triangles
@@ -116,6 +117,7 @@ class ClusteredOctree {
   double radius_ = 0.0;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> triangle_order_;
+  BuildOptions options_;
   BuildStats stats_;
 };
 

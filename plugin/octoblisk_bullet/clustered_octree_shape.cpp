@@ -5,8 +5,8 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "octoblisk/traversal.h"
 #include "octoblisk_bullet/convert.h"
@@ -15,29 +15,13 @@
 namespace octoblisk {
 namespace {
 
-void checkIds(std::size_t triangles, const std::vector<std::uint32_t>& part_begin) {
-  if (part_begin.size() > ClusteredOctreeShape::kMaxParts) {
-    throw std::invalid_argument("the mesh has " + std::to_string(part_begin.size()) +
-                                " parts; Bullet's ids hold " +
-                                std::to_string(ClusteredOctreeShape::kMaxParts));
-  }
-  for (std::size_t p = 0; p < part_begin.size(); ++p) {
-    const std::size_t end = p + 1 < part_begin.size() ? part_begin[p + 1] : triangles;
-    if (end - part_begin[p] > ClusteredOctreeShape::kMaxTriangles) {
-      throw std::invalid_argument("part " + std::to_string(p) + " has " +
-                                  std::to_string(end - part_begin[p]) + " triangles; Bullet's ids hold " +
-                                  std::to_string(ClusteredOctreeShape::kMaxTriangles));
-    }
-  }
-}
-
 std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleMesh>& mesh,
                                            const Vec3& scaling) {
   if (scaling == Vec3::Ones()) return mesh;
   std::vector<Vec3> vertices = mesh->vertices();
   for (Vec3& vertex : vertices) vertex = vertex.cwiseProduct(scaling);
   std::vector<TriangleMesh::Indices> triangles = mesh->triangles();
-  if (scaling.prod() < 0.0) {
+  if ((scaling.array() < 0.0).count() % 2 == 1) {
     for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
   }
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
@@ -59,7 +43,6 @@ ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_i
     : options_(options) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
   InterfaceMesh source = readMeshInterface(mesh_interface);
-  checkIds(source.mesh.triangleCount(), source.part_begin);
   part_begin_ = std::move(source.part_begin);
   unscaled_ = std::make_shared<const TriangleMesh>(std::move(source.mesh));
   setLocalScaling(mesh_interface.getScaling());
@@ -69,8 +52,8 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
     : tree_(std::move(tree)) {
   if (!tree_) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  options_ = tree_->options();
   unscaled_ = tree_->sharedMesh();
-  checkIds(unscaled_->triangleCount(), part_begin_);
 }
 
 TriangleId ClusteredOctreeShape::triangleId(std::uint32_t triangle) const {
@@ -92,8 +75,9 @@ void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb
 }
 
 void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {
-  if (scaling.x() * scaling.y() * scaling.z() == btScalar(0)) {
-    throw std::invalid_argument("ClusteredOctreeShape: a scaling must not be 0");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(scaling[axis]) && scaling[axis] != btScalar(0)) continue;
+    throw std::invalid_argument("ClusteredOctreeShape: a scaling must be finite and not 0");
   }
   if (tree_ && scaling == scaling_) return;
   tree_ = std::make_shared<const ClusteredOctree>(

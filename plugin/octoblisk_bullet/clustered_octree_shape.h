@@ -28,17 +28,13 @@ ClusteredOctreeShape final : public btConcaveShape {
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   /// Copies the triangles out of the interface, its scaling included, and builds the tree; the interface is
-  /// not needed afterwards. Throws std::invalid_argument for a null or unusable interface (mesh_interface.h),
-  /// more than kMaxParts parts, or more than kMaxTriangles triangles in a part.
+  /// not needed afterwards. Throws std::invalid_argument for a null or unusable interface (mesh_interface.h)
+  /// and for what ClusteredOctree::build refuses.
   explicit ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                 const BuildOptions& options = {});
 
-  /// Shares a tree that is built. Throws std::invalid_argument for a null tree or more than kMaxTriangles.
+  /// Shares a tree that is built. Throws std::invalid_argument for a null tree.
   explicit ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree);
-
-  /// What Bullet's triangle ids have room for.
-  static constexpr std::size_t kMaxParts = 1u << 10;
-  static constexpr std::size_t kMaxTriangles = 1u << 21;
 
   const ClusteredOctree& tree() const { return *tree_; }
   const std::shared_ptr<const ClusteredOctree>& sharedTree() const { return tree_; }
@@ -57,7 +53,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   void getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const override;
 
   /// Builds a tree over the scaled triangles for this shape alone; negative factors turn the triangles, so
-  /// that they keep facing outward. Throws std::invalid_argument for a scaling of 0.
+  /// that they keep facing outward. Throws std::invalid_argument for a factor that is 0 or not
+  /// finite.
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return scaling_; }
 

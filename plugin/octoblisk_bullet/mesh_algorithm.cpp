@@ -4,7 +4,9 @@
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
+#include <algorithm>
 #include <optional>
+#include <span>
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -13,10 +15,12 @@ namespace octoblisk {
 namespace {
 
 /// One body of a contact as Bullet wants to be told of it: where it is our shape, by part and triangle, with
-/// the triangle itself as the shape that gContactAddedCallback sees.
+/// the triangle itself as the shape that gContactAddedCallback sees; else as it came, by its place in a
+/// compound, say.
 class ContactSide {
  public:
-  ContactSide(const btCollisionObjectWrapper& body, std::uint32_t triangle) {
+  ContactSide(const btCollisionObjectWrapper& body, std::uint32_t triangle)
+      : body_(body), id_{body.m_partId, body.m_index} {
     const auto* shape =
         triangle == kNoTriangle ? nullptr : static_cast<const ClusteredOctreeShape*>(body.m_shape);
     if (!shape) return;
@@ -29,19 +33,55 @@ class ContactSide {
   }
 
   const TriangleId& id() const { return id_; }
-  const btCollisionObjectWrapper* wrapOr(const btCollisionObjectWrapper* body) const {
-    return wrap_ ? &*wrap_ : body;
-  }
+  const btCollisionObjectWrapper* wrap() const { return wrap_ ? &*wrap_ : &body_; }
 
  private:
-  TriangleId id_ = {-1, -1};
+  const btCollisionObjectWrapper& body_;
+  TriangleId id_;
   std::optional<btTriangleShape> triangle_;
   std::optional<btCollisionObjectWrapper> wrap_;
+};
+
+/// Shows a result the two sides of a contact, then what it saw before. A compound may ask for its child's
+/// pair in the other order than its result is in.
+class ShownSides {
+ public:
+  ShownSides(btManifoldResult& result, const btCollisionObject* body0, const ContactSide& side0,
+             const ContactSide& side1)
+      : result_(result), wrap0_(result.getBody0Wrap()), wrap1_(result.getBody1Wrap()) {
+    const bool in_order = wrap0_->getCollisionObject() == body0;
+    const ContactSide &first = in_order ? side0 : side1, &second = in_order ? side1 : side0;
+    result_.setShapeIdentifiersA(first.id().part, first.id().index);
+    result_.setShapeIdentifiersB(second.id().part, second.id().index);
+    result_.setBody0Wrap(first.wrap());
+    result_.setBody1Wrap(second.wrap());
+  }
+  ~ShownSides() {
+    result_.setBody0Wrap(wrap0_);
+    result_.setBody1Wrap(wrap1_);
+  }
+  ShownSides(const ShownSides&) = delete;
+  ShownSides& operator=(const ShownSides&) = delete;
+
+ private:
+  btManifoldResult& result_;
+  const btCollisionObjectWrapper* wrap0_;
+  const btCollisionObjectWrapper* wrap1_;
 };
 
 /// The thickness that a shape has beyond its contacts: a concave shape's margin; a convex one's is in them.
 double marginBeyondSurface(const btCollisionObjectWrapper& body) {
   return body.m_shape->isConcave() ? double(body.m_shape->getMargin()) : 0.0;
+}
+
+/// As Bullet computes it for a new manifold, from the root shapes, and no more than the mesh's own, which
+/// may be a compound's child.
+double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other) {
+  const auto of = [](const btCollisionShape* shape) {
+    return double(shape->getContactBreakingThreshold(gContactBreakingThreshold));
+  };
+  return std::min({of(mesh.getCollisionObject()->getCollisionShape()),
+                   of(other.getCollisionObject()->getCollisionShape()), of(mesh.m_shape)});
 }
 
 }  // namespace
@@ -59,38 +99,32 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
   const double mesh_margin = marginBeyondSurface(mesh), other_margin = marginBeyondSurface(other);
-  const double reach = double(manifolds_.at(0)->getContactBreakingThreshold()) +
-                       double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
+  const double breaking = breakingThreshold(mesh, other);
+  const double reach =
+      breaking + double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
   findContacts(mesh, other, reach, contacts_);
 
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
-  std::size_t patch_index = 0;
-  for (const ContactPatch& patch : patches_.reduce(contacts_)) {
-    result->setPersistentManifold(manifolds_.at(patch_index++));
-    for (const Contact& contact : patch.points()) {
+  const std::span<const ContactPatch> patches = patches_.reduce(contacts_);
+  manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    result->setPersistentManifold(manifolds_.of(p));
+    for (const Contact& contact : patches[p].points()) {
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
       const ContactSide mesh_side(mesh, contact.triangle_a), other_side(other, contact.triangle_b);
-      const ContactSide& side0 = mesh_is_body1_ ? other_side : mesh_side;
-      const ContactSide& side1 = mesh_is_body1_ ? mesh_side : other_side;
-
-      result->setShapeIdentifiersA(side0.id().part, side0.id().index);
-      result->setShapeIdentifiersB(side1.id().part, side1.id().index);
-      result->setBody0Wrap(side0.wrapOr(body0));
-      result->setBody1Wrap(side1.wrapOr(body1));
+      const ShownSides shown(*result, body0->getCollisionObject(), mesh_is_body1_ ? other_side : mesh_side,
+                             mesh_is_body1_ ? mesh_side : other_side);
       // Bullet's normal is on body 1 and points to body 0.
       result->addContactPoint(toBullet(mesh_is_body1_ ? Vec3(-to_mesh) : to_mesh),
                               toBullet(mesh_is_body1_ ? on_mesh : on_other),
                               btScalar(contact.distance - mesh_margin - other_margin));
-      result->setBody0Wrap(body0);
-      result->setBody1Wrap(body1);
     }
-  }
-  for (std::size_t i = 0; i < manifolds_.size(); ++i) {
-    result->setPersistentManifold(manifolds_.at(i));
     result->refreshContactPoints();
   }
+  // Bullet wants one even where nothing touches.
+  if (patches.empty()) result->setPersistentManifold(manifolds_.any());
 }
 
 }  // namespace octoblisk

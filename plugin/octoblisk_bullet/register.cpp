@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 
 #include <new>
@@ -32,7 +33,9 @@ struct CreateMeshConvex final : btCollisionAlgorithmCreateFunc {
   explicit CreateMeshConvex(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
   btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
                                                  const Wrapper* body1) override {
-    if (!hasOurShape(m_swapped ? body1 : body0)) return make<btEmptyAlgorithm>(info);
+    if (!hasOurShape(m_swapped ? body1 : body0)) {  // someone else's shape of the same type
+      return make<btConvexConcaveCollisionAlgorithm>(info, body0, body1, !m_swapped);
+    }
     return make<MeshConvexAlgorithm>(info, body0, body1, m_swapped);
   }
 };

@@ -194,6 +194,108 @@ TEST(Pairs, compoundsWorkThroughTheirChildren) {
   EXPECT_LT(torus_sphere.deepest(), 0.0);
 }
 
+TEST(Pairs, compoundChildrenKeepTheirNumbers) {
+  ClusteredOctreeShape torus(treeOf(testing::torus(2, 0.7, 24, 12)));
+  btSphereShape sphere(btScalar(0.5));
+  btCompoundShape compound;
+  for (int child = 0; child < 4; ++child) compound.addChildShape(at(0, 0, 5.0 * child), &sphere);
+  btCollisionObject mesh, balls;
+  mesh.setCollisionShape(&torus);
+  balls.setCollisionShape(&compound);
+  BulletWorld world;
+  for (int child = 0; child < 4; ++child) {
+    balls.setWorldTransform(at(2, 0, 1.0 - 5.0 * child));  // the child on the torus's tube
+    PairReport report, swapped;
+    world->contactPairTest(&mesh, &balls, report);
+    world->contactPairTest(&balls, &mesh, swapped);
+    ASSERT_FALSE(report.points.empty());
+    ASSERT_EQ(report.points.size(), swapped.points.size());
+    for (const PairReport& each : {report, swapped}) {
+      for (const PairReport::Point& point : each.points) {  // Bullet puts the compound first in both orders
+        EXPECT_EQ(point.part0, -1);
+        EXPECT_EQ(point.index0, child);
+        EXPECT_EQ(point.part1, 0);
+        EXPECT_TRUE(point.index1 >= 0 && point.index1 < 24 * 12 * 2);
+      }
+    }
+  }
+}
+
+TEST(Pairs, aBreakingThresholdSetLateCounts) {
+  ClusteredOctreeShape floor(treeOf(testing::waveSheet(5, 0.0, 10)));
+  floor.setContactBreakingThreshold(btScalar(0.019));
+  btCompoundShape compound;  // keeps the bounds that its children have when they are added
+  compound.addChildShape(at(0, 0, 0), &floor);
+  btBoxShape box(btVector3(1, 1, 1));
+  for (btCollisionShape* shape :
+       {static_cast<btCollisionShape*>(&floor), static_cast<btCollisionShape*>(&compound)}) {
+    BulletWorld world;
+    world.add(*shape, 0, at(0, 0, 0));
+    world.add(box, 1, at(0.2, 0.1, 1.015));
+    const auto contactsWithin = [&](double threshold) {
+      floor.setContactBreakingThreshold(btScalar(threshold));
+      world->performDiscreteCollisionDetection();
+      int count = 0;
+      for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+        count += world.dispatcher().getManifoldByIndexInternal(m)->getNumContacts();
+      }
+      return count;
+    };
+    EXPECT_EQ(contactsWithin(0.01), 0);
+    EXPECT_GT(contactsWithin(0.019), 0);
+    EXPECT_EQ(contactsWithin(0.01), 0);
+  }
+}
+
+TEST(Pairs, manifoldsStayWithTheirPatches) {
+  // A bar lies flat, then is tilted up on one end: the other end's contacts keep their impulses.
+  ClusteredOctreeShape floor(treeOf(testing::waveSheet(5, 0.0, 10)));
+  ClusteredOctreeShape bar(treeOf(testing::boxMesh({4, 0.5, 0.5})));
+  BulletWorld world;
+  world.add(floor, 0, at(0, 0, 0));
+  btRigidBody& body = world.add(bar, 1, at(0, 0, 0.499));
+  world->performDiscreteCollisionDetection();
+  const auto warm = [&](double value) {
+    int points = 0, kept = 0;
+    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+      btPersistentManifold* manifold = world.dispatcher().getManifoldByIndexInternal(m);
+      for (int i = 0; i < manifold->getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold->getContactPoint(i);
+        ++points;
+        kept += point.m_positionWorldOnA.x() > 0 && double(point.m_appliedImpulse) == value;
+        point.m_appliedImpulse = point.m_positionWorldOnA.x() > 0 ? btScalar(7) : btScalar(0);
+      }
+    }
+    return std::pair(points, kept);
+  };
+  EXPECT_GT(warm(0).first, 0);
+  body.setWorldTransform(
+      btTransform(btQuaternion(btVector3(0, 1, 0), btScalar(0.001)), btVector3(0, 0, btScalar(0.5))));
+  world->performDiscreteCollisionDetection();
+  EXPECT_GT(warm(7).second, 0);
+}
+
+TEST(Pairs, foreignShapesOfTheSameTypeAreLeftToBullet) {
+  struct Foreign final : btBvhTriangleMeshShape {
+    explicit Foreign(btStridingMeshInterface* source) : btBvhTriangleMeshShape(source, true) {
+      m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+    }
+  };
+  BulletMesh source(*testing::torus(2, 0.7, 24, 12));
+  Foreign foreign(&source);
+  btSphereShape sphere(btScalar(0.6));
+  btCollisionObject mesh, ball;
+  mesh.setCollisionShape(&foreign);
+  ball.setCollisionShape(&sphere);
+  ball.setWorldTransform(at(2, 0, 1));
+  BulletWorld world;
+  PairReport report, swapped;
+  world->contactPairTest(&mesh, &ball, report);
+  world->contactPairTest(&ball, &mesh, swapped);
+  EXPECT_NEAR(report.deepest(), -0.3, 0.05);
+  EXPECT_NEAR(swapped.deepest(), report.deepest(), 1e-5);
+}
+
 TEST(Pairs, contactAddedCallbackSeesTriangles) {
   ClusteredOctreeShape floor(treeOf(testing::waveSheet(5, 0.0, 10)));
   btSphereShape ball(1);

@@ -163,6 +163,15 @@ TEST(Shape, refusesBadMeshes) {
   EXPECT_THROW(ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree>()), std::invalid_argument);
 }
 
+TEST(Shape, scalingKeepsTheBuildOptionsOfASharedTree) {
+  BuildOptions options;
+  options.leaf_capacity = 3;
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(testing::torus(2, 0.7, 24, 12), options)));
+  shape.setLocalScaling(btVector3(btScalar(1e-15), btScalar(1e-15), btScalar(1e-15)));
+  EXPECT_EQ(shape.tree().options().leaf_capacity, 3);
+}
+
 TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
   const auto mesh = testing::torus(3, 1, 16, 8);
   const auto tree = std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
@@ -177,6 +186,7 @@ TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
   }
   EXPECT_GT(volume, 0.0);
   EXPECT_THROW(shape.setLocalScaling(btVector3(1, 0, 1)), std::invalid_argument);
+  EXPECT_THROW(shape.setLocalScaling(btVector3(1, btScalar(NAN), 1)), std::invalid_argument);
   shape.setLocalScaling(btVector3(1, 1, 1));
   EXPECT_EQ(shape.tree().mesh().triangle(0), mesh->triangle(0));
 }
