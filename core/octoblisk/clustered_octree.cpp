@@ -111,18 +111,36 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   writer.write(0, kRoot, 1);
   tree.nodes_.shrink_to_fit();
 
+  tree.leaf_vertices_.resize(9 * partition.records.size() + kLanes);
+  forEachChild(tree.nodes_, [&](Slot slot, Child child) {
+    if (child.isLeaf()) tree.writeLeafVertices(slot, child);
+  });
+
   BuildStats& stats = tree.stats_;
   stats.triangles = tree.mesh_->triangleCount();
   stats.nodes = tree.nodes_.size();
   stats.depth = writer.depth();
   stats.root_volume = tree.box(kRoot).volume();
-  stats.bytes = tree.nodes_.size() * sizeof(Node) + tree.triangle_order_.size() * sizeof(std::uint32_t);
+  stats.bytes = tree.nodes_.size() * sizeof(Node) + tree.triangle_order_.size() * sizeof(std::uint32_t) +
+                tree.leaf_vertices_.size() * sizeof(float);
   forEachChild(tree.nodes_, [&](Slot slot, Child child) {
     if (!child.isLeaf()) return;
     ++stats.leaves;
     stats.leaf_volume += tree.box(slot).volume();
   });
   return tree;
+}
+
+void ClusteredOctree::writeLeafVertices(Slot slot, Child leaf) {
+  const Vec3 center = origin_ + boxCenter(slot);
+  float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
+  for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+    const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
+    for (std::uint32_t k = 0; k < 9; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k % 3);
+      row[k * leaf.count() + i] = static_cast<float>(triangle[k / 3][axis] - center[axis]);
+    }
+  }
 }
 
 Obb ClusteredOctree::box(Slot slot) const {

@@ -61,8 +61,7 @@ class Child {
 
 /// One box of one node.
 struct Slot {
-  std::uint32_t node = 0;
-  std::uint32_t lane = 0;
+  std::uint32_t node, lane;
 };
 
 class ClusteredOctree {
@@ -103,6 +102,16 @@ class ClusteredOctree {
   std::span<const std::uint32_t> triangles(Child leaf) const {
     return triangleOrder().subspan(leaf.first(), leaf.count());
   }
+  /// The corners of a leaf's triangles relative to its box's centre: nine rows (x, y, z of each corner in
+  /// turn) of count() numbers. Eight may be read from any row, those beyond its end being anything.
+  const float* leafVertices(Child leaf) const {
+    return leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
+  }
+  /// The centre of a box, relative to the origin.
+  Vec3 boxCenter(Slot slot) const {
+    const Box8& box = boxes(slot);
+    return {box.center[0][slot.lane], box.center[1][slot.lane], box.center[2][slot.lane]};
+  }
   /// The boxes are relative to this point of the mesh's frame.
   const Vec3& origin() const { return origin_; }
   /// The greatest distance of a vertex from the origin.
@@ -111,12 +120,14 @@ class ClusteredOctree {
 
  private:
   ClusteredOctree() = default;
+  void writeLeafVertices(Slot slot, Child leaf);
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Vec3 origin_ = Vec3::Zero();
   double radius_ = 0.0;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> triangle_order_;
+  std::vector<float> leaf_vertices_;
   BuildOptions options_;
   BuildStats stats_;
 };

@@ -1,14 +1,51 @@
 #include "octoblisk/contacts.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octoblisk/contacts.cpp"
+#include <hwy/foreach_target.h>
+
+#include "octoblisk/traversal.h"
+#include "octoblisk/triangle_filter.h"
+#include "octoblisk/triangle_pair.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
+                    std::vector<Contact>& found) {
+  const LocalPose pose(a, b, b_in_a);
+  const float reach = pose.limit(threshold);
+  traversePairs(a, b, pose, threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+    const LeafPair leaves(a, b, pose, slot_a, slot_b);
+    const TriangleLanes triangles_of_b(leaves);
+    for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
+      const std::uint32_t triangle_a = leaves.triangleA(i);
+      for (unsigned near = triangles_of_b.near(i, reach); near != 0; near &= near - 1) {
+        const std::uint32_t triangle_b = leaves.triangleB(static_cast<std::uint32_t>(std::countr_zero(near)));
+        Contact contact = contactOf(a.mesh().triangle(triangle_a), b_in_a * b.mesh().triangle(triangle_b));
+        if (contact.distance > threshold) continue;
+        contact.triangle_a = triangle_a;
+        contact.triangle_b = triangle_b;
+        found.push_back(contact);
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 #include <algorithm>
 
-#include "octoblisk/leaf_triangles.h"
-#include "octoblisk/traversal.h"
 #include "octoblisk/triangle_convex.h"
-#include "octoblisk/triangle_pair.h"
+#include "octoblisk/triangles_in_box.h"
 
 namespace octoblisk {
 namespace {
+
+HWY_EXPORT(appendContacts);
 
 void sortByTriangles(std::vector<Contact>& found) {
   std::ranges::sort(found, {}, [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; });
@@ -19,18 +56,7 @@ void sortByTriangles(std::vector<Contact>& found) {
 void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found) {
   found.clear();
-  traversePairs(a, b, b_in_a, threshold, [&](Child leaf_a, Child leaf_b) {
-    const LeafTriangles in_a(a, leaf_a), in_b(b, leaf_b, &b_in_a);
-    return forEachPairWithin(in_a, in_b, threshold, [&](std::size_t i, std::size_t j) {
-      Contact contact = contactOf(in_a[i], in_b[j]);
-      if (contact.distance <= threshold) {
-        contact.triangle_a = in_a.id(i);
-        contact.triangle_b = in_b.id(j);
-        found.push_back(contact);
-      }
-      return false;
-    });
-  });
+  HWY_DYNAMIC_DISPATCH(appendContacts)(a, b, b_in_a, threshold, found);
   sortByTriangles(found);
 }
 
@@ -39,21 +65,20 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
   found.clear();
   const Aabb bounds = b.bounds();
   const Pose a_in_b = b_in_a.inverse();
-  traverseBox(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, threshold,
-              [&](Child leaf) {
-                const LeafTriangles triangles(a, leaf, &a_in_b);
-                for (std::size_t i = 0; i < triangles.size(); ++i) {
-                  std::optional<Contact> contact = contactOf(triangles[i], b, threshold);
-                  if (!contact) continue;
-                  contact->point_on_a = b_in_a * contact->point_on_a;
-                  contact->point_on_b = b_in_a * contact->point_on_b;
-                  contact->normal = b_in_a.rotation * contact->normal;
-                  contact->triangle_a = triangles.id(i);
-                  found.push_back(*contact);
-                }
-                return false;
-              });
+  forEachTriangleIn(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, threshold,
+                    [&](std::uint32_t triangle) {
+                      std::optional<Contact> contact =
+                          contactOf(a_in_b * a.mesh().triangle(triangle), b, threshold);
+                      if (!contact) return false;
+                      contact->point_on_a = b_in_a * contact->point_on_a;
+                      contact->point_on_b = b_in_a * contact->point_on_b;
+                      contact->normal = b_in_a.rotation * contact->normal;
+                      contact->triangle_a = triangle;
+                      found.push_back(*contact);
+                      return false;
+                    });
   sortByTriangles(found);
 }
 
 }  // namespace octoblisk
+#endif

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "octoblisk/traversal.h"
+#include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
 

@@ -1,0 +1,43 @@
+// All pairs of triangles of two trees that meet, found one by one. Read once for each target (simd.h).
+#if defined(OCTOBLISK_MEETING_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_MEETING_TRIANGLES_H
+#undef OCTOBLISK_MEETING_TRIANGLES_H
+#else
+#define OCTOBLISK_MEETING_TRIANGLES_H
+#endif
+
+#include "octoblisk/contact.h"
+#include "octoblisk/traversal.h"
+#include "octoblisk/triangle_filter.h"
+#include "octoblisk/triangle_pair.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+/// Calls visit(pair) for every pair of triangles that meet: by the filter where it is sure, else by the exact
+/// test. Returns true as soon as visit does, else false.
+template <typename Visit>
+bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                        Visit&& visit) {
+  const LocalPose pose(a, b, b_in_a);
+  return traversePairs(a, b, pose, 0.0, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+    const LeafPair leaves(a, b, pose, slot_a, slot_b);
+    const TriangleLanes triangles_of_b(leaves);
+    for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
+      const auto verdicts = triangles_of_b.meet(i);
+      for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
+        const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+        const bool open = (verdicts.open >> j & 1u) != 0;
+        if (open && !intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
+        if (visit(pair)) return true;
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,62 @@
+// What a walk down the trees needs beside them: its to-do list, and how far single precision can be trusted.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk {
+
+/// Distances in single precision err by less than this part of the sizes involved: 64 units in the last place
+/// of the summed radii and the distance of the origins.
+inline constexpr double kTraversalRounding = 0x1p-18;
+
+/// Beyond it lie only the empty boxes of a node: a reach is cut off here, so that they are never entered.
+inline constexpr double kFarthest = 1e29;
+
+/// The gap up to which boxes of bodies of this summed size may be within `reach` of each other.
+inline float traversalLimit(double reach, double size) {
+  return static_cast<float>(std::min(kFarthest, reach + kTraversalRounding * (size + reach)));
+}
+
+/// The pose of tree B in tree A, between the frames that their boxes are in.
+struct LocalPose {
+  Pose exact;  ///< of B in A
+  PoseF b_to_a, a_to_b;
+  double size;  ///< of both trees and the way between them, which sets the rounding
+
+  LocalPose(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a)
+      : exact{b_in_a.rotation, b_in_a * b.origin() - a.origin()},
+        b_to_a(exact),
+        a_to_b(exact.inverse()),
+        size(exact.translation.norm() + a.radius() + b.radius()) {}
+
+  float limit(double reach) const { return traversalLimit(reach, size); }
+};
+
+/// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above
+/// its leaves: this never overflows.
+template <typename Entry, int kLevels>
+class TraversalStack {
+ public:
+  bool empty() const { return count_ == 0; }
+  const Entry& pop() { return entries_[--count_]; }
+
+  /// Puts an entry so that those since `first` come out by ascending gap.
+  void pushSorted(std::size_t first, const Entry& entry) {
+    assert(count_ < entries_.size());
+    std::size_t place = count_++;
+    for (; place > first && entries_[place - 1].gap < entry.gap; --place)
+      entries_[place] = entries_[place - 1];
+    entries_[place] = entry;
+  }
+  std::size_t size() const { return count_; }
+
+ private:
+  std::array<Entry, (kLanes - 1) * kLevels + 1> entries_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,36 @@
+#include "octoblisk/triangles_in_box.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octoblisk/triangles_in_box.cpp"
+#include <hwy/foreach_target.h>
+
+#include "octoblisk/traversal.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+bool trianglesIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
+                 bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  return traverseBox(tree, box_in_tree, reach, [&](Child leaf) {
+    for (const std::uint32_t triangle : tree.triangles(leaf)) {
+      if (visit(user, triangle)) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+
+HWY_EXPORT(trianglesIn);
+
+bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
+                       bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  return HWY_DYNAMIC_DISPATCH(trianglesIn)(tree, box_in_tree, reach, visit, user);
+}
+
+}  // namespace octoblisk
+#endif

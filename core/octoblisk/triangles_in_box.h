@@ -1,0 +1,26 @@
+// The triangles near an oriented box.
+#pragma once
+
+#include <cstdint>
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk {
+
+/// Calls visit(user, triangle) for every triangle that may be within `reach` of a box in the mesh's frame,
+/// and for some near it. Returns true as soon as visit does, else false.
+bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
+                       bool (*visit)(void* user, std::uint32_t triangle), void* user);
+
+/// The same for anything that can be called with a triangle's index.
+template <typename Visit>
+bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach, Visit&& visit) {
+  return forEachTriangleIn(
+      tree, box_in_tree, reach,
+      [](void* user, std::uint32_t triangle) {
+        return (*static_cast<std::remove_reference_t<Visit>*>(user))(triangle);
+      },
+      &visit);
+}
+
+}  // namespace octoblisk
