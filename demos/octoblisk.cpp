@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "commands/commands.h"
+#include "commands/subcommand_names.h"
 
 int main(int argc, char** argv) {
   CLI::App app{
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
   octoblisk::demos::addCheckCommand(app, exit_code);
 
   try {
+    octoblisk::demos::requireKnownSubcommands(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

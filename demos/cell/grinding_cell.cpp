@@ -2,6 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/register.h"
@@ -9,31 +10,20 @@
 namespace octoblisk::demos {
 namespace {
 
-/// Collects what Bullet reports of one part (object 0 is the blisk, object 1 the part).
-class Report final : public btCollisionWorld::ContactResultCallback {
+/// Whether Bullet reports any point of a pair.
+class AnyPoint final : public btCollisionWorld::ContactResultCallback {
  public:
-  Report(std::size_t part, double reach, std::vector<PartContact>& found)
-      : part_(part), reach_(reach), found_(found) {
-    m_closestDistanceThreshold = btScalar(reach);
-  }
+  explicit AnyPoint(double reach) { m_closestDistanceThreshold = btScalar(reach); }
 
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int blisk_triangle,
-                           const btCollisionObjectWrapper*, int, int part_triangle) override {
-    Contact contact;
-    contact.point_on_a = fromBullet(point.getPositionWorldOnA());
-    contact.point_on_b = fromBullet(point.getPositionWorldOnB());
-    contact.normal = fromBullet(point.m_normalWorldOnB);
-    contact.distance = double(point.getDistance());
-    contact.triangle_a = static_cast<std::uint32_t>(blisk_triangle);
-    contact.triangle_b = static_cast<std::uint32_t>(part_triangle);
-    if (contact.distance <= reach_) found_.push_back({part_, contact});
+  btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    found_ = true;
     return 0;
   }
+  bool found() const { return found_; }
 
  private:
-  const std::size_t part_;
-  const double reach_;
-  std::vector<PartContact>& found_;
+  bool found_ = false;
 };
 
 /// A body and the shape that it has.
@@ -77,9 +67,11 @@ class GrindingCell::World {
     for (const auto& part : parts_) part->body.setWorldTransform(toBullet(tool_in_blisk));
   }
 
-  void report(std::size_t part, double reach, std::vector<PartContact>& found) {
-    Report report(part, reach, found);
-    world_.contactPairTest(&blisk_.body, &parts_[part]->body, report);
+  /// Whether Bullet finds the part within reach of the blisk.
+  bool isNear(std::size_t part, double reach) {
+    AnyPoint any(reach);
+    world_.contactPairTest(&blisk_.body, &parts_[part]->body, any);
+    return any.found();
   }
 
  private:
@@ -103,7 +95,12 @@ const ClusteredOctree& GrindingCell::blisk() const { return world_->blisk(); }
 std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   std::vector<PartContact> found;
   world_->move(tool_in_blisk);
-  for (std::size_t part = 0; part < parts_.size(); ++part) world_->report(part, reach_, found);
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    if (!world_->isNear(part, reach_)) continue;
+    // A manifold holds a few points of a patch, which may stand for others that are worse: ask for all.
+    contacts(blisk(), *parts_[part].tree, tool_in_blisk, reach_, contacts_);
+    for (const Contact& contact : contacts_) found.push_back({part, contact});
+  }
   return found;
 }
 

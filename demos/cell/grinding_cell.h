@@ -34,14 +34,15 @@ class GrindingCell {
   const ClusteredOctree& blisk() const;
   const std::vector<ToolPart>& parts() const { return parts_; }
 
-  /// Moves the tool there and asks Bullet for its contacts: part by part, a few for each patch of touch, the
-  /// deepest among them.
+  /// Moves the tool there, asks Bullet which parts come within reach of the blisk, and finds all contacts of
+  /// those: of every pair of triangles, part by part, by ascending triangles.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
 
  private:
   class World;
   std::vector<ToolPart> parts_;
   double reach_;
+  std::vector<Contact> contacts_;  ///< of one part; kept for its memory
   std::unique_ptr<World> world_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace octoblisk::demos {
 
@@ -42,6 +43,18 @@ int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part) {
   const auto most =
       std::ranges::max_element(poses_of_blade, {}, [](const auto& entry) { return entry.second; });
   return most == poses_of_blade.end() ? 0 : most->first;
+}
+
+std::optional<std::size_t> worstContact(const PoseReport& pose) {
+  if (pose.contacts.empty()) return std::nullopt;
+  const auto rank = [&](std::size_t c) {
+    return std::pair(pose.verdicts[c], -pose.contacts[c].contact.distance);
+  };
+  std::size_t worst = 0;
+  for (std::size_t c = 1; c < pose.contacts.size(); ++c) {
+    if (rank(c) > rank(worst)) worst = c;
+  }
+  return worst;
 }
 
 void judge(std::span<PoseReport> poses, const VerdictRules& rules) {

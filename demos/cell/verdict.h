@@ -1,6 +1,7 @@
 // What the contacts of a pose mean: the belt is there to touch the blade it grinds, and nothing else.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,12 +22,13 @@ struct VerdictRules {
   double max_depth = 0.1;         ///< mm that it may be pressed into it
 };
 
-/// Of one contact with a blade (0: the hub). Contacts of the belt with the blade it grinds are intended up to
-/// the greatest depth, and clear where the two are apart; any other touch is interference, any other contact
-/// that is apart a near miss.
+/// Of one contact with a blade (0: hub or shroud). Of two contacts of a part with a blade, the deeper is
+/// never the better. Contacts of the belt with the blade it grinds are intended up to the greatest depth, and
+/// clear where the two are apart; any other touch is interference, any other contact that is apart a near
+/// miss.
 Verdict verdictOf(const PartContact& contact, int blade, const VerdictRules& rules);
 
-/// A pose of the path with all its contacts.
+/// A pose of the path with its contacts: all of them, or those that reduceContacts keeps.
 struct PoseReport {
   Pose tool_in_blisk;
   std::vector<PartContact> contacts;
@@ -37,6 +39,10 @@ struct PoseReport {
 
 /// The blade that a part touches at the most poses; the lowest number of several, 0 where it touches none.
 int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part);
+
+/// The contact that a judged pose has its verdict from: of the worst verdict, the deepest. None where the
+/// pose has no contacts.
+std::optional<std::size_t> worstContact(const PoseReport& pose);
 
 /// Sets the verdicts of all contacts and poses.
 void judge(std::span<PoseReport> poses, const VerdictRules& rules);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "commands/commands.h"
+#include "commands/option_checks.h"
 #include "models/mesh_file.h"
 #include "octoblisk/collide.h"
 #include "report/progress_bar.h"
@@ -99,20 +100,24 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "another does not meet it.");
   const auto request = std::make_shared<CheckRequest>();
   const std::string mesh_help = ", in mesh units: .stl, .obj or .ply";
-  command.add_option("--fixed", request->fixed, "Mesh that stays" + mesh_help)->required();
-  command.add_option("--moving", request->moving, "Mesh that moves" + mesh_help)->required();
+  command.add_option("--fixed", request->fixed, "Mesh that stays" + mesh_help)->required()->check(notEmpty());
+  command.add_option("--moving", request->moving, "Mesh that moves" + mesh_help)
+      ->required()
+      ->check(notEmpty());
   command
       .add_option(
           "--poses", request->poses,
           "Poses of the moving mesh in the fixed one's frame, CSV file: x,y,z,qw,qx,qy,qz, a translation "
           "in mesh units and a unit quaternion")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command
       .add_option(
           "-o,--out", request->out,
           "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
           "of triangles that meet where colliding is 1")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command.callback([request, &exit_code] {
     const CheckSummary summary = check(*request);
     tell(summary);

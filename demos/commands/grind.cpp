@@ -1,18 +1,20 @@
 // octoblisk grind: moves the belt grinder along a path and tells what touches what.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "cell/grinding_cell.h"
+#include "cell/reduce_contacts.h"
 #include "cell/verdict.h"
 #include "commands/commands.h"
+#include "commands/option_checks.h"
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
+#include "models/length_limit.h"
 #include "models/mesh_file.h"
 #include "models/orientation.h"
 #include "report/grinding_report.h"
@@ -22,6 +24,9 @@
 
 namespace octoblisk::demos {
 namespace {
+
+constexpr int kMostBlades = 10'000;
+constexpr int kMostNearMiss = 5;  // mm; the pairs of triangles within reach grow with its square
 
 struct GrindRequest {
   std::string blisk, belt, path;  // files; empty: the defaults
@@ -79,8 +84,9 @@ void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFou
   std::chrono::duration<double> spent{};
   for (const Pose& pose : path) {
     const auto start = std::chrono::steady_clock::now();
-    PoseReport report{pose, cell.contactsAt(pose), {}, {}, Verdict::clear};
+    const std::vector<PartContact> all = cell.contactsAt(pose);
     spent += std::chrono::steady_clock::now() - start;
+    PoseReport report{pose, reduceContacts(all, blades.blade_of_triangle), {}, {}, Verdict::clear};
     for (const PartContact& found : report.contacts) {
       report.blades.push_back(blades.blade_of_triangle[found.contact.triangle_a]);
     }
@@ -90,19 +96,43 @@ void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFou
   run.seconds_a_pose = spent.count() / static_cast<double>(path.size());
 }
 
+/// Refuses to write a table over a file that is read; path.csv is kept where it is the path read.
+void requireNoInputAmongTables(const GrindRequest& request) {
+  for (const char* table : {"poses.csv", "contacts.csv", "summary.json"}) {
+    const std::filesystem::path file = std::filesystem::path(request.out) / table;
+    std::error_code ignored;  // mostly there is no such file
+    if (std::filesystem::equivalent(request.path, file, ignored)) {
+      throw std::runtime_error(file.string() + ": cannot be both read and written");
+    }
+  }
+}
+
+/// Without blades, a path of the user's own is checked against hub and shroud alone.
+void warnOfNoBlades(const GrindRequest& request) {
+  std::cerr << "octoblisk: warning: " << (request.blisk.empty() ? "the blisk" : request.blisk)
+            << ": no blades were found round the z axis: every touch counts as interference with hub or "
+               "shroud\n";
+}
+
 void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
   const int blade = run.rules.ground_blade;
-  std::cout << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ")
-            << (blade == 0 ? "no blade ground" : "grinding blade " + std::to_string(blade)) << " of "
-            << run.blade_count << ": " << run.count(Verdict::clear) << " clear, "
-            << run.count(Verdict::intended_contact) << " intended contact, " << run.count(Verdict::near_miss)
-            << " near miss, " << run.count(Verdict::interference) << " interference\n";
+  const std::string blades = std::to_string(run.blade_count);
+  std::cout << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ");
+  if (blade == 0) {
+    std::cout << "no blade ground (the blisk has " << blades << ")";
+  } else {
+    std::cout << "ground blade " << blade << " of " << blades << " (intended up to " << run.rules.max_depth
+              << " mm deep)";
+  }
+  std::cout << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
+            << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
+            << run.count(Verdict::interference) << " interference\n";
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict == Verdict::interference) {
     std::cout << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
-  std::cout << "Tables: " << (out / "contacts.csv").string() << ", " << (out / "summary.json").string()
-            << ", " << (out / "path.csv").string() << '\n';
+  std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
+            << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
   if (pictures) {
     std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string()
               << '\n';
@@ -110,9 +140,7 @@ void tell(const GrindingRun& run, const std::filesystem::path& out, bool picture
 }
 
 int grind(const GrindRequest& request) {
-  if (!std::isfinite(request.max_depth) || !std::isfinite(request.near_miss)) {
-    throw std::invalid_argument("--max-depth and --near-miss must be finite numbers of mm");
-  }
+  requireNoInputAmongTables(request);
   const std::filesystem::path out = request.out;
   std::error_code error;
   std::filesystem::create_directories(out, error);
@@ -133,6 +161,7 @@ int grind(const GrindRequest& request) {
                                 " blades, numbered from 1");
   }
   const std::vector<Pose> path = pathOf(request, run.blisk->mesh(), blades);
+  if (blades.count == 0) warnOfNoBlades(request);
   const bool is_input = std::filesystem::equivalent(request.path, out / "path.csv", error);
   if (!is_input) writePoses(out / "path.csv", path);
 
@@ -143,6 +172,7 @@ int grind(const GrindRequest& request) {
   run.rules.max_depth = request.max_depth;
   judge(run.poses, run.rules);
 
+  writePoseVerdicts(run, out / "poses.csv");
   writeContacts(run, out / "contacts.csv");
   writeSummary(run, out / "summary.json");
   if (request.pictures) writePictures(run, out);
@@ -153,31 +183,53 @@ int grind(const GrindRequest& request) {
 }  // namespace
 
 void addGrindCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("grind", "Check a belt grinder along a path over a blisk, in a Bullet world");
+  CLI::App& command = *app.add_subcommand(
+      "grind",
+      "Check a belt grinder along a path over a blisk, in a Bullet world. The belt is there to touch the "
+      "blade\n"
+      "that it grinds; every other touch is interference. The built-in path is not free of it on purpose.");
   const auto request = std::make_shared<GrindRequest>();
-  command.add_option("--blisk", request->blisk, "Mesh file (mm, axis Z); default: the built-in blisk");
-  command.add_option(
-      "--belt", request->belt,
-      "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
-      "built-in grinder with belt, wheels and arm");
-  command.add_option(
-      "--path", request->path,
-      "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side");
+  command.add_option("--blisk", request->blisk, "Mesh file (mm, axis Z); default: the built-in blisk")
+      ->check(notEmpty());
+  command
+      .add_option(
+          "--belt", request->belt,
+          "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
+          "built-in grinder with belt, wheels and arm")
+      ->check(notEmpty());
+  command
+      .add_option(
+          "--path", request->path,
+          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side")
+      ->check(notEmpty());
   command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")
-      ->required();
-  command.add_option(
-      "--ground-blade", request->ground_blade,
-      "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most");
+      ->required()
+      ->check(notEmpty());
+  command
+      .add_option(
+          "--ground-blade", request->ground_blade,
+          "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most")
+      ->check(wholeNumberFrom(1, kMostBlades));
   command
       .add_option("--max-depth", request->max_depth, "mm that the belt may be pressed into the ground blade")
-      ->check(CLI::NonNegativeNumber)
+      ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str();
-  command.add_option("--near-miss", request->near_miss, "mm below which a clearance is reported")
-      ->check(CLI::PositiveNumber)
+  command
+      .add_option("--near-miss", request->near_miss,
+                  "mm below which a clearance is reported; above 0, at most " + std::to_string(kMostNearMiss))
+      ->check(numberFrom(0.0, kMostNearMiss, true))
       ->capture_default_str();
   command.add_flag("!--no-pictures", request->pictures, "Leave the pictures out");
-  command.footer("Exit codes: 0 no interference, 1 interference found, 2 bad input.");
+  command.footer(
+      "Tables, in OUT:\n"
+      "  poses.csv     the verdict of each pose, with part, blade and depth of its worst contact\n"
+      "  contacts.csv  contacts, a few of each patch of touch, each with a verdict of its own: triangles,\n"
+      "                points and normal in the blisk's frame; the normal points from the part into the "
+      "blisk\n"
+      "  summary.json  limits, counts, the poses that interfere\n"
+      "  path.csv      the path\n"
+      "Blades are numbered from 1 by angle; blade 0 is hub or shroud. A negative depth is a clearance.\n"
+      "Exit codes: 0 no interference, 1 interference found, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }
 

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "commands/commands.h"
+#include "commands/option_checks.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
+#include "models/length_limit.h"
 #include "models/mesh_file.h"
 
 namespace octoblisk::demos {
@@ -23,8 +25,13 @@ void writeAndTell(const std::string& file, const TriangleMesh& mesh) {
 }
 
 void addOut(CLI::App& command, std::string& out) {
-  command.add_option("-o,--out", out, "File to write: .stl (binary), .obj or .ply (binary)")->required();
+  command.add_option("-o,--out", out, "File to write: .stl (binary), .obj or .ply (binary)")
+      ->required()
+      ->check(notEmpty());
 }
+
+/// Any length or angle; the generators tell what they make of it.
+CLI::Validator size() { return numberFrom(-kMaxLength, kMaxLength); }
 
 struct BliskRequest {
   std::string out;
@@ -62,23 +69,43 @@ void addBlisk(CLI::App& make) {
   addOut(command, request->out);
 
   const std::string disk = "Disk";
-  command.add_option("--triangles", blisk.target_triangles, "Triangles wanted, met within 15 %")->group(disk);
-  command.add_option("--blades", blisk.blade_count, "Number of blades")->group(disk);
-  command.add_option("--bore-radius", blisk.bore_radius, "mm")->group(disk);
-  command.add_flag("--shroud", blisk.shroud, "Join the tips by a ring")->group(disk);
-  command.add_option("--shroud-thickness", blisk.shroud_thickness, "mm, radially")->group(disk);
-  command.add_option("--shroud-overhang", blisk.shroud_overhang, "mm, axially beyond the tips")->group(disk);
+  command
+      .add_option("--triangles", blisk.target_triangles,
+                  "Triangles wanted, up to 10 million, met within 15 %")
+      ->check(wholeNumberFrom(1, 10'000'000))
+      ->group(disk);
+  command.add_option("--blades", blisk.blade_count, "Number of blades")
+      ->check(wholeNumberFrom(2, 10'000))
+      ->group(disk);
+  command.add_option("--bore-radius", blisk.bore_radius, "mm")->check(size())->group(disk);
+  CLI::Option* const shroud =
+      command.add_flag("--shroud", blisk.shroud, "Join the tips by a ring")->group(disk);
+  command.add_option("--shroud-thickness", blisk.shroud_thickness, "mm, radially")
+      ->check(size())
+      ->needs(shroud)
+      ->group(disk);
+  command.add_option("--shroud-overhang", blisk.shroud_overhang, "mm, axially beyond the tips")
+      ->check(size())
+      ->needs(shroud)
+      ->group(disk);
 
   const std::string files = "Blade and hub from files";
   command
       .add_option("--sections", request->sections,
                   "Folder of blade sections, one CSV file each (x,y,z in mm), hub to tip by name")
+      ->check(notEmpty())
       ->group(files);
   command.add_option("--hub-profile", request->hub_profile, "Hub surface, CSV file (z,r in mm)")
+      ->check(notEmpty())
       ->group(files);
 
-  const auto addParameter = [&](const std::string& name, auto& value, const std::string& help) {
-    request->parametric.push_back(command.add_option(name, value, help)->group("Parametric blade and hub"));
+  const auto addOption = [&](const std::string& name, auto& value, const std::string& help) {
+    CLI::Option* const option = command.add_option(name, value, help)->group("Parametric blade and hub");
+    request->parametric.push_back(option);
+    return option;
+  };
+  const auto addParameter = [&](const std::string& name, double& value, const std::string& help) {
+    addOption(name, value, help)->check(size());
   };
   addParameter("--length", request->length, "mm, of the hub along Z");
   addParameter("--hub-radius", blade.hub_radius, "mm");
@@ -93,7 +120,8 @@ void addBlisk(CLI::App& make) {
   addParameter("--camber-tip", blade.camber_tip, "mm, rise of the camber line");
   addParameter("--edge-radius", blade.edge_radius, "mm, of leading and trailing edge");
   addParameter("--lean", blade.lean, "Degrees about Z by which the tip leads the hub");
-  addParameter("--section-count", blade.section_count, "Number of sections from hub to tip");
+  addOption("--section-count", blade.section_count, "Number of sections from hub to tip")
+      ->check(wholeNumberFrom(2, 1000));
 
   command.callback([request] { makeBliskFile(*request); });
 }
@@ -111,8 +139,11 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   addOut(command, request->out);
 
   // Every part takes the whole grinder's sizes, so that the parts made with the same ones fit together.
-  const auto addParameter = [&](const std::string& option, auto& value, const std::string& help) {
-    command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
+  const auto addOption = [&](const std::string& option, auto& value, const std::string& help) {
+    return command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
+  };
+  const auto addParameter = [&](const std::string& option, double& value, const std::string& help) {
+    addOption(option, value, help)->check(size());
   };
   addParameter("--width", belt.width, "mm, of the belt");
   addParameter("--thickness", belt.thickness, "mm, of the belt");
@@ -120,8 +151,9 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   addParameter("--drive-wheel-radius", belt.drive_wheel_radius, "mm, of the belt's inner surface there");
   addParameter("--wheel-distance", belt.wheel_distance, "mm, between the wheels' centres");
   addParameter("--wheel-gap", belt.wheel_gap, "mm, from wheel to belt");
-  addParameter("--stations", belt.stations, "Stations round the belt");
-  addParameter("--points-per-station", belt.points_per_station, "Points round the belt's cross-section");
+  addOption("--stations", belt.stations, "Stations round the belt")->check(wholeNumberFrom(16, 100'000));
+  addOption("--points-per-station", belt.points_per_station, "Points round the belt's cross-section")
+      ->check(wholeNumberFrom(4, 100'000));
   addParameter("--arm-start", belt.arm_start, "mm, from the contact wheel's centre");
   addParameter("--arm-width", belt.arm_width, "mm, along the wheels' axes");
   addParameter("--arm-height", belt.arm_height, "mm, between the strands");

@@ -9,12 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "models/length_limit.h"
+
 namespace octoblisk::demos {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kWheelSegments = 120;
 constexpr int kWheelRows = 8;
+constexpr int kMaxPoints = 100'000;               // round the belt, or round its cross-section
+constexpr std::int64_t kMaxVertices = 5'000'000;  // 10 million triangles
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
@@ -106,14 +110,19 @@ void requireUsable(const BeltParameters& p) {
                                                   {p.arm_width, "arm width"},
                                                   {p.arm_height, "arm height"}};
   for (const auto& [size, name] : sizes) {
-    require(std::isfinite(size) && size > 0.0, std::string("the ") + name + " must be above 0 mm");
+    require(size > 0.0 && size <= kMaxLength,
+            std::string("the ") + name + " must be above 0 and at most 100,000 mm");
   }
   require(p.wheel_distance > p.contact_wheel_radius + p.drive_wheel_radius + 2.0 * p.thickness,
           "the wheel distance must keep the two wheels apart");
   require(p.wheel_gap < 0.5 * std::min(p.contact_wheel_radius, p.drive_wheel_radius),
           "the wheel gap must be below half the wheels' radii");
-  require(p.points_per_station >= 4, "the belt needs at least four points a station");
-  require(p.stations >= 16, "the belt needs at least 16 stations");
+  require(p.points_per_station >= 4 && p.points_per_station <= kMaxPoints,
+          "the number of points a station must be from 4 to " + std::to_string(kMaxPoints));
+  require(p.stations >= 16 && p.stations <= kMaxPoints,
+          "the number of stations must be from 16 to " + std::to_string(kMaxPoints));
+  require(std::int64_t{p.stations} * p.points_per_station <= kMaxVertices,
+          "stations times points a station must be at most " + std::to_string(kMaxVertices));
   const double half_turn = 0.5 * BeltPath(p).greatestTurn();
   const double cut = std::max(p.contact_wheel_radius, p.drive_wheel_radius) * (1.0 - std::cos(half_turn));
   require(cut < 0.5 * p.wheel_gap, "the belt needs more stations, or its facets would cut the wheels");

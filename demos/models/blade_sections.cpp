@@ -8,12 +8,15 @@
 #include <string>
 
 #include "models/csv_table.h"
+#include "models/length_limit.h"
 
 namespace octoblisk::demos {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMinLoopPoints = 8;
+constexpr int kMaxSections = 1000;
+constexpr int kMaxPointsPerSide = 10'000;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
@@ -40,8 +43,10 @@ void requireUsable(const BladeParameters& p) {
           "the stagger must be between -80 and 80 degrees");
   require(std::isfinite(p.camber_hub) && std::isfinite(p.camber_tip) && std::isfinite(p.lean),
           "camber and lean must be finite");
-  require(p.section_count >= 2, "a blade needs at least two sections");
-  require(p.points_per_side >= 8, "a section needs at least eight points a side");
+  require(p.section_count >= 2 && p.section_count <= kMaxSections,
+          "the number of sections must be from 2 to " + std::to_string(kMaxSections));
+  require(p.points_per_side >= 8 && p.points_per_side <= kMaxPointsPerSide,
+          "the number of points a side must be from 8 to " + std::to_string(kMaxPointsPerSide));
 }
 
 /// An airfoil on the cylinder of one radius, traced by an angle: 0 at the trailing edge of the chord, then
@@ -117,6 +122,9 @@ SectionLoop readLoop(const std::filesystem::path& file) {
   std::size_t last_line = 1;
   for (const CsvRow& row : readCsv(file, "x,y,z")) {
     loop.emplace_back(row.values[0], row.values[1], row.values[2]);
+    if (loop.back().cwiseAbs().maxCoeff() > kMaxLength) {
+      throw std::runtime_error(atLine(file, row.line, "a coordinate is beyond 100,000 mm"));
+    }
     last_line = row.line;
   }
   if (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
@@ -132,6 +140,16 @@ double meanRadius(const SectionLoop& loop) {
   double sum = 0.0;
   for (const Vec3& point : loop) sum += std::hypot(point.x(), point.y());
   return sum / static_cast<double>(loop.size());
+}
+
+void requireFartherOut(const SectionLoop& section, const std::filesystem::path& file,
+                       const SectionLoop& before, const std::filesystem::path& file_before) {
+  const double radius = meanRadius(section), radius_before = meanRadius(before);
+  if (radius > radius_before) return;
+  throw std::runtime_error(file.string() +
+                           ": the section must lie farther out than the one before it in name " +
+                           "order: its mean radius is " + std::to_string(radius) + " mm, that of " +
+                           file_before.filename().string() + " " + std::to_string(radius_before) + " mm");
 }
 
 }  // namespace
@@ -186,13 +204,9 @@ BladeSections readBladeSections(const std::filesystem::path& folder) {
   });
 
   BladeSections sections;
-  for (const std::filesystem::path& file : files) {
-    sections.loops.push_back(readLoop(file));
-    if (sections.loops.size() < 2) continue;
-    if (meanRadius(sections.loops.back()) <= meanRadius(*(sections.loops.end() - 2))) {
-      throw std::runtime_error(file.string() +
-                               ": the section must lie farther out than the one before it in name order");
-    }
+  for (std::size_t s = 0; s < files.size(); ++s) {
+    sections.loops.push_back(readLoop(files[s]));
+    if (s > 0) requireFartherOut(sections.loops[s], files[s], sections.loops[s - 1], files[s - 1]);
   }
   return sections;
 }

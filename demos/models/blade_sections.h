@@ -48,7 +48,8 @@ BladeSections makeBladeSections(const BladeParameters& parameters);
 /// (section_2 before section_10). Each has the header `x,y,z` and the points of a closed loop in mm, whose
 /// last may repeat the first.
 /// Throws std::runtime_error naming the file and line: missing folder, fewer than two sections, too few
-/// points, wrong columns, a value that is no finite number, a section not farther out than the one before.
+/// points, wrong columns, a value that is no finite number or beyond kMaxLength, a section not farther out
+/// than the one before.
 BladeSections readBladeSections(const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "models/blade_surface.h"
+#include "models/length_limit.h"
 #include "models/ring.h"
 #include "models/sector_builder.h"
 #include "models/sector_mesh.h"
@@ -15,6 +16,9 @@ namespace octoblisk::demos {
 namespace {
 
 using enum BladeSide;
+
+constexpr int kMaxBlades = 10'000;
+constexpr std::size_t kMaxTriangles = 10'000'000;
 
 std::string mm(double value) { return std::to_string(value) + " mm"; }
 
@@ -30,7 +34,8 @@ struct Resolution {
         passage_cells(cellsOf(passage, edge, 2)) {}
 
   static int cellsOf(double length, double edge, int least) {
-    return static_cast<int>(std::max<long>(least, std::lround(length / edge)));
+    constexpr double kMostCells = 1e8;  // far beyond any mesh: the count only has to stay a number
+    return static_cast<int>(std::lround(std::clamp<double>(length / edge, least, kMostCells)));
   }
 
   double trianglesInSector(const std::vector<Ring>& rings) const {
@@ -128,14 +133,16 @@ void requireUsable(const BliskOptions& options, const RadiusProfile& hub) {
   const auto require = [](bool holds, const std::string& message) {
     if (!holds) throw std::invalid_argument(message);
   };
-  require(options.blade_count >= 2, "a blisk needs at least two blades");
+  require(options.blade_count >= 2 && options.blade_count <= kMaxBlades,
+          "the number of blades must be from 2 to " + std::to_string(kMaxBlades));
   require(options.bore_radius > 0.0, "the bore radius must be above 0 mm");
   require(options.bore_radius < hub.minRadius(), "the bore radius must be below the hub radius");
-  require(options.target_triangles > 0 && options.target_triangles <= 100'000'000,
-          "the target of triangles must be between 1 and 100,000,000");
+  require(options.target_triangles > 0 && options.target_triangles <= kMaxTriangles,
+          "the target of triangles must be from 1 to " + std::to_string(kMaxTriangles));
   if (!options.shroud) return;
-  require(options.shroud_thickness > 0.0, "the shroud thickness must be above 0 mm");
-  require(options.shroud_overhang > 0.0, "the shroud overhang must be above 0 mm");
+  const auto isSize = [](double size) { return size > 0.0 && size <= kMaxLength; };
+  require(isSize(options.shroud_thickness), "the shroud thickness must be above 0 and at most 100,000 mm");
+  require(isSize(options.shroud_overhang), "the shroud overhang must be above 0 and at most 100,000 mm");
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "models/input_file.h"
+#include "models/quoted_text.h"
+
 namespace octoblisk::demos {
 namespace {
 
@@ -32,7 +35,7 @@ double finiteNumber(std::string_view text, const std::filesystem::path& file, st
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    throw std::runtime_error(atLine(file, line, "'" + std::string(text) + "' is not a finite number"));
+    throw std::runtime_error(atLine(file, line, inQuotes(text) + " is not a finite number"));
   }
   return value;
 }
@@ -44,15 +47,15 @@ std::string atLine(const std::filesystem::path& file, std::size_t line, const st
 }
 
 std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string& header) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw std::runtime_error(file.string() + ": cannot be opened for reading");
-  }
+  std::ifstream stream = openForReading(file);
   const std::vector<std::string_view> wanted = cells(header);
   std::vector<CsvRow> rows;
   bool in_body = false;
   std::string text;
   for (std::size_t line = 1; std::getline(stream, text); ++line) {
+    if (text.find('\0') != std::string::npos) {
+      throw std::runtime_error(atLine(file, line, "the file is binary; it must be a CSV table of text"));
+    }
     std::string_view content = text;
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line == 1 && content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
@@ -62,7 +65,7 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string
     if (!in_body) {
       if (found != wanted) {
         throw std::runtime_error(
-            atLine(file, line, "the header is '" + std::string(content) + "'; it must be '" + header + "'"));
+            atLine(file, line, "the header is " + inQuotes(content) + "; it must be '" + header + "'"));
       }
       in_body = true;
       continue;

@@ -19,7 +19,7 @@ std::string atLine(const std::filesystem::path& file, std::size_t line, const st
 /// Reads comma-separated numbers below the given header line, e.g. "x,y,z". Blanks round a value, blank
 /// lines, lines that begin with # and a CR before the line end are ignored.
 /// Throws std::runtime_error naming the file, and the line where there is one: missing or unreadable file,
-/// another header, another number of columns, a value that is no finite number.
+/// a folder, a binary file, another header, another number of columns, a value that is no finite number.
 std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string& header);
 
 }  // namespace octoblisk::demos

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "models/input_file.h"
 #include "models/mesh_file_check.h"
 
 namespace octoblisk::demos {
@@ -44,12 +45,7 @@ const Format& formatOf(const std::filesystem::path& file) {
 }
 
 std::string readBytes(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw std::runtime_error(file.string() + ": no such file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw std::runtime_error(file.string() + ": cannot be opened for reading");
-  }
+  std::ifstream stream = openForReading(file);
   std::string bytes(std::filesystem::file_size(file), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream) throw std::runtime_error(file.string() + ": cannot be read to its end");

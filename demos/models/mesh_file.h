@@ -15,7 +15,7 @@ namespace octoblisk::demos {
 /// Throws std::runtime_error in one line naming the file, and the line or triangle (counted from 1) where
 /// there is one: missing file, unknown extension, empty or truncated file, no triangles, a value that is no
 /// number, an index of no vertex, a coordinate that is NaN, infinite or too large for a mesh. An OBJ
-/// announces no counts: it is taken for truncated if its last line has no line end.
+/// announces no counts: that it is truncated shows only in an incomplete last line or a missing vertex.
 TriangleMesh readMesh(const std::filesystem::path& file);
 
 /// The same for a file whose bytes are in memory already.

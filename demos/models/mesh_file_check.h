@@ -14,7 +14,7 @@ namespace octoblisk::demos {
 /// closed by endsolid.
 void checkStl(std::string_view bytes, const std::string& file);
 
-/// OBJ: vertices of three numbers, faces of three corners, and a last line that ends.
+/// OBJ: vertices of three numbers, faces of three corners, and each index is of a vertex.
 void checkObj(std::string_view bytes, const std::string& file);
 
 /// PLY, ASCII or binary: every element the header announces is there, and each index is of a vertex.

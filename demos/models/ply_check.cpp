@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/mesh_file_check.h"
+#include "models/quoted_text.h"
 #include "models/text_reader.h"
 
 namespace octoblisk::demos {
@@ -45,7 +46,7 @@ PlyType plyType(std::string_view name, const TextReader& text) {
   for (const auto& [known, type] : kNames) {
     if (name == known) return type;
   }
-  text.fail(std::string("'").append(name).append("' is no PLY type"));
+  text.fail(inQuotes(name) + " is no PLY type");
 }
 
 /// Reads the header and leaves the reader at the body's begin.
@@ -194,7 +195,7 @@ void checkPly(std::string_view bytes, const std::string& file) {
     BinaryReader reader(bytes, text.position(), header.format == "binary_big_endian", file);
     checkPlyBody(header, reader);
   } else {
-    throw std::runtime_error(file + ": '" + header.format + "' is no PLY format");
+    throw std::runtime_error(file + ": " + inQuotes(header.format) + " is no PLY format");
   }
 }
 

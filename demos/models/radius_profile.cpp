@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/csv_table.h"
+#include "models/length_limit.h"
 
 namespace octoblisk::demos {
 
@@ -50,6 +51,9 @@ RadiusProfile readHubProfile(const std::filesystem::path& file) {
     last_line = row.line;
     if (point.radius <= 0.0)
       throw std::runtime_error(atLine(file, row.line, "the radius must be above 0 mm"));
+    if (std::max(std::abs(point.z), point.radius) > kMaxLength) {
+      throw std::runtime_error(atLine(file, row.line, "a length is beyond 100,000 mm"));
+    }
     if (!points.empty() && point.z <= points.back().z) {
       throw std::runtime_error(atLine(file, row.line, "z must be greater than in the row before"));
     }

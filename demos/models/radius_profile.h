@@ -32,7 +32,7 @@ class RadiusProfile {
 RadiusProfile cylinderProfile(double radius, double half_length);
 
 /// Reads a hub profile: CSV with the header `z,r`, mm, at least two points, z strictly increasing, r
-/// positive. Throws std::runtime_error naming the file and line.
+/// positive, neither beyond kMaxLength. Throws std::runtime_error naming the file and line.
 RadiusProfile readHubProfile(const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

@@ -13,7 +13,8 @@ constexpr double kFaceCoarseness = 2.5;
 
 int MeridianLeg::cells(double spacing) const {
   const double length = std::hypot(z_end - z_start, radius_end - radius_start);
-  return static_cast<int>(std::max(1L, std::lround(length / (coarseness * spacing))));
+  constexpr double kMostCells = 1e8;  // far beyond any mesh: the count only has to stay a number
+  return static_cast<int>(std::lround(std::clamp(length / (coarseness * spacing), 1.0, kMostCells)));
 }
 
 CylindricalPoint MeridianLeg::at(double fraction, double angle) const {

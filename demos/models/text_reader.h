@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "models/quoted_text.h"
+
 namespace octoblisk::demos {
 
 /// Walks a text by words and lines. It complains as std::runtime_error, "FILE:LINE: message".
@@ -43,13 +45,17 @@ class TextReader {
     double value = 0.0;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc::invalid_argument || stop != digits.data() + digits.size()) {
-      fail(std::string("'").append(found).append("' is not a number"));
+      fail(inQuotes(found) + " is not a number");
     }
     return value;
   }
 
-  [[noreturn]] void fail(const std::string& message) const {
-    throw std::runtime_error(file_ + ":" + std::to_string(line_) + ": " + message);
+  /// The line of the next word, counted from 1.
+  std::size_t line() const { return line_; }
+
+  [[noreturn]] void fail(const std::string& message) const { failAt(line_, message); }
+  [[noreturn]] void failAt(std::size_t line, const std::string& message) const {
+    throw std::runtime_error(file_ + ":" + std::to_string(line) + ": " + message);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <array>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "octoblisk/separating_axis.h"
@@ -25,18 +26,6 @@ Color colorOf(Verdict verdict) {
   return verdict == Verdict::intended_contact ? palette::kGreen
          : verdict == Verdict::interference   ? palette::kVermilion
                                               : palette::kYellow;
-}
-
-/// The contact to look at: of the worst verdict, the deepest.
-std::size_t worstContact(const PoseReport& pose) {
-  std::size_t worst = 0;
-  for (std::size_t c = 1; c < pose.contacts.size(); ++c) {
-    const auto rank = [&](std::size_t i) {
-      return std::pair(pose.verdicts[i], -pose.contacts[i].contact.distance);
-    };
-    if (rank(c) > rank(worst)) worst = c;
-  }
-  return worst;
 }
 
 void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
@@ -94,11 +83,11 @@ std::string counts(const GrindingRun& run) {
 }  // namespace
 
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
-  const std::size_t c = worstContact(pose);
+  const std::size_t c = worstContact(pose).value();
   const auto& [part, contact] = pose.contacts[c];
   std::ostringstream text;
   text << run.parts[part].name
-       << (pose.blades[c] ? " on blade " + std::to_string(pose.blades[c]) : " on the hub") << ", "
+       << (pose.blades[c] ? " on blade " + std::to_string(pose.blades[c]) : " on hub or shroud") << ", "
        << std::fixed << std::setprecision(2) << std::abs(contact.distance) << " mm "
        << (contact.distance > 0.0 ? "away" : "deep");
   return text.str();
@@ -109,10 +98,10 @@ std::size_t poseToShow(const GrindingRun& run) {
   std::pair<Verdict, double> worst = {Verdict::clear, 0.0};
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
-    if (pose.contacts.empty()) continue;
-    const std::size_t c = worstContact(pose);
-    const std::pair rank = {pose.verdicts[c], -pose.contacts[c].contact.distance};
-    if (pose.verdicts[c] == Verdict::clear || rank <= worst) continue;
+    const std::optional<std::size_t> c = worstContact(pose);
+    if (!c || pose.verdict == Verdict::clear) continue;
+    const std::pair rank = {pose.verdict, -pose.contacts[*c].contact.distance};
+    if (rank <= worst) continue;
     worst = rank;
     shown = p;
   }
@@ -144,8 +133,8 @@ void writePictures(const GrindingRun& run, const std::filesystem::path& folder) 
   closeup.scene.addMesh(run.blisk->mesh(), {}, palette::kSteel);
   addTool(run, pose, closeup);
   Vec3 center = wheel;
-  if (!pose.contacts.empty()) {
-    center = pose.contacts[worstContact(pose)].contact.point_on_a;
+  if (const std::optional<std::size_t> worst = worstContact(pose)) {
+    center = pose.contacts[*worst].contact.point_on_a;
     closeup.annotation.subtitle = describeWorst(run, pose);
   }
   const std::vector<Obb> boxes = boxesNear(*run.blisk, center);

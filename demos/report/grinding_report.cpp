@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 namespace octoblisk::demos {
@@ -19,14 +20,16 @@ void finish(std::ofstream& stream, const std::filesystem::path& file) {
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-/// Runs of poses that interfere, as pairs of first and last pose.
+double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, where they just touch
+
+/// Runs of poses that interfere, each by its first and last pose.
 nlohmann::ordered_json interferingRanges(const std::vector<PoseReport>& poses) {
   nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (poses[i].verdict != Verdict::interference) continue;
     const std::size_t first = i;
     while (i + 1 < poses.size() && poses[i + 1].verdict == Verdict::interference) ++i;
-    ranges.push_back({first, i});
+    ranges.push_back({{"first", first}, {"last", i}});
   }
   return ranges;
 }
@@ -37,15 +40,31 @@ std::size_t GrindingRun::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
 }
 
+void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file) {
+  std::ofstream stream = openForWriting(file);
+  stream.precision(9);
+  stream << "pose,verdict,part,blade,depth_mm\n";
+  for (std::size_t p = 0; p < run.poses.size(); ++p) {
+    const PoseReport& pose = run.poses[p];
+    stream << p << ',' << nameOf(pose.verdict) << ',';
+    if (const std::optional<std::size_t> worst = worstContact(pose)) {
+      const auto& [part, contact] = pose.contacts[*worst];
+      stream << run.parts[part].name << ',' << pose.blades[*worst] << ',' << depthOf(contact) << '\n';
+    } else {
+      stream << ",,\n";
+    }
+  }
+  finish(stream, file);
+}
+
 void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
   std::ofstream stream = openForWriting(file);
   stream.precision(9);
-  stream
-      << "pose,verdict,part,blade,triangle_blisk,triangle_part,blisk_x,blisk_y,blisk_z,part_x,part_y,part_z,"
-         "normal_x,normal_y,normal_z,depth\n";
+  stream << "pose,contact_verdict,part,blade,triangle_blisk,triangle_part,"
+            "blisk_x_mm,blisk_y_mm,blisk_z_mm,part_x_mm,part_y_mm,part_z_mm,"
+            "normal_x,normal_y,normal_z,depth_mm\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
-    if (pose.contacts.empty()) stream << p << ",clear,,,,,,,,,,,,,,\n";
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
       const auto& [part, contact] = pose.contacts[c];
       stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ',' << pose.blades[c]
@@ -53,7 +72,7 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
       for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
         stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
       }
-      stream << ',' << -contact.distance << '\n';
+      stream << ',' << depthOf(contact) << '\n';
     }
   }
   finish(stream, file);
@@ -65,13 +84,16 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   for (const ToolPart& part : run.parts) {
     parts.push_back({{"name", part.name}, {"triangles", part.tree->stats().triangles}});
   }
+  const int blade = run.rules.ground_blade;
+  nlohmann::ordered_json ground_blade;  // null
+  if (blade != 0) ground_blade = blade;
   const nlohmann::ordered_json summary = {
       {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.blade_count}}},
       {"belt", run.belt_name},
       {"path", run.path_name},
       {"parts", parts},
       {"limits",
-       {{"ground_blade", run.rules.ground_blade},
+       {{"ground_blade", ground_blade},
         {"max_depth_mm", run.rules.max_depth},
         {"near_miss_mm", run.near_miss}}},
       {"poses",

@@ -1,0 +1,20 @@
+// Text of a user's file or command line, fit to be shown in a message.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace octoblisk::demos {
+
+/// The text in single quotes. Bytes that are no printable ASCII become '?', and what is longer than 60 bytes
+/// is cut short: the bytes of a binary file must not reach a terminal.
+inline std::string inQuotes(std::string_view text) {
+  constexpr std::size_t kMostBytes = 60;
+  std::string shown = "'";
+  for (const char letter : text.substr(0, kMostBytes)) {
+    shown += letter >= ' ' && letter <= '~' ? letter : '?';
+  }
+  return shown + (text.size() > kMostBytes ? "...'" : "'");
+}
+
+}  // namespace octoblisk::demos
