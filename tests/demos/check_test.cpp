@@ -278,7 +278,12 @@ TEST_F(CheckRefusal, OfBadPosesNamesFileAndLine) {
   expectPosesRefused(kPoseHeader + good + good + "0,0,0,1,0,0\n", "4");
   expectPosesRefused(kPoseHeader + "0,0,0,0,0,0,0\n" + good, "2");
   expectPosesRefused(kPoseHeader + "0,0,0,one,0,0,0\n", "2");
-  expectRefused("--fixed blisk.stl --moving belt.stl --poses missing.csv --out result.csv", "missing.csv: ");
+  expectRefused("--fixed blisk.stl --moving belt.stl --poses missing.csv --out result.csv",
+                "missing.csv: no such file");
+  expectRefused("--fixed blisk.stl --moving belt.stl --poses . --out result.csv", ".: this is a folder");
+  expectRefused("--fixed . --moving belt.stl --poses poses.csv --out result.csv", ".: this is a folder");
+  expectRefused("--fixed blisk.stl --moving belt.stl --poses belt.stl --out result.csv",
+                "belt.stl:1: the file is binary");
   folder_.write("none.csv", kPoseHeader);
   expectRefused("--fixed blisk.stl --moving belt.stl --poses none.csv --out result.csv", "none.csv: ");
 }
@@ -303,6 +308,41 @@ TEST_F(CheckRefusal, OfOptionsItDoesNotKnow) {
         << outcome.error;
   }
   EXPECT_THAT(run(good + "--out result.csv --blades 3").error, HasSubstr("--blades"));
+}
+
+TEST_F(CheckCommand, AnUnknownSubcommandIsNamedWithTheNearest) {
+  const auto refusal = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    return outcome.error;
+  };
+  EXPECT_EQ(refusal("chek --fixed a"),
+            "octoblisk: 'chek' is no subcommand; did you mean 'check'? There are: grind, make, check\n");
+  EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
+  EXPECT_EQ(refusal("polish"), "octoblisk: 'polish' is no subcommand; there are: grind, make, check\n");
+}
+
+TEST_F(CheckCommand, SizesAreBoundedAndTheMessageIsShort) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"make belt --stations 2e9", "--stations: '2e9' is no whole number from 16 to 100000"},
+      {"make belt --stations 2000000000", "--stations: '2000000000' is no whole number from 16 to 100000"},
+      {"make arm --stations 100000 --points-per-station 100000", "octoblisk: stations times points"},
+      {"make belt --width nan", "--width: 'nan' is no number from -100000 to 100000"},
+      {"make blisk --section-count 1000000", "--section-count: '1000000' is no whole number from 2 to 1000"},
+      {"make blisk --triangles 100000000", "--triangles: '100000000' is no whole number from 1 to 10000000"},
+      {"make blisk --tip-radius 1e300", "--tip-radius: '1e300' is no number"},
+      {"make blisk --shroud-thickness 3", "--shroud-thickness requires --shroud"},
+      {"make blisk --shroud-overhang 3", "--shroud-overhang requires --shroud"}};
+  for (const auto& [arguments, message] : cases) {
+    const Outcome outcome = run(arguments + " --out made.stl");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.error, StartsWith(message)) << arguments;
+    EXPECT_LT(outcome.error.find('\n'), 90u) << outcome.error;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "made.stl")) << arguments;
+  }
+  EXPECT_THAT(run("make arm --out ''").error, StartsWith("--out: the name is empty"));
+  make("blisk --triangles 20000 --shroud --shroud-thickness 3 --lean=-1 --out made.stl");
 }
 
 TEST_F(CheckCommand, Helps) {

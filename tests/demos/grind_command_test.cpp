@@ -22,8 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// contacts.csv: its rows by column name.
-std::vector<std::map<std::string, std::string>> readContacts(const std::filesystem::path& file) {
+/// The rows of a table by column name.
+std::vector<std::map<std::string, std::string>> readTable(const std::filesystem::path& file) {
   std::istringstream stream(contentOf(file));
   const auto cells = [](const std::string& line) {
     std::vector<std::string> found;
@@ -67,13 +67,10 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
 
   const std::vector<Pose> path = readPoses(file("run/path.csv"));
   std::map<std::size_t, std::set<std::string>> touching;  // parts, by pose
-  std::set<std::size_t> reported;
-  for (auto& row : readContacts(file("run/contacts.csv"))) {
-    const std::size_t pose = std::stoul(row["pose"]);
-    reported.insert(pose);
-    if (!row["depth"].empty() && std::stod(row["depth"]) >= 0.0) touching[pose].insert(row["part"]);
+  auto contacts = readTable(file("run/contacts.csv"));
+  for (auto& row : contacts) {
+    if (std::stod(row.at("depth_mm")) >= 0.0) touching[std::stoul(row.at("pose"))].insert(row.at("part"));
   }
-  EXPECT_EQ(reported.size(), path.size());
 
   const ClusteredOctree blisk = treeOf(embeddedBlisk());
   std::size_t hits = 0, clear = 0;
@@ -95,13 +92,41 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
                 poses["near_miss"].get<std::size_t>() + poses["interference"].get<std::size_t>(),
             path.size());
   EXPECT_EQ(summary["blisk"]["blades"], 24);
+  EXPECT_EQ(summary["limits"]["ground_blade"], 1);
+  EXPECT_THAT(outcome.out, HasSubstr("ground blade 1 of 24 (intended up to 0.1 mm deep)"));
+
+  // Each pose has the worst of its contacts' verdicts, and the runs that interfere are those of the summary.
+  const auto table = readTable(file("run/poses.csv"));
+  ASSERT_EQ(table.size(), path.size());
+  std::set<std::size_t> interfering, of_contacts, of_summary;
+  for (std::size_t pose = 0; pose < table.size(); ++pose) {
+    EXPECT_EQ(table[pose].at("pose"), std::to_string(pose));
+    if (table[pose].at("verdict") == "interference") interfering.insert(pose);
+  }
+  for (const auto& row : contacts) {
+    const std::size_t pose = std::stoul(row.at("pose"));
+    if (row.at("contact_verdict") == "interference") of_contacts.insert(pose);
+    EXPECT_NE(table[pose].at("part"), "") << "pose " << pose;
+    if (row.at("contact_verdict") != table[pose].at("verdict")) continue;
+    EXPECT_LE(std::stod(row.at("depth_mm")), std::stod(table[pose].at("depth_mm"))) << "pose " << pose;
+  }
+  for (const auto& range : summary["interfering_poses"]) {
+    for (std::size_t pose = range["first"]; pose <= range["last"]; ++pose) of_summary.insert(pose);
+  }
+  EXPECT_FALSE(interfering.empty());
+  EXPECT_EQ(interfering, of_contacts);
+  EXPECT_EQ(interfering, of_summary);
 }
 
 TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
   folder_.write("away.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n310,0,0,1,0,0,0\n");
   const Outcome outcome = run("--path away.csv --out run");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_THAT(outcome.out, HasSubstr("no blade ground (the blisk has 24)"));
   EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
+  EXPECT_EQ(contentOf(file("run/poses.csv")), "pose,verdict,part,blade,depth_mm\n0,clear,,,\n1,clear,,,\n");
   EXPECT_GT(std::filesystem::file_size(file("run/overview.png")), 10'000u);
   EXPECT_GT(std::filesystem::file_size(file("run/closeup.png")), 1'000u);
 }
@@ -130,6 +155,35 @@ TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {
   EXPECT_EQ(outward, contentOf(file("inward/contacts.csv")));
 }
 
+TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make drive-wheel --out round.ply").exit_code, 0);
+  // The wheel, 20 mm wide at x = 270 to 330, is no blisk; the belt's contact wheel is put into its rim.
+  folder_.write("touch.csv", "x,y,z,qw,qx,qy,qz\n335,0,0,1,0,0,0\n");
+  const Outcome outcome = run("--blisk round.ply --path touch.csv --no-pictures --out run");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.error, StartsWith("octoblisk: warning: round.ply: no blades were found"));
+  EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("on hub or shroud"));
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
+}
+
+TEST_F(GrindCommand, neverWritesATableOverThePathItReads) {
+  const std::string path = "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n";
+  folder_.write("poses.csv", path);
+  const Outcome refused = run("--path poses.csv --no-pictures --out .");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.error, HasSubstr("poses.csv: cannot be both read and written"));
+  EXPECT_EQ(contentOf(file("poses.csv")), path);
+}
+
+TEST_F(GrindCommand, helpTellsWhatTheTablesMean) {
+  const std::string help = run("--help").out;
+  for (const char* told : {"poses.csv", "contacts.csv", "blade 0 is hub or shroud",
+                           "normal points from the part", "not free of it on purpose"}) {
+    EXPECT_THAT(help, HasSubstr(told));
+  }
+}
+
 TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
   folder_.write("empty.stl", "");
   folder_.write("short.csv", "x,y,z,qw,qx,qy,qz\n1,2,3\n");
@@ -150,10 +204,15 @@ TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
     EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   }
   EXPECT_EQ(run("").exit_code, 2);
-  EXPECT_EQ(run("--max-depth -1 --out run").exit_code, 2);
-  EXPECT_EQ(run("--near-miss 0 --out run").exit_code, 2);
-  EXPECT_EQ(run("--near-miss nan --out run").exit_code, 2);
-  EXPECT_EQ(run("--max-depth nan --out run").exit_code, 2);
+  for (const char* arguments :
+       {"--max-depth -1 --out run", "--max-depth nan --out run", "--max-depth 1e999 --out run",
+        "--near-miss 0 --out run", "--near-miss nan --out run", "--near-miss 1e9 --out run", "--out ''",
+        "--blisk '' --out run", "--path '' --out run", "--ground-blade 0 --out run"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.error, StartsWith("--")) << "names the option";
+    EXPECT_LT(outcome.error.find('\n'), 80u) << outcome.error;
+  }
   EXPECT_EQ(run("--help").exit_code, 0);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cell/reduce_contacts.h"
 #include "cell/verdict.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
@@ -51,24 +52,116 @@ TEST(GrindingCell, contacts_vs_bruteforce) {
     const std::vector<PartContact> found = cell.contactsAt(pose);
     for (std::size_t part = 0; part < 2; ++part) {
       const auto expected = testing::bruteForceContacts(*blisk, part == 0 ? *ring : *box, pose, kReach);
-      double least = 1.0, reported = 1.0;
+      double least = 1.0;
       for (const Contact& contact : expected) least = std::min(least, contact.distance);
+      ASSERT_EQ(std::ranges::count(found, part, &PartContact::part), std::ssize(expected)) << "pose " << i;
       for (const PartContact& contact : found) {
         if (contact.part != part) continue;
-        reported = std::min(reported, contact.contact.distance);
         const auto same = std::ranges::find_if(expected, [&](const Contact& c) {
           return c.triangle_a == contact.contact.triangle_a && c.triangle_b == contact.contact.triangle_b;
         });
         ASSERT_NE(same, expected.end());
         ASSERT_TRUE(contact.contact.point_on_a.isApprox(same->point_on_a, 1e-9));
         ASSERT_TRUE(contact.contact.normal.isApprox(same->normal, 1e-9));
+        ASSERT_NEAR(contact.contact.distance, same->distance, 1e-12);
       }
-      ASSERT_NEAR(reported, least, 1e-12) << "pose " << i;
       hits += least <= 0.0;
     }
   }
   EXPECT_GT(hits, 2 * kPoses * 3 / 10);
   EXPECT_LT(hits, 2 * kPoses * 7 / 10);
+}
+
+std::vector<int> bladesOf(std::span<const PartContact> contacts, std::span<const int> blade_of_triangle) {
+  std::vector<int> blades;
+  for (const PartContact& found : contacts) blades.push_back(blade_of_triangle[found.contact.triangle_a]);
+  return blades;
+}
+
+/// Four posts of blade 1 round a post of blade 2, which is lower; their tops face up.
+struct Posts {
+  static constexpr double kStep = 0.01;  ///< by which blade 2 is lower
+
+  std::vector<Vec3> vertices;
+  std::vector<TriangleMesh::Indices> triangles;
+  std::vector<int> blade_of_triangle;
+
+  Posts() {
+    for (const double x : {-2.0, 2.0}) {
+      for (const double y : {-2.0, 2.0}) add({x, y, -1.0}, 1);
+    }
+    add({0.0, 0.0, -1.0 - kStep}, 2);
+  }
+
+  void add(const Vec3& center, int blade) {
+    const auto box = testing::boxMesh({0.3, 0.3, 1.0});
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    for (const Vec3& corner : box->vertices()) vertices.push_back(corner + center);
+    for (const auto& [a, b, c] : box->triangles()) {
+      triangles.push_back({first + a, first + b, first + c});
+      blade_of_triangle.push_back(blade);
+    }
+  }
+};
+
+TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt) {
+  const Posts posts;
+  GrindingCell cell(treeOf({posts.vertices, posts.triangles}),
+                    {{"belt", treeOf(*testing::boxMesh({5, 5, 1}))}}, 0.5);
+  const VerdictRules rules{.ground_blade = 1, .max_depth = 0.1};
+  const auto judged = [&](double depth, bool per_blade) {
+    const Pose pose{Mat3::Identity(), Vec3(0.0, 0.0, 1.0 - depth)};
+    const std::vector<PartContact> all = cell.contactsAt(pose);
+    // As if all triangles were of one blade: a few of each patch, whosever they are.
+    const std::vector<int> one_blade(posts.triangles.size(), 1);
+    PoseReport report{pose, reduceContacts(all, per_blade ? posts.blade_of_triangle : one_blade), {}, {}, {}};
+    report.blades = bladesOf(report.contacts, posts.blade_of_triangle);
+    judge({&report, 1}, rules);
+    return report;
+  };
+  EXPECT_LT(judged(0.05, false).verdict, Verdict::interference) << "the scene hides nothing";
+  const PoseReport report = judged(0.05, true);
+  EXPECT_EQ(report.verdict, Verdict::interference);
+  const std::size_t worst = worstContact(report).value();
+  EXPECT_EQ(report.blades[worst], 2);
+  EXPECT_NEAR(report.contacts[worst].contact.distance, -(0.05 - Posts::kStep), 1e-12);
+  EXPECT_EQ(judged(Posts::kStep / 2, true).verdict, Verdict::near_miss) << "apart from blade 2";
+}
+
+TEST(ReduceContacts, verdicts_vs_all_contacts_of_bruteforce) {
+  const auto blisk = testing::fan(9, 10), belt = testing::torus(0.5, 0.15, 20, 12);
+  constexpr double kReach = 0.05;
+  GrindingCell cell(treeOf(*blisk), {{"belt", treeOf(*belt)}}, kReach);
+  const VerdictRules rules{.ground_blade = 1, .max_depth = 0.15};
+  std::mt19937_64 random(52);
+  int interference = 0, fewer = 0;
+  constexpr int kPoses = 150;
+  for (int i = 0; i < kPoses; ++i) {
+    std::vector<int> blade_of_triangle(blisk->triangleCount());  // most of blade 1, some of others or the hub
+    for (int& blade : blade_of_triangle) blade = random() % 20 == 0 ? int(random() % 3) : 1;
+    const Pose pose = testing::randomPose(random, 1.4);
+
+    std::pair<Verdict, double> expected{Verdict::clear, -1.0};  // verdict and depth of the worst of all
+    for (const Contact& contact : testing::bruteForceContacts(*blisk, *belt, pose, kReach)) {
+      const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], rules);
+      expected = std::max(expected, {verdict, -contact.distance});
+    }
+    const std::vector<PartContact> all = cell.contactsAt(pose);
+    PoseReport report{pose, reduceContacts(all, blade_of_triangle), {}, {}, {}};
+    report.blades = bladesOf(report.contacts, blade_of_triangle);
+    judge({&report, 1}, rules);
+    ASSERT_EQ(report.verdict, expected.first) << "pose " << i;
+    const std::optional<std::size_t> worst = worstContact(report);
+    ASSERT_EQ(worst.has_value(), !all.empty());
+    if (worst) {
+      ASSERT_NEAR(-report.contacts[*worst].contact.distance, expected.second, 1e-9) << "pose " << i;
+    }
+    interference += report.verdict == Verdict::interference;
+    fewer += report.contacts.size() < all.size();
+  }
+  EXPECT_GT(interference, kPoses * 3 / 10);
+  EXPECT_LT(interference, kPoses * 7 / 10);
+  EXPECT_GT(fewer, kPoses * 3 / 10) << "nothing to reduce";
 }
 
 PartContact contactOf(std::size_t part, double distance) {
@@ -98,6 +191,8 @@ TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
   poses[0].blades = {3, 3, 4};
   judge(poses, {.ground_blade = 3});
   EXPECT_EQ(poses[0].verdict, Verdict::interference);
+  EXPECT_EQ(worstContact(poses[0]), 2u) << "not the deepest, but the one that interferes";
+  EXPECT_EQ(worstContact(poses[1]), std::nullopt);
   EXPECT_EQ(poses[1].verdict, Verdict::clear);
   EXPECT_EQ(mostTouchedBlade(poses, 0), 3);
   EXPECT_EQ(mostTouchedBlade(poses, 1), 0);

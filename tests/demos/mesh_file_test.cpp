@@ -144,7 +144,15 @@ TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
   EXPECT_THAT(refusal("m.step", kObj), HasSubstr("'.step'"));
   for (const char* name : {"m.stl", "m.obj", "m.ply"}) EXPECT_THAT(refusal(name, ""), HasSubstr("empty"));
   EXPECT_THAT(refusal("m.ply", "play\n"), HasSubstr("m.ply:1: "));
-  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("truncated"));
+  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("no STL file"));
+  EXPECT_THAT(messageOf<std::runtime_error>([&] { readMesh(folder_.path() / "."); }),
+              ::testing::Not(HasSubstr("no such file")));
+}
+
+TEST_F(MeshFile, NamesTheFormatThatAMisnamedFileHas) {
+  EXPECT_THAT(refusal("m.stl", "# made by hand\n" + kObj), HasSubstr("name it .obj"));
+  EXPECT_THAT(refusal("m.stl", kPly), HasSubstr("name it .ply"));
+  EXPECT_THAT(refusal("m.obj", kAsciiStl), HasSubstr("name it .stl"));
 }
 
 TEST_F(MeshFile, RefusesTruncatedStl) {
@@ -164,11 +172,15 @@ TEST_F(MeshFile, RefusesTruncatedStl) {
 TEST_F(MeshFile, RefusesTruncatedObj) {
   EXPECT_THAT(refusal("m.obj", kObj.substr(0, kObj.size() - 3)),
               AllOf(HasSubstr("m.obj:6: "), HasSubstr("corners")));
-  EXPECT_THAT(refusal("m.obj", kObj.substr(0, kObj.size() - 1)), HasSubstr("no line end"));
+  EXPECT_THAT(refusal("m.obj", kObj + "v 1 2"), HasSubstr("m.obj:7: "));
   EXPECT_THAT(refusal("m.obj", "v 0 0 0\nv 1 0\n"), HasSubstr("m.obj:2: "));
-  EXPECT_THAT(refusal("m.obj", kObj + "f 1 2 9\n"), HasSubstr("out of range"));
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "v 0 1 0", "v 0 one 0")),
               AllOf(HasSubstr("m.obj:3: "), HasSubstr("one")));
+}
+
+TEST_F(MeshFile, TakesAnObjWhoseLastLineIsCompleteWithoutItsEnd) {
+  expectTwoTriangles(read("m.obj", kObj.substr(0, kObj.size() - 1)));
+  expectTwoTriangles(read("m.obj", "f 1 2 3\nf 1 3 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1.5"));
 }
 
 TEST_F(MeshFile, RefusesEveryTruncationOfPly) {
@@ -188,6 +200,15 @@ TEST_F(MeshFile, RefusesIndicesOfNoVertex) {
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 4")),
               AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are 4")));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 -1")), HasSubstr("uses vertex -1"));
+  const std::pair<const char*, const char*> of_obj[] = {
+      {"f 1 2 9", "uses vertex 9, but there are 4"},   {"f 1/1 2/2 5/3", "uses vertex 5, but there are 4"},
+      {"f 0 1 2", "uses vertex 0, but there are 4"},   {"f -5 1 2", "uses vertex -5, but there are 4"},
+      {"f 1 2 x", "'x' is no index of a vertex"},      {"f 1 2 /3", "'' is no index of a vertex"},
+      {"f 1 2 99999999999999999999", "is no index of"}};
+  for (const auto& [face, message] : of_obj) {
+    EXPECT_THAT(refusal("m.obj", kObj + face + "\n" + "f 2 3 4\n"),
+                AllOf(HasSubstr("m.obj:7: "), HasSubstr(message)));
+  }
 }
 
 TEST_F(MeshFile, RefusesFilesWithoutTriangles) {

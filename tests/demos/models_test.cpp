@@ -261,6 +261,7 @@ TEST(BladeSections, RefuseBadFilesByFileAndLine) {
   EXPECT_THAT(refusal("x,y,z\n1,2,3,4\n"), AllOf(HasSubstr("s2.csv:2: "), HasSubstr("4 columns")));
   EXPECT_THAT(refusal("x,y,z\n1,2,3\n4,5,6\n"), AllOf(HasSubstr("s2.csv:3: "), HasSubstr("2 points")));
   EXPECT_THAT(refusal("a,b,c\n1,2,3\n"), AllOf(HasSubstr("s2.csv:1: "), HasSubstr("header")));
+  EXPECT_THAT(refusal("x,y,z\n1,2,3\n1,-1e300,3\n"), AllOf(HasSubstr("s2.csv:3: "), HasSubstr("100,000 mm")));
   EXPECT_THAT(refusal(""), AllOf(HasSubstr("s2.csv:1: "), HasSubstr("empty")));
   EXPECT_THAT(refusal(csvOf(makeBladeSections({}).loops[0], false)),
               AllOf(HasSubstr("s2.csv"), HasSubstr("farther out")));
@@ -275,6 +276,7 @@ TEST(HubProfile, RefusesBadFilesByFileAndLine) {
   EXPECT_THAT(refusal("z,r\n0,1\n"), AllOf(HasSubstr("hub.csv:2: "), HasSubstr("two points")));
   EXPECT_THAT(refusal("z,r\n0,1\n0,2\n"), AllOf(HasSubstr("hub.csv:3: "), HasSubstr("greater")));
   EXPECT_THAT(refusal("z,r\n0,1\n1,-2\n"), AllOf(HasSubstr("hub.csv:3: "), HasSubstr("above 0")));
+  EXPECT_THAT(refusal("z,r\n0,1\n1e300,2\n"), AllOf(HasSubstr("hub.csv:3: "), HasSubstr("100,000 mm")));
   EXPECT_THAT(refusal("z,r\n0\n"), AllOf(HasSubstr("hub.csv:2: "), HasSubstr("1 columns")));
   EXPECT_THAT(messageOf<std::runtime_error>([&] { readHubProfile(folder.path() / "none.csv"); }),
               HasSubstr("none.csv: cannot be opened"));

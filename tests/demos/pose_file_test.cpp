@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -49,6 +50,20 @@ TEST_F(PoseFile, NormalisesQuaternionsOfFewDigits) {
   const Mat3 rotation = read(kHeader + "0,0,0,0.7071,0.4082,-0.4082,0.4082\n").front().rotation;
   EXPECT_LE((rotation.transpose() * rotation - Mat3::Identity()).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_GT(rotation.determinant(), 0.0);
+}
+
+TEST_F(PoseFile, MessagesShowNoRawBytes) {
+  const auto isPlain = [](const std::string& text) {
+    return std::ranges::all_of(text, [](char letter) { return letter >= ' ' && letter <= '~'; });
+  };
+  const std::string binary("\x1b[31m\x01\xff,\x80", 9);
+  for (const std::string& content : {binary, kHeader + binary, kHeader + "1,2,3,1,0,0," + binary,
+                                     kHeader + std::string(3, '\0'), std::string(1000, 'x')}) {
+    const std::string message = refusal(content);
+    EXPECT_TRUE(isPlain(message)) << message;
+    EXPECT_LT(message.size(), folder_.path().string().size() + 160);
+  }
+  EXPECT_THAT(refusal(std::string(3, '\0')), HasSubstr("binary"));
 }
 
 TEST_F(PoseFile, ComesBackAsWritten) {

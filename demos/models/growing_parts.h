@@ -1,0 +1,50 @@
+// The parts that triangles make as they are added from the outside in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "models/welded_surface.h"
+
+namespace octoblisk::demos {
+
+/// Triangles that hang together by shared vertices.
+struct Part {
+  std::uint32_t root = 0;  ///< one of its vertices
+  double area = 0.0;
+  Vec3 centroid = Vec3::Zero();
+};
+
+/// The parts of the triangles added so far.
+class GrowingParts {
+ public:
+  /// The surface must outlive the parts.
+  explicit GrowingParts(const WeldedSurface& surface);
+
+  /// Adds all triangles beyond a radius and below another; the first must not grow from call to call.
+  void addBetween(double low, double high);
+
+  /// The vertex that stands for all of its part.
+  std::uint32_t rootOf(std::uint32_t vertex);
+
+  /// Those that have an area.
+  std::vector<Part> parts();
+
+ private:
+  struct Sums {
+    double area = 0.0;
+    Vec3 moment = Vec3::Zero();
+  };
+
+  void add(std::uint32_t triangle);
+
+  const WeldedSurface& surface_;
+  std::vector<std::uint32_t> parent_;
+  std::vector<Sums> sums_;
+  std::vector<bool> seen_;
+  std::vector<std::uint32_t> roots_;  ///< and vertices that were roots
+  std::size_t next_ = 0;
+};
+
+}  // namespace octoblisk::demos
