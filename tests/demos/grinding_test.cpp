@@ -78,7 +78,7 @@ std::vector<int> bladesOf(std::span<const PartContact> contacts, std::span<const
   return blades;
 }
 
-/// Four posts of blade 1 round a post of blade 2, which is lower; their tops face up.
+/// Four posts of blade 1 about a post of blade 2, which is lower; their tops face up.
 struct Posts {
   static constexpr double kStep = 0.01;  ///< by which blade 2 is lower
 
@@ -90,7 +90,7 @@ struct Posts {
     for (const double x : {-2.0, 2.0}) {
       for (const double y : {-2.0, 2.0}) add({x, y, -1.0}, 1);
     }
-    add({0.0, 0.0, -1.0 - kStep}, 2);
+    add({1.0, -0.5, -1.0 - kStep}, 2);  // off the edge between the two triangles that lie on them
   }
 
   void add(const Vec3& center, int blade) {
