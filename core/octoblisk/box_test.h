@@ -72,6 +72,17 @@ HWY_INLINE Float8 widestGap(const Box8& boxes, const BoxF& box) {
              max(max(gaps.of_boxes[0], gaps.of_boxes[1]), gaps.of_boxes[2]));
 }
 
+/// A lower bound of the squared distances of the eight boxes to `box`.
+HWY_INLINE Float8 squaredDistanceBound(const Box8& boxes, const BoxF& box) {
+  const FaceGaps gaps = faceGaps(boxes, box);
+  const auto squared = [](const Float8 gap[3]) HWY_ATTR {
+    const Float8 zero(0.0f);
+    const Vec8 apart{max(gap[0], zero), max(gap[1], zero), max(gap[2], zero)};
+    return dot(apart, apart);
+  };
+  return max(squared(gaps.of_box), squared(gaps.of_boxes));
+}
+
 }  // namespace octoblisk::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -63,6 +63,15 @@ class Float8 {
   friend HWY_INLINE Float8 sqrt(const Float8& a) {
     return combined(a, a, [](auto x, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(x); });
   }
+  /// Where a < b `yes`, else `no`.
+  friend HWY_INLINE Float8 select(const Float8& a, const Float8& b, const Float8& yes, const Float8& no) {
+    Float8 result;
+    for (std::size_t p = 0; p < kParts; ++p) {
+      result.part_[p] = hwy::HWY_NAMESPACE::IfThenElse(hwy::HWY_NAMESPACE::Lt(a.part_[p], b.part_[p]),
+                                                       yes.part_[p], no.part_[p]);
+    }
+    return result;
+  }
 
   /// Bit i: a[i] < b[i]; bits beyond the eighth are 0.
   friend HWY_INLINE unsigned less(const Float8& a, const Float8& b) {
@@ -104,6 +113,12 @@ struct Vec8 {
   friend HWY_INLINE Float8 dot(const Vec8& a, const Vec8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
   friend HWY_INLINE Vec8 cross(const Vec8& a, const Vec8& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend HWY_INLINE Vec8 min(const Vec8& a, const Vec8& b) {
+    return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
+  }
+  friend HWY_INLINE Vec8 max(const Vec8& a, const Vec8& b) {
+    return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
   }
   /// |x| + |y| + |z|
   friend HWY_INLINE Float8 sumOfMagnitudes(const Vec8& a) { return abs(a.x) + abs(a.y) + abs(a.z); }

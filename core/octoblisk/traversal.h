@@ -19,11 +19,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
 
-/// Calls put(lane, gap) for each of the eight boxes that is no farther than `reach` from `box`.
+/// Calls put(lane, gap) for each of the eight gaps that is no larger than `limit`.
 template <typename Put>
-HWY_INLINE void forEachWithin(const Box8& boxes, const BoxF& box, float reach, Put&& put) {
-  const Float8 gap = widestGap(boxes, box);
-  unsigned near = kAllLanes & ~less(Float8(reach), gap);
+HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
+  unsigned near = kAllLanes & ~less(Float8(limit), gap);
   if (near == 0) return;
   float gaps[kLanes];
   gap.store(gaps);
@@ -33,25 +32,24 @@ HWY_INLINE void forEachWithin(const Box8& boxes, const BoxF& box, float reach, P
   }
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves whose boxes, and all boxes above, may be within
-/// `reach` of each other, those that overlap most first. Returns true as soon as visit does, else false.
-template <typename Visit>
-bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, double reach,
-                   Visit&& visit) {
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves of which no gap(boxes, box), nor one of the
+/// boxes above, is larger than limit(), which may shrink; the smallest gaps first. Returns true as soon as
+/// visit does, else false.
+template <typename Gap, typename Limit, typename Visit>
+bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Gap&& gap,
+               Limit&& limit, Visit&& visit) {
   struct Entry {
     Slot a, b;
     float gap;
-    Entry() = default;
-    Entry(Slot slot_a, Slot slot_b, float widest_gap) : a(slot_a), b(slot_b), gap(widest_gap) {}
   };
-  const float limit = pose.limit(reach);
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
   const BoxF root = posed(pose.b_to_a, b.boxes(ClusteredOctree::kRoot), 0);
-  forEachWithin(a.boxes(ClusteredOctree::kRoot), root, limit, [&](std::uint32_t lane, float gap) {
-    stack.pushSorted(0, {{0, lane}, ClusteredOctree::kRoot, gap});
+  forEachWithin(gap(a.boxes(ClusteredOctree::kRoot), root), limit(), [&](std::uint32_t lane, float found) {
+    stack.pushSorted(0, {{0, lane}, ClusteredOctree::kRoot, found});
   });
   while (!stack.empty()) {
     const Entry pair = stack.pop();
+    if (pair.gap > limit()) continue;
     const Child child_a = a.child(pair.a), child_b = b.child(pair.b);
     if (child_a.isLeaf() && child_b.isLeaf()) {
       if (visit(pair.a, pair.b)) return true;
@@ -63,18 +61,28 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Loc
     if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
       const BoxF box = posed(pose.b_to_a, boxes_b, pair.b.lane);
       const std::uint32_t node = child_a.node();
-      forEachWithin(a.nodes()[node].boxes, box, limit, [&](std::uint32_t lane, float gap) {
-        stack.pushSorted(first, {{node, lane}, pair.b, gap});
+      forEachWithin(gap(a.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+        stack.pushSorted(first, {{node, lane}, pair.b, found});
       });
     } else {
       const BoxF box = posed(pose.a_to_b, boxes_a, pair.a.lane);
       const std::uint32_t node = child_b.node();
-      forEachWithin(b.nodes()[node].boxes, box, limit, [&](std::uint32_t lane, float gap) {
-        stack.pushSorted(first, {pair.a, {node, lane}, gap});
+      forEachWithin(gap(b.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+        stack.pushSorted(first, {pair.a, {node, lane}, found});
       });
     }
   }
   return false;
+}
+
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves whose boxes, and all boxes above, may be within
+/// `reach` of each other, those that overlap most first. Returns true as soon as visit does, else false.
+template <typename Visit>
+bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, double reach,
+                   Visit&& visit) {
+  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
+  return walkPairs(
+      a, b, pose, gap, [limit = pose.limit(reach)] { return limit; }, visit);
 }
 
 /// Calls visit(leaf) for all leaves whose boxes may be within `reach` of a box in the mesh's frame, those
@@ -92,9 +100,10 @@ bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double rea
                  box_in_tree.half_extents.cast<float>()};
   const float limit = traversalLimit(reach, center.norm() + tree.radius() + box_in_tree.half_extents.norm());
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
-  forEachWithin(tree.boxes(ClusteredOctree::kRoot), box, limit, [&](std::uint32_t lane, float gap) {
-    stack.pushSorted(0, {{0, lane}, gap});
-  });
+  forEachWithin(widestGap(tree.boxes(ClusteredOctree::kRoot), box), limit,
+                [&](std::uint32_t lane, float gap) {
+                  stack.pushSorted(0, {{0, lane}, gap});
+                });
   while (!stack.empty()) {
     const Child child = tree.child(stack.pop().slot);
     if (child.isLeaf()) {
@@ -103,7 +112,7 @@ bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double rea
     }
     const std::size_t first = stack.size();
     const std::uint32_t node = child.node();
-    forEachWithin(tree.nodes()[node].boxes, box, limit, [&](std::uint32_t lane, float gap) {
+    forEachWithin(widestGap(tree.nodes()[node].boxes, box), limit, [&](std::uint32_t lane, float gap) {
       stack.pushSorted(first, {{node, lane}, gap});
     });
   }

@@ -1,0 +1,60 @@
+#include "octoblisk/distance.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octoblisk/distance.cpp"
+#include <hwy/foreach_target.h>
+
+#include "octoblisk/nearest.h"
+#include "octoblisk/traversal.h"
+#include "octoblisk/triangle_distance.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, Nearest& nearest) {
+  const LocalPose pose(a, b, b_in_a);
+  nearest.setSize(pose.size);
+  const auto bound = [](const Box8& boxes, const BoxF& box)
+                         HWY_ATTR { return squaredDistanceBound(boxes, box); };
+  const auto limit = [&] { return nearest.squaredLimit(); };
+  walkPairs(a, b, pose, bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+    const LeafPair leaves(a, b, pose, slot_a, slot_b);
+    const TriangleLanes triangles_of_b(leaves);
+    const NearTriangles near(leaves);
+    for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
+      unsigned candidates = near.boundsWithin(i, nearest.limit());
+      if (candidates == 0) continue;
+      const auto verdicts = triangles_of_b.meet(i);
+      const unsigned touching = verdicts.meet | verdicts.open;
+      candidates = (candidates & near.within(i, nearest.limit())) | touching;
+      for (; candidates != 0; candidates &= candidates - 1) {
+        const auto j = static_cast<std::uint32_t>(std::countr_zero(candidates));
+        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+        if (nearest.offer(pair, (touching >> j & 1u) != 0)) return true;
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+
+HWY_EXPORT(searchPairs);
+
+Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                   const DistanceOptions& options) {
+  Nearest nearest(a.mesh(), b.mesh(), b_in_a, options);
+  const auto within = [](std::uint32_t triangle, const ClusteredOctree& tree) {
+    return triangle < tree.mesh().triangleCount();
+  };
+  const bool hinted = within(options.hint.a, a) && within(options.hint.b, b);
+  if (!hinted || !nearest.offer(options.hint, true)) HWY_DYNAMIC_DISPATCH(searchPairs)(a, b, b_in_a, nearest);
+  return nearest.clearance();
+}
+
+}  // namespace octoblisk
+#endif
