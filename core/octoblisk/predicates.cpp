@@ -1,7 +1,10 @@
 #include "octoblisk/predicates.h"
 
+#include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 namespace octoblisk {
 namespace {
@@ -10,61 +13,92 @@ constexpr double kEpsilon = 0x1p-53;                              // half an ulp
 constexpr double kFilter3d = (7.0 + 56.0 * kEpsilon) * kEpsilon;  // Shewchuk's o3derrboundA
 constexpr double kFilter2d = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // Shewchuk's ccwerrboundA
 
+/// More than all that underflow may add to a determinant of differences up to 1e15; products that overflow
+/// make the filter give up.
+constexpr double kUnderflow = 1e-300;
+
 int sign(double value) { return (value > 0.0) - (value < 0.0); }
 
-/// A sum of doubles kept without rounding, as components that do not overlap, smallest first.
-template <int Capacity>
+__extension__ using Wide = unsigned __int128;
+
+/// A sum of products of doubles in integers: exact for all finite doubles, denormal ones too.
 class ExactSum {
  public:
-  /// Adds x·y·z exactly: four components.
-  void addProduct(double x, double y, double z) {
-    const double xy = x * y;
-    const double xy_tail = std::fma(x, y, -xy);
-    addProduct(xy, z);
-    addProduct(xy_tail, z);
+  /// Adds x·y·z.
+  void add(double x, double y, double z) {
+    if (x == 0.0 || y == 0.0 || z == 0.0) return;
+    const Parts px = partsOf(x), py = partsOf(y), pz = partsOf(z);
+    const Wide xy = static_cast<Wide>(px.mantissa) * py.mantissa;
+    const Wide low = static_cast<Wide>(static_cast<Word>(xy)) * pz.mantissa;
+    const Wide high = (xy >> 64) * pz.mantissa + (low >> 64);
+    const std::array<Word, 3> product = {static_cast<Word>(low), static_cast<Word>(high),
+                                         static_cast<Word>(high >> 64)};
+    const int exponent = px.exponent + py.exponent + pz.exponent - kLowest;
+    addShifted(product, exponent, (px.negative != py.negative) != pz.negative ? negative_ : positive_);
   }
 
-  void addProduct(double x, double y) {
-    const double product = x * y;
-    add(std::fma(x, y, -product));
-    add(product);
+  int sign() const {
+    for (std::size_t w = kWords; w-- > 0;) {
+      if (positive_[w] != negative_[w]) return positive_[w] > negative_[w] ? 1 : -1;
+    }
+    return 0;
   }
-
-  int sign() const { return count_ == 0 ? 0 : octoblisk::sign(component_[count_ - 1]); }
 
  private:
-  // Shewchuk's Grow-Expansion with the zeros left out.
-  void add(double value) {
-    double sum = value;
-    int kept = 0;
-    for (int i = 0; i < count_; ++i) {
-      const double total = sum + component_[i];
-      const double part = total - sum;
-      const double tail = (sum - (total - part)) + (component_[i] - part);
-      if (tail != 0.0) component_[kept++] = tail;
-      sum = total;
-    }
-    if (sum != 0.0) component_[kept++] = sum;
-    assert(kept <= Capacity);
-    count_ = kept;
+  using Word = std::uint64_t;
+  static constexpr int kLowest = -3 * 1074;  // the exponent of the last bit: the least double, cubed
+  static constexpr std::size_t kWords = 99;  // 3·1074 + 3·1024 bits, and 5 for the sum of 24 terms
+  using Words = std::array<Word, kWords>;
+
+  /// ±mantissa · 2^exponent, exactly.
+  struct Parts {
+    Word mantissa;
+    int exponent;
+    bool negative;
+  };
+
+  static Parts partsOf(double value) {
+    const Word bits = std::bit_cast<Word>(value);
+    const Word fraction = bits & ((Word{1} << 52) - 1);
+    const int biased = static_cast<int>(bits >> 52) & 0x7ff;
+    const bool normal = biased != 0;
+    return {normal ? fraction | Word{1} << 52 : fraction, (normal ? biased : 1) - 1075, (bits >> 63) != 0};
   }
 
-  double component_[Capacity];
-  int count_ = 0;
+  static void addShifted(const std::array<Word, 3>& product, int shift, Words& sum) {
+    auto word = static_cast<std::size_t>(shift / 64);
+    const int bit = shift % 64;
+    Wide carry = 0;
+    Word spill = 0;  // of the product's word below
+    for (const Word part : product) {
+      carry += static_cast<Wide>(sum[word]) + ((part << bit) | spill);
+      spill = bit == 0 ? 0 : part >> (64 - bit);
+      sum[word++] = static_cast<Word>(carry);
+      carry >>= 64;
+    }
+    carry += spill;
+    for (; carry != 0; carry >>= 64) {
+      assert(word < kWords);
+      carry += sum[word];
+      sum[word++] = static_cast<Word>(carry);
+    }
+  }
+
+  Words positive_{};
+  Words negative_{};
 };
 
 /// Adds factor · u·(v×w), factor = ±1.
-template <typename Sum>
-void addTripleProduct(Sum& sum, double factor, const Vec3& u, const Vec3& v, const Vec3& w) {
+void addTripleProduct(ExactSum& sum, double factor, const Vec3& u, const Vec3& v, const Vec3& w) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum.addProduct(factor * u[i], v[j], w[k]);
-    sum.addProduct(-factor * u[i], v[k], w[j]);
+    sum.add(factor * u[i], v[j], w[k]);
+    sum.add(-factor * u[i], v[k], w[j]);
   }
 }
 
 int exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  ExactSum<96> sum;  // 4 triple products of 6 terms of 4 components
+  ExactSum sum;
   addTripleProduct(sum, 1.0, b, c, d);
   addTripleProduct(sum, -1.0, a, c, d);
   addTripleProduct(sum, 1.0, a, b, d);
@@ -73,10 +107,10 @@ int exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int exactOrient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  ExactSum<12> sum;  // 6 terms of 2 components
+  ExactSum sum;
   const auto addCross = [&](double factor, const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-    sum.addProduct(factor * u.x(), v.y());
-    sum.addProduct(-factor * u.y(), v.x());
+    sum.add(factor, u.x(), v.y());
+    sum.add(-factor, u.y(), v.x());
   };
   addCross(1.0, b, c);
   addCross(-1.0, a, c);
@@ -95,7 +129,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double permanent = (std::abs(xy) + std::abs(yx)) * std::abs(ad.z()) +
                            (std::abs(yz) + std::abs(zy)) * std::abs(ad.x()) +
                            (std::abs(zx) + std::abs(xz)) * std::abs(ad.y());
-  if (std::abs(determinant) > kFilter3d * permanent) return sign(determinant);
+  if (std::abs(determinant) > kFilter3d * permanent + kUnderflow) return sign(determinant);
   return exactOrient3d(a, b, c, d);
 }
 
@@ -103,7 +137,8 @@ int orient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Ve
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   const double determinant = left - right;
-  if (std::abs(determinant) > kFilter2d * (std::abs(left) + std::abs(right))) return sign(determinant);
+  if (std::abs(determinant) > kFilter2d * (std::abs(left) + std::abs(right)) + kUnderflow)
+    return sign(determinant);
   return exactOrient2d(a, b, c);
 }
 

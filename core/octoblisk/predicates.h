@@ -1,9 +1,8 @@
 // Exact signs of determinants: the ground that "misses nothing" stands on.
 //
-// A floating-point filter decides nearly all calls; where it can't, the determinant is summed without any
-// rounding (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-// Predicates, 1997). Exact as long as no product of three coordinates over- or underflows, which holds for
-// magnitudes of 0 or 1e-60 to 1e60.
+// A floating-point filter (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust
+// Geometric Predicates, 1997) decides nearly all calls; where it can't, the determinant is summed in
+// integers. Exact for all finite doubles, however small or large.
 #pragma once
 
 #include "octoblisk/types.h"

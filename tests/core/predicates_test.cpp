@@ -70,6 +70,30 @@ TEST(Predicates, orient3dChangesSignWithEverySwap) {
   }
 }
 
+TEST(Predicates, exactAtEveryScale) {
+  // Determinants of integers are as exact when every corner is scaled by a power of two, down to denormals.
+  std::mt19937_64 random(4);
+  std::array<int, 3> seen{};
+  for (int i = 0; i < 200'000; ++i) {
+    const double size = i % 2 ? 2.0 : 1000.0;
+    const auto point = [&] { return Vec3(randomPoint(random, size).array().round()); };
+    const Vec3 a = point(), b = point(), c = point();
+    const Vec3 d = i % 3 ? point() : Vec3(a + (b - a) + (c - a));
+    const int expected = integerOrient3d(a, b, c, d);
+    ++seen[static_cast<std::size_t>(expected + 1)];
+    const double scale = std::ldexp(1.0, static_cast<int>(uniform(random, -1074, 1013)));
+    ASSERT_EQ(orient3d(scale * a, scale * b, scale * c, scale * d), expected) << "scale " << scale;
+    const int flat = sign(static_cast<Int128>((b - a).x()) * static_cast<Int128>((c - a).y()) -
+                          static_cast<Int128>((b - a).y()) * static_cast<Int128>((c - a).x()));
+    ASSERT_EQ(orient2d(scale * a.head<2>(), scale * b.head<2>(), scale * c.head<2>()), flat);
+    // One axis alone, which moves no point across the plane.
+    const Vec3 one_axis(1.0, std::ldexp(1.0, i % 1000 - 1000), 1.0);
+    const auto squeezed = [&](const Vec3& p) { return Vec3(p.cwiseProduct(one_axis)); };
+    ASSERT_EQ(orient3d(squeezed(a), squeezed(b), squeezed(c), squeezed(d)), expected) << one_axis.y();
+  }
+  for (const int count : seen) EXPECT_GT(count, 20'000);
+}
+
 TEST(Predicates, orient2dEqualsIntegers) {
   std::mt19937_64 random(3);
   int collinear = 0;
