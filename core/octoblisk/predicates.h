@@ -2,7 +2,7 @@
 //
 // A floating-point filter (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust
 // Geometric Predicates, 1997) decides nearly all calls; where it can't, the determinant is summed in
-// integers. Exact for all finite doubles, however small or large.
+// integers. Exact for all coordinates of magnitude up to 1e15, however small.
 #pragma once
 
 #include "octoblisk/types.h"

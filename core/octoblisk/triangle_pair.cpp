@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,6 +14,8 @@ namespace octoblisk {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
+
+constexpr double kThin = 1e-12;  // of its length: the width of a face whose normal is no more than rounding
 
 Vec2 project(const Vec3& point, int dropped_axis) {
   return {point[(dropped_axis + 1) % 3], point[(dropped_axis + 2) % 3]};
@@ -92,6 +95,9 @@ bool allOnOneSide(const std::array<int, 3>& side) {
   return side[0] != 0 && side[0] == side[1] && side[1] == side[2];
 }
 
+/// Unit length to the last bit, however small the vector's components.
+Vec3 unit(const Vec3& vector) { return vector.stableNormalized().normalized(); }
+
 struct PointPair {
   Vec3 on_a, on_b;
   double squared_distance = std::numeric_limits<double>::infinity();
@@ -133,10 +139,16 @@ std::optional<Vec3> footInside(const Vec3& point, const Triangle& t) {
   return point - normal * (normal.dot(point - t[0]) / squared);
 }
 
-/// A triangle clipped by the prism over another has at most six corners.
+/// A triangle clipped by the prism over another: at most six corners, were it not for rounding, by which an
+/// edge of the polygon may seem to cross a side twice. A side then makes 4 corners of 3, 6 of 4, and 9 of 6.
 struct Polygon {
-  std::array<Vec3, 8> corner;
+  std::array<Vec3, 9> corner;
   int count = 0;
+
+  void add(const Vec3& point) {
+    assert(count < static_cast<int>(corner.size()));
+    corner[static_cast<std::size_t>(count++)] = point;
+  }
 };
 
 Polygon clip(const Polygon& polygon, const Vec3& inward, const Vec3& on_plane) {
@@ -144,9 +156,9 @@ Polygon clip(const Polygon& polygon, const Vec3& inward, const Vec3& on_plane) {
   for (int i = 0; i < polygon.count; ++i) {
     const Vec3 &from = polygon.corner[i], &to = polygon.corner[(i + 1) % polygon.count];
     const double height_from = inward.dot(from - on_plane), height_to = inward.dot(to - on_plane);
-    if (height_from >= 0.0) kept.corner[kept.count++] = from;
+    if (height_from >= 0.0) kept.add(from);
     if ((height_from < 0.0) != (height_to < 0.0)) {
-      kept.corner[kept.count++] = from + (to - from) * (height_from / (height_from - height_to));
+      kept.add(from + (to - from) * (height_from / (height_from - height_to)));
     }
   }
   return kept;
@@ -159,17 +171,20 @@ struct Penetration {
   Vec3 normal;   ///< unit, outward of face
 };
 
+/// None where the face is degenerate, or so thin that its normal is all rounding.
 std::optional<Penetration> penetration(const Triangle& face, const Triangle& other) {
   const Vec3 scaled = scaledNormal(face);
-  const double length = scaled.norm();
-  if (!(length > 0.0)) return std::nullopt;
-  const Vec3 normal = scaled / length;
+  const double longest = std::max({(face[1] - face[0]).squaredNorm(), (face[2] - face[1]).squaredNorm(),
+                                   (face[0] - face[2]).squaredNorm()});
+  if (!(scaled.norm() > kThin * longest)) return std::nullopt;
+  const Vec3 normal = unit(scaled);
   Polygon polygon;
-  for (const Vec3& corner : other) polygon.corner[polygon.count++] = corner;
+  for (const Vec3& corner : other) polygon.add(corner);
   for (int i = 0; i < 3 && polygon.count > 0; ++i) {
-    polygon = clip(polygon, normal.cross(face[(i + 1) % 3] - face[i]), face[i]);
+    polygon = clip(polygon, scaled.cross(face[(i + 1) % 3] - face[i]), face[i]);
   }
-  if (polygon.count == 0) return std::nullopt;
+  // The two meet: where rounding leaves nothing over the face, they do so at its rim.
+  if (polygon.count == 0) return Penetration{0.0, closestPoints(face, other).point_on_b, normal};
   const auto depthOf = [&](const Vec3& point) { return -normal.dot(point - face[0]); };
   const std::span<const Vec3> corners(polygon.corner.data(), static_cast<std::size_t>(polygon.count));
   const Vec3 deepest = *std::ranges::max_element(corners, {}, depthOf);
@@ -204,11 +219,15 @@ Contact closestPoints(const Triangle& a, const Triangle& b) {
   if (!(distance > 0.0)) normal = scaledNormal(b);
   if (!(normal.squaredNorm() > 0.0)) normal = -scaledNormal(a);
   if (!(normal.squaredNorm() > 0.0)) normal = Vec3::UnitX();
-  return {best.on_a, best.on_b, normal.normalized(), distance, kNoTriangle, kNoTriangle};
+  return {best.on_a, best.on_b, unit(normal), distance, kNoTriangle, kNoTriangle};
 }
 
 Contact contactOf(const Triangle& a, const Triangle& b) {
-  if (!intersects(a, b)) return closestPoints(a, b);
+  if (!intersects(a, b)) {
+    Contact apart = closestPoints(a, b);
+    apart.distance = std::max(apart.distance, std::numeric_limits<double>::denorm_min());
+    return apart;
+  }
   const std::optional<Penetration> below_a = penetration(a, b), below_b = penetration(b, a);
   if (below_a && (!below_b || below_a->depth <= below_b->depth)) {
     return {below_a->deepest + below_a->depth * below_a->normal,
@@ -223,8 +242,7 @@ Contact contactOf(const Triangle& a, const Triangle& b) {
             below_b->normal,  -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
-  Contact touch =
-      closestPoints(a, b);  // two degenerate triangles, or a touch lost to rounding in the clipping
+  Contact touch = closestPoints(a, b);  // two degenerate triangles
   touch.distance = -0.0;
   return touch;
 }

@@ -1,0 +1,224 @@
+// Two triangles, against CGAL's exact kernels.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+#include <CGAL/squared_distance_3.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <tuple>
+#include <variant>
+
+#include "octoblisk/triangle_pair.h"
+#include "shared/triangle_pairs.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::kPairKinds;
+using testing::PairKind;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kScale = 20;  // fewer cases under a sanitizer
+#else
+constexpr int kScale = 1;
+#endif
+
+using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+
+template <typename Kernel>
+typename Kernel::Point_3 pointOf(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+template <typename Kernel>
+using Shape = std::variant<typename Kernel::Point_3, typename Kernel::Segment_3, typename Kernel::Triangle_3>;
+
+/// The triangle as what it is: a point, a segment or a proper triangle.
+template <typename Kernel>
+Shape<Kernel> shapeOf(const Triangle& t) {
+  std::array<typename Kernel::Point_3, 3> corner = {pointOf<Kernel>(t[0]), pointOf<Kernel>(t[1]),
+                                                    pointOf<Kernel>(t[2])};
+  if (!CGAL::collinear(corner[0], corner[1], corner[2])) {
+    return typename Kernel::Triangle_3(corner[0], corner[1], corner[2]);
+  }
+  std::ranges::sort(corner,
+                    [](const auto& p, const auto& q) { return CGAL::lexicographically_xyz_smaller(p, q); });
+  if (corner[0] == corner[2]) return corner[0];
+  return typename Kernel::Segment_3(corner[0], corner[2]);
+}
+
+bool exactlyMeet(const Triangle& a, const Triangle& b) {
+  return std::visit([](const auto& in_a, const auto& in_b) { return CGAL::do_intersect(in_a, in_b); },
+                    shapeOf<Inexact>(a), shapeOf<Inexact>(b));
+}
+
+std::string describe(const Triangle& a, const Triangle& b) {
+  std::ostringstream text;
+  text << std::hexfloat;
+  for (const Triangle* t : {&a, &b}) {
+    for (const Vec3& corner : *t) text << corner.x() << ' ' << corner.y() << ' ' << corner.z() << '\n';
+  }
+  return text.str();
+}
+
+TEST(TrianglePairCgal, intersects_vs_exactKernel) {
+  constexpr int kCases = 1'000'000 / kScale;
+  std::mt19937_64 random(101);
+  std::array<int, kPairKinds> hits{}, cases{};
+  for (int i = 0; i < kCases; ++i) {
+    const auto pair = testing::hardPair(random, static_cast<PairKind>(i % kPairKinds));
+    const bool expected = exactlyMeet(pair.a, pair.b);
+    const auto kind = static_cast<std::size_t>(pair.kind);
+    ++cases[kind];
+    hits[kind] += expected;
+    ASSERT_EQ(intersects(pair.a, pair.b), expected) << testing::nameOf(pair.kind) << ", case " << i << '\n'
+                                                    << describe(pair.a, pair.b);
+  }
+  int all = 0;
+  for (std::size_t kind = 0; kind < kPairKinds; ++kind) {
+    const char* name = testing::nameOf(static_cast<PairKind>(kind));
+    RecordProperty(name, 100 * hits[kind] / cases[kind]);
+    all += hits[kind];
+    EXPECT_GE(hits[kind], cases[kind] * 3 / 10) << name;
+    EXPECT_LE(hits[kind], cases[kind] * 7 / 10) << name;
+  }
+  EXPECT_GE(all, kCases * 3 / 10);
+  EXPECT_LE(all, kCases * 7 / 10);
+}
+
+/// The squared distance; none for the pairs of shapes that CGAL has no distance for.
+std::optional<double> squaredDistance(const Triangle& a, const Triangle& b) {
+  return std::visit(
+      [](const auto& in_a, const auto& in_b) -> std::optional<double> {
+        constexpr bool known = std::is_same_v<decltype(in_a), decltype(in_b)>;
+        if constexpr (known) {
+          return CGAL::to_double(CGAL::exact(CGAL::squared_distance(in_a, in_b)));
+        } else {
+          return std::nullopt;
+        }
+      },
+      shapeOf<Exact>(a), shapeOf<Exact>(b));
+}
+
+TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
+  std::mt19937_64 random(102);
+  int compared = 0;
+  double worst = 0.0;
+  for (int i = 0; i < 100'000 / kScale; ++i) {
+    const auto [a, b, kind] = testing::hardPairOfUnitSize(random, static_cast<PairKind>(i % kPairKinds));
+    if (intersects(a, b)) continue;
+    const std::optional<double> squared = squaredDistance(a, b);
+    if (!squared) continue;
+    ++compared;
+    const Contact contact = closestPoints(a, b);
+    const double expected = std::sqrt(*squared);
+    worst = std::max(worst, std::abs(contact.distance - expected));
+    // Relative to the triangles' size, about 1; down there, coordinates themselves are rounded.
+    ASSERT_NEAR(contact.distance, expected, 1e-13 + 1e-14 * expected)
+        << testing::nameOf(kind) << ", case " << i << '\n'
+        << describe(a, b);
+    ASSERT_NEAR((contact.point_on_a - contact.point_on_b).norm(), contact.distance, 1e-14);
+    ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
+    ASSERT_GT(contactOf(a, b).distance, 0.0);
+  }
+  RecordProperty("worst", std::to_string(worst));
+  printf("worst %g\n", worst);
+}
+
+using Vector = Exact::Vector_3;
+using Corners = std::array<Vector, 3>;
+
+Corners cornersOf(const Triangle& t) {
+  Corners corner;
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = Vector(t[i].x(), t[i].y(), t[i].z());
+  return corner;
+}
+
+Vector normalOf(const Corners& t) { return CGAL::cross_product(t[1] - t[0], t[2] - t[0]); }
+
+Corners grown(const Corners& t, double factor) {
+  const Vector center = (t[0] + t[1] + t[2]) / 3;
+  return {center + factor * (t[0] - center), center + factor * (t[1] - center),
+          center + factor * (t[2] - center)};
+}
+
+/// Whether a point lies in the prism over a triangle, its sides included.
+bool inPrism(const Vector& point, const Corners& t, const Vector& normal) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (CGAL::cross_product(normal, t[(i + 1) % 3] - t[i]) * (point - t[i]) < 0) return false;
+  }
+  return true;
+}
+
+/// How deep `other` reaches below a proper `face` within the prism over it. The deepest point is a corner of
+/// other, or where an edge of one meets a side of the other's prism.
+double exactDepth(const Corners& face, const Corners& other) {
+  const Vector normal = normalOf(face), other_normal = normalOf(other);
+  Exact::FT deepest = 0;  // they meet
+  const auto visit = [&](const Vector& point) {
+    if (inPrism(point, face, normal)) deepest = std::max(deepest, Exact::FT(normal * (face[0] - point)));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    visit(other[i]);
+    const Vector side = CGAL::cross_product(normal, face[(i + 1) % 3] - face[i]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vector edge = other[(j + 1) % 3] - other[j];
+      const Exact::FT rise = side * edge;
+      if (rise == 0) continue;
+      const Exact::FT along = side * (face[i] - other[j]) / rise;
+      if (along >= 0 && along <= 1) visit(other[j] + along * edge);
+    }
+    const Exact::FT slope = other_normal * normal;
+    if (slope == 0) continue;
+    const Vector above = face[i] + other_normal * (other[0] - face[i]) / slope * normal;
+    if (inPrism(above, other, other_normal)) visit(above);
+  }
+  return CGAL::to_double(CGAL::exact(deepest)) /
+         std::sqrt(CGAL::to_double(CGAL::exact(normal.squared_length())));
+}
+
+/// Twice the area by the square of the longest edge: how far from thin a face is.
+double fatness(const Triangle& t) {
+  const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+  return std::sqrt(CGAL::to_double(CGAL::exact(normalOf(cornersOf(t)).squared_length()))) /
+         (longest * longest);
+}
+
+TEST(TrianglePairCgal, depthOfContact_vs_exactKernel) {
+  constexpr double kThin = 1e-12;  // contactOf has no depth over thinner faces
+  std::mt19937_64 random(103);
+  int compared = 0, deep = 0;
+  for (int i = 0; compared < 10'000 / kScale; ++i) {
+    const auto [a, b, kind] = testing::hardPairOfUnitSize(random, static_cast<PairKind>(i % kPairKinds));
+    if (!intersects(a, b)) continue;
+    const double fat_a = fatness(a), fat_b = fatness(b);
+    const auto undecided = [](double fat) { return fat > 0.9 * kThin && fat < 1.1 * kThin; };
+    if (undecided(fat_a) || undecided(fat_b)) continue;
+    ++compared;
+    // A face a little smaller and a little larger bracket what rounding may do at its rim.
+    double least = std::numeric_limits<double>::infinity(), most = least;
+    const Corners in_a = cornersOf(a), in_b = cornersOf(b);
+    for (const auto& [face, other, fat] : {std::tie(in_a, in_b, fat_a), std::tie(in_b, in_a, fat_b)}) {
+      if (!(fat > kThin)) continue;
+      const double rounding = 1e-14 / fat;
+      least = std::min(least, exactDepth(grown(face, 1.0 - rounding), other) - rounding);
+      most = std::min(most, exactDepth(grown(face, 1.0 + rounding), other) + rounding);
+    }
+    if (!(fat_a > kThin) && !(fat_b > kThin)) least = most = 0.0;
+    const Contact contact = contactOf(a, b);
+    deep += contact.distance < 0.0;
+    ASSERT_GE(-contact.distance, least) << testing::nameOf(kind) << ", case " << i << '\n' << describe(a, b);
+    ASSERT_LE(-contact.distance, most) << testing::nameOf(kind) << ", case " << i << '\n' << describe(a, b);
+    ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
+  }
+  EXPECT_GT(deep, compared / 5);
+  printf("%d of %d\n", deep, compared);
+}
+
+}  // namespace
+}  // namespace octoblisk
