@@ -95,11 +95,12 @@ class ClusteringPartitioner {
       sampleFeatures(triangles, range.box);
       if (const std::optional<Split> split = bestSplit(range.box)) {
         const float normal_weight = normalWeight(range.box);
-        const auto middle = std::ranges::partition(triangles, [&](const TriangleRecord& record) {
-          return split->plane.normal.dot(featureOf(record, range.box.center, normal_weight)) <
-                 split->plane.offset;
-        });
-        const auto mid = range.begin + static_cast<std::uint32_t>(middle.begin() - triangles.begin());
+        const auto middle =
+            std::partition(triangles.begin(), triangles.end(), [&](const TriangleRecord& record) {
+              return split->plane.normal.dot(featureOf(record, range.box.center, normal_weight)) <
+                     split->plane.offset;
+            });
+        const auto mid = range.begin + static_cast<std::uint32_t>(middle - triangles.begin());
         if (mid > range.begin && mid < range.end) {
           return {{range.begin, mid, split->low}, {mid, range.end, split->high}};
         }

@@ -91,13 +91,12 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   while (!order_.empty() && patches_.size() < kMaxPatches) {
     const std::uint32_t deepest = order_.front(), root = rootOf(deepest);
     members_.clear();
-    const auto left = std::ranges::remove_if(order_, [&](std::uint32_t i) {
+    std::erase_if(order_, [&](std::uint32_t i) {
       const bool belongs =
           rootOf(i) == root && contacts[i].normal.dot(contacts[deepest].normal) >= kSameDirection;
       if (belongs) members_.push_back(i);
       return belongs;
     });
-    order_.erase(left.begin(), left.end());
     patches_.push_back(spread(contacts, members_));
   }
   std::ranges::sort(patches_, {}, [](const ContactPatch& patch) { return byTriangles(patch.contacts[0]); });

@@ -16,8 +16,11 @@ struct CorePenetration {
   Vec3 on_core = Vec3::Zero();
 };
 
-/// Grows the simplex that GJK ended with. None where triangle − core is flat (a sphere's centre on the
-/// triangle, a capsule's axis in its plane): then the triangle's normal parts them at depth 0.
+/// Grows the simplex that GJK ended with, whatever of it is flat left out first. The depth is that of a plane
+/// beyond which nothing of triangle − core reaches: moving by it parts the two, up to 1e-10 of their size or
+/// the core's precision, even where rounding or the room for vertices ends the search before its optimum.
+/// None where triangle − core is flat (a sphere's centre on the triangle, a capsule's axis in its plane):
+/// then the triangle's normal parts them at depth 0.
 std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex);
 
 }  // namespace octoblisk

@@ -10,7 +10,8 @@ namespace octoblisk {
 /// touching counts, and degenerate triangles are the segments or points that they are.
 bool intersects(const Triangle& a, const Triangle& b);
 
-/// The closest points of two triangles that do not meet. The normal points from b to a; distance >= 0.
+/// The closest points of two triangles that do not meet. The normal points from b to a; distance >= 0, to
+/// about 1e-14 of the triangles' size. Lengths below 1e-70 are taken as 0.
 Contact closestPoints(const Triangle& a, const Triangle& b);
 
 /// The contact of two triangles. Its distance is above 0 exactly where they do not meet, and then that of

@@ -41,6 +41,62 @@ TEST(TriangleConvex, boxEqualsTheThirteenAxes) {
   EXPECT_LT(hits, kCases * 7 / 10);
 }
 
+/// A triangle as thin as rounding, a segment, a point, or a large one; through the unit cube more often than
+/// not.
+Triangle awkwardTriangle(std::mt19937_64& random, int kind) {
+  Triangle t = randomTriangle(random, kind == 2 ? 1.0 : 1.5);
+  const double width = std::pow(10.0, uniform(random, -18, -5));
+  switch (kind) {
+    case 0:
+      t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]) + randomPoint(random, width);
+      break;
+    case 1:
+      t[2] = t[1];
+      break;
+    case 2:
+      t[1] = t[0] + randomPoint(random, width);
+      t[2] = t[0] + randomPoint(random, width);
+      break;
+    case 3:
+      for (Vec3& corner : t) corner *= 1000.0;
+      t[2] += 0.3 * randomPoint(random, 1) - (t[0] + t[1] + t[2]) / 3.0;
+      break;
+    default:  // along the box's axes, where faces of the difference are flat and edges parallel
+      for (Vec3& corner : t) corner = (2.0 * corner).array().round() * 0.5;
+  }
+  return t;
+}
+
+TEST(TriangleConvex, sliversAndSegmentsInBoxesEqualTheThirteenAxes) {
+  std::mt19937_64 random(19);
+  int hits = 0;
+  constexpr int kCases = 100'000;
+  for (int i = 0; i < kCases; ++i) {
+    const Triangle triangle = awkwardTriangle(random, i % 5);
+    const double flatness = std::pow(10.0, uniform(random, i % 3 ? -1 : -4, 0.2));  // of the box
+    const bool aligned = i % 5 == 4 && i % 2 == 0;
+    const Obb box{aligned ? Vec3::Zero() : randomPoint(random, 0.3),
+                  aligned ? Mat3::Identity() : testing::randomRotation(random),
+                  Vec3(aligned ? 1.0 : uniform(random, 0.2, 1.4), 1.0, aligned ? 0.5 : flatness)};
+    const double overlap = testing::boxTriangleOverlap(box, triangle);
+    const double size = triangle[0].norm() + triangle[1].norm() + triangle[2].norm() + 3.0;
+    const auto contact = contactOf(triangle, ConvexBox(box), 1e4);
+    ASSERT_TRUE(contact);
+    if (overlap > 1e-9 * size) {
+      ++hits;
+      ASSERT_NEAR(contact->distance, -overlap, 1e-9 * size) << "case " << i << ' ' << i % 5;
+    } else if (overlap < -1e-9 * size) {
+      ASSERT_GE(contact->distance, -overlap - 1e-9 * size) << "case " << i;
+    }
+    ASSERT_NEAR(contact->normal.norm(), 1.0, 1e-12);
+    const Vec3 end = contact->point_on_b + contact->distance * contact->normal;
+    ASSERT_LE((end - contact->point_on_a).norm(), 1e-8 * size) << "case " << i << ' ' << i % 5;
+    ASSERT_TRUE(box.contains(contact->point_on_b, 1e-8 * size)) << "case " << i;
+  }
+  EXPECT_GT(hits, kCases * 3 / 10);
+  EXPECT_LT(hits, kCases * 7 / 10);
+}
+
 TEST(TriangleConvex, sphereAndCapsuleEqualTheirClosedForms) {
   std::mt19937_64 random(16);
   int hits = 0;

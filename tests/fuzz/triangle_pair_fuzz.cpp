@@ -1,5 +1,6 @@
 // Two triangles of any coordinates a mesh may have: the verdict does not depend on the order of triangles and
 // corners, a contact is finite and agrees with the verdict.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +14,8 @@
 namespace {
 
 using octoblisk::Contact;
+using octoblisk::contactOf;
+using octoblisk::intersects;
 using octoblisk::Triangle;
 using octoblisk::TriangleMesh;
 using octoblisk::Vec3;
@@ -94,6 +97,8 @@ void checkVerdict(const Triangle& a, const Triangle& b, bool meet) {
     require(intersects(a, {corner, corner, corner}), "a corner is not on it", a, b);
 }
 
+constexpr double kUnderflow = 1e-70;  // lengths that products of four are lost of
+
 void checkContact(const Triangle& a, const Triangle& b, bool meet) {
   const Contact contact = contactOf(a, b);
   require(contact.point_on_a.allFinite() && contact.point_on_b.allFinite(), "a point is not finite", a, b);
@@ -105,10 +110,10 @@ void checkContact(const Triangle& a, const Triangle& b, bool meet) {
     for (const Vec3& corner : *t) size = std::max(size, corner.cwiseAbs().maxCoeff());
   }
   const double reach = (contact.point_on_a - contact.point_on_b).norm();
-  require(std::abs(reach - std::abs(contact.distance)) <= 1e-14 * size + 1e-150,
+  require(std::abs(reach - std::abs(contact.distance)) <= 1e-14 * size + kUnderflow,
           "the points are not the distance apart", a, b);
   for (const Vec3& point : {contact.point_on_a, contact.point_on_b}) {
-    require(point.cwiseAbs().maxCoeff() <= 4.0 * size, "a point is beyond the triangles", a, b);
+    require(point.cwiseAbs().maxCoeff() <= 4.0 * size + kUnderflow, "a point is beyond the triangles", a, b);
   }
 }
 
