@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "octoblisk/epa.h"
 #include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -95,6 +96,28 @@ TEST(TriangleConvex, sliversAndSegmentsInBoxesEqualTheThirteenAxes) {
   }
   EXPECT_GT(hits, kCases * 3 / 10);
   EXPECT_LT(hits, kCases * 7 / 10);
+}
+
+TEST(TriangleConvex, depthFromAFlatSimplex) {
+  // A simplex that GJK may end with where rounding makes it flat: corners of one face, one edge or one corner
+  // of the difference.
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0.5)});
+  const Triangle triangle = {Vec3(-4, -4, 0.25), Vec3(4, -4, 0.25), Vec3(0, 4, 0.25)};
+  const double thin = 1e-13;
+  for (const auto& directions : {std::array{Vec3(1, 1, 1), Vec3(1, -1, 1), Vec3(-1, -1, 1), Vec3(-1, 1, 1)},
+                                 std::array{Vec3(1, 1, 1), Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(1, 1, -1)},
+                                 std::array{Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1)}}) {
+    Simplex simplex;
+    for (const Vec3& direction : directions) {
+      SupportPoint point = supportOfDifference(triangle, box, direction);
+      point.difference.z() += thin * simplex.count;
+      simplex.point[static_cast<std::size_t>(simplex.count++)] = point;
+    }
+    const auto found = epa(triangle, box, simplex);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->depth, 0.25, 1e-9);
+    EXPECT_NEAR(found->normal.z(), 1.0, 1e-9);
+  }
 }
 
 TEST(TriangleConvex, sphereAndCapsuleEqualTheirClosedForms) {
