@@ -1,7 +1,5 @@
 // Two triangles, against CGAL's exact kernels.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/intersections.h>
 #include <CGAL/squared_distance_3.h>
 #include <gtest/gtest.h>
 
@@ -10,9 +8,9 @@
 #include <optional>
 #include <sstream>
 #include <tuple>
-#include <variant>
 
 #include "octoblisk/triangle_pair.h"
+#include "shared/cgal_shapes.h"
 #include "shared/triangle_pairs.h"
 
 namespace octoblisk {
@@ -27,35 +25,9 @@ constexpr int kScale = 20;  // fewer cases under a sanitizer
 constexpr int kScale = 1;
 #endif
 
-using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
+using testing::exactlyMeet;
+using testing::shapeOf;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-
-template <typename Kernel>
-typename Kernel::Point_3 pointOf(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-template <typename Kernel>
-using Shape = std::variant<typename Kernel::Point_3, typename Kernel::Segment_3, typename Kernel::Triangle_3>;
-
-/// The triangle as what it is: a point, a segment or a proper triangle.
-template <typename Kernel>
-Shape<Kernel> shapeOf(const Triangle& t) {
-  std::array<typename Kernel::Point_3, 3> corner = {pointOf<Kernel>(t[0]), pointOf<Kernel>(t[1]),
-                                                    pointOf<Kernel>(t[2])};
-  if (!CGAL::collinear(corner[0], corner[1], corner[2])) {
-    return typename Kernel::Triangle_3(corner[0], corner[1], corner[2]);
-  }
-  std::ranges::sort(corner,
-                    [](const auto& p, const auto& q) { return CGAL::lexicographically_xyz_smaller(p, q); });
-  if (corner[0] == corner[2]) return corner[0];
-  return typename Kernel::Segment_3(corner[0], corner[2]);
-}
-
-bool exactlyMeet(const Triangle& a, const Triangle& b) {
-  return std::visit([](const auto& in_a, const auto& in_b) { return CGAL::do_intersect(in_a, in_b); },
-                    shapeOf<Inexact>(a), shapeOf<Inexact>(b));
-}
 
 std::string describe(const Triangle& a, const Triangle& b) {
   std::ostringstream text;
@@ -108,7 +80,6 @@ std::optional<double> squaredDistance(const Triangle& a, const Triangle& b) {
 TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
   std::mt19937_64 random(102);
   int compared = 0;
-  double worst = 0.0;
   for (int i = 0; i < 100'000 / kScale; ++i) {
     const auto [a, b, kind] = testing::hardPairOfUnitSize(random, static_cast<PairKind>(i % kPairKinds));
     if (intersects(a, b)) continue;
@@ -117,7 +88,6 @@ TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
     ++compared;
     const Contact contact = closestPoints(a, b);
     const double expected = std::sqrt(*squared);
-    worst = std::max(worst, std::abs(contact.distance - expected));
     // Relative to the triangles' size, about 1; down there, coordinates themselves are rounded.
     ASSERT_NEAR(contact.distance, expected, 1e-13 + 1e-14 * expected)
         << testing::nameOf(kind) << ", case " << i << '\n'
@@ -126,8 +96,6 @@ TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
     ASSERT_GT(contactOf(a, b).distance, 0.0);
   }
-  RecordProperty("worst", std::to_string(worst));
-  printf("worst %g\n", worst);
 }
 
 using Vector = Exact::Vector_3;
@@ -217,7 +185,6 @@ TEST(TrianglePairCgal, depthOfContact_vs_exactKernel) {
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   }
   EXPECT_GT(deep, compared / 5);
-  printf("%d of %d\n", deep, compared);
 }
 
 }  // namespace
