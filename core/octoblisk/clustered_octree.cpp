@@ -132,13 +132,15 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
 }
 
 void ClusteredOctree::writeLeafVertices(Slot slot, Child leaf) {
-  const Vec3 center = origin_ + boxCenter(slot);
+  const Obb frame = box(slot);
   float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
   for (std::uint32_t i = 0; i < leaf.count(); ++i) {
     const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
-    for (std::uint32_t k = 0; k < 9; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k % 3);
-      row[k * leaf.count() + i] = static_cast<float>(triangle[k / 3][axis] - center[axis]);
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      const Vec3 corner = frame.axes.transpose() * (triangle[v] - frame.center);
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        row[(3 * v + k) * leaf.count() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
+      }
     }
   }
 }

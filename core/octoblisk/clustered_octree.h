@@ -102,15 +102,10 @@ class ClusteredOctree {
   std::span<const std::uint32_t> triangles(Child leaf) const {
     return triangleOrder().subspan(leaf.first(), leaf.count());
   }
-  /// The corners of a leaf's triangles relative to its box's centre: nine rows (x, y, z of each corner in
-  /// turn) of count() numbers. Eight may be read from any row, those beyond its end being anything.
+  /// The corners of a leaf's triangles in the frame of its box: nine rows (x, y, z of each corner in turn) of
+  /// count() numbers. Eight may be read from any row, those beyond its end being anything.
   const float* leafVertices(Child leaf) const {
     return leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
-  }
-  /// The centre of a box, relative to the origin.
-  Vec3 boxCenter(Slot slot) const {
-    const Box8& box = boxes(slot);
-    return {box.center[0][slot.lane], box.center[1][slot.lane], box.center[2][slot.lane]};
   }
   /// The boxes are relative to this point of the mesh's frame.
   const Vec3& origin() const { return origin_; }

@@ -16,17 +16,35 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
 
-/// Two leaves close to each other, in a frame of their own round the centre of A's leaf, where single
-/// precision goes a long way.
+/// Two leaves close to each other, in the frame of A's leaf, where boxes are tight and single precision goes
+/// a long way.
 class LeafPair {
  public:
   HWY_INLINE LeafPair(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Slot slot_a,
                       Slot slot_b)
-      : a_(a), b_(b), leaf_a_(a.child(slot_a)), leaf_b_(b.child(slot_b)), rotation_(pose.b_to_a.rotation) {
-    const Vec3 shift = pose.exact * b.boxCenter(slot_b) - a.boxCenter(slot_a);
-    shift_ = shift.cast<float>();
-    size_ = a.boxes(slot_a).largestHalfExtent(slot_a.lane) + b.boxes(slot_b).largestHalfExtent(slot_b.lane) +
-            shift_.cwiseAbs().maxCoeff();
+      : a_(a), b_(b), leaf_a_(a.child(slot_a)), leaf_b_(b.child(slot_b)) {
+    const Box8 &boxes_a = a.boxes(slot_a), &boxes_b = b.boxes(slot_b);
+    const std::uint32_t lane_a = slot_a.lane, lane_b = slot_b.lane;
+    double between[3];  // of the centres, in A's local frame
+    for (int i = 0; i < 3; ++i) {
+      between[i] = pose.exact.translation[i] - double(boxes_a.center[i][lane_a]);
+      for (int k = 0; k < 3; ++k) between[i] += pose.exact.rotation(i, k) * double(boxes_b.center[k][lane_b]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const float x = boxes_a.axes[0][i][lane_a], y = boxes_a.axes[1][i][lane_a],
+                  z = boxes_a.axes[2][i][lane_a];
+      shift_[i] = x * static_cast<float>(between[0]) + y * static_cast<float>(between[1]) +
+                  z * static_cast<float>(between[2]);
+      const auto& rotation = pose.b_to_a.rotation;
+      float turned[3];
+      for (int k = 0; k < 3; ++k) turned[k] = x * rotation(0, k) + y * rotation(1, k) + z * rotation(2, k);
+      for (int j = 0; j < 3; ++j) {
+        rotation_[i][j] = turned[0] * boxes_b.axes[0][j][lane_b] + turned[1] * boxes_b.axes[1][j][lane_b] +
+                          turned[2] * boxes_b.axes[2][j][lane_b];
+      }
+    }
+    size_ = boxes_a.largestHalfExtent(lane_a) + boxes_b.largestHalfExtent(lane_b) +
+            std::max({std::abs(shift_[0]), std::abs(shift_[1]), std::abs(shift_[2])});
     doubles_ = static_cast<float>(0x1p-50 * pose.size);
   }
 
@@ -45,27 +63,26 @@ class LeafPair {
   HWY_INLINE Vec8 cornersOfB(std::uint32_t v) const {
     const float* x = b_.leafVertices(leaf_b_) + 3 * v * countB();
     const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
-    const auto along = [&](int axis) HWY_ATTR {
-      return Float8(rotation_(axis, 0)) * corner.x + Float8(rotation_(axis, 1)) * corner.y +
-             Float8(rotation_(axis, 2)) * corner.z + Float8(shift_[axis]);
+    const auto along = [&](int i) HWY_ATTR {
+      return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
+             Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]);
     };
     return {along(0), along(1), along(2)};
   }
 
-  // In units in the last place, with half diagonals below 1.74 half extents: a corner of A is rounded once; a
-  // corner of B 1, the rotation 1, the products 1, their sums 1 + 1 + 1, the last of which with the shift,
-  // and the shift 1. Nowhere more than 12 of the size.
+  // In units in the last place of the size, with half diagonals below 1.74 half extents: the axes of a box
+  // are orthonormal but for 4; a corner of A is off by that and 1; one of B by 4 and 1, the product of three
+  // rotations 16, the products 2, their sums 3, the shift 8.
 
   /// How far a corner of A and one of B may be off together, along each axis.
-  float coordinateRounding() const { return 0x1.8p-21f * size_ + doubles_; }
+  float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
   /// How far a height over a triangle's plane may be off.
-  float planeRounding() const { return 0x1p-17f * size_ + 4.0f * doubles_; }
+  float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 
  private:
   const ClusteredOctree &a_, &b_;
   const Child leaf_a_, leaf_b_;
-  const Eigen::Matrix3f& rotation_;
-  Eigen::Vector3f shift_;
+  float rotation_[3][3], shift_[3];
   float size_, doubles_;
 };
 

@@ -99,17 +99,16 @@ void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, con
   const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
                  fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
   if ((box.min.array() > box.max.array()).any()) return;
-  traverseBox(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0, [&](Child leaf) {
-    for (const std::uint32_t t : tree_->triangles(leaf)) {
-      const Triangle triangle = mesh.triangle(t);
-      Aabb bounds;
-      for (const Vec3& corner : triangle) bounds.extend(corner);
-      if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any())
-        continue;
-      btVector3 corners[3] = {toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2])};
-      const TriangleId id = triangleId(t);
-      callback->processTriangle(corners, id.part, id.index);
+  forEachTriangleIn(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0, [&](std::uint32_t t) {
+    const Triangle triangle = mesh.triangle(t);
+    Aabb bounds;
+    for (const Vec3& corner : triangle) bounds.extend(corner);
+    if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any()) {
+      return false;
     }
+    btVector3 corners[3] = {toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2])};
+    const TriangleId id = triangleId(t);
+    callback->processTriangle(corners, id.part, id.index);
     return false;
   });
 }
