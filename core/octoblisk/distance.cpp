@@ -22,15 +22,17 @@ void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose&
     const TriangleLanes triangles_of_b(leaves);
     const NearTriangles near(leaves);
     for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
-      unsigned candidates = near.boundsWithin(i, nearest.limit());
-      if (candidates == 0) continue;
+      unsigned left = near.boundsWithin(i, nearest.bound());
+      if (left == 0) continue;
       const auto verdicts = triangles_of_b.meet(i);
-      const unsigned touching = verdicts.meet | verdicts.open;
-      candidates = (candidates & near.within(i, nearest.limit())) | touching;
-      for (; candidates != 0; candidates &= candidates - 1) {
-        const auto j = static_cast<std::uint32_t>(std::countr_zero(candidates));
+      float distance[kLanes];
+      near.distances(i).store(distance);
+      for (; left != 0; left &= left - 1) {
+        const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
         const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-        if (nearest.offer(pair, (touching >> j & 1u) != 0)) return true;
+        const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
+        if (may_meet ? nearest.offer(pair, true) : nearest.consider(pair, distance[j], near.rounding()))
+          return true;
       }
     }
     return false;
@@ -53,7 +55,7 @@ Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   };
   const bool hinted = within(options.hint.a, a) && within(options.hint.b, b);
   if (!hinted || !nearest.offer(options.hint, true)) HWY_DYNAMIC_DISPATCH(searchPairs)(a, b, b_in_a, nearest);
-  return nearest.clearance();
+  return nearest.settled();
 }
 
 }  // namespace octoblisk

@@ -47,6 +47,9 @@ class NearTriangles {
     high_ = max(corner_[0], max(corner_[1], corner_[2]));
   }
 
+  /// How far a distance may be off.
+  HWY_INLINE float rounding() const { return leaves_.planeRounding(); }
+
   /// Those whose bounds are no farther than `limit` from the bounds of triangle i of A.
   HWY_INLINE unsigned boundsWithin(std::uint32_t i, float limit) const {
     const Vec8 corner[3] = {leaves_.cornerOfA(i, 0), leaves_.cornerOfA(i, 1), leaves_.cornerOfA(i, 2)};
@@ -54,12 +57,12 @@ class NearTriangles {
                high = max(corner[0], max(corner[1], corner[2]));
     const Float8 zero(0.0f);
     const Vec8 apart = max(Vec8(zero, zero, zero), max(low_ - high, low - high_));
-    const float reach = limit + leaves_.planeRounding();
+    const float reach = limit + rounding();
     return lanes() & ~less(Float8(reach * reach), dot(apart, apart));
   }
 
-  /// Those no farther than `limit` from triangle i of A, where the two do not meet.
-  HWY_INLINE unsigned within(std::uint32_t i, float limit) const {
+  /// The distances from triangle i of A to those that do not meet it.
+  HWY_INLINE Float8 distances(std::uint32_t i) const {
     const Vec8 one[3] = {leaves_.cornerOfA(i, 0), leaves_.cornerOfA(i, 1), leaves_.cornerOfA(i, 2)};
     Vec8 one_edge[3], edge[3];
     Float8 one_squared[3], squared[3];
@@ -82,8 +85,7 @@ class NearTriangles {
       least = min(least, min(squaredFaceDistance(from_one, edge, normal),
                              squaredFaceDistance(from_corner, one_edge, one_normal)));
     }
-    const float reach = limit + leaves_.planeRounding();
-    return lanes() & ~less(Float8(reach * reach), least);
+    return sqrt(least);
   }
 
  private:

@@ -1,0 +1,58 @@
+#include "octoblisk/nearest.h"
+
+#include <algorithm>
+
+#include "octoblisk/traversal_stack.h"
+#include "octoblisk/triangle_pair.h"
+
+namespace octoblisk {
+
+bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
+  const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
+  const bool meet = may_meet && intersects(triangle_a, triangle_b);
+  const Contact contact = meet ? contactOf(triangle_a, triangle_b) : closestPoints(triangle_a, triangle_b);
+  const double distance = meet ? 0.0 : contact.distance;
+  if (distance < best_.distance) {
+    best_ = {distance, meet ? contact.point_on_b : contact.point_on_a, contact.point_on_b, pair.a, pair.b};
+    bound_ = std::min(bound_, distance);
+  }
+  return distance == 0.0;
+}
+
+bool Nearest::consider(const TrianglePair& pair, float distance, float rounding) {
+  const double least = double(distance) - double(rounding);
+  if (least > bound_ - tolerance_) return false;
+  bound_ = std::min(bound_, double(distance) + double(rounding));
+  if (count_ == candidates_.size()) {
+    const auto nearer = [&](const Candidate& candidate) { return candidate.least <= bound_; };
+    const auto end = std::partition(candidates_.begin(), candidates_.end(), nearer);
+    count_ = static_cast<std::size_t>(end - candidates_.begin());
+  }
+  if (count_ == candidates_.size()) settleAll();
+  candidates_[count_++] = {least, pair};
+  return best_.distance == 0.0;
+}
+
+float Nearest::squaredLimit() const {
+  const float limit = traversalLimit(std::clamp(bound_ - tolerance_, 0.0, kFarthest), size_);
+  return limit * limit;
+}
+
+void Nearest::settleAll() {
+  const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::sort(candidates_.begin(), end, [](const Candidate& one, const Candidate& other) {
+    return one.least != other.least ? one.least < other.least : one.pair < other.pair;
+  });
+  for (auto candidate = candidates_.begin(); candidate != end && candidate->least <= best_.distance;
+       ++candidate) {
+    offer(candidate->pair, false);
+  }
+  count_ = 0;
+}
+
+Clearance Nearest::settled() {
+  settleAll();
+  return best_;
+}
+
+}  // namespace octoblisk
