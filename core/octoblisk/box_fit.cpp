@@ -1,8 +1,13 @@
 #include "octoblisk/box_fit.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
+
+#include "octoblisk/parallel.h"
 
 namespace octoblisk {
 namespace {
@@ -47,6 +52,26 @@ Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<c
   return best;
 }
 
+/// Along three axes, from an origin.
+struct Bounds {
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high = Eigen::Array3f::Constant(-std::numeric_limits<float>::infinity());
+};
+
+Bounds boundsOf(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes,
+                const Eigen::Vector3f& origin) {
+  const Eigen::Matrix3f to_local = axes.transpose();
+  Bounds bounds;
+  for (const TriangleRecord& record : records) {
+    for (const Eigen::Vector3f& vertex : record.vertices) {
+      const Eigen::Array3f local = (to_local * (vertex - origin)).array();
+      bounds.low = bounds.low.min(local);
+      bounds.high = bounds.high.max(local);
+    }
+  }
+  return bounds;
+}
+
 }  // namespace
 
 void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sample) {
@@ -81,19 +106,22 @@ BoxF fitBox(const VertexSample& points, float slack) {
   return box;
 }
 
-BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes) {
+BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes, int threads) {
+  constexpr std::size_t kChunk = 8192;
   const Eigen::Vector3f origin = records.front().centroid;  // near the vertices: keeps the rounding small
-  const Eigen::Matrix3f to_local = axes.transpose();
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Array3f high = -low;
-  for (const TriangleRecord& record : records) {
-    for (const Eigen::Vector3f& vertex : record.vertices) {
-      const Eigen::Array3f local = (to_local * (vertex - origin)).array();
-      low = low.min(local);
-      high = high.max(local);
-    }
+  const std::size_t chunks = (records.size() + kChunk - 1) / kChunk;
+  std::vector<Bounds> bounds(chunks);
+  parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
+    const std::size_t begin = chunk * kChunk;
+    bounds[chunk] = boundsOf(records.subspan(begin, std::min(kChunk, records.size() - begin)), axes, origin);
+  });
+  Bounds all;
+  for (const Bounds& part : bounds) {
+    all.low = all.low.min(part.low);
+    all.high = all.high.max(part.high);
   }
-  return {origin + axes * (0.5f * (low + high)).matrix(), axes, (0.5f * (high - low)).matrix()};
+  return {origin + axes * (0.5f * (all.low + all.high)).matrix(), axes,
+          (0.5f * (all.high - all.low)).matrix()};
 }
 
 }  // namespace octoblisk

@@ -20,7 +20,8 @@ void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sampl
 /// the edges that matter. The points need not be centred.
 BoxF fitBox(const VertexSample& points, float slack);
 
-/// The box in the given frame that holds every vertex of the records.
-BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes);
+/// The box in the given frame that holds every vertex of the records. The same whatever the number of
+/// threads.
+BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes, int threads = 1);
 
 }  // namespace octoblisk

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
 
 namespace octoblisk {
@@ -23,6 +24,10 @@ void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& 
     throw std::invalid_argument("leaf_capacity is " + std::to_string(options.leaf_capacity) +
                                 ", but must be 1 to 8");
   }
+  if (options.threads < 0) {
+    throw std::invalid_argument("threads is " + std::to_string(options.threads) +
+                                ", but must not be negative");
+  }
   if (options.clusters < 1 || options.clusters > kLanes) {
     throw std::invalid_argument("clusters is " + std::to_string(options.clusters) + ", but must be 1 to 8");
   }
@@ -34,7 +39,8 @@ void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& 
 
 Partition partitionOf(std::vector<TriangleRecord> records, const BuildOptions& options) {
   if (options.partition == PartitionKind::clustering) {
-    return clusteringPartition(std::move(records), options.leaf_capacity);
+    return clusteringPartition(std::move(records),
+                               {options.leaf_capacity, options.quality, threadCount(options.threads)});
   }
   return paperPartition(std::move(records),
                         {options.leaf_capacity, static_cast<std::size_t>(options.clusters), options.seed,
@@ -100,7 +106,8 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   tree.origin_ = tree.mesh_->bounds().center();
   tree.radius_ = tree.mesh_->bounds().halfExtents().norm();
 
-  const Partition partition = partitionOf(makeRecords(*tree.mesh_, tree.origin_), options);
+  const Partition partition =
+      partitionOf(makeRecords(*tree.mesh_, tree.origin_, threadCount(options.threads)), options);
   tree.triangle_order_.reserve(partition.records.size());
   for (const TriangleRecord& record : partition.records) tree.triangle_order_.push_back(record.triangle);
 

@@ -9,24 +9,10 @@
 #include <vector>
 
 #include "octoblisk/box8.h"
+#include "octoblisk/build_options.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
-
-/// How the triangles of a node become its children.
-enum class PartitionKind {
-  clustering,  ///< recursive clustering in position–normal space: fastest queries
-  paper,       ///< parts → k clusters → octree to a leaf capacity: the paper's, for its experiments
-};
-
-struct BuildOptions {
-  PartitionKind partition = PartitionKind::clustering;
-  int leaf_capacity = 8;  ///< most triangles in a leaf: 1..8; for `paper` the FNOP, at least 1
-  // The rest is for `paper` alone.
-  int clusters = 2;                        ///< k, 1..8, for each part
-  std::uint64_t seed = 1;                  ///< of k-means
-  std::vector<int> part_of_triangle = {};  ///< e.g. blade numbers, one a triangle; empty: one part
-};
 
 struct BuildStats {
   std::size_t triangles = 0;

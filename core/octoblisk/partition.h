@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "octoblisk/box8.h"
+#include "octoblisk/build_options.h"
 #include "octoblisk/triangle_record.h"
 
 namespace octoblisk {
@@ -28,9 +29,15 @@ struct Partition {
   std::vector<PartitionNode> nodes;     ///< the root first, parents before children
 };
 
+struct ClusteringOptions {
+  int leaf_capacity = 8;  ///< 1..8
+  BuildQuality quality = BuildQuality::standard;
+  int threads = 1;  ///< at least 1; the partition does not depend on it
+};
+
 /// Divides each node into up to eight clusters of triangles alike in place and facing, where the boxes round
-/// them are smallest, down to `leaf_capacity` (1..8) triangles.
-Partition clusteringPartition(std::vector<TriangleRecord> records, int leaf_capacity);
+/// them are smallest, down to the leaf capacity.
+Partition clusteringPartition(std::vector<TriangleRecord> records, const ClusteringOptions& options);
 
 struct PaperPartitionOptions {
   int leaf_capacity = 8;     ///< FNOP, at least 1; a leaf of more than 8 becomes several

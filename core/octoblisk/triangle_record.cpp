@@ -1,17 +1,31 @@
 #include "octoblisk/triangle_record.h"
 
-namespace octoblisk {
+#include <algorithm>
 
-std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin) {
+#include "octoblisk/parallel.h"
+
+namespace octoblisk {
+namespace {
+
+TriangleRecord recordOf(const TriangleMesh& mesh, std::size_t index, const Vec3& origin) {
+  TriangleRecord record;
+  const Triangle corners = mesh.triangle(index);
+  for (std::size_t v = 0; v < 3; ++v) record.vertices[v] = (corners[v] - origin).cast<float>();
+  record.centroid = (record.vertices[0] + record.vertices[1] + record.vertices[2]) / 3.0f;
+  record.normal = scaledNormal(corners).normalized().cast<float>();  // zero stays zero
+  record.triangle = static_cast<std::uint32_t>(index);
+  return record;
+}
+
+}  // namespace
+
+std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads) {
+  constexpr std::size_t kChunk = 8192;
   std::vector<TriangleRecord> records(mesh.triangleCount());
-  for (std::size_t t = 0; t < records.size(); ++t) {
-    TriangleRecord& record = records[t];
-    const Triangle corners = mesh.triangle(t);
-    for (std::size_t v = 0; v < 3; ++v) record.vertices[v] = (corners[v] - origin).cast<float>();
-    record.centroid = (record.vertices[0] + record.vertices[1] + record.vertices[2]) / 3.0f;
-    record.normal = scaledNormal(corners).normalized().cast<float>();  // zero stays zero
-    record.triangle = static_cast<std::uint32_t>(t);
-  }
+  parallelFor((records.size() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
+    const std::size_t end = std::min(records.size(), (chunk + 1) * kChunk);
+    for (std::size_t t = chunk * kChunk; t < end; ++t) records[t] = recordOf(mesh, t, origin);
+  });
   return records;
 }
 

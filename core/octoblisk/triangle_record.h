@@ -16,6 +16,6 @@ struct alignas(64) TriangleRecord {
   std::uint32_t triangle;  ///< index in the mesh
 };
 
-std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin);
+std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads = 1);
 
 }  // namespace octoblisk

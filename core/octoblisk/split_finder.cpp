@@ -1,0 +1,133 @@
+#include "octoblisk/split_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace octoblisk {
+namespace {
+
+constexpr float kNormalWeight = 0.25f;  // of a unit normal, in largest half extents
+constexpr float kThinAxis = 0.25f;      // axes shorter than this part of the longest are no seeds
+constexpr float kSameError = 2e-6f;     // relative: two seeds that end here have found the same clusters
+
+// Turns of a box by sevenths of 90°, and by quarters of that either way; the eighth lane is not a turn.
+constexpr float kCoarseCosine[kLanes] = {1.0f,          0.9749279122f, 0.9009688679f, 0.7818314825f,
+                                         0.6234898019f, 0.4338837391f, 0.2225209340f, 0.0f};
+constexpr float kCoarseSine[kLanes] = {0.0f,          0.2225209340f, 0.4338837391f, 0.6234898019f,
+                                       0.7818314825f, 0.9009688679f, 0.9749279122f, 0.0f};
+constexpr float kFineCosine[kLanes] = {1.0f,          0.9984268150f, 0.9984268150f, 0.9937122099f,
+                                       0.9937122099f, 0.9858710183f, 0.9858710183f, 0.0f};
+constexpr float kFineSine[kLanes] = {0.0f,           0.0560704472f, -0.0560704472f, 0.1119644763f,
+                                     -0.1119644763f, 0.1675062233f, -0.1675062233f, 0.0f};
+
+namespace portable {
+#include "octoblisk/split_search.inc"
+}
+
+#if defined(__x86_64__)
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace avx2 {
+#include "octoblisk/split_search.inc"
+}
+#pragma GCC pop_options
+#endif
+
+using FindSplit = void (*)(SplitSearch&);
+
+FindSplit fastestFindSplit() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) return avx2::findSplit;
+#endif
+  return portable::findSplit;
+}
+
+/// The search's box of one side, back in the records' frame.
+BoxF boxOf(const SplitSearch::Candidate& candidate, int side, const Eigen::Vector3f& center, float size) {
+  BoxF box;
+  Eigen::Vector3f low, high;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) box.axes(i, k) = candidate.axes[side][k][i];
+    low[k] = candidate.low_bounds[side][k];
+    high[k] = candidate.high_bounds[side][k];
+  }
+  box.half_extents = (0.5f * size) * (high - low);
+  box.center = center + box.axes * ((0.5f * size) * (low + high));
+  return box;
+}
+
+}  // namespace
+
+SplitFinder::SplitFinder() {
+  constexpr std::size_t kBlocks = kMostSamples / kLanes;
+  search_.blocks.resize(kBlocks);
+  search_.moments.resize(kBlocks * 9 * kLanes + kLanes);
+  for (auto& is_low : search_.is_low) is_low.resize(kMostSamples);
+  for (auto& side : search_.side) side.resize(kMostSamples + 1);
+}
+
+void SplitFinder::fill(std::span<const TriangleRecord> records, const Eigen::Vector3f& center, float scale,
+                       int samples) {
+  const std::size_t stride =
+      (records.size() + static_cast<std::size_t>(samples) - 1) / static_cast<std::size_t>(samples);
+  const std::size_t count = (records.size() + stride - 1) / stride;
+  for (std::size_t i = 0; i < count; ++i) {
+    TriangleBlock& block = search_.blocks[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    const TriangleRecord& record = records[i * stride];
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (int k = 0; k < 3; ++k) {
+        block.corner[c][k][lane] = (record.vertices[c][k] - center[k]) * scale;
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      block.feature[k][lane] = (record.centroid[k] - center[k]) * scale;
+      block.feature[3 + k][lane] = kNormalWeight * record.normal[k];
+    }
+    block.present[lane] = ~0u;
+  }
+  for (std::size_t i = count; i % kLanes != 0; ++i) {
+    TriangleBlock& block = search_.blocks[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    for (auto& row : block.feature) row[lane] = 0.0f;
+    for (auto& corner : block.corner) {
+      for (auto& row : corner) row[lane] = 0.0f;
+    }
+    block.present[lane] = 0;
+  }
+  search_.count = static_cast<int>(count);
+  saw_all_ = stride == 1;
+}
+
+void SplitFinder::chooseSeeds(const BoxF& box) {
+  std::array<int, 3> axis = {0, 1, 2};
+  std::ranges::stable_sort(axis, std::greater{}, [&](int k) { return box.half_extents[k]; });
+  search_.axis_seeds = 0;
+  for (int seed = 0; seed < std::min(3, search_.effort.seeds); ++seed) {
+    const int k = axis[static_cast<std::size_t>(seed)];
+    if (seed > 0 && box.half_extents[k] < kThinAxis * box.half_extents[axis[0]]) break;
+    for (int i = 0; i < 3; ++i) search_.seed_axes[search_.axis_seeds][i] = box.axes(i, k);
+    ++search_.axis_seeds;
+  }
+}
+
+std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records, const BoxF& box,
+                                                    float slack, const SplitEffort& effort) {
+  static const FindSplit find_split = fastestFindSplit();
+  constexpr float kSmallest = 1e-36f;  // below it, 1 / size is not finite
+  const float size = std::max(box.half_extents.maxCoeff(), kSmallest), scale = 1.0f / size;
+  search_.effort = effort;
+  search_.slack = slack * scale;
+  fill(records, box.center, scale, effort.samples);
+  chooseSeeds(box);
+  find_split(search_);
+  if (search_.best < 0) return std::nullopt;
+  const SplitSearch::Candidate& best = search_.candidates[search_.best];
+  plane_.of_centroid = scale * Eigen::Map<const Eigen::Vector3f>(best.normal);
+  plane_.of_normal = kNormalWeight * Eigen::Map<const Eigen::Vector3f>(best.normal + 3);
+  plane_.offset = best.offset + plane_.of_centroid.dot(box.center);
+  return Split{boxOf(best, 0, box.center, size), boxOf(best, 1, box.center, size)};
+}
+
+}  // namespace octoblisk
