@@ -52,35 +52,55 @@ Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<c
   return best;
 }
 
-/// Along three axes, from an origin.
-struct Bounds {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Array3f high = Eigen::Array3f::Constant(-std::numeric_limits<float>::infinity());
-};
+/// The bounds of triangles along three axes, from an origin near them, which keeps the rounding small.
+class LocalBounds {
+ public:
+  LocalBounds(const Eigen::Matrix3f& axes, const Eigen::Vector3f& origin) : axes_(axes), origin_(origin) {}
 
-Bounds boundsOf(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes,
-                const Eigen::Vector3f& origin) {
-  const Eigen::Matrix3f to_local = axes.transpose();
-  Bounds bounds;
-  for (const TriangleRecord& record : records) {
+  void extend(const TriangleRecord& record) {
     for (const Eigen::Vector3f& vertex : record.vertices) {
-      const Eigen::Array3f local = (to_local * (vertex - origin)).array();
-      bounds.low = bounds.low.min(local);
-      bounds.high = bounds.high.max(local);
+      const Eigen::Array3f local = (axes_.transpose() * (vertex - origin_)).array();
+      low_ = low_.min(local);
+      high_ = high_.max(local);
     }
   }
-  return bounds;
+  void extend(const LocalBounds& other) {
+    low_ = low_.min(other.low_);
+    high_ = high_.max(other.high_);
+  }
+  BoxF box() const {
+    return {origin_ + axes_ * (0.5f * (low_ + high_)).matrix(), axes_, (0.5f * (high_ - low_)).matrix()};
+  }
+
+ private:
+  Eigen::Matrix3f axes_;
+  Eigen::Vector3f origin_;
+  Eigen::Array3f low_ = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array3f high_ = Eigen::Array3f::Constant(-std::numeric_limits<float>::infinity());
+};
+
+/// Writes the vertices of at most kSampledTriangles of `count` triangles.
+template <typename RecordAt>
+void sampleVerticesOf(std::size_t count, const RecordAt& record_at, VertexSample& sample) {
+  const std::size_t stride = (count + kSampledTriangles - 1) / kSampledTriangles;
+  sample.resize(static_cast<Eigen::Index>(3 * ((count + stride - 1) / stride)), 3);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < count; i += stride) {
+    for (const Eigen::Vector3f& vertex : record_at(i).vertices) sample.row(row++) = vertex.transpose();
+  }
 }
 
 }  // namespace
 
 void sampleVertices(std::span<const TriangleRecord> records, VertexSample& sample) {
-  const std::size_t stride = (records.size() + kSampledTriangles - 1) / kSampledTriangles;
-  sample.resize(static_cast<Eigen::Index>(3 * ((records.size() + stride - 1) / stride)), 3);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < records.size(); i += stride) {
-    for (const Eigen::Vector3f& vertex : records[i].vertices) sample.row(row++) = vertex.transpose();
-  }
+  sampleVerticesOf(
+      records.size(), [&](std::size_t i) -> const TriangleRecord& { return records[i]; }, sample);
+}
+
+void sampleVertices(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
+                    VertexSample& sample) {
+  sampleVerticesOf(
+      indices.size(), [&](std::size_t i) -> const TriangleRecord& { return records[indices[i]]; }, sample);
 }
 
 BoxF fitBox(const VertexSample& points, float slack) {
@@ -108,20 +128,24 @@ BoxF fitBox(const VertexSample& points, float slack) {
 
 BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f& axes, int threads) {
   constexpr std::size_t kChunk = 8192;
-  const Eigen::Vector3f origin = records.front().centroid;  // near the vertices: keeps the rounding small
-  const std::size_t chunks = (records.size() + kChunk - 1) / kChunk;
-  std::vector<Bounds> bounds(chunks);
-  parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t begin = chunk * kChunk;
-    bounds[chunk] = boundsOf(records.subspan(begin, std::min(kChunk, records.size() - begin)), axes, origin);
+  const LocalBounds none(axes, records.front().centroid);
+  std::vector<LocalBounds> parts((records.size() + kChunk - 1) / kChunk, none);
+  parallelFor(parts.size(), threads, [&](std::size_t part, std::size_t) {
+    LocalBounds bounds = none;
+    const std::size_t end = std::min(records.size(), (part + 1) * kChunk);
+    for (std::size_t i = part * kChunk; i < end; ++i) bounds.extend(records[i]);
+    parts[part] = bounds;
   });
-  Bounds all;
-  for (const Bounds& part : bounds) {
-    all.low = all.low.min(part.low);
-    all.high = all.high.max(part.high);
-  }
-  return {origin + axes * (0.5f * (all.low + all.high)).matrix(), axes,
-          (0.5f * (all.high - all.low)).matrix()};
+  LocalBounds all = none;
+  for (const LocalBounds& part : parts) all.extend(part);
+  return all.box();
+}
+
+BoxF enclosingBox(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
+                  const Eigen::Matrix3f& axes) {
+  LocalBounds bounds(axes, records[indices.front()].centroid);
+  for (const std::uint32_t index : indices) bounds.extend(records[index]);
+  return bounds.box();
 }
 
 }  // namespace octoblisk

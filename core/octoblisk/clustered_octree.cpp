@@ -108,8 +108,7 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
 
   const Partition partition =
       partitionOf(makeRecords(*tree.mesh_, tree.origin_, threadCount(options.threads)), options);
-  tree.triangle_order_.reserve(partition.records.size());
-  for (const TriangleRecord& record : partition.records) tree.triangle_order_.push_back(record.triangle);
+  tree.triangle_order_ = std::move(partition.order);
 
   constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
   constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());

@@ -123,35 +123,39 @@ class PaperPartitioner {
 class Layout {
  public:
   Layout(const std::vector<TriangleRecord>& records, const Cell& root) : records_(records) {
-    partition_.records.reserve(records.size());
+    ordered_.reserve(records.size());
     partition_.nodes.emplace_back();
     place(root, 0);
     for (PartitionNode& node : partition_.nodes) {
-      const std::span<const TriangleRecord> range(partition_.records.data() + node.begin, node.count());
+      const std::span<const TriangleRecord> range(ordered_.data() + node.begin, node.count());
       sampleVertices(range, vertices_);
       node.box = enclosingBox(range, fitBox(vertices_, 0.0f).axes);
     }
   }
 
-  Partition take() { return std::move(partition_); }
+  Partition take() {
+    for (const TriangleRecord& record : ordered_) partition_.order.push_back(record.triangle);
+    return std::move(partition_);
+  }
 
  private:
   void place(const Cell& cell, std::size_t index) {
-    const auto begin = static_cast<std::uint32_t>(partition_.records.size());
+    const auto begin = static_cast<std::uint32_t>(ordered_.size());
     const auto first_child = static_cast<std::uint32_t>(partition_.nodes.size());
-    for (const std::uint32_t t : cell.triangles) partition_.records.push_back(records_[t]);
+    for (const std::uint32_t t : cell.triangles) ordered_.push_back(records_[t]);
     partition_.nodes.resize(partition_.nodes.size() + cell.children.size());
     for (std::size_t child = 0; child < cell.children.size(); ++child) {
       place(cell.children[child], first_child + child);
     }
     PartitionNode& node = partition_.nodes[index];
     node.begin = begin;
-    node.end = static_cast<std::uint32_t>(partition_.records.size());
+    node.end = static_cast<std::uint32_t>(ordered_.size());
     node.first_child = cell.children.empty() ? 0 : first_child;
     node.child_count = static_cast<std::uint32_t>(cell.children.size());
   }
 
   const std::vector<TriangleRecord>& records_;
+  std::vector<TriangleRecord> ordered_;
   Partition partition_;
   VertexSample vertices_;
 };

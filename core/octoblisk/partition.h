@@ -25,8 +25,8 @@ struct PartitionNode {
 };
 
 struct Partition {
-  std::vector<TriangleRecord> records;  ///< in the order that the ranges refer to
-  std::vector<PartitionNode> nodes;     ///< the root first, parents before children
+  std::vector<std::uint32_t> order;  ///< of the mesh's triangles: what the ranges refer to
+  std::vector<PartitionNode> nodes;  ///< the root first, parents before children
 };
 
 struct ClusteringOptions {

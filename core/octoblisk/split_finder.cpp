@@ -67,15 +67,15 @@ SplitFinder::SplitFinder() {
   for (auto& side : search_.side) side.resize(kMostSamples + 1);
 }
 
-void SplitFinder::fill(std::span<const TriangleRecord> records, const Eigen::Vector3f& center, float scale,
-                       int samples) {
+void SplitFinder::fill(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
+                       const Eigen::Vector3f& center, float scale, int samples) {
   const std::size_t stride =
-      (records.size() + static_cast<std::size_t>(samples) - 1) / static_cast<std::size_t>(samples);
-  const std::size_t count = (records.size() + stride - 1) / stride;
+      (indices.size() + static_cast<std::size_t>(samples) - 1) / static_cast<std::size_t>(samples);
+  const std::size_t count = (indices.size() + stride - 1) / stride;
   for (std::size_t i = 0; i < count; ++i) {
     TriangleBlock& block = search_.blocks[i / kLanes];
     const std::size_t lane = i % kLanes;
-    const TriangleRecord& record = records[i * stride];
+    const TriangleRecord& record = records[indices[i * stride]];
     for (std::size_t c = 0; c < 3; ++c) {
       for (int k = 0; k < 3; ++k) {
         block.corner[c][k][lane] = (record.vertices[c][k] - center[k]) * scale;
@@ -112,14 +112,15 @@ void SplitFinder::chooseSeeds(const BoxF& box) {
   }
 }
 
-std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records, const BoxF& box,
+std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records,
+                                                    std::span<const std::uint32_t> indices, const BoxF& box,
                                                     float slack, const SplitEffort& effort) {
   static const FindSplit find_split = fastestFindSplit();
   constexpr float kSmallest = 1e-36f;  // below it, 1 / size is not finite
   const float size = std::max(box.half_extents.maxCoeff(), kSmallest), scale = 1.0f / size;
   search_.effort = effort;
   search_.slack = slack * scale;
-  fill(records, box.center, scale, effort.samples);
+  fill(records, indices, box.center, scale, effort.samples);
   chooseSeeds(box);
   find_split(search_);
   if (search_.best < 0) return std::nullopt;

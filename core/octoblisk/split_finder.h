@@ -72,16 +72,15 @@ class SplitFinder {
     BoxF low, high;  ///< round the sampled triangles of the two sides
   };
 
-  /// Divides the records, whose box is given; `slack` is added to box edges while volumes are compared. None
-  /// where no seed has two sides.
-  std::optional<Split> find(std::span<const TriangleRecord> records, const BoxF& box, float slack,
-                            const SplitEffort& effort);
+  /// Divides the records that the indices name, whose box is given; `slack` is added to box edges while
+  /// volumes are compared. None where no seed has two sides.
+  std::optional<Split> find(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
+                            const BoxF& box, float slack, const SplitEffort& effort);
 
-  /// Of the split found last: whether all records were looked at, so that `isLow` tells their sides.
+  /// Of the split found last: whether all records were looked at, so that `isLow(i)` tells the i-th one's
+  /// side.
   bool sawAll() const { return saw_all_; }
-  bool isLow(std::size_t record) const {
-    return search_.is_low[static_cast<std::size_t>(search_.best)][record] != 0;
-  }
+  bool isLow(std::size_t i) const { return search_.is_low[static_cast<std::size_t>(search_.best)][i] != 0; }
   /// The same for any record: the plane in the space of centroids and normals.
   struct Plane {
     Eigen::Vector3f of_centroid, of_normal;
@@ -93,7 +92,8 @@ class SplitFinder {
   const Plane& plane() const { return plane_; }
 
  private:
-  void fill(std::span<const TriangleRecord> records, const Eigen::Vector3f& center, float scale, int samples);
+  void fill(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
+            const Eigen::Vector3f& center, float scale, int samples);
   void chooseSeeds(const BoxF& box);
 
   SplitSearch search_;

@@ -1,0 +1,110 @@
+#include "octoblisk/node_divider.h"
+
+#include <algorithm>
+
+namespace octoblisk {
+namespace {
+
+constexpr float kSlack = 0.1f;  // added to box edges, in largest half extents of the node
+
+}  // namespace
+
+const std::vector<Cluster>& NodeDivider::byClusters(std::span<const TriangleRecord> records,
+                                                    std::span<std::uint32_t> indices, const BoxF& box) {
+  return divide(records, indices, box, Method::clusters);
+}
+
+const std::vector<Cluster>& NodeDivider::byMedians(std::span<const TriangleRecord> records,
+                                                   std::span<std::uint32_t> indices, const BoxF& box) {
+  return divide(records, indices, box, Method::medians);
+}
+
+const std::vector<Cluster>& NodeDivider::byPlanes(std::span<const TriangleRecord> records,
+                                                  std::span<std::uint32_t> sample, const BoxF& box) {
+  return divide(records, sample, box, Method::planes);
+}
+
+const std::vector<Cluster>& NodeDivider::divide(std::span<const TriangleRecord> records,
+                                                std::span<std::uint32_t> indices, const BoxF& box,
+                                                Method method) {
+  records_ = records;
+  indices_ = indices;
+  slack_ = kSlack * box.half_extents.maxCoeff();
+  cuts_.clear();
+  clusters_.clear();
+  clusters_.push_back({0, static_cast<std::uint32_t>(indices.size()), box});
+  while (clusters_.size() < kLanes) {
+    const auto extent = [&](const Cluster& cluster) {
+      return cluster.count() <= capacity_ ? -1.0f : cluster.box.half_extents.maxCoeff();
+    };
+    const auto widest = std::ranges::max_element(clusters_, {}, extent);
+    if (extent(*widest) < 0.0f) break;
+    const auto cluster = static_cast<std::size_t>(widest - clusters_.begin());
+    if (method != Method::medians && cut(cluster)) continue;
+    if (method == Method::planes) break;
+    halve(cluster);
+  }
+  return clusters_;
+}
+
+bool NodeDivider::cut(std::size_t cluster) {
+  const Cluster whole = clusters_[cluster];
+  const std::span<std::uint32_t> indices = indices_.subspan(whole.begin, whole.count());
+  const auto split = finder_.find(records_, indices, whole.box, slack_, effort_);
+  if (!split) return false;
+  const SplitFinder::Plane& plane = finder_.plane();
+  const std::uint32_t low =
+      finder_.sawAll() ? separate(indices, [&](std::size_t i) { return finder_.isLow(i); })
+                       : separate(indices, [&](std::size_t i) { return plane.isLow(records_[indices[i]]); });
+  if (low == 0 || low == whole.count()) return false;
+  replace(cluster, whole.begin + low, split->low, split->high, finder_.sawAll());
+  cuts_.push_back({cluster, plane});
+  return true;
+}
+
+/// By the median along the longest axis; always makes progress.
+void NodeDivider::halve(std::size_t cluster) {
+  const Cluster whole = clusters_[cluster];
+  const std::span<std::uint32_t> indices = indices_.subspan(whole.begin, whole.count());
+  int longest = 0;
+  whole.box.half_extents.maxCoeff(&longest);
+  const Eigen::Vector3f axis = whole.box.axes.col(longest);
+  const std::size_t half = indices.size() / 2;
+  std::ranges::nth_element(indices, indices.begin() + static_cast<std::ptrdiff_t>(half), {},
+                           [&](std::uint32_t index) {
+                             return std::pair(axis.dot(records_[index].centroid), records_[index].triangle);
+                           });
+  replace(cluster, whole.begin + static_cast<std::uint32_t>(half), fitted(indices.first(half)),
+          fitted(indices.subspan(half)), false);
+}
+
+void NodeDivider::replace(std::size_t cluster, std::uint32_t mid, const BoxF& low, const BoxF& high,
+                          bool exact) {
+  const Cluster whole = clusters_[cluster];
+  clusters_[cluster] = {whole.begin, mid, low, exact};
+  clusters_.insert(clusters_.begin() + static_cast<std::ptrdiff_t>(cluster) + 1,
+                   Cluster{mid, whole.end, high, exact});
+}
+
+/// Puts the low indices before the others, each in the order they are in, and returns their number.
+template <typename IsLow>
+std::uint32_t NodeDivider::separate(std::span<std::uint32_t> indices, const IsLow& is_low) {
+  high_.resize(std::max(high_.size(), indices.size()));
+  std::size_t low = 0, high = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::uint32_t index = indices[i];
+    const bool goes_low = is_low(i);
+    indices[low] = high_[high] = index;
+    low += goes_low;
+    high += !goes_low;
+  }
+  std::copy_n(high_.begin(), high, indices.begin() + static_cast<std::ptrdiff_t>(low));
+  return static_cast<std::uint32_t>(low);
+}
+
+BoxF NodeDivider::fitted(std::span<const std::uint32_t> indices) {
+  sampleVertices(records_, indices, vertices_);
+  return fitBox(vertices_, slack_);
+}
+
+}  // namespace octoblisk
