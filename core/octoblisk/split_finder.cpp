@@ -44,13 +44,13 @@ FindSplit fastestFindSplit() {
 }
 
 /// The search's box of one side, back in the records' frame.
-BoxF boxOf(const SplitSearch::Candidate& candidate, int side, const Eigen::Vector3f& center, float size) {
+BoxF boxOf(const SplitSearch::Side& side, const Eigen::Vector3f& center, float size) {
   BoxF box;
   Eigen::Vector3f low, high;
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 3; ++i) box.axes(i, k) = candidate.axes[side][k][i];
-    low[k] = candidate.low_bounds[side][k];
-    high[k] = candidate.high_bounds[side][k];
+    for (int i = 0; i < 3; ++i) box.axes(i, k) = side.axes[k][i];
+    low[k] = side.low[k];
+    high[k] = side.high[k];
   }
   box.half_extents = (0.5f * size) * (high - low);
   box.center = center + box.axes * ((0.5f * size) * (low + high));
@@ -128,7 +128,7 @@ std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleReco
   plane_.of_centroid = scale * Eigen::Map<const Eigen::Vector3f>(best.normal);
   plane_.of_normal = kNormalWeight * Eigen::Map<const Eigen::Vector3f>(best.normal + 3);
   plane_.offset = best.offset + plane_.of_centroid.dot(box.center);
-  return Split{boxOf(best, 0, box.center, size), boxOf(best, 1, box.center, size)};
+  return Split{boxOf(best.sides[0], box.center, size), boxOf(best.sides[1], box.center, size)};
 }
 
 }  // namespace octoblisk

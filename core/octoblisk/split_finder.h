@@ -32,14 +32,17 @@ struct alignas(64) TriangleBlock {
 struct SplitSearch {
   static constexpr int kMostSeeds = 4;
 
+  /// The box of a side.
+  struct Side {
+    float axes[3][3];       ///< [axis][component]: the third is the thinnest
+    float low[3], high[3];  ///< along the axes
+  };
   struct Candidate {
     float normal[6];  ///< divides features f into normal·f < offset and the rest
     float offset;
     float error;
     float volume;
-    float axes[2][3][3];                        ///< [low, high][axis][component]: the third is the thinnest
-    int turn[2];                                ///< the step of the best turn
-    float low_bounds[2][3], high_bounds[2][3];  ///< along the axes; of the winner alone
+    Side sides[2];  ///< low, high
   };
 
   // In:
