@@ -37,12 +37,12 @@ void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& 
   }
 }
 
-Partition partitionOf(std::vector<TriangleRecord> records, const BuildOptions& options) {
+Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
   if (options.partition == PartitionKind::clustering) {
     return clusteringPartition(std::move(records),
                                {options.leaf_capacity, options.quality, threadCount(options.threads)});
   }
-  return paperPartition(std::move(records),
+  return paperPartition(records.span(),
                         {options.leaf_capacity, static_cast<std::size_t>(options.clusters), options.seed,
                          options.part_of_triangle});
 }

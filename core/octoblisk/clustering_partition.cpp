@@ -14,6 +14,13 @@
 #include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
 
+#ifndef FAXIS
+#define FAXIS 1
+#define FONE 24
+#define FNORM true
+#define FSAMP 128
+#define FLLOYD 3
+#endif
 namespace octoblisk {
 namespace {
 
@@ -24,7 +31,7 @@ constexpr std::size_t kChunk = 8192;        // triangles that a thread sorts at 
 
 SplitEffort effortOf(BuildQuality quality) {
   if (quality == BuildQuality::fast)
-    return {.samples = 128, .lloyd_steps = 3, .seeds = 2, .refine_turn = false};
+    return {.samples = FSAMP, .lloyd_steps = FLLOYD, .axis_seeds = FAXIS, .normal_seed = FNORM, .one_seed_below = FONE, .refine_turn = false};
   return {};
 }
 
@@ -81,7 +88,7 @@ class Sorter {
 
 class ClusteringPartitioner {
  public:
-  ClusteringPartitioner(std::vector<TriangleRecord> records, const ClusteringOptions& options)
+  ClusteringPartitioner(TriangleRecords records, const ClusteringOptions& options)
       : capacity_(static_cast<std::uint32_t>(options.leaf_capacity)) {
     const std::size_t useful_threads =
         std::min<std::size_t>(static_cast<std::size_t>(options.threads), records.size() / kSubtree + 1);
@@ -91,13 +98,13 @@ class ClusteringPartitioner {
     }
     order_.resize(records.size());
     buffers_[0] = std::move(records);
-    if (order_.size() > kSubtree) buffers_[1].resize(order_.size());
+    if (order_.size() > kSubtree) buffers_[1] = TriangleRecords(order_.size());
   }
 
   Partition run() {
     const auto sample = std::make_unique<VertexSample>();
-    sampleVertices(buffers_[0], *sample);
-    const BoxF box = enclosingBox(buffers_[0], fitBox(*sample, 0.0f).axes, threads_);
+    sampleVertices(buffers_[0].span(), *sample);
+    const BoxF box = enclosingBox(buffers_[0].span(), fitBox(*sample, 0.0f).axes, threads_);
     nodes_.push_back({0, static_cast<std::uint32_t>(order_.size()), 0, 0, box});
     divideSubtrees(divideLargeNodes());
     return {std::move(order_), std::move(nodes_)};
@@ -105,7 +112,7 @@ class ClusteringPartitioner {
 
  private:
   std::span<TriangleRecord> recordsOf(int buffer, const PartitionNode& node) {
-    return std::span(buffers_[static_cast<std::size_t>(buffer)]).subspan(node.begin, node.count());
+    return buffers_[static_cast<std::size_t>(buffer)].span().subspan(node.begin, node.count());
   }
 
   /// Returns the nodes that are left to divide.
@@ -241,14 +248,14 @@ class ClusteringPartitioner {
   const std::uint32_t capacity_;
   int threads_ = 1;
   std::vector<std::unique_ptr<NodeDivider>> dividers_;  // one a thread
-  std::array<std::vector<TriangleRecord>, 2> buffers_;
+  std::array<TriangleRecords, 2> buffers_;
   std::vector<std::uint32_t> order_;
   Nodes nodes_;
 };
 
 }  // namespace
 
-Partition clusteringPartition(std::vector<TriangleRecord> records, const ClusteringOptions& options) {
+Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options) {
   return ClusteringPartitioner(std::move(records), options).run();
 }
 

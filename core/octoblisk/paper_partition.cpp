@@ -56,7 +56,7 @@ Cell leafCell(const TriangleSet& triangles) {
 
 class PaperPartitioner {
  public:
-  PaperPartitioner(const std::vector<TriangleRecord>& records, const PaperPartitionOptions& options)
+  PaperPartitioner(std::span<const TriangleRecord> records, const PaperPartitionOptions& options)
       : options_(options) {
     centroids_.reserve(records.size());
     for (const TriangleRecord& record : records) centroids_.push_back(record.centroid.cast<double>());
@@ -122,7 +122,7 @@ class PaperPartitioner {
 /// Lays the cells' triangles out one after the other, and their nodes breadth first.
 class Layout {
  public:
-  Layout(const std::vector<TriangleRecord>& records, const Cell& root) : records_(records) {
+  Layout(std::span<const TriangleRecord> records, const Cell& root) : records_(records) {
     ordered_.reserve(records.size());
     partition_.nodes.emplace_back();
     place(root, 0);
@@ -154,7 +154,7 @@ class Layout {
     node.child_count = static_cast<std::uint32_t>(cell.children.size());
   }
 
-  const std::vector<TriangleRecord>& records_;
+  std::span<const TriangleRecord> records_;
   std::vector<TriangleRecord> ordered_;
   Partition partition_;
   VertexSample vertices_;
@@ -162,7 +162,7 @@ class Layout {
 
 }  // namespace
 
-Partition paperPartition(std::vector<TriangleRecord> records, const PaperPartitionOptions& options) {
+Partition paperPartition(std::span<const TriangleRecord> records, const PaperPartitionOptions& options) {
   const Cell root = PaperPartitioner(records, options).divide();
   return std::make_unique<Layout>(records, root)->take();
 }

@@ -37,7 +37,7 @@ struct ClusteringOptions {
 
 /// Divides each node into up to eight clusters of triangles alike in place and facing, where the boxes round
 /// them are smallest, down to the leaf capacity.
-Partition clusteringPartition(std::vector<TriangleRecord> records, const ClusteringOptions& options);
+Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options);
 
 struct PaperPartitionOptions {
   int leaf_capacity = 8;     ///< FNOP, at least 1; a leaf of more than 8 becomes several
@@ -47,6 +47,6 @@ struct PaperPartitionOptions {
 };
 
 /// The paper's partition over the triangles' centroids.
-Partition paperPartition(std::vector<TriangleRecord> records, const PaperPartitionOptions& options);
+Partition paperPartition(std::span<const TriangleRecord> records, const PaperPartitionOptions& options);
 
 }  // namespace octoblisk

@@ -101,15 +101,21 @@ void SplitFinder::fill(std::span<const TriangleRecord> records, std::span<const 
 }
 
 void SplitFinder::chooseSeeds(const BoxF& box) {
+  const bool one = search_.count < search_.effort.one_seed_below;
+  const int most = one ? 1 : search_.effort.axis_seeds;
+  const Eigen::Vector3f& extent = box.half_extents;
   std::array<int, 3> axis = {0, 1, 2};
-  std::ranges::stable_sort(axis, std::greater{}, [&](int k) { return box.half_extents[k]; });
-  search_.axis_seeds = 0;
-  for (int seed = 0; seed < std::min(3, search_.effort.seeds); ++seed) {
-    const int k = axis[static_cast<std::size_t>(seed)];
-    if (seed > 0 && box.half_extents[k] < kThinAxis * box.half_extents[axis[0]]) break;
-    for (int i = 0; i < 3; ++i) search_.seed_axes[search_.axis_seeds][i] = box.axes(i, k);
-    ++search_.axis_seeds;
+  if (extent[axis[0]] < extent[axis[1]]) std::swap(axis[0], axis[1]);
+  if (extent[axis[1]] < extent[axis[2]]) std::swap(axis[1], axis[2]);
+  if (extent[axis[0]] < extent[axis[1]]) std::swap(axis[0], axis[1]);
+  int seeds = 0;
+  for (const int k : axis) {
+    if (seeds == most || (seeds > 0 && extent[k] < kThinAxis * extent[axis[0]])) break;
+    for (int i = 0; i < 3; ++i) search_.seed_axes[seeds][i] = box.axes(i, k);
+    ++seeds;
   }
+  search_.axis_seeds = seeds;
+  search_.normal_seed = search_.effort.normal_seed && !one;
 }
 
 std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records,

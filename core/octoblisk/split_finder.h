@@ -15,9 +15,11 @@ namespace octoblisk {
 
 /// How much effort a split is worth.
 struct SplitEffort {
-  int samples = 1024;   ///< triangles looked at, at most; a multiple of 8, up to SplitFinder::kMostSamples
-  int lloyd_steps = 8;  ///< from each seed
-  int seeds = 4;        ///< 1..4: across the longest, middle and thinnest axis, by the principal normal
+  int samples = 1024;       ///< triangles looked at, at most: up to SplitFinder::kMostSamples
+  int lloyd_steps = 8;      ///< from each seed
+  int axis_seeds = 3;       ///< 1..3: across the longest, middle and thinnest axis of the box
+  bool normal_seed = true;  ///< one more: by the direction that the triangles face most
+  int one_seed_below = 0;   ///< fewer triangles than this get the first seed alone
   bool refine_turn = true;  ///< turn the boxes in steps of 3° instead of 13°
 };
 
@@ -51,6 +53,7 @@ struct SplitSearch {
   SplitEffort effort;
   int axis_seeds = 0;
   float seed_axes[3][3];
+  bool normal_seed = false;
 
   // Out: candidates[best], with the sides that it divides the triangles into; best < 0 where none has two.
   int best = -1;

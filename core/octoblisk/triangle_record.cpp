@@ -19,12 +19,12 @@ TriangleRecord recordOf(const TriangleMesh& mesh, std::size_t index, const Vec3&
 
 }  // namespace
 
-std::vector<TriangleRecord> makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads) {
+TriangleRecords makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads) {
   constexpr std::size_t kChunk = 8192;
-  std::vector<TriangleRecord> records(mesh.triangleCount());
+  TriangleRecords records(mesh.triangleCount());
   parallelFor((records.size() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
     const std::size_t end = std::min(records.size(), (chunk + 1) * kChunk);
-    for (std::size_t t = chunk * kChunk; t < end; ++t) records[t] = recordOf(mesh, t, origin);
+    for (std::size_t t = chunk * kChunk; t < end; ++t) records.span()[t] = recordOf(mesh, t, origin);
   });
   return records;
 }
