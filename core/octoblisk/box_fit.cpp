@@ -55,11 +55,15 @@ Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<c
 /// The bounds of triangles along three axes, from an origin near them, which keeps the rounding small.
 class LocalBounds {
  public:
-  LocalBounds(const Eigen::Matrix3f& axes, const Eigen::Vector3f& origin) : axes_(axes), origin_(origin) {}
+  LocalBounds(const Eigen::Matrix3f& axes, const Eigen::Vector3f& origin) : axes_(axes), origin_(origin) {
+    for (int k = 0; k < 3; ++k) to_local_[k].head<3>() = axes.row(k).transpose().array();
+  }
 
   void extend(const TriangleRecord& record) {
     for (const Eigen::Vector3f& vertex : record.vertices) {
-      const Eigen::Array3f local = (axes_.transpose() * (vertex - origin_)).array();
+      const Eigen::Vector3f offset = vertex - origin_;
+      const Eigen::Array4f local =
+          to_local_[0] * offset[0] + to_local_[1] * offset[1] + to_local_[2] * offset[2];
       low_ = low_.min(local);
       high_ = high_.max(local);
     }
@@ -69,14 +73,17 @@ class LocalBounds {
     high_ = high_.max(other.high_);
   }
   BoxF box() const {
-    return {origin_ + axes_ * (0.5f * (low_ + high_)).matrix(), axes_, (0.5f * (high_ - low_)).matrix()};
+    const Eigen::Vector3f low = low_.head<3>(), high = high_.head<3>();
+    return {origin_ + axes_ * (0.5f * (low + high)), axes_, 0.5f * (high - low)};
   }
 
  private:
   Eigen::Matrix3f axes_;
   Eigen::Vector3f origin_;
-  Eigen::Array3f low_ = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Array3f high_ = Eigen::Array3f::Constant(-std::numeric_limits<float>::infinity());
+  // Four components, so that the compiler uses vectors; the last is 0.
+  Eigen::Array4f to_local_[3] = {Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};
+  Eigen::Array4f low_ = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Array4f high_ = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
 };
 
 /// Writes the vertices of at most kSampledTriangles of `count` triangles.

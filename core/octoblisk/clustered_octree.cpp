@@ -42,9 +42,8 @@ Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
     return clusteringPartition(std::move(records),
                                {options.leaf_capacity, options.quality, threadCount(options.threads)});
   }
-  return paperPartition(records.span(),
-                        {options.leaf_capacity, static_cast<std::size_t>(options.clusters), options.seed,
-                         options.part_of_triangle});
+  return paperPartition(records.span(), {options.leaf_capacity, static_cast<std::size_t>(options.clusters),
+                                         options.seed, options.part_of_triangle});
 }
 
 /// Room for the rounding of vertices, projections and box centres to single precision.
@@ -106,16 +105,17 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   tree.origin_ = tree.mesh_->bounds().center();
   tree.radius_ = tree.mesh_->bounds().halfExtents().norm();
 
-  const Partition partition =
+  Partition partition =
       partitionOf(makeRecords(*tree.mesh_, tree.origin_, threadCount(options.threads)), options);
   tree.triangle_order_ = std::move(partition.order);
 
   constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
   constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());
+  const auto has_children = [](const PartitionNode& node) { return node.child_count > 0; };
+  tree.nodes_.reserve(1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
   tree.nodes_.emplace_back();
   NodeWriter writer(partition, static_cast<float>(kRounding * tree.radius_ + kSmallest), tree.nodes_);
   writer.write(0, kRoot, 1);
-  tree.nodes_.shrink_to_fit();
 
   tree.leaf_vertices_.resize(9 * partition.records.size() + kLanes);
   forEachChild(tree.nodes_, [&](Slot slot, Child child) {

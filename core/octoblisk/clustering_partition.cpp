@@ -14,13 +14,6 @@
 #include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
 
-#ifndef FAXIS
-#define FAXIS 1
-#define FONE 24
-#define FNORM true
-#define FSAMP 128
-#define FLLOYD 3
-#endif
 namespace octoblisk {
 namespace {
 
@@ -30,9 +23,8 @@ constexpr std::size_t kLargeSample = 4096;  // triangles of larger nodes that fi
 constexpr std::size_t kChunk = 8192;        // triangles that a thread sorts at a time
 
 SplitEffort effortOf(BuildQuality quality) {
-  if (quality == BuildQuality::fast)
-    return {.samples = FSAMP, .lloyd_steps = FLLOYD, .axis_seeds = FAXIS, .normal_seed = FNORM, .one_seed_below = FONE, .refine_turn = false};
-  return {};
+  if (quality == BuildQuality::standard) return {};
+  return {.samples = 128, .lloyd_steps = 3, .axis_seeds = 1, .one_seed_below = 24, .refine_turn = false};
 }
 
 using Nodes = std::vector<PartitionNode>;

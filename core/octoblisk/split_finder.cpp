@@ -25,7 +25,7 @@ namespace portable {
 #include "octoblisk/split_search.inc"
 }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)  // clang has no such pragma
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
@@ -37,7 +37,7 @@ namespace avx2 {
 using FindSplit = void (*)(SplitSearch&);
 
 FindSplit fastestFindSplit() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   if (__builtin_cpu_supports("avx2")) return avx2::findSplit;
 #endif
   return portable::findSplit;

@@ -120,6 +120,7 @@ TEST(ClusteredOctree, refusesBadOptions) {
   EXPECT_THROW(ClusteredOctree::build(nullptr), std::invalid_argument);
   EXPECT_THROW(ClusteredOctree::build(mesh, {.leaf_capacity = 0}), std::invalid_argument);
   EXPECT_THROW(ClusteredOctree::build(mesh, {.leaf_capacity = 9}), std::invalid_argument);
+  EXPECT_THROW(ClusteredOctree::build(mesh, {.threads = -1}), std::invalid_argument);
   EXPECT_THROW(ClusteredOctree::build(mesh, {.clusters = 9}), std::invalid_argument);
   EXPECT_THROW(ClusteredOctree::build(mesh, {.part_of_triangle = {1, 2}}), std::invalid_argument);
 }

@@ -1,0 +1,107 @@
+// The build of the clustered octree on several threads and at both qualities.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <stdexcept>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/collide.h"
+#include "octoblisk/parallel.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::SharedMesh;
+
+/// Large enough for nodes that all threads divide together, and for many subtrees.
+std::vector<SharedMesh> largeMeshes() {
+  std::mt19937_64 random(5);
+  std::vector<TriangleMesh::Indices> same(10000, {0, 1, 2});
+  return {testing::torus(3, 1, 300, 100), testing::fan(12, 30), testing::soup(random, 20000, 10, 0.3),
+          std::make_shared<const TriangleMesh>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, same)};
+}
+
+bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
+  return std::ranges::equal(a.triangleOrder(), b.triangleOrder()) && a.nodes().size() == b.nodes().size() &&
+         std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(ClusteredOctree::Node)) ==
+             0;
+}
+
+TEST(Build, isTheSameForAnyNumberOfThreads) {
+  for (const SharedMesh& mesh : largeMeshes()) {
+    for (const BuildQuality quality : {BuildQuality::standard, BuildQuality::fast}) {
+      const ClusteredOctree alone = ClusteredOctree::build(mesh, {.quality = quality, .threads = 1});
+      alone.validate();
+      for (const int threads : {2, 3, 8, 0}) {
+        EXPECT_TRUE(sameBits(alone, ClusteredOctree::build(mesh, {.quality = quality, .threads = threads})))
+            << mesh->triangleCount() << " triangles, " << threads << " threads";
+      }
+    }
+  }
+}
+
+TEST(Build, fastTreesAreAnotherTreeWithLooserBoxes) {
+  const SharedMesh mesh = testing::fan(12, 30);
+  const ClusteredOctree standard = ClusteredOctree::build(mesh);
+  const ClusteredOctree fast = ClusteredOctree::build(mesh, {.quality = BuildQuality::fast});
+  EXPECT_FALSE(sameBits(standard, fast));
+  EXPECT_GT(fast.stats().leaf_volume, standard.stats().leaf_volume);
+  EXPECT_LT(fast.stats().leaf_volume, 3.0 * standard.stats().leaf_volume);
+}
+
+TEST(Build, bothQualitiesGiveTheVerdictsOfAllPairs) {
+  std::mt19937_64 random(17);
+  const SharedMesh a = testing::fan(5, 10), b = testing::torus(0.4, 0.1, 16, 8);
+  const BuildOptions fast{.quality = BuildQuality::fast};
+  const ClusteredOctree standard_a = ClusteredOctree::build(a), standard_b = ClusteredOctree::build(b);
+  const ClusteredOctree fast_a = ClusteredOctree::build(a, fast), fast_b = ClusteredOctree::build(b, fast);
+  const Aabb& bounds = a->bounds();
+  constexpr int kPoses = 300;
+  int hits = 0;
+  for (int i = 0; i < kPoses; ++i) {
+    Pose pose = testing::randomPose(random, 1.0);
+    pose.translation = bounds.center() + pose.translation.cwiseProduct(bounds.halfExtents());
+    const bool expected = !testing::bruteForcePairs(*a, *b, pose).empty();
+    hits += expected;
+    EXPECT_EQ(collide(standard_a, standard_b, pose).has_value(), expected);
+    EXPECT_EQ(collide(fast_a, fast_b, pose).has_value(), expected);
+  }
+  EXPECT_GT(hits, kPoses * 3 / 10);
+  EXPECT_LT(hits, kPoses * 7 / 10);
+}
+
+TEST(ParallelFor, callsEachIndexOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{1000}}) {
+      std::vector<std::atomic<int>> calls(count);
+      std::atomic<bool> workers_in_range = true;
+      parallelFor(count, threads, [&](std::size_t index, std::size_t worker) {
+        ++calls[index];
+        if (worker >= static_cast<std::size_t>(threads)) workers_in_range = false;
+      });
+      EXPECT_TRUE(std::ranges::all_of(calls, [](const std::atomic<int>& n) { return n == 1; }));
+      EXPECT_TRUE(workers_in_range);
+    }
+  }
+}
+
+TEST(ParallelFor, throwsOnWhatACallHasThrown) {
+  for (const int threads : {1, 2, 8}) {
+    for (const std::size_t bad : {std::size_t{0}, std::size_t{500}, std::size_t{999}}) {
+      EXPECT_THROW(parallelFor(1000, threads,
+                               [&](std::size_t index, std::size_t) {
+                                 if (index == bad) throw std::runtime_error("bad");
+                               }),
+                   std::runtime_error);
+    }
+    EXPECT_THROW(parallelFor(1000, threads, [](std::size_t, std::size_t) { throw std::bad_alloc(); }),
+                 std::bad_alloc);
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
