@@ -1,0 +1,27 @@
+// The point of a mesh that is closest to a given one.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/contact.h"
+
+namespace octoblisk {
+
+/// The point of a triangle closest to `point`, in double precision; of a degenerate triangle, which is a
+/// segment or a point, too.
+Vec3 closestPoint(const Triangle& triangle, const Vec3& point);
+
+struct ClosestPoint {
+  Vec3 point = Vec3::Zero();  ///< on the mesh
+  double distance = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle = kNoTriangle;
+};
+
+/// The point of the tree's mesh closest to `point`, in the mesh's frame; none where the mesh is farther away
+/// than `upper_bound`. Points, like vertices, must be within TriangleMesh::kMaxCoordinate. Allocates nothing.
+std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3& point,
+                                         double upper_bound = std::numeric_limits<double>::infinity());
+
+}  // namespace octoblisk

@@ -1,0 +1,362 @@
+#include "octoblisk/depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "octoblisk/closest_point.h"
+#include "octoblisk/leaf_triangles.h"
+#include "octoblisk/traversal.h"
+#include "octoblisk/triangle_pair.h"
+
+namespace octoblisk {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+double distance(const Triangle& triangle, const Vec3& point) {
+  return (closestPoint(triangle, point) - point).norm();
+}
+
+/// A point that two triangles that meet share, up to rounding.
+Vec3 sharedPoint(const Triangle& a, const Triangle& b) {
+  Vec3 best = closestPoints(a, b).point_on_b;
+  double least = std::max(distance(a, best), distance(b, best));
+  const auto tryEdges = [&](const Triangle& of, const Triangle& through) {
+    const Vec3 normal = scaledNormal(through);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &from = of[i], &to = of[(i + 1) % 3];
+      const double height_from = normal.dot(from - through[0]), height_to = normal.dot(to - through[0]);
+      if (height_from == height_to || (height_from > 0.0) == (height_to > 0.0)) continue;
+      const Vec3 point = from + (to - from) * (height_from / (height_from - height_to));
+      const double off = std::max(distance(a, point), distance(b, point));
+      if (off < least) {
+        least = off;
+        best = point;
+      }
+    }
+  };
+  tryEdges(a, b);
+  tryEdges(b, a);
+  return best;
+}
+
+bool apart(const Triangle& a, const Triangle& b) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::min({a[0][k], a[1][k], a[2][k]}) > std::max({b[0][k], b[1][k], b[2][k]}) ||
+        std::min({b[0][k], b[1][k], b[2][k]}) > std::max({a[0][k], a[1][k], a[2][k]})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle;
+/// 1 where it does not, 0 where it is outside already.
+double leavesPrism(const Triangle& triangle, const Vec3& point, const Vec3& other) {
+  const Vec3 normal = scaledNormal(triangle);
+  double at = 1.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 inward = normal.cross(triangle[(i + 1) % 3] - triangle[i]);
+    const double here = inward.dot(point - triangle[i]), there = inward.dot(other - triangle[i]);
+    if (there < 0.0) at = here > 0.0 ? std::min(at, here / (here - there)) : 0.0;
+  }
+  return at;
+}
+
+}  // namespace
+
+GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
+  prepare(a, b, b_in_a, tolerance);
+  if (!a.isClosed()) {
+    best_.gouging = Gouging::unknown;
+    return best_;
+  }
+  findCrossings();
+  findInside();
+  search();
+  return best_;
+}
+
+void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
+  for (const std::uint32_t triangle : marked_) mark_[triangle] = Mark::none;
+  for (const std::uint32_t corner : known_) corner_of_b_[corner] = kNone;
+  marked_.clear();
+  known_.clear();
+  crossings_.clear();
+  open_.clear();
+  corners_.clear();
+  met_.clear();
+  parts_.clear();
+  a_ = &a;
+  b_ = &b;
+  b_in_a_ = b_in_a;
+  tolerance_ = std::max(tolerance, 1e-12 * (a.tree().radius() + b.tree().radius()));
+  best_ = {};
+  greatest_dropped_ = 0.0;
+  if (mark_.size() < b.tree().mesh().triangleCount())
+    mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
+  if (corner_of_b_.size() < b.cornerCount()) corner_of_b_.resize(b.cornerCount(), kNone);
+  part_crosses_.assign(b.partCount(), false);
+}
+
+void DepthQuery::findCrossings() {
+  traversePairs(a_->tree(), b_->tree(), b_in_a_, 0.0, [&](Child leaf_a, Child leaf_b) {
+    const LeafTriangles in_a(a_->tree(), leaf_a), in_b(b_->tree(), leaf_b, &b_in_a_);
+    return forEachPairWithin(in_a, in_b, 0.0, [&](std::size_t i, std::size_t j) {
+      if (intersects(in_a[i], in_b[j])) crossings_.push_back({in_a.id(i), in_b.id(j)});
+      return false;
+    });
+  });
+  std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });
+  for (const TrianglePair& pair : crossings_) {
+    if (mark_[pair.b] == Mark::crossing) continue;
+    mark_[pair.b] = Mark::crossing;
+    marked_.push_back(pair.b);
+    for (const std::uint32_t corner : b_->corners(pair.b)) {
+      addCorner(corner);
+      part_crosses_[b_->part(corner)] = true;
+    }
+  }
+}
+
+/// Marks the triangles of B that are wholly inside A: those that hang together with an inside corner by
+/// triangles that do not cross A's surface.
+void DepthQuery::findInside() {
+  for (std::size_t i = 0, crossing_corners = known_.size(); i < crossing_corners; ++i) {
+    const std::uint32_t corner = known_[i];
+    if (corners_[corner_of_b_[corner]].side != Side::unknown) continue;
+    sideOf(corners_[corner_of_b_[corner]]);
+    spread(corner);
+  }
+  for (std::size_t part = 0; part < b_->partCount(); ++part) {
+    if (part_crosses_[part]) continue;
+    const std::uint32_t corner = b_->cornerOfPart(part);
+    const Vec3 point = b_in_a_ * b_->position(corner);
+    if (locate(*a_, point) != PointLocation::inside) continue;
+    corners_[addCorner(corner)].side = Side::inside;
+    spread(corner);
+  }
+}
+
+/// Gives the corners that hang together with this one its side: inside all, outside only those of crossing
+/// triangles, for the outside may be large and does not matter.
+void DepthQuery::spread(std::uint32_t from) {
+  const Side side = corners_[corner_of_b_[from]].side;
+  if (side == Side::on_surface) return;  // all triangles round it cross
+  open_.push_back(from);
+  while (!open_.empty()) {
+    const std::uint32_t corner = open_.back();
+    open_.pop_back();
+    for (const std::uint32_t triangle : b_->star(corner)) {
+      if (mark_[triangle] == Mark::crossing) continue;
+      if (side == Side::inside && mark_[triangle] == Mark::none) {
+        mark_[triangle] = Mark::inside;
+        marked_.push_back(triangle);
+      }
+      for (const std::uint32_t next : b_->corners(triangle)) {
+        if (side == Side::outside && corner_of_b_[next] == kNone) continue;
+        Corner& neighbour = corners_[addCorner(next)];
+        if (neighbour.side != Side::unknown) continue;
+        neighbour.side = side;
+        open_.push_back(next);
+      }
+    }
+  }
+}
+
+void DepthQuery::search() {
+  if (marked_.empty()) return;
+  best_.gouging = Gouging::found;
+  if (!crossings_.empty()) keepCrossing(crossings_.front());
+  auto crossing = crossings_.begin();
+  const Corner* near = nullptr;
+  for (const std::uint32_t triangle : marked_) {
+    Part part{{}, triangle, 0, 0, 0, std::numeric_limits<double>::infinity()};
+    part.met_begin = static_cast<std::uint32_t>(met_.size());
+    if (mark_[triangle] == Mark::crossing) {
+      for (; crossing != crossings_.end() && crossing->b == triangle; ++crossing) met_.push_back(crossing->a);
+    }
+    part.met_end = static_cast<std::uint32_t>(met_.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+      part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
+      Corner& corner = corners_[part.corner[i]];
+      measure(corner, near);
+      near = &corner;
+      keepDeeper(corner, triangle);
+    }
+    add(part);
+  }
+  while (!parts_.empty() && parts_.front().bound > limit()) {
+    std::ranges::pop_heap(parts_, {}, &Part::bound);
+    const Part part = parts_.back();
+    parts_.pop_back();
+    divide(part);
+  }
+  if (!parts_.empty()) greatest_dropped_ = std::max(greatest_dropped_, parts_.front().bound);
+  best_.upper_bound = std::max(best_.depth, greatest_dropped_);
+}
+
+std::uint32_t DepthQuery::addCorner(std::uint32_t corner_of_b) {
+  std::uint32_t& index = corner_of_b_[corner_of_b];
+  if (index == kNone) {
+    index = static_cast<std::uint32_t>(corners_.size());
+    known_.push_back(corner_of_b);
+    corners_.push_back({b_in_a_ * b_->position(corner_of_b), Vec3::Zero()});
+  }
+  return index;
+}
+
+/// Finds the closest point of A, from the bound that a corner nearby gives.
+void DepthQuery::measure(Corner& corner, const Corner* near) {
+  if (corner.distance >= 0.0) return;
+  double bound = std::numeric_limits<double>::infinity();
+  if (near) {
+    const Vec3 foot = closestPoint(a_->tree().mesh().triangle(near->nearest), corner.point);
+    corner.foot = foot;
+    corner.distance = bound = (foot - corner.point).norm();
+    corner.nearest = near->nearest;
+  }
+  if (const std::optional<ClosestPoint> found = closestPoint(a_->tree(), corner.point, bound)) {
+    corner.foot = found->point;
+    corner.distance = found->distance;
+    corner.nearest = found->triangle;
+  }
+}
+
+DepthQuery::Side DepthQuery::sideOf(Corner& corner) {
+  if (corner.side == Side::unknown) {
+    switch (locate(*a_, corner.point)) {
+      case PointLocation::inside:
+        corner.side = Side::inside;
+        break;
+      case PointLocation::on_surface:
+        corner.side = Side::on_surface;
+        break;
+      default:
+        corner.side = Side::outside;
+    }
+  }
+  return corner.side;
+}
+
+void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
+  if (corner.side == Side::outside) return;
+  const bool is_first = best_.triangle_b == kNoTriangle;
+  if (!(corner.distance > best_.depth || is_first) || sideOf(corner) == Side::outside) return;
+  best_ = {Gouging::found, corner.distance, 0.0, corner.point, corner.foot, corner.nearest, triangle_b};
+}
+
+/// Starts the search from a point that both surfaces share: B reaches as deep as 0 at least.
+void DepthQuery::keepCrossing(TrianglePair pair) {
+  const Vec3 point =
+      sharedPoint(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
+  best_ = {Gouging::found, 0.0, 0.0, point, point, pair.a, pair.b};
+}
+
+void DepthQuery::add(Part part) {
+  part.bound = std::min(part.bound, boundOf(part));
+  if (part.bound <= limit()) {
+    greatest_dropped_ = std::max(greatest_dropped_, part.bound);
+    return;
+  }
+  parts_.push_back(part);
+  std::ranges::push_heap(parts_, {}, &Part::bound);
+}
+
+double DepthQuery::boundOf(const Part& part) const {
+  double bound = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& corner = corners_[part.corner[i]];
+    double way = 0.0;
+    for (const std::uint32_t other : part.corner)
+      way = std::max(way, (corners_[other].point - corner.point).norm());
+    bound = std::min(bound, way + (corner.side == Side::outside ? -corner.distance : corner.distance));
+  }
+  for (std::size_t i = 0; i < 3 && bound > limit(); ++i) {
+    const std::uint32_t nearest = corners_[part.corner[i]].nearest;
+    const Triangle triangle = a_->tree().mesh().triangle(nearest);
+    double greatest = 0.0;
+    for (const std::uint32_t other : part.corner) {
+      const Corner& corner = corners_[other];
+      greatest =
+          std::max(greatest, corner.nearest == nearest ? corner.distance : distance(triangle, corner.point));
+    }
+    bound = std::min(bound, greatest);
+  }
+  return bound;
+}
+
+Triangle DepthQuery::triangleOf(const Part& part) const {
+  return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
+}
+
+/// Where to cut a part: where a corner's nearest triangle ends, for beyond it another is nearest; else, and
+/// every third time, halfway along the longest edge.
+DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
+  Cut longest{0, 0.5}, best{0, 0.5};
+  double longest_edge = -1.0, best_piece = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &from = corners_[part.corner[i]], &to = corners_[part.corner[(i + 1) % 3]];
+    const double length = (to.point - from.point).norm();
+    if (length > longest_edge) {
+      longest_edge = length;
+      longest.edge = i;
+    }
+    if (from.nearest == to.nearest) continue;
+    const auto consider = [&](double at) {
+      const double piece = std::min(at, 1.0 - at) * length;
+      if (std::min(at, 1.0 - at) > 0.02 && piece > best_piece) {
+        best_piece = piece;
+        best = {i, at};
+      }
+    };
+    consider(leavesPrism(a_->tree().mesh().triangle(from.nearest), from.point, to.point));
+    consider(1.0 - leavesPrism(a_->tree().mesh().triangle(to.nearest), to.point, from.point));
+  }
+  return best_piece > 0.0 && part.generation % 3 != 2 ? best : longest;
+}
+
+void DepthQuery::divide(const Part& part) {
+  const Cut cut = cutOf(part);
+  const std::size_t next = (cut.edge + 1) % 3;
+  const auto middle = static_cast<std::uint32_t>(corners_.size());
+  {
+    const Corner &from = corners_[part.corner[cut.edge]], &to = corners_[part.corner[next]];
+    Corner between{from.point + cut.at * (to.point - from.point), Vec3::Zero()};
+    measure(between, cut.at < 0.5 ? &from : &to);
+    if (part.met_begin == part.met_end) between.side = Side::inside;
+    corners_.push_back(between);
+  }
+  keepDeeper(corners_[middle], part.triangle);
+
+  for (const std::size_t replaced : {cut.edge, next}) {
+    Part half = part;
+    ++half.generation;
+    half.corner[replaced] = middle;
+    if (part.met_begin != part.met_end) {
+      const Triangle triangle = triangleOf(half);
+      half.met_begin = static_cast<std::uint32_t>(met_.size());
+      for (std::uint32_t i = part.met_begin; i < part.met_end; ++i) {
+        const Triangle other = a_->tree().mesh().triangle(met_[i]);
+        if (!apart(triangle, other) && intersects(triangle, other)) met_.push_back(met_[i]);
+      }
+      half.met_end = static_cast<std::uint32_t>(met_.size());
+      if (half.met_begin == half.met_end) {  // all on one side
+        Side side = Side::unknown;
+        for (const std::uint32_t corner : half.corner) {
+          const Side known = corners_[corner].side;
+          if (known == Side::inside || known == Side::outside) side = known;
+        }
+        if (side == Side::unknown) side = sideOf(corners_[middle]);
+        if (side == Side::outside) continue;
+        for (const std::uint32_t corner : half.corner) {
+          corners_[corner].side = side;
+          keepDeeper(corners_[corner], half.triangle);
+        }
+      }
+    }
+    add(half);
+  }
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,111 @@
+// How deep one surface reaches into a solid: the depth of a gouge.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "octoblisk/contact.h"
+#include "octoblisk/containment.h"
+#include "octoblisk/surface.h"
+
+namespace octoblisk {
+
+enum class Gouging {
+  none,     ///< no point of B's surface is in A: the two are apart, or A is wholly inside B
+  found,    ///< B's surface touches A's, or reaches into A
+  unknown,  ///< A's surface is open: there is nothing to be inside of
+};
+
+/// The deepest point found; points are in the frame of A.
+struct GougeDepth {
+  Gouging gouging = Gouging::none;
+  double depth = 0.0;              ///< the distance of the two points: that deep B does reach
+  double upper_bound = 0.0;        ///< no deeper; at most the tolerance above the depth
+  Vec3 point_on_b = Vec3::Zero();  ///< inside A, or on it
+  Vec3 point_on_a = Vec3::Zero();  ///< on A's surface: the closest to the point on B
+  std::uint32_t triangle_a = kNoTriangle;
+  std::uint32_t triangle_b = kNoTriangle;
+};
+
+/// Finds the greatest distance to A's surface among those points of B's surface that are in the solid A:
+///     depth = max { dist(x, ∂A) : x ∈ ∂B ∩ A }.
+/// A must be closed (containment.h says what its inside is), B may be open. Where B is wholly inside A, that
+/// is the distance of B's innermost point. Where A is wholly inside B, no point of B's surface is in A.
+///
+/// Branch and bound: first the triangles of B that meet A's surface, from their corners all that is inside;
+/// then those are divided until no part may be deeper than the deepest point found and the tolerance. The
+/// bounds: over a part, the distance to a triangle of A is convex, so greatest at a corner; and the signed
+/// distance to A's surface grows by no more than the way.
+///
+/// Holds the working memory of the query: one object a thread. Warm queries allocate nothing.
+class DepthQuery {
+ public:
+  /// The tolerance is a length > 0; one below 1e-12 of the meshes' sizes is raised to it. Up to rounding
+  /// (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
+  GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
+
+ private:
+  enum class Side : std::uint8_t { unknown, outside, inside, on_surface };
+  enum class Mark : std::uint8_t { none, crossing, inside };
+
+  /// A corner of B's mesh, or of a part of one of its triangles.
+  struct Corner {
+    Vec3 point;
+    Vec3 foot;               // on A's surface: the closest
+    double distance = -1.0;  // to the foot; below 0 until measured
+    std::uint32_t nearest = kNoTriangle;
+    Side side = Side::unknown;
+  };
+
+  /// A part of a triangle of B, and those triangles of A that meet it: met_[begin .. end).
+  struct Part {
+    std::array<std::uint32_t, 3> corner;
+    std::uint32_t triangle;
+    std::uint32_t met_begin, met_end;
+    std::uint32_t generation;
+    double bound;  // no point of it inside A is deeper
+  };
+
+  struct Cut {
+    std::size_t edge;  // from corner `edge` to the next
+    double at;         // 0..1
+  };
+
+  void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
+  void findCrossings();
+  void findInside();
+  void spread(std::uint32_t from);
+  void search();
+
+  std::uint32_t addCorner(std::uint32_t corner_of_b);
+  void measure(Corner& corner, const Corner* near);
+  Side sideOf(Corner& corner);
+  void keepDeeper(Corner& corner, std::uint32_t triangle_b);
+  void keepCrossing(TrianglePair pair);
+  void add(Part part);
+  void divide(const Part& part);
+  Cut cutOf(const Part& part) const;
+  double boundOf(const Part& part) const;
+  double limit() const { return best_.depth + tolerance_; }
+  Triangle triangleOf(const Part& part) const;
+
+  const Surface* a_ = nullptr;
+  const Surface* b_ = nullptr;
+  Pose b_in_a_;
+  double tolerance_ = 0.0;
+  GougeDepth best_;
+  double greatest_dropped_ = 0.0;  // of the bounds of parts that were let go
+
+  std::vector<TrianglePair> crossings_;  // by ascending triangle of B
+  std::vector<Mark> mark_;               // of B's triangles
+  std::vector<std::uint32_t> marked_;
+  std::vector<std::uint32_t> corner_of_b_;  // of B's corners: an index in corners_, or none
+  std::vector<std::uint32_t> known_;        // the corners of B that have one
+  std::vector<bool> part_crosses_;          // of the parts of B's surface
+  std::vector<std::uint32_t> open_;
+  std::vector<Corner> corners_;
+  std::vector<std::uint32_t> met_;
+  std::vector<Part> parts_;  // a heap: the greatest bound first
+};
+
+}  // namespace octoblisk
