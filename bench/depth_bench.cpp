@@ -1,0 +1,106 @@
+// How long a pose takes: how deep the belt is in the default blisk, and what lies inside what.
+#include <benchmark/benchmark.h>
+
+#include "models/belt_grinder.h"
+#include "models/blade_finder.h"
+#include "models/blisk.h"
+#include "octoblisk/closest_point.h"
+#include "octoblisk/collide.h"
+#include "octoblisk/depth.h"
+#include "shared/meshes.h"
+#include "toolpath/grinding_path.h"
+
+namespace octoblisk {
+namespace {
+
+struct Scene {
+  std::shared_ptr<const TriangleMesh> blisk =
+      std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(300'000).mesh);
+  std::shared_ptr<const TriangleMesh> belt = std::make_shared<const TriangleMesh>(demos::makeBelt());
+  ClusteredOctree blisk_tree = ClusteredOctree::build(blisk), belt_tree = ClusteredOctree::build(belt);
+  Surface blisk_surface{blisk_tree}, belt_surface{belt_tree};
+};
+
+const Scene& scene() {
+  static const Scene scene;
+  return scene;
+}
+
+/// Only the poses that touch: of the path whose belt is pressed in by so many micrometres.
+std::vector<Pose> touchingPoses(double depth) {
+  demos::GrindingPathOptions options;
+  options.depth = depth;
+  std::vector<Pose> path = demos::makeGrindingPath(*scene().blisk, demos::findBlades(*scene().blisk), options);
+  std::erase_if(path, [&](const Pose& pose) { return !collide(scene().blisk_tree, scene().belt_tree, pose); });
+  return path;
+}
+
+void depthOfTouchingPoses(benchmark::State& state) {
+  const std::vector<Pose> path = touchingPoses(static_cast<double>(state.range(0)) * 1e-3);
+  const double tolerance = static_cast<double>(state.range(1)) * 1e-6;
+  DepthQuery query;
+  std::size_t pose = 0;
+  double deepest = 0.0;
+  for (auto _ : state) {
+    deepest = std::max(
+        deepest, query.deepest(scene().blisk_surface, scene().belt_surface, path[pose], tolerance).depth);
+    pose = (pose + 1) % path.size();
+  }
+  state.counters["poses"] = static_cast<double>(path.size());
+  state.counters["deepest_um"] = 1e3 * deepest;
+}
+
+void containmentOfTouchingPoses(benchmark::State& state) {
+  const std::vector<Pose> path = touchingPoses(0.02);
+  std::size_t pose = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(containment(scene().blisk_surface, scene().belt_surface, path[pose]));
+    pose = (pose + 1) % path.size();
+  }
+}
+
+std::vector<Vec3> pointsInBounds() {
+  std::mt19937_64 random(7);
+  std::vector<Vec3> points;
+  const Aabb& bounds = scene().blisk->bounds();
+  for (int i = 0; i < 4096; ++i) {
+    points.push_back(bounds.center() + testing::randomPoint(random, 1.0).cwiseProduct(bounds.halfExtents()));
+  }
+  return points;
+}
+
+void locatePoint(benchmark::State& state) {
+  const std::vector<Vec3> points = pointsInBounds();
+  std::size_t i = 0, inside = 0;
+  for (auto _ : state) {
+    inside += locate(scene().blisk_surface, points[i++ % points.size()]) == PointLocation::inside;
+  }
+  state.counters["inside"] = static_cast<double>(inside) / static_cast<double>(i);
+}
+
+void closestPointOfBlisk(benchmark::State& state) {
+  const std::vector<Vec3> points = pointsInBounds();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(closestPoint(scene().blisk_tree, points[i++ % points.size()]));
+  }
+}
+
+void makeSurface(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(Surface(scene().blisk_tree).isClosed());
+}
+
+BENCHMARK(depthOfTouchingPoses)
+    ->ArgNames({"pressed_um", "tolerance_nm"})
+    ->Args({20, 1000})
+    ->Args({20, 100})
+    ->Args({200, 1000})
+    ->Args({2000, 1000})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(containmentOfTouchingPoses)->Unit(benchmark::kMicrosecond);
+BENCHMARK(locatePoint)->Unit(benchmark::kMicrosecond);
+BENCHMARK(closestPointOfBlisk)->Unit(benchmark::kMicrosecond);
+BENCHMARK(makeSurface)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace octoblisk
