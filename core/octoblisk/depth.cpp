@@ -93,6 +93,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   tolerance_ = std::max(tolerance, 1e-12 * (a.tree().radius() + b.tree().radius()));
   best_ = {};
   greatest_dropped_ = 0.0;
+  last_nearest_ = kNoTriangle;
   if (mark_.size() < b.tree().mesh().triangleCount())
     mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
   if (corner_of_b_.size() < b.cornerCount()) corner_of_b_.resize(b.cornerCount(), kNone);
@@ -168,23 +169,15 @@ void DepthQuery::search() {
   if (marked_.empty()) return;
   best_.gouging = Gouging::found;
   if (!crossings_.empty()) keepCrossing(crossings_.front());
-  auto crossing = crossings_.begin();
-  const Corner* near = nullptr;
-  for (const std::uint32_t triangle : marked_) {
-    Part part{{}, triangle, 0, 0, 0, std::numeric_limits<double>::infinity()};
-    part.met_begin = static_cast<std::uint32_t>(met_.size());
-    if (mark_[triangle] == Mark::crossing) {
-      for (; crossing != crossings_.end() && crossing->b == triangle; ++crossing) met_.push_back(crossing->a);
-    }
-    part.met_end = static_cast<std::uint32_t>(met_.size());
-    for (std::size_t i = 0; i < 3; ++i) {
-      part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
-      Corner& corner = corners_[part.corner[i]];
-      measure(corner, near);
-      near = &corner;
-      keepDeeper(corner, triangle);
-    }
-    add(part);
+  const auto first_inside =
+      std::ranges::find(marked_, Mark::inside, [&](std::uint32_t triangle) { return mark_[triangle]; });
+  // The inside first: the deeper the best, the more of the rest need no closer look.
+  for (auto triangle = first_inside; triangle != marked_.end(); ++triangle) addTriangle(*triangle, 0, 0);
+  for (auto pair = crossings_.begin(); pair != crossings_.end();) {
+    const std::uint32_t triangle = pair->b;
+    const auto met_begin = static_cast<std::uint32_t>(met_.size());
+    for (; pair != crossings_.end() && pair->b == triangle; ++pair) met_.push_back(pair->a);
+    addTriangle(triangle, met_begin, static_cast<std::uint32_t>(met_.size()));
   }
   while (!parts_.empty() && parts_.front().bound > limit()) {
     std::ranges::pop_heap(parts_, {}, &Part::bound);
@@ -196,27 +189,50 @@ void DepthQuery::search() {
   best_.upper_bound = std::max(best_.depth, greatest_dropped_);
 }
 
+void DepthQuery::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, std::uint32_t met_end) {
+  Part part{{}, triangle, met_begin, met_end, 0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < 3; ++i) part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Corner& corner = corners_[part.corner[i]];
+    if (corner.nearest != kNoTriangle) continue;
+    for (const std::uint32_t other : part.corner) considerNear(corner, corners_[other].nearest);
+    considerNear(corner, last_nearest_);
+    measure(corner);
+    keepDeeper(corner, triangle);
+    last_nearest_ = corner.nearest;
+  }
+  add(part);
+}
+
 std::uint32_t DepthQuery::addCorner(std::uint32_t corner_of_b) {
   std::uint32_t& index = corner_of_b_[corner_of_b];
   if (index == kNone) {
     index = static_cast<std::uint32_t>(corners_.size());
     known_.push_back(corner_of_b);
-    corners_.push_back({b_in_a_ * b_->position(corner_of_b), Vec3::Zero()});
+    corners_.emplace_back().point = b_in_a_ * b_->position(corner_of_b);
   }
   return index;
 }
 
-/// Finds the closest point of A, from the bound that a corner nearby gives.
-void DepthQuery::measure(Corner& corner, const Corner* near) {
-  if (corner.distance >= 0.0) return;
-  double bound = std::numeric_limits<double>::infinity();
-  if (near) {
-    const Vec3 foot = closestPoint(a_->tree().mesh().triangle(near->nearest), corner.point);
+/// Takes the closest point on a triangle of A for the corner's foot if it is closer.
+void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
+  if (triangle == kNoTriangle || triangle == corner.nearest) return;
+  const Vec3 foot = closestPoint(a_->tree().mesh().triangle(triangle), corner.point);
+  const double distance = (foot - corner.point).norm();
+  if (distance < corner.distance) {
     corner.foot = foot;
-    corner.distance = bound = (foot - corner.point).norm();
-    corner.nearest = near->nearest;
+    corner.distance = distance;
+    corner.nearest = triangle;
   }
-  if (const std::optional<ClosestPoint> found = closestPoint(a_->tree(), corner.point, bound)) {
+}
+
+/// Finds the corner's closest point on A's surface, unless the one at hand shows that it is no deeper than
+/// the best by more than half the tolerance.
+void DepthQuery::measure(Corner& corner) const {
+  const bool has_best = best_.triangle_b != kNoTriangle;
+  if (has_best && corner.distance <= best_.depth + 0.5 * tolerance_) return;
+  corner.is_exact = true;
+  if (const std::optional<ClosestPoint> found = closestPoint(a_->tree(), corner.point, corner.distance)) {
     corner.foot = found->point;
     corner.distance = found->distance;
     corner.nearest = found->triangle;
@@ -240,7 +256,7 @@ DepthQuery::Side DepthQuery::sideOf(Corner& corner) {
 }
 
 void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
-  if (corner.side == Side::outside) return;
+  if (corner.side == Side::outside || !corner.is_exact) return;
   const bool is_first = best_.triangle_b == kNoTriangle;
   if (!(corner.distance > best_.depth || is_first) || sideOf(corner) == Side::outside) return;
   best_ = {Gouging::found, corner.distance, 0.0, corner.point, corner.foot, corner.nearest, triangle_b};
@@ -270,7 +286,8 @@ double DepthQuery::boundOf(const Part& part) const {
     double way = 0.0;
     for (const std::uint32_t other : part.corner)
       way = std::max(way, (corners_[other].point - corner.point).norm());
-    bound = std::min(bound, way + (corner.side == Side::outside ? -corner.distance : corner.distance));
+    const bool is_outside = corner.side == Side::outside;
+    bound = std::min(bound, way + (!is_outside ? corner.distance : corner.is_exact ? -corner.distance : 0.0));
   }
   for (std::size_t i = 0; i < 3 && bound > limit(); ++i) {
     const std::uint32_t nearest = corners_[part.corner[i]].nearest;
@@ -322,8 +339,11 @@ void DepthQuery::divide(const Part& part) {
   const auto middle = static_cast<std::uint32_t>(corners_.size());
   {
     const Corner &from = corners_[part.corner[cut.edge]], &to = corners_[part.corner[next]];
-    Corner between{from.point + cut.at * (to.point - from.point), Vec3::Zero()};
-    measure(between, cut.at < 0.5 ? &from : &to);
+    Corner between;
+    between.point = from.point + cut.at * (to.point - from.point);
+    considerNear(between, from.nearest);
+    considerNear(between, to.nearest);
+    measure(between);
     if (part.met_begin == part.met_end) between.side = Side::inside;
     corners_.push_back(between);
   }

@@ -50,10 +50,12 @@ class DepthQuery {
 
   /// A corner of B's mesh, or of a part of one of its triangles.
   struct Corner {
-    Vec3 point;
-    Vec3 foot;               // on A's surface: the closest
-    double distance = -1.0;  // to the foot; below 0 until measured
+    Vec3 point = Vec3::Zero();
+    Vec3 foot =
+        Vec3::Zero();  ///< on the nearest triangle of A's surface known so far: the closest to the point
+    double distance = std::numeric_limits<double>::infinity();  ///< to the foot
     std::uint32_t nearest = kNoTriangle;
+    bool is_exact = false;  ///< no triangle is nearer
     Side side = Side::unknown;
   };
 
@@ -76,9 +78,11 @@ class DepthQuery {
   void findInside();
   void spread(std::uint32_t from);
   void search();
+  void addTriangle(std::uint32_t triangle, std::uint32_t met_begin, std::uint32_t met_end);
 
   std::uint32_t addCorner(std::uint32_t corner_of_b);
-  void measure(Corner& corner, const Corner* near);
+  void considerNear(Corner& corner, std::uint32_t triangle) const;
+  void measure(Corner& corner) const;
   Side sideOf(Corner& corner);
   void keepDeeper(Corner& corner, std::uint32_t triangle_b);
   void keepCrossing(TrianglePair pair);
@@ -95,6 +99,7 @@ class DepthQuery {
   double tolerance_ = 0.0;
   GougeDepth best_;
   double greatest_dropped_ = 0.0;  // of the bounds of parts that were let go
+  std::uint32_t last_nearest_ = kNoTriangle;
 
   std::vector<TrianglePair> crossings_;  // by ascending triangle of B
   std::vector<Mark> mark_;               // of B's triangles
