@@ -5,9 +5,12 @@
 #include <cstdlib>
 #include <new>
 
+#include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contact_patches.h"
 #include "octoblisk/contacts.h"
+#include "octoblisk/containment.h"
+#include "octoblisk/depth.h"
 #include "shared/meshes.h"
 
 namespace {
@@ -46,6 +49,28 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   queryAll();
   const std::size_t before = allocations;
   EXPECT_GT(before, 0u);  // the counter counts
+  queryAll();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hits, 50u);
+}
+
+TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(1.0, 0.4, 24, 12));
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.4, 0.6, 0.2}));
+  const Surface ring_surface(ring), box_surface(box);
+  DepthQuery query;
+  std::size_t hits = 0;
+  const auto queryAll = [&] {
+    std::mt19937_64 random(62);
+    for (int i = 0; i < 50; ++i) {
+      const Pose pose = testing::randomPose(random, 1.2);
+      hits += query.deepest(ring_surface, box_surface, pose, 1e-4).gouging == Gouging::found;
+      hits += containment(ring_surface, box_surface, pose) == Containment::touching;
+      hits += closestPoint(ring, pose.translation, 0.3).has_value();
+    }
+  };
+  queryAll();
+  const std::size_t before = allocations;
   queryAll();
   EXPECT_EQ(allocations, before);
   EXPECT_GT(hits, 50u);

@@ -1,0 +1,85 @@
+// The closest point of a mesh against looking at every triangle.
+#include "octoblisk/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include "shared/solids.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::SharedMesh;
+
+TEST(ClosestPoint, triangle_vs_leastSquares) {
+  std::mt19937_64 random(71);
+  for (int i = 0; i < 20'000; ++i) {
+    Triangle triangle = testing::randomTriangle(random, 1.0);
+    if (i % 10 == 1) triangle[2] = triangle[0] + 1e-6 * (triangle[2] - triangle[0]);
+    if (i % 10 == 2) triangle[2] = 0.3 * triangle[0] + 0.7 * triangle[1] + 1e-5 * triangle[2];
+    const Vec3 point = testing::randomPoint(random, i % 3 == 0 ? 20.0 : 1.0);
+    const Vec3 closest = closestPoint(triangle, point);
+    ASSERT_NEAR((closest - point).norm(), testing::bruteForceDistance(triangle, point),
+                1e-9 * (1.0 + point.norm()));
+    ASSERT_LT(testing::bruteForceDistance(triangle, closest), 1e-9 * (1.0 + point.norm())) << i;
+  }
+}
+
+TEST(ClosestPoint, degenerateTriangles) {
+  const Vec3 a(0, 0, 0), b(2, 0, 0), middle(1, 0, 0);
+  for (const Triangle& triangle : {Triangle{a, b, middle}, Triangle{a, a, b}, Triangle{b, a, b}}) {
+    EXPECT_EQ(closestPoint(triangle, Vec3(0.5, 3, 0)), Vec3(0.5, 0, 0));
+    EXPECT_EQ(closestPoint(triangle, Vec3(-1, 3, 0)), a);
+    EXPECT_EQ(closestPoint(triangle, Vec3(5, 3, 1)), b);
+  }
+  EXPECT_EQ(closestPoint(Triangle{b, b, b}, Vec3(5, 3, 1)), b);
+}
+
+TEST(ClosestPoint, tree_vs_bruteforce) {
+  std::mt19937_64 random(72);
+  const Pose far{testing::randomRotation(random), Vec3(1e6, -2e6, 3e6)};
+  const SharedMesh ring = testing::torus(3, 1, 24, 16);
+  struct Scene {
+    SharedMesh mesh;
+    Vec3 center;
+    double size;
+  };
+  const std::vector<Scene> scenes = {{ring, Vec3::Zero(), 4.0},
+                                     {testing::fan(7, 8), Vec3::Zero(), 2.0},
+                                     {testing::soup(random, 400, 5, 0.4), Vec3::Zero(), 6.0},
+                                     {testing::moved(*ring, far), far.translation, 4.0},
+                                     {testing::moved(*ring, Pose{}, 1e-12), Vec3::Zero(), 4e-12},
+                                     {testing::moved(*ring, Pose{}, 1e11), Vec3::Zero(), 4e11},
+                                     {testing::boxMesh({1, 0, 2}), Vec3::Zero(), 2.0}};
+  for (const PartitionKind kind : {PartitionKind::clustering, PartitionKind::paper}) {
+    for (std::size_t s = 0; s < scenes.size(); ++s) {
+      const Scene& scene = scenes[s];
+      const ClusteredOctree tree = ClusteredOctree::build(scene.mesh, {.partition = kind});
+      int within = 0;
+      constexpr int kPoints = 200;
+      for (int i = 0; i < kPoints; ++i) {
+        const Vec3 point =
+            scene.center + testing::randomPoint(random, (i % 9 == 0 ? 30.0 : 1.0) * scene.size);
+        const double expected = testing::bruteForceDistance(*scene.mesh, point);
+        const double rounding = 1e-12 * (scene.size + expected) + 1e-15 * scene.center.norm();
+        const auto found = closestPoint(tree, point);
+        ASSERT_TRUE(found) << "scene " << s;
+        ASSERT_NEAR(found->distance, expected, rounding) << "scene " << s << ", point " << i;
+        ASSERT_EQ(found->distance, (found->point - point).norm());
+        ASSERT_LE(testing::bruteForceDistance(scene.mesh->triangle(found->triangle), found->point), rounding);
+        // Bounds: at the distance itself it is found, just below it is not.
+        ASSERT_TRUE(closestPoint(tree, point, found->distance));
+        ASSERT_EQ(closestPoint(tree, point, found->distance)->triangle, found->triangle);
+        ASSERT_FALSE(closestPoint(tree, point, std::nextafter(found->distance, 0.0)));
+        const double bound = 0.15 * scene.size;
+        const auto bounded = closestPoint(tree, point, bound);
+        ASSERT_EQ(bounded.has_value(), found->distance <= bound);
+        within += bounded.has_value();
+      }
+      EXPECT_GE(within, kPoints * 2 / 10) << "scene " << s;
+      EXPECT_LE(within, kPoints * 7 / 10) << "scene " << s;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk

@@ -1,0 +1,246 @@
+// The depth of gouges against closed forms and dense samples.
+#include "octoblisk/depth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shared/brute_force.h"
+#include "shared/solids.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::SharedMesh;
+
+struct Solid {
+  explicit Solid(SharedMesh shared)
+      : mesh(std::move(shared)), tree(ClusteredOctree::build(mesh)), surface(tree) {}
+  Solid(const Solid&) = delete;
+
+  SharedMesh mesh;
+  ClusteredOctree tree;
+  Surface surface;
+};
+
+Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+
+/// That the witness is what the answer says: on B, in or on A, and that far from A.
+void expectWitness(const GougeDepth& found, const Solid& a, const Solid& b, const Pose& pose,
+                   double rounding) {
+  ASSERT_EQ(found.gouging, Gouging::found);
+  ASSERT_LT(found.triangle_a, a.mesh->triangleCount());
+  ASSERT_LT(found.triangle_b, b.mesh->triangleCount());
+  EXPECT_LE(testing::bruteForceDistance(pose * b.mesh->triangle(found.triangle_b), found.point_on_b),
+            rounding);
+  EXPECT_LE(testing::bruteForceDistance(a.mesh->triangle(found.triangle_a), found.point_on_a), rounding);
+  EXPECT_NEAR((found.point_on_a - found.point_on_b).norm(), found.depth, rounding);
+  EXPECT_NEAR(testing::bruteForceDistance(*a.mesh, found.point_on_b), found.depth, rounding);
+  if (found.depth > rounding) {
+    EXPECT_GT(testing::windingNumber(*a.mesh, found.point_on_b), 0.5);
+  }
+}
+
+TEST(Depth, boxPressedIntoABox) {
+  const Solid a(testing::boxMesh({5, 5, 5})), b(testing::boxMesh({1, 1, 1}));
+  DepthQuery query;
+  constexpr double kTolerance = 1e-6;
+  for (const double depth : {0.0, 1e-7, 0.01, 0.5, 1.9}) {
+    const Pose pose = at(0.3, -0.2, 6.0 - depth);
+    const GougeDepth found = query.deepest(a.surface, b.surface, pose, kTolerance);
+    expectWitness(found, a, b, pose, 1e-12);
+    EXPECT_LE(found.depth, depth + 1e-12);
+    EXPECT_GE(found.upper_bound, depth - 1e-12);
+    EXPECT_LE(found.upper_bound, found.depth + kTolerance);
+  }
+  EXPECT_EQ(query.deepest(a.surface, b.surface, at(0, 0, std::nextafter(6.0, 7.0)), kTolerance).gouging,
+            Gouging::none);
+}
+
+TEST(Depth, tippedBoxIsAsDeepAsItsLowestCorner) {
+  const Solid a(testing::boxMesh({50, 50, 5})), b(testing::boxMesh({1, 2, 3}));
+  DepthQuery query;
+  std::mt19937_64 random(90);
+  for (int i = 0; i < 60; ++i) {
+    Pose pose{testing::randomRotation(random), testing::randomPoint(random, 20.0)};
+    double lowest = 0.0;
+    for (const Vec3& vertex : b.mesh->vertices()) lowest = std::min(lowest, (pose.rotation * vertex).z());
+    const double depth = std::pow(10.0, testing::uniform(random, -5.0, 0.5));
+    pose.translation.z() = 5.0 - depth - lowest;
+    const GougeDepth found = query.deepest(a.surface, b.surface, pose, 1e-7);
+    expectWitness(found, a, b, pose, 1e-11);
+    EXPECT_NEAR(found.depth, depth, 1e-7 + 1e-11) << i;
+    EXPECT_GE(found.upper_bound, depth - 1e-11);
+  }
+}
+
+TEST(Depth, theDeepestPointNeedNotBeAVertex) {
+  const Solid a(testing::boxMesh({10, 10, 10})), b(testing::boxMesh({1, 2, 3}));
+  DepthQuery query;
+  const GougeDepth found = query.deepest(a.surface, b.surface, {}, 1e-6);
+  expectWitness(found, a, b, {}, 1e-12);
+  EXPECT_NEAR(found.depth, 9.0, 1e-6);  // the middles of the faces at x = ±1
+  EXPECT_GE(found.upper_bound, 9.0 - 1e-12);
+  EXPECT_LE(found.upper_bound, found.depth + 1e-6);
+}
+
+TEST(Depth, bladeTipThroughACoarseTriangle) {
+  // B is one large facet, cut by the corner of A: no vertex of B is near.
+  const Solid a(testing::boxMesh({1, 1, 1})), b(testing::boxMesh({40, 30, 1}));
+  DepthQuery query;
+  const Mat3 on_corner = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix();
+  for (const double depth : {1e-4, 1e-3, 1e-2}) {
+    // The plane cuts off a pyramid of that height; its base's deepest point is the foot of the apex, where
+    // the three faces are equally far: height / √3.
+    const Vec3 corner(1, 1, 1);
+    const Pose pose{on_corner, corner * (1.0 - depth / std::sqrt(3.0)) + on_corner * Vec3(7.3, 5.1, 1.0)};
+    const GougeDepth found = query.deepest(a.surface, b.surface, pose, 1e-3 * depth);
+    expectWitness(found, a, b, pose, 1e-12);
+    EXPECT_NEAR(found.depth, depth / std::sqrt(3.0), 1e-3 * depth);
+    EXPECT_GE(found.upper_bound, depth / std::sqrt(3.0) - 1e-12);
+  }
+}
+
+TEST(Depth, whatIsNotIn) {
+  const Solid large(testing::boxMesh({3, 3, 3})), small(testing::boxMesh({1, 1, 1}));
+  const Solid sheet(testing::waveSheet(1, 0.1, 8));
+  DepthQuery query;
+  EXPECT_EQ(query.deepest(large.surface, small.surface, at(9, 0, 0), 1e-3).gouging, Gouging::none);
+  EXPECT_EQ(query.deepest(small.surface, large.surface, {}, 1e-3).gouging, Gouging::none);  // A inside B
+  EXPECT_EQ(query.deepest(sheet.surface, small.surface, {}, 1e-3).gouging, Gouging::unknown);
+  const GougeDepth open = query.deepest(large.surface, sheet.surface, {}, 1e-6);  // B may be open
+  expectWitness(open, large, sheet, {}, 1e-12);
+  EXPECT_NEAR(open.depth, 3.0, 1e-6);
+}
+
+/// The deepest of a grid of points on each of B's triangles, and how far any point is from the grid at most.
+struct Sample {
+  double deepest = -1.0;
+  double spacing = 0.0;
+};
+
+Sample sampleDepth(const TriangleMesh& a, const TriangleMesh& posed_b, int steps) {
+  Sample sample;
+  for (std::size_t t = 0; t < posed_b.triangleCount(); ++t) {
+    const Triangle corner = posed_b.triangle(t);
+    for (std::size_t e = 0; e < 3; ++e) {
+      sample.spacing = std::max(sample.spacing, (corner[e] - corner[(e + 1) % 3]).norm() / steps);
+    }
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        const Vec3 point =
+            corner[0] + (corner[1] - corner[0]) * i / steps + (corner[2] - corner[0]) * j / steps;
+        const Vec3 beyond = (point - a.bounds().center()).cwiseAbs() - a.bounds().halfExtents();
+        if (beyond.maxCoeff() > 0.0) continue;
+        const double distance = testing::bruteForceDistance(a, point);
+        if (distance > sample.deepest && testing::windingNumber(a, point) > 0.5) sample.deepest = distance;
+      }
+    }
+  }
+  return sample;
+}
+
+TEST(Depth, randomSolids_vs_denseSamples) {
+  std::mt19937_64 random(91);
+  const Solid ring(testing::torus(2, 0.8, 16, 10)), ball(testing::bumpySphere(random, 1.0, 0.5, 12)),
+      block(testing::boxMesh({0.4, 0.9, 1.6}));
+  const auto solids = std::array{&ring, &ball, &block};
+  DepthQuery query;
+  int found_any = 0, poses = 0, shallow = 0;
+  for (const Solid* a : solids) {
+    for (const Solid* b : solids) {
+      for (int i = 0; i < 8; ++i, ++poses) {
+        const Pose pose = testing::randomPose(random, a == &ring || b == &ring ? 3.0 : 1.9);
+        const double tolerance = i % 2 ? 1e-3 : 1e-5;
+        const GougeDepth found = query.deepest(a->surface, b->surface, pose, tolerance);
+        const Sample sample = sampleDepth(*a->mesh, *testing::moved(*b->mesh, pose), b == &block ? 40 : 6);
+        const bool meet = !testing::bruteForcePairs(*a->mesh, *b->mesh, pose).empty();
+        ASSERT_EQ(found.gouging == Gouging::found, meet || sample.deepest >= 0.0);
+        if (found.gouging != Gouging::found) continue;
+        ++found_any;
+        shallow += found.depth < 0.2;
+        expectWitness(found, *a, *b, pose, 1e-12);
+        ASSERT_LE(found.upper_bound, found.depth + tolerance);
+        ASSERT_GE(found.upper_bound, sample.deepest - 1e-12);
+        ASSERT_LE(found.depth, std::max(sample.deepest, 0.0) + sample.spacing);
+        // A finer tolerance stays within the bounds of a coarser one.
+        const GougeDepth coarse = query.deepest(a->surface, b->surface, pose, 0.1);
+        ASSERT_LE(coarse.depth, found.upper_bound + 1e-12);
+        ASSERT_GE(coarse.upper_bound, found.depth - 1e-12);
+      }
+    }
+  }
+  EXPECT_GE(found_any, poses * 3 / 10);
+  EXPECT_LE(found_any, poses * 7 / 10);
+  EXPECT_GE(shallow, 5);
+}
+
+TEST(Depth, cellsOfAGrid) {
+  // Everything at integers and halves: coplanar faces, shared edges, corners on faces.
+  std::mt19937_64 random(92);
+  const testing::Voxels cells_a = testing::randomVoxels(random, 4),
+                        cells_b = testing::randomVoxels(random, 3);
+  const Solid a(cells_a.mesh), b(cells_b.mesh);
+  DepthQuery query;
+  int inside = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 offset = 0.5 * testing::randomPoint(random, 8).array().round().matrix();
+    const Pose pose{Mat3::Identity(), offset};
+    const GougeDepth found = query.deepest(a.surface, b.surface, pose, 1e-4);
+    const Sample sample = sampleDepth(*a.mesh, *testing::moved(*b.mesh, pose), 8);
+    const bool meet = !testing::bruteForcePairs(*a.mesh, *b.mesh, pose).empty();
+    ASSERT_EQ(found.gouging == Gouging::found, meet || sample.deepest >= 0.0) << i;
+    if (found.gouging != Gouging::found) continue;
+    inside += found.depth > 0.1;
+    expectWitness(found, a, b, pose, 1e-12);
+    ASSERT_LE(found.upper_bound, found.depth + 1e-4);
+    ASSERT_GE(found.upper_bound, sample.deepest - 1e-12);
+    ASSERT_LE(found.depth, std::max(sample.deepest, 0.0) + sample.spacing);
+  }
+  EXPECT_GE(inside, 4);
+}
+
+TEST(Depth, answersDoNotDependOnWhatWasAskedBefore) {
+  std::mt19937_64 random(93);
+  const Solid ring(testing::torus(2, 0.8, 32, 20)), ball(testing::bumpySphere(random, 1.0, 0.5, 24));
+  DepthQuery warm;
+  for (int i = 0; i < 40; ++i) {
+    const Pose pose = testing::randomPose(random, 2.0);
+    const Solid &a = i % 3 ? ring : ball, &b = i % 2 ? ring : ball;
+    DepthQuery fresh;
+    const GougeDepth first = fresh.deepest(a.surface, b.surface, pose, 1e-4);
+    const GougeDepth second = warm.deepest(a.surface, b.surface, pose, 1e-4);
+    ASSERT_EQ(first.gouging, second.gouging);
+    ASSERT_EQ(first.depth, second.depth);
+    ASSERT_EQ(first.upper_bound, second.upper_bound);
+    ASSERT_EQ(first.point_on_b, second.point_on_b);
+    ASSERT_EQ(first.triangle_a, second.triangle_a);
+    ASSERT_EQ(first.triangle_b, second.triangle_b);
+  }
+}
+
+TEST(Depth, tinyHugeAndFar) {
+  std::mt19937_64 random(94);
+  const SharedMesh ring = testing::torus(2, 0.8, 32, 20), ball = testing::bumpySphere(random, 1.0, 0.5, 24);
+  const Solid a(ring), b(ball);
+  const Pose pose = at(2.2, 0.3, 0.9);
+  DepthQuery query;
+  const GougeDepth expected = query.deepest(a.surface, b.surface, pose, 1e-5);
+  ASSERT_GT(expected.depth, 0.1);
+  for (const double scale : {1e-12, 1e-6, 1e6, 1e11}) {
+    const Solid scaled_a(testing::moved(*ring, {}, scale)), scaled_b(testing::moved(*ball, {}, scale));
+    const Pose scaled_pose{pose.rotation, scale * pose.translation};
+    const GougeDepth found = query.deepest(scaled_a.surface, scaled_b.surface, scaled_pose, 1e-5 * scale);
+    EXPECT_NEAR(found.depth / scale, expected.depth, 1e-5) << scale;
+    EXPECT_LE(found.upper_bound, found.depth + 1e-5 * scale) << scale;
+  }
+  const Vec3 far(1e6, -3e6, 2e6);
+  const Solid far_a(testing::moved(*ring, {Mat3::Identity(), far}));
+  const GougeDepth found =
+      query.deepest(far_a.surface, b.surface, {pose.rotation, pose.translation + far}, 1e-5);
+  EXPECT_NEAR(found.depth, expected.depth, 1.1e-5);
+  EXPECT_EQ(query.deepest(a.surface, b.surface, pose, 0.0).gouging, Gouging::found);  // raised to 1e-12
+}
+
+}  // namespace
+}  // namespace octoblisk
