@@ -50,6 +50,45 @@ bool apart(const Triangle& a, const Triangle& b) {
   return false;
 }
 
+/// The polygon's part where inward · (x − on_plane) >= 0.
+void clip(std::array<Vec3, 8>& polygon, std::size_t& count, const Vec3& inward, const Vec3& on_plane) {
+  const std::array<Vec3, 8> whole = polygon;
+  const std::size_t whole_count = count;
+  count = 0;
+  for (std::size_t i = 0; i < whole_count; ++i) {
+    const Vec3 &from = whole[i], &to = whole[(i + 1) % whole_count];
+    const double height_from = inward.dot(from - on_plane), height_to = inward.dot(to - on_plane);
+    if (height_from >= 0.0) polygon[count++] = from;
+    if ((height_from < 0.0) != (height_to < 0.0)) {
+      polygon[count++] = from + (to - from) * (height_from / (height_from - height_to));
+    }
+  }
+}
+
+/// Appends the corners of a polygon that holds what two triangles share: the first, clipped to a thin prism
+/// round the second. The prism is thick enough that rounding loses nothing.
+void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corners) {
+  const Vec3 scaled = scaledNormal(by);
+  const double length = scaled.norm();
+  double size = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    size = std::max({size, of[i].cwiseAbs().maxCoeff(), by[i].cwiseAbs().maxCoeff()});
+  }
+  const double slack = 1e-14 * size;
+  std::array<Vec3, 8> polygon = {of[0], of[1], of[2]};
+  std::size_t count = 3;
+  if (length > 1e-12 * (by[1] - by[0]).norm() * (by[2] - by[0]).norm()) {  // else keep all
+    const Vec3 normal = scaled / length;
+    clip(polygon, count, normal, by[0] - slack * normal);
+    clip(polygon, count, -normal, by[0] + slack * normal);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 inward = normal.cross(by[(i + 1) % 3] - by[i]).normalized();
+      clip(polygon, count, inward, by[i] - slack * inward);
+    }
+  }
+  corners.insert(corners.end(), polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
 /// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle;
 /// 1 where it does not, 0 where it is outside already.
 double leavesPrism(const Triangle& triangle, const Vec3& point, const Vec3& other) {
@@ -270,7 +309,7 @@ void DepthQuery::keepCrossing(TrianglePair pair) {
 }
 
 void DepthQuery::add(Part part) {
-  part.bound = std::min(part.bound, boundOf(part));
+  part.bound = boundOf(part);
   if (part.bound <= limit()) {
     greatest_dropped_ = std::max(greatest_dropped_, part.bound);
     return;
@@ -279,28 +318,51 @@ void DepthQuery::add(Part part) {
   std::ranges::push_heap(parts_, {}, &Part::bound);
 }
 
-double DepthQuery::boundOf(const Part& part) const {
-  double bound = std::numeric_limits<double>::infinity();
+double DepthQuery::boundOf(const Part& part) {
+  double bound = part.bound;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner& corner = corners_[part.corner[i]];
     double way = 0.0;
-    for (const std::uint32_t other : part.corner)
+    for (const std::uint32_t other : part.corner) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
+    }
     const bool is_outside = corner.side == Side::outside;
     bound = std::min(bound, way + (!is_outside ? corner.distance : corner.is_exact ? -corner.distance : 0.0));
   }
-  for (std::size_t i = 0; i < 3 && bound > limit(); ++i) {
-    const std::uint32_t nearest = corners_[part.corner[i]].nearest;
-    const Triangle triangle = a_->tree().mesh().triangle(nearest);
+  if (bound <= limit()) return bound;
+
+  gatherExtremes(part);
+  const auto boundBy = [&](std::uint32_t triangle_a) {
+    const Triangle triangle = a_->tree().mesh().triangle(triangle_a);
     double greatest = 0.0;
-    for (const std::uint32_t other : part.corner) {
-      const Corner& corner = corners_[other];
-      greatest =
-          std::max(greatest, corner.nearest == nearest ? corner.distance : distance(triangle, corner.point));
+    for (const Vec3& point : extremes_) {
+      greatest = std::max(greatest, distance(triangle, point));
+      if (greatest >= bound) return;
     }
-    bound = std::min(bound, greatest);
-  }
+    bound = greatest;
+  };
+  for (std::size_t i = 0; i < 3 && bound > limit(); ++i) boundBy(corners_[part.corner[i]].nearest);
+  for (std::uint32_t i = part.met_begin; i < part.met_end && bound > limit(); ++i) boundBy(met_[i]);
   return bound;
+}
+
+/// Points whose convex hull holds all of the part that is inside A: its corners, but where they are outside,
+/// the corners of its cuts with A's surface.
+void DepthQuery::gatherExtremes(const Part& part) {
+  extremes_.clear();
+  bool is_whole = true;
+  for (const std::uint32_t corner : part.corner) {
+    if (corners_[corner].side == Side::outside) {
+      is_whole = false;
+    } else {
+      extremes_.push_back(corners_[corner].point);
+    }
+  }
+  if (is_whole) return;
+  const Triangle triangle = triangleOf(part);
+  for (std::uint32_t i = part.met_begin; i < part.met_end; ++i) {
+    appendCut(triangle, a_->tree().mesh().triangle(met_[i]), extremes_);
+  }
 }
 
 Triangle DepthQuery::triangleOf(const Part& part) const {

