@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "octoblisk/closest_point.h"
 #include "octoblisk/leaf_triangles.h"
@@ -87,6 +89,58 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
     }
   }
   corners.insert(corners.end(), polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// The least over all weighted means of two rows of their greatest entry; up to a few steps' approximation
+/// from above.
+double leastMean(std::span<const double> first, std::span<const double> second) {
+  // Each column is a line over the weight of the second row; wanted is the lowest point of their upper hull.
+  const auto highestAt = [&](double weight) {
+    std::size_t highest = 0;
+    double height = -1.0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const double here = first[i] + weight * (second[i] - first[i]);
+      if (here > height) {
+        height = here;
+        highest = i;
+      }
+    }
+    return std::pair(highest, height);
+  };
+  if (first.empty()) return 0.0;
+  auto [falling, height_at_0] = highestAt(0.0);
+  auto [rising, height_at_1] = highestAt(1.0);
+  double least = std::min(height_at_0, height_at_1);
+  for (int step = 0; step < 5; ++step) {
+    const double slope_falling = second[falling] - first[falling],
+                 slope_rising = second[rising] - first[rising];
+    if (!(slope_falling < 0.0 && slope_rising > 0.0)) break;
+    const double weight = (first[falling] - first[rising]) / (slope_rising - slope_falling);
+    if (!(weight > 0.0 && weight < 1.0)) break;
+    const auto [highest, height] = highestAt(weight);
+    least = std::min(least, height);
+    if (highest == falling || highest == rising) break;
+    (second[highest] < first[highest] ? falling : rising) = highest;
+  }
+  return least;
+}
+
+/// The greatest entry of that weighted mean of three rows of three whose entries are equal; infinite where
+/// there is none.
+double levelMean(std::span<const double> a, std::span<const double> b, std::span<const double> c) {
+  const double none = std::numeric_limits<double>::infinity();
+  Vec3 weights;
+  {
+    const Vec3 first(a[1] - a[0], b[1] - b[0], c[1] - c[0]), second(a[2] - a[0], b[2] - b[0], c[2] - c[0]);
+    weights = first.cross(second);
+  }
+  const double sum = weights.sum();
+  if (sum == 0.0) return none;
+  weights /= sum;
+  if (!(weights.minCoeff() >= 0.0)) return none;
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) greatest = std::max(greatest, weights.dot(Vec3(a[i], b[i], c[i])));
+  return greatest;
 }
 
 /// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle;
@@ -331,18 +385,37 @@ double DepthQuery::boundOf(const Part& part) {
   }
   if (bound <= limit()) return bound;
 
+  // Over the hull of the extremes the distance to a triangle of A is convex: below what is interpolated
+  // between the extremes. So is then every mean of the distances to several triangles.
   gatherExtremes(part);
+  candidates_.clear();
+  distances_.clear();
   const auto boundBy = [&](std::uint32_t triangle_a) {
+    if (std::ranges::find(candidates_, triangle_a) != candidates_.end()) return;
+    candidates_.push_back(triangle_a);
     const Triangle triangle = a_->tree().mesh().triangle(triangle_a);
     double greatest = 0.0;
     for (const Vec3& point : extremes_) {
-      greatest = std::max(greatest, distance(triangle, point));
-      if (greatest >= bound) return;
+      distances_.push_back(distance(triangle, point));
+      greatest = std::max(greatest, distances_.back());
     }
-    bound = greatest;
+    bound = std::min(bound, greatest);
   };
   for (std::size_t i = 0; i < 3 && bound > limit(); ++i) boundBy(corners_[part.corner[i]].nearest);
-  for (std::uint32_t i = part.met_begin; i < part.met_end && bound > limit(); ++i) boundBy(met_[i]);
+  constexpr std::size_t kCandidates = 8;
+  for (std::uint32_t i = part.met_begin; i < part.met_end && bound > limit(); ++i) {
+    if (candidates_.size() < kCandidates) boundBy(met_[i]);
+  }
+  const std::size_t count = extremes_.size();
+  const auto row = [&](std::size_t candidate) {
+    return std::span(distances_).subspan(candidate * count, count);
+  };
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    for (std::size_t j = 0; j < i && bound > limit(); ++j) bound = std::min(bound, leastMean(row(i), row(j)));
+  }
+  if (candidates_.size() >= 3 && count == 3 && bound > limit()) {
+    bound = std::min(bound, levelMean(row(0), row(1), row(2)));
+  }
   return bound;
 }
 
@@ -369,8 +442,8 @@ Triangle DepthQuery::triangleOf(const Part& part) const {
   return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
 }
 
-/// Where to cut a part: where a corner's nearest triangle ends, for beyond it another is nearest; else, and
-/// every third time, halfway along the longest edge.
+/// Where to cut a part: where a corner's nearest triangle ends, or another comes as near; else, and every
+/// third time, halfway along the longest edge.
 DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
   Cut longest{0, 0.5}, best{0, 0.5};
   double longest_edge = -1.0, best_piece = 0.0;
@@ -389,8 +462,13 @@ DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
         best = {i, at};
       }
     };
-    consider(leavesPrism(a_->tree().mesh().triangle(from.nearest), from.point, to.point));
-    consider(1.0 - leavesPrism(a_->tree().mesh().triangle(to.nearest), to.point, from.point));
+    const Triangle from_nearest = a_->tree().mesh().triangle(from.nearest);
+    const Triangle to_nearest = a_->tree().mesh().triangle(to.nearest);
+    consider(leavesPrism(from_nearest, from.point, to.point));
+    consider(1.0 - leavesPrism(to_nearest, to.point, from.point));
+    const double from_excess = distance(to_nearest, from.point) - from.distance;
+    const double to_excess = distance(from_nearest, to.point) - to.distance;
+    if (best_piece == 0.0 && from_excess + to_excess > 0.0) consider(from_excess / (from_excess + to_excess));
   }
   return best_piece > 0.0 && part.generation % 3 != 2 ? best : longest;
 }

@@ -112,7 +112,9 @@ class DepthQuery {
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> met_;
   std::vector<Vec3> extremes_;
-  std::vector<Part> parts_;  // a heap: the greatest bound first
+  std::vector<std::uint32_t> candidates_;
+  std::vector<double> distances_;  // of each candidate to each extreme
+  std::vector<Part> parts_;        // a heap: the greatest bound first
 };
 
 }  // namespace octoblisk
