@@ -41,15 +41,15 @@ TEST(ClosestPoint, tree_vs_bruteforce) {
   struct Scene {
     SharedMesh mesh;
     Vec3 center;
-    double size;
+    double size, reach;
   };
-  const std::vector<Scene> scenes = {{ring, Vec3::Zero(), 4.0},
-                                     {testing::fan(7, 8), Vec3::Zero(), 1.0},
-                                     {testing::soup(random, 400, 5, 0.4), Vec3::Zero(), 6.0},
-                                     {testing::moved(*ring, far), far.translation, 4.0},
-                                     {testing::moved(*ring, Pose{}, 1e-12), Vec3::Zero(), 4e-12},
-                                     {testing::moved(*ring, Pose{}, 1e11), Vec3::Zero(), 4e11},
-                                     {testing::boxMesh({1, 0, 2}), Vec3::Zero(), 2.0}};
+  const std::vector<Scene> scenes = {{ring, Vec3::Zero(), 4.0, 0.8},
+                                     {testing::fan(7, 8), Vec3::Zero(), 2.0, 0.5},
+                                     {testing::soup(random, 400, 5, 0.4), Vec3::Zero(), 6.0, 0.8},
+                                     {testing::moved(*ring, far), far.translation, 4.0, 0.8},
+                                     {testing::moved(*ring, Pose{}, 1e-12), Vec3::Zero(), 4e-12, 0.8e-12},
+                                     {testing::moved(*ring, Pose{}, 1e11), Vec3::Zero(), 4e11, 0.8e11},
+                                     {testing::boxMesh({1, 0, 2}), Vec3::Zero(), 2.0, 0.8}};
   for (const PartitionKind kind : {PartitionKind::clustering, PartitionKind::paper}) {
     for (std::size_t s = 0; s < scenes.size(); ++s) {
       const Scene& scene = scenes[s];
@@ -70,7 +70,7 @@ TEST(ClosestPoint, tree_vs_bruteforce) {
         ASSERT_TRUE(closestPoint(tree, point, found->distance));
         ASSERT_EQ(closestPoint(tree, point, found->distance)->triangle, found->triangle);
         ASSERT_FALSE(closestPoint(tree, point, std::nextafter(found->distance, 0.0)));
-        const double bound = 0.25 * scene.size;
+        const double bound = scene.reach;
         const auto bounded = closestPoint(tree, point, bound);
         ASSERT_EQ(bounded.has_value(), found->distance <= bound);
         within += bounded.has_value();
