@@ -1,6 +1,7 @@
 #include "octoblisk/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "octoblisk/traversal.h"
 
@@ -33,27 +34,34 @@ Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
 }  // namespace
 
 Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
-  const Vec3 normal = scaledNormal(triangle);
+  const auto& [a, b, c] = triangle;
+  const Vec3 ab = b - a, ac = c - a, offset = point - a;
+  const Vec3 normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
-  const double longest =
-      std::max((triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[0]).squaredNorm());
+  const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
   constexpr double kFlat = 1e-24;  // of sin²: below, the normal is mostly rounding
   const bool flat = !(squared > kFlat * longest * longest);
-  // The closest point is the foot on the plane, or lies on an edge that the foot is beyond.
-  Vec3 closest = triangle[0];
+  // Twice the areas, times the normal's length, of the foot with each edge.
+  const Vec3 turned = offset.cross(normal);
+  const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
+  if (!flat && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0) {
+    return point - normal * (normal.dot(offset) / squared);
+  }
+  // Else the closest point lies on an edge that the foot is beyond.
+  Vec3 closest = a;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &from = triangle[i], &to = triangle[(i + 1) % 3];
-    if (!flat && normal.cross(to - from).dot(point - from) >= 0.0) continue;
+  const auto tryEdge = [&](const Vec3& from, const Vec3& to) {
     const Vec3 candidate = closestOnSegment(from, to, point);
     const double distance = (candidate - point).squaredNorm();
     if (distance < least) {
       least = distance;
       closest = candidate;
     }
-  }
-  if (least < std::numeric_limits<double>::infinity()) return closest;
-  return point - normal * (normal.dot(point - triangle[0]) / squared);
+  };
+  if (flat || at_ab < 0.0) tryEdge(a, b);
+  if (flat || at_bc < 0.0) tryEdge(b, c);
+  if (flat || at_ca < 0.0) tryEdge(c, a);
+  return closest;
 }
 
 std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3& point, double upper_bound) {
@@ -69,6 +77,8 @@ std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3
   const double rounding = kTraversalRounding * farthest;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);
+  const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
+  double squared_limit = squaredLimit(best.distance);
   auto limit = static_cast<float>(best.distance + rounding);
 
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
@@ -79,9 +89,12 @@ std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3
     if (entry.child.isLeaf()) {
       for (const std::uint32_t t : tree.triangles(entry.child)) {
         const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
-        const double distance = (on_triangle - point).norm();
+        const double squared = (on_triangle - point).squaredNorm();
+        if (squared > squared_limit) continue;
+        const double distance = std::sqrt(squared);
         if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
           best = {on_triangle, distance, t};
+          squared_limit = squaredLimit(distance);
         }
       }
       limit = static_cast<float>(best.distance + rounding);
