@@ -5,23 +5,11 @@
 #include <tuple>
 
 namespace octoblisk {
-namespace {
-
-struct Edge {
-  std::uint32_t low, high;  // corners
-  int direction;            // +1 from low to high
-
-  Edge(std::uint32_t from, std::uint32_t to)
-      : low(std::min(from, to)), high(std::max(from, to)), direction(from < to ? 1 : -1) {}
-  auto ends() const { return std::pair(low, high); }
-};
-
-}  // namespace
 
 Surface::Surface(const ClusteredOctree& tree) : tree_(&tree) {
   weld();
-  checkEdges();
   gatherStars();
+  checkEdges();
   findParts();
 }
 
@@ -52,24 +40,6 @@ void Surface::weld() {
     corners_.push_back({corner_of[a], corner_of[b], corner_of[c]});
 }
 
-void Surface::checkEdges() {
-  std::vector<Edge> edges;
-  edges.reserve(3 * corners_.size());
-  for (const auto& corner : corners_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (corner[i] != corner[(i + 1) % 3]) edges.emplace_back(corner[i], corner[(i + 1) % 3]);
-    }
-  }
-  std::ranges::sort(edges, {}, &Edge::ends);
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    int uses = 0, balance = 0;
-    const auto ends = edge->ends();
-    for (; edge != edges.end() && edge->ends() == ends; ++edge, ++uses) balance += edge->direction;
-    closed_ &= uses % 2 == 0;
-    oriented_ &= balance == 0;
-  }
-}
-
 void Surface::gatherStars() {
   star_begin_.assign(vertex_.size() + 1, 0);
   for (const auto& triangle : corners_) {
@@ -80,6 +50,33 @@ void Surface::gatherStars() {
   std::vector<std::uint32_t> end(star_begin_.begin(), star_begin_.end() - 1);
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     for (const std::uint32_t corner : corners_[t]) stars_[end[corner]++] = t;
+  }
+}
+
+void Surface::checkEdges() {
+  struct Use {
+    std::uint32_t other;  // the edge's greater corner
+    int direction;        // +1 towards it
+  };
+  std::vector<Use> uses;
+  for (std::uint32_t corner = 0; corner < cornerCount(); ++corner) {
+    uses.clear();
+    for (const std::uint32_t t : star(corner)) {
+      const auto& [a, b, c] = corners_[t];
+      if (a == b || b == c || c == a) continue;  // there and back again: it closes and opens nothing
+      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
+      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
+      if (next > corner) uses.push_back({next, 1});
+      if (last > corner) uses.push_back({last, -1});
+    }
+    std::ranges::sort(uses, {}, &Use::other);
+    for (auto use = uses.begin(); use != uses.end();) {
+      int count = 0, balance = 0;
+      const std::uint32_t other = use->other;
+      for (; use != uses.end() && use->other == other; ++use, ++count) balance += use->direction;
+      closed_ &= count % 2 == 0;
+      oriented_ &= balance == 0;
+    }
   }
 }
 

@@ -45,8 +45,8 @@ class Surface {
 
  private:
   void weld();
-  void checkEdges();
   void gatherStars();
+  void checkEdges();
   void findParts();
 
   const ClusteredOctree* tree_;

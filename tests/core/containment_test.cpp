@@ -171,8 +171,7 @@ TEST(Containment, closedForms) {
   EXPECT_EQ(containment(large.surface, small.surface, {}), Containment::b_inside_a);
   EXPECT_EQ(containment(small.surface, large.surface, {}), Containment::a_inside_b);
   EXPECT_EQ(containment(large.surface, small.surface, at(2, 0, 0)), Containment::touching);
-  EXPECT_EQ(containment(large.surface, small.surface, at(2.0 - 1e-15, 0, 0)),
-            Containment::b_inside_a);
+  EXPECT_EQ(containment(large.surface, small.surface, at(2.0 - 1e-15, 0, 0)), Containment::b_inside_a);
   EXPECT_EQ(containment(large.surface, small.surface, at(4, 0, 0)), Containment::touching);
   EXPECT_EQ(containment(large.surface, small.surface, at(std::nextafter(4.0, 5.0), 0, 0)),
             Containment::apart);
