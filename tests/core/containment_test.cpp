@@ -74,8 +74,10 @@ TEST(Locate, randomPoints_vs_windingNumber) {
   const SharedMesh ring = testing::torus(3, 1.4, 24, 16), ball = testing::bumpySphere(random, 2.0, 1.2, 24);
   const Pose turned{testing::randomRotation(random), Vec3(1, 2, 3)};
   const Pose far{testing::randomRotation(random), Vec3(1e6, -2e6, 3e6)};
-  for (const SharedMesh& mesh : {ring, ball, testing::moved(*ring, turned), testing::moved(*ball, far),
-                                 testing::moved(*ring, Pose{}, 1e-10), testing::moved(*ball, Pose{}, 1e10)}) {
+  const Pose mirrored{-Mat3::Identity(), Vec3::Zero()};  // faces inward
+  for (const SharedMesh& mesh : {ring, ball, testing::moved(*ball, mirrored), testing::moved(*ring, turned),
+                                 testing::moved(*ball, far), testing::moved(*ring, Pose{}, 1e-10),
+                                 testing::moved(*ball, Pose{}, 1e10)}) {
     const Solid solid(mesh);
     int inside = 0;
     constexpr int kPoints = 600;
