@@ -1,7 +1,9 @@
 // How deep one surface reaches into a solid: the depth of a gouge.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "octoblisk/contact.h"
@@ -32,10 +34,10 @@ struct GougeDepth {
 /// A must be closed (containment.h says what its inside is), B may be open. Where B is wholly inside A, that
 /// is the distance of B's innermost point. Where A is wholly inside B, no point of B's surface is in A.
 ///
-/// Branch and bound: first the triangles of B that meet A's surface, from their corners all that is inside;
-/// then those are divided until no part may be deeper than the deepest point found and the tolerance. The
-/// bounds: over a part, the distance to a triangle of A is convex, so greatest at a corner; and the signed
-/// distance to A's surface grows by no more than the way.
+/// Branch and bound: first the triangles of B that meet A's surface, and from their corners those that are
+/// wholly inside; these are divided until no part may be deeper than the deepest point found by more than the
+/// tolerance. The bounds of a part: depth_bounds.h, and that the signed distance to A's surface grows by no
+/// more than the way.
 ///
 /// Holds the working memory of the query: one object a thread. Warm queries allocate nothing.
 class DepthQuery {
@@ -51,11 +53,10 @@ class DepthQuery {
   /// A corner of B's mesh, or of a part of one of its triangles.
   struct Corner {
     Vec3 point = Vec3::Zero();
-    Vec3 foot =
-        Vec3::Zero();  ///< on the nearest triangle of A's surface known so far: the closest to the point
-    double distance = std::numeric_limits<double>::infinity();  ///< to the foot
+    Vec3 foot = Vec3::Zero();  // of the point on the nearest triangle of A known so far
+    double distance = std::numeric_limits<double>::infinity();  // to the foot
     std::uint32_t nearest = kNoTriangle;
-    bool is_exact = false;  ///< no triangle is nearer
+    bool is_exact = false;  // no triangle is nearer
     Side side = Side::unknown;
   };
 
