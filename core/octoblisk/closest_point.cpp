@@ -1,12 +1,85 @@
 #include "octoblisk/closest_point.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octoblisk/closest_point.cpp"
+#include <hwy/foreach_target.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "octoblisk/traversal.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+/// The distances from a point, in the tree's local frame, to eight boxes; infinite for the empty ones.
+HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
+  const Vec8 offset{Float8(point.x()) - Float8::load(boxes.center[0]),
+                    Float8(point.y()) - Float8::load(boxes.center[1]),
+                    Float8(point.z()) - Float8::load(boxes.center[2])};
+  Float8 squared(0.0f);
+  for (int j = 0; j < 3; ++j) {
+    const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
+                    Float8::load(boxes.axes[2][j])};
+    const Float8 outside = max(abs(dot(axis, offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
+    squared = squared + outside * outside;
+  }
+  return sqrt(squared);
+}
+
+std::optional<ClosestPoint> searchClosest(const ClusteredOctree& tree, const Vec3& point,
+                                          double upper_bound) {
+  struct Entry {
+    Child child;
+    float gap;
+  };
+  const Vec3 local = point - tree.origin();
+  const Eigen::Vector3f local_single = local.cast<float>();
+  const double farthest = local.norm() + tree.radius();  // no triangle is farther
+  const double rounding = kTraversalRounding * farthest;
+  ClosestPoint best;
+  best.distance = std::min(upper_bound, 2.0 * farthest);
+  const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
+  double squared_limit = squaredLimit(best.distance);
+  auto limit = static_cast<float>(best.distance + rounding);
+
+  TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
+  stack.pushSorted(0, {tree.child(ClusteredOctree::kRoot), 0.0f});
+  while (!stack.empty()) {
+    const Entry entry = stack.pop();
+    if (entry.gap > limit) continue;
+    if (entry.child.isLeaf()) {
+      for (const std::uint32_t t : tree.triangles(entry.child)) {
+        const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
+        const double squared = (on_triangle - point).squaredNorm();
+        if (squared > squared_limit) continue;
+        const double distance = std::sqrt(squared);
+        if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
+          best = {on_triangle, distance, t};
+          squared_limit = squaredLimit(distance);
+        }
+      }
+      limit = static_cast<float>(best.distance + rounding);
+      continue;
+    }
+    const ClusteredOctree::Node& node = tree.nodes()[entry.child.node()];
+    const std::size_t first = stack.size();
+    forEachWithin(distances(node.boxes, local_single), limit, [&](std::uint32_t lane, float distance) {
+      stack.pushSorted(first, {node.children[lane], distance});
+    });
+  }
+  if (best.triangle == kNoTriangle) return std::nullopt;
+  return best;
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace octoblisk {
 namespace {
+
+HWY_EXPORT(searchClosest);
 
 Vec3 closestOnSegment(const Vec3& from, const Vec3& to, const Vec3& point) {
   const Vec3 along = to - from;
@@ -16,19 +89,6 @@ Vec3 closestOnSegment(const Vec3& from, const Vec3& to, const Vec3& point) {
   if (part <= 0.0) return from;
   if (part >= 1.0) return to;
   return from + part * along;
-}
-
-/// The distances from a point, in the tree's local frame, to eight boxes; infinite for the empty ones.
-Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
-  const Float8 x = point.x() - boxes.center[0], y = point.y() - boxes.center[1],
-               z = point.z() - boxes.center[2];
-  Float8 squared = Float8::Zero();
-  for (int j = 0; j < 3; ++j) {
-    const Float8 along = x * boxes.axes[0][j] + y * boxes.axes[1][j] + z * boxes.axes[2][j];
-    const Float8 outside = (along.abs() - boxes.half_extents[j]).max(0.0f);
-    squared += outside * outside;
-  }
-  return squared.sqrt();
 }
 
 }  // namespace
@@ -65,52 +125,8 @@ Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
 }
 
 std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3& point, double upper_bound) {
-  struct Entry {
-    Child child;
-    float gap;
-    Entry() = default;
-    Entry(Child at, float distance) : child(at), gap(distance) {}
-  };
-  const Vec3 local = point - tree.origin();
-  const Eigen::Vector3f local_single = local.cast<float>();
-  const double farthest = local.norm() + tree.radius();  // no triangle is farther
-  const double rounding = kTraversalRounding * farthest;
-  ClosestPoint best;
-  best.distance = std::min(upper_bound, 2.0 * farthest);
-  const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
-  double squared_limit = squaredLimit(best.distance);
-  auto limit = static_cast<float>(best.distance + rounding);
-
-  TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
-  stack.pushSorted(0, {tree.child(ClusteredOctree::kRoot), 0.0f});
-  while (!stack.empty()) {
-    const Entry entry = stack.pop();
-    if (entry.gap > limit) continue;
-    if (entry.child.isLeaf()) {
-      for (const std::uint32_t t : tree.triangles(entry.child)) {
-        const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
-        const double squared = (on_triangle - point).squaredNorm();
-        if (squared > squared_limit) continue;
-        const double distance = std::sqrt(squared);
-        if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
-          best = {on_triangle, distance, t};
-          squared_limit = squaredLimit(distance);
-        }
-      }
-      limit = static_cast<float>(best.distance + rounding);
-      continue;
-    }
-    const ClusteredOctree::Node& node = tree.nodes()[entry.child.node()];
-    const Float8 distance = distances(node.boxes, local_single);
-    const std::size_t first = stack.size();
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (distance[static_cast<Eigen::Index>(lane)] <= limit && !node.children[lane].isEmpty()) {
-        stack.pushSorted(first, {node.children[lane], distance[static_cast<Eigen::Index>(lane)]});
-      }
-    }
-  }
-  if (best.triangle == kNoTriangle) return std::nullopt;
-  return best;
+  return HWY_DYNAMIC_DISPATCH(searchClosest)(tree, point, upper_bound);
 }
 
 }  // namespace octoblisk
+#endif

@@ -117,9 +117,9 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   NodeWriter writer(partition, static_cast<float>(kRounding * tree.radius_ + kSmallest), tree.nodes_);
   writer.write(0, kRoot, 1);
 
-  tree.leaf_vertices_.resize(9 * partition.records.size() + kLanes);
-  forEachChild(tree.nodes_, [&](Slot slot, Child child) {
-    if (child.isLeaf()) tree.writeLeafVertices(slot, child);
+  tree.leaf_vertices_.resize(9 * tree.triangle_order_.size() + kLanes);
+  parallelFor(tree.nodes_.size(), threadCount(options.threads), [&](std::size_t node, std::size_t) {
+    tree.writeLeafVertices(static_cast<std::uint32_t>(node));
   });
 
   BuildStats& stats = tree.stats_;
@@ -137,15 +137,19 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   return tree;
 }
 
-void ClusteredOctree::writeLeafVertices(Slot slot, Child leaf) {
-  const Obb frame = box(slot);
-  float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
-  for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-    const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
-    for (std::uint32_t v = 0; v < 3; ++v) {
-      const Vec3 corner = frame.axes.transpose() * (triangle[v] - frame.center);
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        row[(3 * v + k) * leaf.count() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
+void ClusteredOctree::writeLeafVertices(std::uint32_t node) {
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const Child leaf = nodes_[node].children[lane];
+    if (!leaf.isLeaf()) continue;
+    const Obb frame = box({node, lane});
+    float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
+    for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+      const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
+      for (std::uint32_t v = 0; v < 3; ++v) {
+        const Vec3 corner = frame.axes.transpose() * (triangle[v] - frame.center);
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          row[(3 * v + k) * leaf.count() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
+        }
       }
     }
   }

@@ -101,7 +101,7 @@ class ClusteredOctree {
 
  private:
   ClusteredOctree() = default;
-  void writeLeafVertices(Slot slot, Child leaf);
+  void writeLeafVertices(std::uint32_t node);
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Vec3 origin_ = Vec3::Zero();

@@ -17,6 +17,8 @@
 namespace octoblisk {
 namespace {
 
+using Eight = Eigen::Array<float, kLanes, 1>;
+
 constexpr int kClusteringDepth = 32;        // below it halves by the median, so that the depth stays bounded
 constexpr std::uint32_t kSubtree = 4096;    // triangles of the largest subtree that is one thread's
 constexpr std::size_t kLargeSample = 4096;  // triangles of larger nodes that find their planes, at most
@@ -61,7 +63,7 @@ class Sorter {
   std::size_t clusterCount() const { return cluster_count_; }
 
   std::uint8_t operator()(const TriangleRecord& record) const {
-    Float8 height = normals_[0] * record.centroid[0];
+    Eight height = normals_[0] * record.centroid[0];
     height += normals_[1] * record.centroid[1];
     height += normals_[2] * record.centroid[2];
     for (int k = 0; k < 3; ++k) height += normals_[static_cast<std::size_t>(k) + 3] * record.normal[k];
@@ -72,9 +74,9 @@ class Sorter {
 
  private:
   std::size_t cluster_count_;
-  std::array<Float8, 6> normals_ = {Float8::Zero(), Float8::Zero(), Float8::Zero(),
-                                    Float8::Zero(), Float8::Zero(), Float8::Zero()};
-  Float8 offsets_ = Float8::Zero();
+  std::array<Eight, 6> normals_ = {Eight::Zero(), Eight::Zero(), Eight::Zero(),
+                                    Eight::Zero(), Eight::Zero(), Eight::Zero()};
+  Eight offsets_ = Eight::Zero();
   std::array<std::uint8_t, 1u << (kLanes - 1)> clusters_;
 };
 

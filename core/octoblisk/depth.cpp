@@ -5,9 +5,8 @@
 #include <span>
 
 #include "octoblisk/closest_point.h"
+#include "octoblisk/collide.h"
 #include "octoblisk/depth_bounds.h"
-#include "octoblisk/leaf_triangles.h"
-#include "octoblisk/traversal.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {
@@ -103,13 +102,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
 }
 
 void DepthQuery::findCrossings() {
-  traversePairs(a_->tree(), b_->tree(), b_in_a_, 0.0, [&](Child leaf_a, Child leaf_b) {
-    const LeafTriangles in_a(a_->tree(), leaf_a), in_b(b_->tree(), leaf_b, &b_in_a_);
-    return forEachPairWithin(in_a, in_b, 0.0, [&](std::size_t i, std::size_t j) {
-      if (intersects(in_a[i], in_b[j])) crossings_.push_back({in_a.id(i), in_b.id(j)});
-      return false;
-    });
-  });
+  touchingPairs(a_->tree(), b_->tree(), b_in_a_, crossings_);
   std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });
   for (const TrianglePair& pair : crossings_) {
     if (mark_[pair.b] == Mark::crossing) continue;
