@@ -106,6 +106,14 @@ int exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sum.sign();
 }
 
+int exactSideOfLine(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b) {
+  ExactSum<72> sum;  // 3 triple products of 6 terms of 4 components
+  addTripleProduct(sum, 1.0, direction, a, b);
+  addTripleProduct(sum, -1.0, direction, a, origin);
+  addTripleProduct(sum, -1.0, direction, origin, b);
+  return sum.sign();
+}
+
 int exactOrient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   ExactSum sum;
   const auto addCross = [&](double factor, const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
@@ -131,6 +139,20 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            (std::abs(zx) + std::abs(xz)) * std::abs(ad.y());
   if (std::abs(determinant) > kFilter3d * permanent + kUnderflow) return sign(determinant);
   return exactOrient3d(a, b, c, d);
+}
+
+int sideOfLine(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b) {
+  const Vec3 oa = a - origin, ob = b - origin;
+  const double xy = oa.x() * ob.y(), yx = oa.y() * ob.x();
+  const double yz = oa.y() * ob.z(), zy = oa.z() * ob.y();
+  const double zx = oa.z() * ob.x(), xz = oa.x() * ob.z();
+  const double determinant =
+      direction.z() * (xy - yx) + direction.x() * (yz - zy) + direction.y() * (zx - xz);
+  const double permanent = (std::abs(xy) + std::abs(yx)) * std::abs(direction.z()) +
+                           (std::abs(yz) + std::abs(zy)) * std::abs(direction.x()) +
+                           (std::abs(zx) + std::abs(xz)) * std::abs(direction.y());
+  if (std::abs(determinant) > kFilter3d * permanent) return sign(determinant);
+  return exactSideOfLine(origin, direction, a, b);
 }
 
 int orient2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {

@@ -11,6 +11,7 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/raycast.h"
 #include "shared/meshes.h"
 
 namespace {
@@ -34,6 +35,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(0.4, 0.2, 0.1)});
   ContactPatches patches;
   std::vector<Contact> found;
+  std::vector<RayHit> ray_hits;
   std::size_t hits = 0;
   const auto queryAll = [&] {
     std::mt19937_64 random(61);
@@ -44,6 +46,9 @@ TEST(Allocation, warmQueriesAllocateNothing) {
       patches.reduce(found);
       contacts(fan, box, pose, 0.05, found);
       patches.reduce(found);
+      const Ray ray{.origin = pose.translation, .direction = pose.rotation.col(0)};
+      allHits(ring, ray, ray_hits);
+      hits += anyHit(fan, ray) + closestHit(ring, ray).has_value();
     }
   };
   queryAll();
