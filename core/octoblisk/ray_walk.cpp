@@ -8,20 +8,19 @@
 
 #include "octoblisk/ray_triangle.h"
 
-// Compiled for AVX2 and for any processor; which one runs is decided at run time.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "octoblisk/ray_walk.cpp"
 #include <hwy/foreach_target.h>
 // Must come after it.
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #ifndef OCTOBLISK_RAY_WALK_ONCE
 #define OCTOBLISK_RAY_WALK_ONCE
 namespace octoblisk {
 
-/// The part of a ray within the sphere round a tree, in single precision: the points
-/// origin + reach · direction, 0 <= reach <= length, with a unit direction.
+/// The part of a ray near the tree, in single precision: the points origin + reach · direction,
+/// 0 <= reach <= length, relative to the tree's origin. The largest component of the direction is ±1.
 struct LocalRay {
   std::array<float, 3> origin;
   std::array<float, 3> direction;
@@ -30,44 +29,41 @@ struct LocalRay {
   float slack;
   float length;
 
-  // reach = scale · t − start
+  // reach = scale · (t − start)
   double scale;
   double start;
 
   /// No less than the reach of a hit at t.
-  float reachOf(double t) const { return static_cast<float>(std::min(scale * t - start, 1e30)) + slack; }
+  float reachOf(double t) const { return static_cast<float>(std::min(scale * (t - start), 1e30)) + slack; }
 };
 
-/// Nothing where the ray passes by the sphere.
+/// Nothing where the ray passes by the sphere round the tree.
 inline std::optional<LocalRay> clipped(const ClusteredOctree& tree, const Ray& ray) {
   const double largest = ray.direction.cwiseAbs().maxCoeff();
-  constexpr double kMax = TriangleMesh::kMaxCoordinate;
   if (!ray.origin.allFinite() || !ray.direction.allFinite() || !(ray.t_max >= 0.0)) return std::nullopt;
-  if (!(largest > 0.0 && largest <= kMax && ray.origin.cwiseAbs().maxCoeff() <= kMax)) return std::nullopt;
-  const double norm = (ray.direction / largest).norm();
-  const Vec3 direction = ray.direction / largest / norm;
+  if (!(largest >= Ray::kMinDirection && largest <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
   const Vec3 origin = ray.origin - tree.origin();
+  const double distance = origin.cwiseAbs().maxCoeff();
+  if (!(ray.origin.cwiseAbs().maxCoeff() <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
 
   // 64 units in the last place of single precision, and some in double precision of the way to the tree.
-  const double slack = 0x1p-18 * tree.radius() + 0x1p-48 * origin.norm() + 0x1p-120;
-  const double nearest = -origin.dot(direction);  // along the ray, to the middle of the sphere
-  const double beside = (origin + nearest * direction).squaredNorm();
+  const double slack = 0x1p-18 * tree.radius() + 0x1p-48 * distance + 0x1p-120;
   const double radius = tree.radius() + slack;
-  if (!(beside <= radius * radius)) return std::nullopt;
-  const double half_chord = std::sqrt(radius * radius - beside);
-  const double start = std::max(0.0, nearest - half_chord);
+  const double nearest = -origin.dot(ray.direction) / ray.direction.squaredNorm();  // to the middle
+  if (!((origin + nearest * ray.direction).squaredNorm() <= radius * radius)) return std::nullopt;
+  const double unit = 1.0 / largest;
+  const double in_sphere = radius * unit;  // no less than half the chord
+  const double start = std::max(0.0, nearest - in_sphere);
 
   LocalRay local;
-  const Vec3 from = origin + start * direction;
   for (int i = 0; i < 3; ++i) {
-    local.origin[static_cast<std::size_t>(i)] = static_cast<float>(from[i]);
-    local.direction[static_cast<std::size_t>(i)] = static_cast<float>(direction[i]);
+    local.origin[static_cast<std::size_t>(i)] = static_cast<float>(origin[i] + start * ray.direction[i]);
+    local.direction[static_cast<std::size_t>(i)] = static_cast<float>(ray.direction[i] * unit);
   }
   local.slack = static_cast<float>(slack);
-  local.scale = largest * norm;
+  local.scale = largest;
   local.start = start;
-  local.length =
-      std::min(static_cast<float>(nearest + half_chord - start) + local.slack, local.reachOf(ray.t_max));
+  local.length = local.reachOf(std::min(nearest + in_sphere, ray.t_max));
   if (!(local.length >= 0.0f)) return std::nullopt;
   return local;
 }
@@ -99,6 +95,9 @@ using Tag = hn::CappedTag<float, kLanes>;
 using Floats = hn::Vec<Tag>;
 constexpr Tag kTag;
 
+// Fused products and sums: the walk's numbers differ between processors in their last bits, what it finds
+// does not, since all of them only exclude what is certain and every hit is confirmed in double precision.
+
 /// One bit a lane, of lanes from `lane` on.
 HWY_INLINE unsigned bitsOf(hn::Mask<Tag> mask, std::size_t lane) {
   std::uint8_t bits[8] = {};
@@ -113,50 +112,32 @@ HWY_INLINE unsigned enter(const Box8& boxes, const LocalRay& ray, float limit, f
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kTag)) {
     Floats offset[3];
     for (int i = 0; i < 3; ++i) {
-      offset[i] = hn::Sub(hn::Set(kTag, ray.origin[i]), hn::LoadU(kTag, boxes.center[i].data() + lane));
+      offset[i] = hn::Sub(hn::Set(kTag, ray.origin[i]), hn::LoadU(kTag, &boxes.center[i][lane]));
     }
     Floats near = hn::Zero(kTag), far = hn::Set(kTag, limit);
     for (int axis = 0; axis < 3; ++axis) {
-      const Floats x = hn::LoadU(kTag, boxes.axes[0][axis].data() + lane);
-      const Floats y = hn::LoadU(kTag, boxes.axes[1][axis].data() + lane);
-      const Floats z = hn::LoadU(kTag, boxes.axes[2][axis].data() + lane);
+      const Floats x = hn::LoadU(kTag, &boxes.axes[0][axis][lane]);
+      const Floats y = hn::LoadU(kTag, &boxes.axes[1][axis][lane]);
+      const Floats z = hn::LoadU(kTag, &boxes.axes[2][axis][lane]);
       const Floats along = hn::MulAdd(
           z, hn::Set(kTag, ray.direction[2]),
           hn::MulAdd(y, hn::Set(kTag, ray.direction[1]), hn::Mul(x, hn::Set(kTag, ray.direction[0]))));
       const Floats from = hn::MulAdd(z, offset[2], hn::MulAdd(y, offset[1], hn::Mul(x, offset[0])));
-      // The axis turned so that the ray goes up along it: from reach -(from + half)/speed to (half -
-      // from)/speed.
+      // Along the axis, turned so that the ray ascends, it is between -half and half from the reach
+      // -(ahead + half) / speed to (half - ahead) / speed.
       const Floats speed = hn::Max(hn::Abs(along), hn::Set(kTag, 0x1p-30f));
       const Floats ahead = hn::Xor(hn::And(along, hn::SignBit(kTag)), from);
-      const Floats half =
-          hn::Add(hn::LoadU(kTag, boxes.half_extents[axis].data() + lane), hn::Set(kTag, ray.slack));
+      const Floats half = hn::Add(hn::LoadU(kTag, &boxes.half_extents[axis][lane]), hn::Set(kTag, ray.slack));
       const Floats inverse = hn::Div(hn::Set(kTag, 1.0f), speed);
       const Floats middle = hn::Mul(ahead, inverse), width = hn::Mul(half, inverse);
       near = hn::Max(near, hn::Neg(hn::Add(middle, width)));
       far = hn::Min(far, hn::Sub(width, middle));
     }
-    hn::StoreU(near, kTag, reaches + lane);
+    hn::StoreU(hn::Abs(near), kTag, reaches + lane);  // no -0: RayTask compares bits
     entered |= bitsOf(hn::Le(near, far), lane);
   }
   return entered;
 }
-
-/// The corners of a leaf's triangles in single precision: [corner][component][triangle].
-struct LeafCorners {
-  float corner[3][3][kLanes];
-
-  LeafCorners(const ClusteredOctree& tree, std::span<const std::uint32_t> triangles) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const Triangle triangle = tree.mesh().triangle(triangles[std::min(lane, triangles.size() - 1)]);
-      for (std::size_t v = 0; v < 3; ++v) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          const auto k = static_cast<Eigen::Index>(i);
-          corner[v][i][lane] = static_cast<float>(triangle[v][k] - tree.origin()[k]);
-        }
-      }
-    }
-  }
-};
 
 /// A ray in the frame in which it is the z axis: the axis nearest to it stays, and x and y are sheared
 /// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, 2013).
@@ -178,16 +159,17 @@ struct ShearedRay {
   }
 };
 
-/// A bit for each of the eight triangles that the ray may cross at a reach of 0 to `limit`; only such are
-/// left out that it certainly does not.
-HWY_INLINE unsigned mayCross(const LeafCorners& leaf, const ShearedRay& ray, float limit) {
+/// A bit for each of a leaf's triangles, given by the rows of their corners, that the ray may cross at a
+/// reach of 0 to `limit`: only such are left out that it certainly does not. Bits beyond their count are
+/// anything.
+HWY_INLINE unsigned mayCross(const float* rows, std::size_t count, const ShearedRay& ray, float limit) {
   unsigned crossed = 0;
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kTag)) {
     Floats x[3], y[3], z[3];
     Floats size = hn::Zero(kTag);
     for (int v = 0; v < 3; ++v) {
-      const auto component = [&](int i) {
-        return hn::Sub(hn::LoadU(kTag, &leaf.corner[v][i][lane]), hn::Set(kTag, ray.origin[i]));
+      const auto component = [&](int i) HWY_ATTR {
+        return hn::Sub(hn::LoadU(kTag, rows + (3 * v + i) * count + lane), hn::Set(kTag, ray.origin[i]));
       };
       z[v] = component(ray.z);
       x[v] = hn::NegMulAdd(hn::Set(kTag, ray.shear_x), z[v], component(ray.x));
@@ -252,7 +234,7 @@ class RayWalk {
     HWY_ALIGN float reaches[kLanes];
     unsigned entered = enter(node.boxes, local_, limit_, reaches);
     if (entered == 0) return false;
-    const auto next = [&] {
+    const auto next = [&]() HWY_ATTR {
       const auto lane = static_cast<std::size_t>(std::countr_zero(entered));
       entered &= entered - 1;
       return RayTask(reaches[lane], node.children[lane]);
@@ -273,8 +255,9 @@ class RayWalk {
   /// False where nothing is of interest any more.
   HWY_INLINE bool visitLeaf(Child leaf) {
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
+    hwy::Prefetch(triangles.data());  // while the corners are waited for
     const unsigned in_leaf = (1u << triangles.size()) - 1;
-    unsigned crossed = mayCross(LeafCorners(tree_, triangles), sheared_, limit_) & in_leaf;
+    unsigned crossed = mayCross(tree_.leafVertices(leaf), triangles.size(), sheared_, limit_) & in_leaf;
     for (; crossed != 0; crossed &= crossed - 1) {
       const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
       const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));
@@ -291,7 +274,7 @@ class RayWalk {
 
   const ClusteredOctree& tree_;
   const Ray& ray_;
-  const LocalRay local_;
+  const LocalRay& local_;
   const ShearedRay sheared_;
   const CrossingVisitor visitor_;
   void* const context_;

@@ -18,9 +18,11 @@ namespace octoblisk {
 /// The points origin + t · direction, 0 <= t <= t_max, in the mesh's frame. The direction may have any
 /// length: from one point to another it is their difference, and t_max 1.
 ///
-/// A ray without a direction or with a NaN meets nothing, and so does one whose origin or direction has a
-/// coordinate beyond ±TriangleMesh::kMaxCoordinate.
+/// A ray with a NaN meets nothing, and so does one whose origin has a coordinate beyond
+/// ±TriangleMesh::kMaxCoordinate, or whose direction's largest is beyond it or below kMinDirection.
 struct Ray {
+  static constexpr double kMinDirection = 1e-60;
+
   Vec3 origin = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();
   double t_max = std::numeric_limits<double>::infinity();
