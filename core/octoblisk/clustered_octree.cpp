@@ -122,18 +122,6 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
     tree.writeLeafVertices(static_cast<std::uint32_t>(node));
   });
 
-  tree.leaf_vertices_.resize(9 * partition.records.size() + kLanes);
-  forEachChild(tree.nodes_, [&](Slot, Child child) {
-    if (!child.isLeaf()) return;
-    float* row = tree.leaf_vertices_.data() + 9 * std::size_t{child.first()};
-    for (std::uint32_t i = 0; i < child.count(); ++i) {
-      const TriangleRecord& record = partition.records[child.first() + i];
-      for (std::size_t k = 0; k < 9; ++k) {
-        row[k * child.count() + i] = record.vertices[k / 3][static_cast<Eigen::Index>(k % 3)];
-      }
-    }
-  });
-
   BuildStats& stats = tree.stats_;
   stats.triangles = tree.mesh_->triangleCount();
   stats.nodes = tree.nodes_.size();

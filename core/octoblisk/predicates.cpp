@@ -107,7 +107,7 @@ int exactOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int exactSideOfLine(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b) {
-  ExactSum<72> sum;  // 3 triple products of 6 terms of 4 components
+  ExactSum sum;
   addTripleProduct(sum, 1.0, direction, a, b);
   addTripleProduct(sum, -1.0, direction, a, origin);
   addTripleProduct(sum, -1.0, direction, origin, b);
@@ -151,7 +151,7 @@ int sideOfLine(const Vec3& origin, const Vec3& direction, const Vec3& a, const V
   const double permanent = (std::abs(xy) + std::abs(yx)) * std::abs(direction.z()) +
                            (std::abs(yz) + std::abs(zy)) * std::abs(direction.x()) +
                            (std::abs(zx) + std::abs(xz)) * std::abs(direction.y());
-  if (std::abs(determinant) > kFilter3d * permanent) return sign(determinant);
+  if (std::abs(determinant) > kFilter3d * permanent + kUnderflow) return sign(determinant);
   return exactSideOfLine(origin, direction, a, b);
 }
 

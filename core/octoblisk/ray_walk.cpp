@@ -73,11 +73,13 @@ inline std::optional<LocalRay> clipped(const ClusteredOctree& tree, const Ray& r
 class RayTask {
  public:
   RayTask() {}  // not set: there are many of them
-  RayTask(float reach, Child child)
-      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 |
-              std::bit_cast<std::uint32_t>(child)) {}
+  RayTask(float reach, Slot slot)
+      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
-  Child child() const { return std::bit_cast<Child>(static_cast<std::uint32_t>(bits_)); }
+  Slot slot() const {
+    const auto low = static_cast<std::uint32_t>(bits_);
+    return {low >> 3, low & 7u};
+  }
   bool operator<(const RayTask& other) const { return bits_ < other.bits_; }
 
  private:
@@ -148,14 +150,24 @@ struct ShearedRay {
   float slack;
   std::array<float, 3> origin;
 
-  explicit ShearedRay(const LocalRay& ray) : slack(ray.slack), origin(ray.origin) {
-    const auto size = [&](int i) { return std::abs(ray.direction[i]); };
+  /// The ray in the frame of a box.
+  ShearedRay(const LocalRay& ray, const Box8& boxes, std::uint32_t lane) : slack(ray.slack) {
+    float direction[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      direction[axis] = origin[axis] = 0.0f;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const float along = boxes.axes[i][axis][lane];
+        direction[axis] += along * ray.direction[i];
+        origin[axis] += along * (ray.origin[i] - boxes.center[i][lane]);
+      }
+    }
+    const auto size = [&](int i) { return std::abs(direction[i]); };
     z = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
     x = (z + 1) % 3;
     y = (z + 2) % 3;
-    inverse_z = 1.0f / ray.direction[z];
-    shear_x = ray.direction[x] * inverse_z;
-    shear_y = ray.direction[y] * inverse_z;
+    inverse_z = 1.0f / direction[z];
+    shear_x = direction[x] * inverse_z;
+    shear_y = direction[y] * inverse_z;
   }
 };
 
@@ -205,16 +217,15 @@ class RayWalk {
       : tree_(tree),
         ray_(ray),
         local_(local),
-        sheared_(local),
         visitor_(visitor),
         context_(context),
         t_limit_(ray.t_max),
         limit_(local.length) {}
 
   void run() {
-    Child here = tree_.child(ClusteredOctree::kRoot);
+    Slot here = ClusteredOctree::kRoot;
     while (true) {
-      if (here.isLeaf()) {
+      if (tree_.child(here).isLeaf()) {
         if (!visitLeaf(here)) return;
       } else if (enterNode(here)) {
         continue;
@@ -223,21 +234,22 @@ class RayWalk {
         if (count_ == 0) return;
         --count_;
       } while (tasks_[count_].reach() > limit_);
-      here = tasks_[count_].child();
+      here = tasks_[count_].slot();
     }
   }
 
  private:
   /// Puts the children entered on the list, but for the nearest, which `here` becomes; false: there is none.
-  HWY_INLINE bool enterNode(Child& here) {
-    const ClusteredOctree::Node& node = tree_.nodes()[here.node()];
+  HWY_INLINE bool enterNode(Slot& here) {
+    const std::uint32_t index = tree_.child(here).node();
+    const ClusteredOctree::Node& node = tree_.nodes()[index];
     HWY_ALIGN float reaches[kLanes];
     unsigned entered = enter(node.boxes, local_, limit_, reaches);
     if (entered == 0) return false;
     const auto next = [&]() HWY_ATTR {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(entered));
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
       entered &= entered - 1;
-      return RayTask(reaches[lane], node.children[lane]);
+      return RayTask(reaches[lane], {index, lane});
     };
     RayTask nearest = next();
     const std::size_t first = count_;
@@ -248,16 +260,18 @@ class RayWalk {
       for (; place > first && tasks_[place - 1] < task; --place) tasks_[place] = tasks_[place - 1];
       tasks_[place] = task;
     }
-    here = nearest.child();
+    here = nearest.slot();
     return true;
   }
 
   /// False where nothing is of interest any more.
-  HWY_INLINE bool visitLeaf(Child leaf) {
+  HWY_INLINE bool visitLeaf(Slot slot) {
+    const Child leaf = tree_.child(slot);
+    const ShearedRay sheared(local_, tree_.boxes(slot), slot.lane);
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
     hwy::Prefetch(triangles.data());  // while the corners are waited for
     const unsigned in_leaf = (1u << triangles.size()) - 1;
-    unsigned crossed = mayCross(tree_.leafVertices(leaf), triangles.size(), sheared_, limit_) & in_leaf;
+    unsigned crossed = mayCross(tree_.leafVertices(leaf), triangles.size(), sheared, limit_) & in_leaf;
     for (; crossed != 0; crossed &= crossed - 1) {
       const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
       const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));
@@ -275,7 +289,6 @@ class RayWalk {
   const ClusteredOctree& tree_;
   const Ray& ray_;
   const LocalRay& local_;
-  const ShearedRay sheared_;
   const CrossingVisitor visitor_;
   void* const context_;
   double t_limit_;
