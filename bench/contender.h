@@ -1,0 +1,81 @@
+// What a library is asked in the benchmarks: a small interface for each query. A contender implements those
+// that its library has, in one file of contenders/, and registers itself there.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene.h"
+
+namespace octoblisk::bench {
+
+/// Whether the belt touches the blisk.
+class CollideQuery {
+ public:
+  virtual ~CollideQuery() = default;
+  virtual bool collides(const Pose& belt_in_blisk) = 0;
+};
+
+/// Everything that touches.
+class ContactsQuery {
+ public:
+  virtual ~ContactsQuery() = default;
+  /// The number of pairs of triangles that meet, or of what the library reports in their place.
+  virtual std::size_t contacts(const Pose& belt_in_blisk) = 0;
+  /// Whether `contacts` counts pairs of triangles, all of them. If not, only "none or some" is compared.
+  virtual bool countsPairs() const { return true; }
+};
+
+/// The structure that the library keeps beside a mesh.
+class BuildQuery {
+ public:
+  virtual ~BuildQuery() = default;
+  /// Builds it anew over the blisk and frees the one before. The mesh is in the library's layout already.
+  virtual void build() = 0;
+  /// Frees the structure.
+  virtual void clear() = 0;
+  /// What it takes of memory that malloc knows nothing of, bytes.
+  virtual std::size_t bytesBesideHeap() const { return 0; }
+};
+
+template <typename Query>
+using Maker = std::function<std::unique_ptr<Query>(const Scene&)>;
+
+/// Makes the library's answers to each query on a scene; empty where it has none.
+struct Contender {
+  std::string name;
+  Maker<CollideQuery> collide;
+  Maker<ContactsQuery> contacts;
+  Maker<BuildQuery> build;
+};
+
+/// The one that all others are compared with.
+inline constexpr const char* kOurs = "octoblisk";
+
+/// All that are built in, ours first, the others by name.
+const std::vector<Contender>& contenders();
+
+bool registerContender(Contender contender);
+
+/// Offers a library's answers to a query, if it is one that they implement.
+template <typename Answers, typename Query>
+void offer(Maker<Query>& maker) {
+  if constexpr (std::derived_from<Answers, Query>) {
+    maker = [](const Scene& scene) -> std::unique_ptr<Query> { return std::make_unique<Answers>(scene); };
+  }
+}
+
+/// Registers a library by its classes of answers, each made from a scene.
+template <typename... Answers>
+bool registerContender(const std::string& name) {
+  Contender contender{name, {}, {}, {}};
+  (offer<Answers>(contender.collide), ...);
+  (offer<Answers>(contender.contacts), ...);
+  (offer<Answers>(contender.build), ...);
+  return registerContender(std::move(contender));
+}
+
+}  // namespace octoblisk::bench

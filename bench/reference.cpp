@@ -1,0 +1,124 @@
+#include "reference.h"
+
+#include <algorithm>
+#include <map>
+
+#include "octoblisk/triangle_pair.h"
+
+namespace octoblisk::bench {
+namespace {
+
+constexpr double kCellSize = 2.0;
+
+Aabb boundsOf(const Triangle& triangle) {
+  Aabb box;
+  for (const Vec3& corner : triangle) box.extend(corner);
+  return box;
+}
+
+template <typename Visit>
+void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&& visit) {
+  for (int x = from.x(); x <= to.x(); ++x) {
+    for (int y = from.y(); y <= to.y(); ++y) {
+      for (int z = from.z(); z <= to.z(); ++z) visit(Eigen::Vector3i(x, y, z));
+    }
+  }
+}
+
+}  // namespace
+
+Reference::Reference(const TriangleMesh& blisk)
+    : blisk_(blisk),
+      lowest_(blisk.bounds().min),
+      cells_(((blisk.bounds().max - lowest_) / kCellSize).cast<int>() + Cell::Ones()),
+      begin_(static_cast<std::size_t>(cells_.cast<long>().prod()) + 1, 0) {
+  const auto forEachEntry = [&](auto&& enter) {
+    for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
+      const Aabb box = boundsOf(blisk.triangle(t));
+      forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) { enter(indexOf(cell), t); });
+    }
+  };
+  forEachEntry([&](std::size_t cell, std::size_t) { ++begin_[cell + 1]; });
+  for (std::size_t cell = 1; cell < begin_.size(); ++cell) begin_[cell] += begin_[cell - 1];
+  triangles_.resize(begin_.back());
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  forEachEntry(
+      [&](std::size_t cell, std::size_t t) { triangles_[next[cell]++] = static_cast<std::uint32_t>(t); });
+}
+
+Reference::Cell Reference::cellOf(const Vec3& point) const {
+  const Vec3 place = ((point - lowest_) / kCellSize).array().floor();
+  return place.cwiseMax(0.0).cwiseMin((cells_ - Cell::Ones()).cast<double>()).cast<int>();
+}
+
+std::size_t Reference::indexOf(const Cell& cell) const {
+  return static_cast<std::size_t>((static_cast<long>(cell.x()) * cells_.y() + cell.y()) * cells_.z() +
+                                  cell.z());
+}
+
+void Reference::forEachPair(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk,
+                            const std::function<bool(const Triangle&, const Triangle&)>& visit) const {
+  std::vector<Vec3> posed;
+  for (const Vec3& vertex : belt.vertices()) posed.push_back(belt_in_blisk * vertex);
+  bool done = false;
+  for (const TriangleMesh::Indices& corner : belt.triangles()) {
+    const Triangle of_belt = {posed[corner[0]], posed[corner[1]], posed[corner[2]]};
+    Aabb box = boundsOf(of_belt);
+    box.min.array() -= reach;
+    box.max.array() += reach;
+    const Aabb& whole = blisk_.bounds();
+    if ((box.min.array() > whole.max.array()).any() || (whole.min.array() > box.max.array()).any()) continue;
+    forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) {
+      const std::size_t index = indexOf(cell);
+      for (std::uint32_t k = begin_[index]; k < begin_[index + 1] && !done; ++k) {
+        const Triangle of_blisk = blisk_.triangle(triangles_[k]);
+        const Aabb other = boundsOf(of_blisk);
+        if ((box.min.array() > other.max.array()).any() || (other.min.array() > box.max.array()).any())
+          continue;
+        // The boxes may share several cells: the pair belongs to that of their common lowest corner.
+        if (cellOf(box.min.cwiseMax(other.min)) == cell) done = visit(of_blisk, of_belt);
+      }
+    });
+    if (done) return;
+  }
+}
+
+std::size_t Reference::touchingPairs(const TriangleMesh& belt, const Pose& belt_in_blisk) const {
+  std::size_t pairs = 0;
+  forEachPair(0.0, belt, belt_in_blisk, [&](const Triangle& of_blisk, const Triangle& of_belt) {
+    pairs += intersects(of_blisk, of_belt);
+    return false;
+  });
+  return pairs;
+}
+
+bool Reference::within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const {
+  bool found = false;
+  forEachPair(reach, belt, belt_in_blisk, [&](const Triangle& of_blisk, const Triangle& of_belt) {
+    found = intersects(of_blisk, of_belt) || closestPoints(of_blisk, of_belt).distance <= reach;
+    return found;
+  });
+  return found;
+}
+
+const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses) {
+  static std::map<const std::vector<Pose>*, Truth> known;
+  const auto [entry, is_new] = known.try_emplace(&poses);
+  Truth& truth = entry->second;
+  if (!is_new) return truth;
+  const Reference reference(*scene.blisk);
+  std::size_t hits = 0, near = 0;
+  for (const Pose& pose : poses) {
+    truth.touching_pairs.push_back(reference.touchingPairs(*scene.belt, pose));
+    if (truth.touching_pairs.back() > 0) {
+      ++hits;
+    } else {
+      near += reference.within(0.5, *scene.belt, pose);
+    }
+  }
+  truth.hit_rate = static_cast<double>(hits) / static_cast<double>(poses.size());
+  truth.near_rate = static_cast<double>(near) / static_cast<double>(poses.size());
+  return truth;
+}
+
+}  // namespace octoblisk::bench

@@ -1,0 +1,52 @@
+// The answers that contenders are held to: exact, found without any tree.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "octoblisk/contact.h"
+#include "octoblisk/triangle_mesh.h"
+#include "scene.h"
+
+namespace octoblisk::bench {
+
+/// The triangles of a mesh in the cells of a uniform grid. What its boxes may meet is then tested exactly.
+class Reference {
+ public:
+  explicit Reference(const TriangleMesh& blisk);
+
+  /// The pairs of triangles that meet, exactly, of the blisk and the posed belt.
+  std::size_t touchingPairs(const TriangleMesh& belt, const Pose& belt_in_blisk) const;
+
+  /// Whether some two triangles are no farther apart than `reach`.
+  bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
+
+ private:
+  using Cell = Eigen::Vector3i;
+
+  Cell cellOf(const Vec3& point) const;
+  std::size_t indexOf(const Cell& cell) const;
+
+  /// Visits each pair of triangles whose boxes, grown by `reach`, meet, once. Stops where `visit` says true.
+  void forEachPair(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk,
+                   const std::function<bool(const Triangle&, const Triangle&)>& visit) const;
+
+  const TriangleMesh& blisk_;
+  Vec3 lowest_;
+  Cell cells_;
+  std::vector<std::uint32_t> begin_;      // of each cell's triangles
+  std::vector<std::uint32_t> triangles_;  // cell by cell
+};
+
+/// The exact answers at some poses.
+struct Truth {
+  std::vector<std::size_t> touching_pairs;  ///< at each pose
+  double hit_rate = 0.0;                    ///< of the poses that touch
+  double near_rate = 0.0;                   ///< of those apart, but no farther than 0.5 mm
+};
+
+/// Found at the first call for these poses, and kept. `poses` must be those of a scene that is kept.
+const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses);
+
+}  // namespace octoblisk::bench

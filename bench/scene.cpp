@@ -1,0 +1,127 @@
+#include "scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "models/belt_grinder.h"
+#include "models/blade_finder.h"
+#include "models/blisk.h"
+#include "shared/meshes.h"
+#include "toolpath/grinding_path.h"
+
+namespace octoblisk::bench {
+namespace {
+
+using testing::uniform;
+
+constexpr int kBlades = 24;
+constexpr std::size_t kPathTriangles = 300'000;  // of the blisk that the path is made on
+
+std::shared_ptr<const TriangleMesh> roundedToFloat(const TriangleMesh& mesh) {
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& vertex : vertices) vertex = vertex.cast<float>().cast<double>();
+  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
+}
+
+/// How far the belt is lifted off the surface at each pose, mm: random heights thirty poses apart, joined
+/// smoothly. Below 0 it is pressed in.
+std::vector<double> smoothLifts(std::size_t poses, std::mt19937_64& random) {
+  constexpr std::size_t kApart = 30;
+  const auto height = [&] {
+    const double kind = uniform(random, 0.0, 1.0);
+    if (kind < 0.52) return uniform(random, -0.2, 0.0);  // pressed in
+    if (kind < 0.70) return uniform(random, 0.05, 0.5);  // a near miss
+    return uniform(random, 0.5, 3.0);                    // clear
+  };
+  std::vector<double> heights(poses / kApart + 2);
+  for (double& h : heights) h = height();
+  std::vector<double> lifts;
+  for (std::size_t k = 0; k < poses; ++k) {
+    const double t = static_cast<double>(k % kApart) / kApart;
+    lifts.push_back(std::lerp(heights[k / kApart], heights[k / kApart + 1], t * t * (3.0 - 2.0 * t)));
+  }
+  return lifts;
+}
+
+std::vector<Pose> makePath(const TriangleMesh& blisk, const demos::BladesFound& blades) {
+  demos::GrindingPathOptions options;
+  options.passes = 10;
+  options.poses_per_pass = 95;
+  options.span_to = 0.35;
+  options.depth = 0.0;
+  options.retract = 40.0;
+  options.retract_poses = 40;
+  std::vector<Pose> path;
+  for (const bool forward : {true, false}) {
+    options.forward_side = forward;
+    const std::vector<Pose> side = demos::makeGrindingPath(blisk, blades, options);
+    path.insert(path.end(), side.begin(), side.end());
+  }
+  std::mt19937_64 random(1);
+  const std::vector<double> lifts = smoothLifts(path.size(), random);
+  const double lean = options.lean_degrees * std::numbers::pi / 180.0;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const Mat3& axes = path[k].rotation;
+    const Vec3 off_the_surface = std::sin(lean) * axes.col(0) + std::cos(lean) * axes.col(1);
+    path[k].translation += lifts[k] * off_the_surface;
+  }
+  return path;
+}
+
+std::vector<Pose> stretchesOf(const std::vector<Pose>& path, std::size_t poses) {
+  constexpr std::size_t kStretch = 50;
+  if (poses == 0 || poses >= path.size()) return path;
+  const std::size_t count = std::max<std::size_t>(1, poses / kStretch);
+  std::vector<Pose> kept;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t begin = k * (path.size() - kStretch) / count;
+    for (const Pose& pose : std::span(path).subspan(begin, kStretch)) kept.push_back(pose);
+  }
+  return kept;
+}
+
+std::vector<Pose> shuffledOverBlades(const std::vector<Pose>& path) {
+  std::mt19937_64 random(2);
+  std::vector<Pose> poses;
+  for (const Pose& pose : path) {
+    const double angle = 2.0 * std::numbers::pi / kBlades * static_cast<double>(random() % kBlades);
+    poses.push_back(Pose{Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(), Vec3::Zero()} * pose);
+  }
+  for (std::size_t k = poses.size() - 1; k > 0; --k) std::swap(poses[k], poses[random() % (k + 1)]);
+  return poses;
+}
+
+Scene makeScene(const std::string& name, std::size_t poses) {
+  const std::map<std::string, std::size_t> sizes = {{"50k", 50'000}, {"300k", 300'000}, {"1500k", 1'500'000}};
+  const auto size = sizes.find(name);
+  if (size == sizes.end()) throw std::invalid_argument("there is no scene '" + name + "'");
+  Scene scene;
+  scene.name = name;
+  scene.blisk = roundedToFloat(demos::makeDefaultBlisk(size->second).mesh);
+  scene.belt = roundedToFloat(demos::makeBelt());
+  static const std::vector<Pose> whole_path = [] {
+    const TriangleMesh blisk = demos::makeDefaultBlisk(kPathTriangles).mesh;
+    return makePath(blisk, demos::findBlades(blisk));
+  }();
+  scene.path = stretchesOf(whole_path, poses);
+  scene.shuffled = shuffledOverBlades(scene.path);
+  return scene;
+}
+
+}  // namespace
+
+const Scene& sceneNamed(const std::string& name, std::size_t poses) {
+  static std::map<std::pair<std::string, std::size_t>, Scene> scenes;
+  const auto key = std::pair(name, poses);
+  const auto known = scenes.find(key);
+  return known != scenes.end() ? known->second : scenes.emplace(key, makeScene(name, poses)).first->second;
+}
+
+}  // namespace octoblisk::bench

@@ -1,0 +1,31 @@
+// What the contenders are asked about: a blisk, the belt, and the poses of a grinding path.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::bench {
+
+/// Lengths in mm. All coordinates of the meshes are representable in single precision, so that contenders of
+/// either precision see the same triangles.
+struct Scene {
+  std::string name;
+  std::shared_ptr<const TriangleMesh> blisk;
+  std::shared_ptr<const TriangleMesh> belt;
+  std::vector<Pose> path;      ///< belt_in_blisk, in the order they are driven through
+  std::vector<Pose> shuffled;  ///< the same, each turned to a random blade, in random order
+};
+
+inline constexpr const char* kSceneNames[] = {"50k", "300k", "1500k"};
+
+/// The default belt over the default blisk of 50,000, 300,000 or 1,500,000 triangles, made at the first call
+/// and kept. The path is the same for all: there and back over both sides of a blade in steps of about 1 mm,
+/// approach and retraction, the belt pressed in and lifted off by seeded, smooth amounts.
+/// `poses` above 0 keeps about that many, in stretches of fifty.
+/// Throws std::invalid_argument for another name.
+const Scene& sceneNamed(const std::string& name, std::size_t poses = 0);
+
+}  // namespace octoblisk::bench

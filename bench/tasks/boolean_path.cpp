@@ -1,0 +1,7 @@
+// Whether they touch, pose by pose along the path.
+#include "boolean.h"
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  return runTimedTask(argc, argv, booleanTask("boolean-path", &Scene::path));
+}

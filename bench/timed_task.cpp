@@ -1,0 +1,122 @@
+#include "timed_task.h"
+
+#include <benchmark/benchmark.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "session.h"
+
+namespace octoblisk::bench {
+namespace {
+
+struct Pass {
+  double mean_us = 0.0;
+  double median_us = 0.0;
+};
+
+/// A contender on a scene: prepared at its first visit.
+struct Entrant {
+  std::string scene;
+  const Contender* contender = nullptr;
+  std::optional<Trial> trial{};
+  std::vector<Pass> passes{};
+};
+
+double threadSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+template <typename Values, typename Less>
+auto medianOf(Values& values, Less less) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end(), less);
+  return *middle;
+}
+
+void visit(benchmark::State& state, Entrant& entrant) {
+  using Clock = std::chrono::steady_clock;
+  Trial& trial = *entrant.trial;
+  std::vector<Clock::time_point> readings(trial.questions + 1);
+  std::vector<double> micros(trial.questions);
+  for (auto _ : state) {
+    const double start = threadSeconds();
+    readings[0] = Clock::now();
+    for (std::size_t k = 0; k < trial.questions; ++k) {
+      trial.ask(k);
+      readings[k + 1] = Clock::now();
+    }
+    const double seconds = threadSeconds() - start;
+    state.SetIterationTime(seconds);
+    for (std::size_t k = 0; k < trial.questions; ++k) {
+      micros[k] = std::chrono::duration<double, std::micro>(readings[k + 1] - readings[k]).count();
+    }
+    const double median = medianOf(micros, std::less<>{});
+    entrant.passes.push_back({1e6 * seconds / static_cast<double>(trial.questions), median});
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(trial.questions));
+  for (const auto& [name, value] : trial.counters) state.counters[name] = value;
+  if (trial.differences) state.counters["differences"] = static_cast<double>(*trial.differences);
+}
+
+std::vector<Row> rowsOf(const std::string& task, std::vector<std::unique_ptr<Entrant>>& entrants) {
+  std::vector<Row> rows;
+  std::map<std::string, double> ours;
+  for (const auto& entrant : entrants) {
+    if (entrant->passes.empty()) continue;
+    const Pass pass =
+        medianOf(entrant->passes, [](const Pass& a, const Pass& b) { return a.mean_us < b.mean_us; });
+    if (entrant->contender->name == kOurs) ours[entrant->scene] = pass.mean_us;
+    Row row = {{"task", task},
+               {"scene", entrant->scene},
+               {"contender", entrant->contender->name},
+               {"mean_us", pass.mean_us},
+               {"median_us", pass.median_us},
+               {"ratio", nullptr},
+               {"answers_equal", nullptr}};
+    const auto base = ours.find(entrant->scene);
+    if (base != ours.end()) row["ratio"] = pass.mean_us / base->second;
+    if (const auto& differences = entrant->trial->differences) {
+      row["answers_equal"] = *differences == 0;
+      row["differences"] = *differences;
+    }
+    row["questions"] = entrant->trial->questions;
+    row["passes"] = entrant->passes.size();
+    for (const auto& [name, value] : entrant->trial->counters) row[name] = value;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+int runTimedTask(int argc, char** argv, const TimedTask& task) {
+  Session session(argc, argv);
+  std::vector<std::unique_ptr<Entrant>> entrants;
+  for (const char* scene : kSceneNames) {
+    for (const Contender& contender : contenders()) {
+      if (!task.can_do(contender)) continue;
+      Entrant* entrant = entrants.emplace_back(std::make_unique<Entrant>(scene, &contender)).get();
+      const std::string name = task.name + '/' + scene + '/' + contender.name;
+      benchmark::RegisterBenchmark(name.c_str(),
+                                   [entrant, &task, &session](benchmark::State& state) {
+                                     if (!entrant->trial) {
+                                       entrant->trial = task.prepare(
+                                           sceneNamed(entrant->scene, session.poses()), *entrant->contender);
+                                     }
+                                     visit(state, *entrant);
+                                   })
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  session.run();
+  return session.finish(rowsOf(task.name, entrants));
+}
+
+}  // namespace octoblisk::bench

@@ -1,0 +1,35 @@
+// A task that is timed: every contender is asked the same questions, in turns with the others.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "contender.h"
+
+namespace octoblisk::bench {
+
+/// A contender that is ready to be asked.
+struct Trial {
+  std::size_t questions = 1;                 ///< a pass asks all of them, in order
+  std::function<void(std::size_t)> ask;      ///< asks one
+  std::optional<std::size_t> differences;    ///< answers that are not the reference's; none: not compared
+  std::map<std::string, double> counters{};  ///< what else there is to tell of the questions
+};
+
+struct TimedTask {
+  std::string name;
+  std::function<bool(const Contender&)> can_do;
+  std::function<Trial(const Scene&, const Contender&)> prepare;  ///< compares the answers; is not timed
+};
+
+/// The main function of a task. Benchmarks are named task/scene/contender. Each repetition is one visit to a
+/// contender, the visits are shuffled, and a row tells of the pass whose mean is the median of all passes:
+/// task, scene, contender, mean_us and median_us of a question, ratio (of the mean to ours), answers_equal.
+///
+/// A pass is taken by the thread's processor time, a question by the clock, whose reading (about 20 ns) both
+/// include.
+int runTimedTask(int argc, char** argv, const TimedTask& task);
+
+}  // namespace octoblisk::bench
