@@ -5,6 +5,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,8 @@ class BuildQuery {
   virtual void build() = 0;
   /// Frees the structure.
   virtual void clear() = 0;
-  /// What it takes of memory that malloc knows nothing of, bytes.
-  virtual std::size_t bytesBesideHeap() const { return 0; }
+  /// The bytes that the library itself says the structure holds; none: the growth of the heap tells.
+  virtual std::optional<std::size_t> ownCount() const { return std::nullopt; }
 };
 
 template <typename Query>

@@ -76,7 +76,7 @@ std::vector<Pose> makePath(const TriangleMesh& blisk, const demos::BladesFound& 
 }
 
 std::vector<Pose> stretchesOf(const std::vector<Pose>& path, std::size_t poses) {
-  constexpr std::size_t kStretch = 50;
+  constexpr std::size_t kStretch = 20;
   if (poses == 0 || poses >= path.size()) return path;
   const std::size_t count = std::max<std::size_t>(1, poses / kStretch);
   std::vector<Pose> kept;

@@ -24,7 +24,7 @@ inline constexpr const char* kSceneNames[] = {"50k", "300k", "1500k"};
 /// The default belt over the default blisk of 50,000, 300,000 or 1,500,000 triangles, made at the first call
 /// and kept. The path is the same for all: there and back over both sides of a blade in steps of about 1 mm,
 /// approach and retraction, the belt pressed in and lifted off by seeded, smooth amounts.
-/// `poses` above 0 keeps about that many, in stretches of fifty.
+/// `poses` above 0 keeps about that many, in stretches of twenty.
 /// Throws std::invalid_argument for another name.
 const Scene& sceneNamed(const std::string& name, std::size_t poses = 0);
 

@@ -1,0 +1,107 @@
+// ODE's triangle meshes (OPCODE: boxes in single precision, without rotation of their own).
+#include <ode/ode.h>
+
+#include <cstdint>
+
+#include "contender.h"
+
+namespace octoblisk::bench {
+namespace {
+
+/// Must be there before anything else of ODE.
+struct OdeLibrary {
+  OdeLibrary() {
+    dInitODE2(0);
+    dAllocateODEDataForThread(dAllocateMaskAll);
+  }
+};
+
+/// A mesh in ODE's layout, and its tree.
+class OdeMesh {
+ public:
+  explicit OdeMesh(const TriangleMesh& mesh) {
+    static const OdeLibrary library;
+    for (const Vec3& vertex : mesh.vertices()) {
+      for (const double x : vertex) vertices_.push_back(static_cast<float>(x));
+    }
+    for (const auto& corners : mesh.triangles())
+      triangles_.insert(triangles_.end(), corners.begin(), corners.end());
+  }
+  ~OdeMesh() { clear(); }
+  OdeMesh(const OdeMesh&) = delete;
+  OdeMesh& operator=(const OdeMesh&) = delete;
+
+  void build() {
+    clear();
+    data_ = dGeomTriMeshDataCreate();
+    constexpr int kStride = 3 * sizeof(float);
+    dGeomTriMeshDataBuildSingle(data_, vertices_.data(), kStride, static_cast<int>(vertices_.size() / 3),
+                                triangles_.data(), static_cast<int>(triangles_.size()), kStride);
+    geom_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
+  }
+
+  void clear() {
+    if (data_ == nullptr) return;
+    dGeomDestroy(geom_);
+    dGeomTriMeshDataDestroy(data_);
+    data_ = nullptr;
+  }
+
+  dGeomID geom() const { return geom_; }
+
+ private:
+  std::vector<float> vertices_;
+  std::vector<std::uint32_t> triangles_;
+  dTriMeshDataID data_ = nullptr;
+  dGeomID geom_ = nullptr;
+};
+
+class Ode final : public CollideQuery, public ContactsQuery {
+ public:
+  explicit Ode(const Scene& scene) : blisk_(*scene.blisk), belt_(*scene.belt), found_(kMost) {
+    blisk_.build();
+    belt_.build();
+  }
+
+  bool collides(const Pose& belt_in_blisk) override {
+    return ask(belt_in_blisk, 1 | static_cast<int>(CONTACTS_UNIMPORTANT)) > 0;
+  }
+
+  std::size_t contacts(const Pose& belt_in_blisk) override {
+    return static_cast<std::size_t>(ask(belt_in_blisk, kMost));
+  }
+
+  /// ODE merges contacts that are close to each other.
+  bool countsPairs() const override { return false; }
+
+ private:
+  static constexpr int kMost = 0xffff;
+
+  int ask(const Pose& belt_in_blisk, int flags) {
+    const Mat3& r = belt_in_blisk.rotation;
+    const Vec3& t = belt_in_blisk.translation;
+    const dMatrix3 rotation = {r(0, 0), r(0, 1), r(0, 2), 0,       r(1, 0), r(1, 1),
+                               r(1, 2), 0,       r(2, 0), r(2, 1), r(2, 2), 0};
+    dGeomSetPosition(belt_.geom(), t.x(), t.y(), t.z());
+    dGeomSetRotation(belt_.geom(), rotation);
+    return dCollide(blisk_.geom(), belt_.geom(), flags, found_.data(), sizeof(dContactGeom));
+  }
+
+  OdeMesh blisk_, belt_;
+  std::vector<dContactGeom> found_;
+};
+
+class OdeBuild final : public BuildQuery {
+ public:
+  explicit OdeBuild(const Scene& scene) : mesh_(*scene.blisk) {}
+  void build() override { mesh_.build(); }
+  void clear() override { mesh_.clear(); }
+
+ private:
+  OdeMesh mesh_;
+};
+
+const bool kRegistered = registerContender<Ode, OdeBuild>("ode");
+
+}  // namespace
+}  // namespace octoblisk::bench

@@ -1,0 +1,76 @@
+// What a library keeps beside the caller's mesh, copies of the mesh included.
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include <map>
+#include <vector>
+
+#include "contender.h"
+#include "session.h"
+
+namespace octoblisk::bench {
+namespace {
+
+std::size_t heapBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+struct Measured {
+  std::string scene, contender;
+  double bytes_a_triangle = 0.0;
+};
+
+void measure(benchmark::State& state, const Scene& scene, const Contender& contender, Measured& measured) {
+  const std::unique_ptr<BuildQuery> query = contender.build(scene);
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    query->clear();
+    const std::size_t own_before = query->ownCount().value_or(0);
+    const std::size_t heap_before = heapBytes();
+    query->build();
+    const auto own = query->ownCount();
+    bytes = own ? *own - own_before : heapBytes() - heap_before;
+  }
+  measured.bytes_a_triangle = static_cast<double>(bytes) / static_cast<double>(scene.blisk->triangleCount());
+  state.counters["bytes_a_triangle"] = measured.bytes_a_triangle;
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  Session session(argc, argv);
+  std::vector<Measured> all;
+  for (const char* scene : kSceneNames) {
+    for (const Contender& contender : contenders()) {
+      if (!contender.build) continue;
+      const std::string name = std::string("memory/") + scene + '/' + contender.name;
+      const auto run = [&, scene](benchmark::State& state) {
+        Measured& measured = all.emplace_back(scene, contender.name);
+        measure(state, sceneNamed(scene), contender, measured);
+      };
+      benchmark::RegisterBenchmark(name.c_str(), run)
+          ->Iterations(1)
+          ->Repetitions(1)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  session.run();
+
+  std::map<std::string, double> ours;
+  for (const Measured& m : all) {
+    if (m.contender == kOurs) ours[m.scene] = m.bytes_a_triangle;
+  }
+  std::vector<Row> rows;
+  for (const Measured& m : all) {
+    Row row = {{"task", "memory"},
+               {"scene", m.scene},
+               {"contender", m.contender},
+               {"bytes_a_triangle", m.bytes_a_triangle}};
+    row["ratio"] = ours.contains(m.scene) ? Row(m.bytes_a_triangle / ours[m.scene]) : Row(nullptr);
+    rows.push_back(std::move(row));
+  }
+  return session.finish(rows);
+}
