@@ -30,6 +30,22 @@ class ContactsQuery {
   virtual bool countsPairs() const { return true; }
 };
 
+/// What a straight way through the blisk meets first.
+class RayQuery {
+ public:
+  virtual ~RayQuery() = default;
+  /// The part of the way, 0 to 1, that is gone when a triangle is met; 1 where none is.
+  virtual double firstHit(const Segment& way) = 0;
+};
+
+/// How far apart they are.
+class DistanceQuery {
+ public:
+  virtual ~DistanceQuery() = default;
+  /// Of two that do not touch. If `warm`, what the call before found may be of use.
+  virtual double distance(const Pose& belt_in_blisk, bool warm) = 0;
+};
+
 /// The structure that the library keeps beside a mesh.
 class BuildQuery {
  public:
@@ -48,9 +64,11 @@ using Maker = std::function<std::unique_ptr<Query>(const Scene&)>;
 /// Makes the library's answers to each query on a scene; empty where it has none.
 struct Contender {
   std::string name;
-  Maker<CollideQuery> collide;
-  Maker<ContactsQuery> contacts;
-  Maker<BuildQuery> build;
+  Maker<CollideQuery> collide = {};
+  Maker<ContactsQuery> contacts = {};
+  Maker<DistanceQuery> distance = {};
+  Maker<RayQuery> ray = {};
+  Maker<BuildQuery> build = {};
 };
 
 /// The one that all others are compared with.
@@ -72,9 +90,11 @@ void offer(Maker<Query>& maker) {
 /// Registers a library by its classes of answers, each made from a scene.
 template <typename... Answers>
 bool registerContender(const std::string& name) {
-  Contender contender{name, {}, {}, {}};
+  Contender contender{.name = name};
   (offer<Answers>(contender.collide), ...);
   (offer<Answers>(contender.contacts), ...);
+  (offer<Answers>(contender.distance), ...);
+  (offer<Answers>(contender.ray), ...);
   (offer<Answers>(contender.build), ...);
   return registerContender(std::move(contender));
 }

@@ -1,6 +1,7 @@
 #include "reference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "octoblisk/triangle_pair.h"
@@ -23,6 +24,18 @@ void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&&
       for (int z = from.z(); z <= to.z(); ++z) visit(Eigen::Vector3i(x, y, z));
     }
   }
+}
+
+/// Where a line meets a triangle, as a part of the way; 1 where it does not (Möller and Trumbore, 1997).
+double hitOf(const Triangle& triangle, const Segment& way) {
+  const Vec3 direction = way.to - way.from;
+  const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0], offset = way.from - triangle[0];
+  const Vec3 across = direction.cross(ac), around = offset.cross(ab);
+  const double determinant = ab.dot(across);
+  if (determinant == 0.0) return 1.0;
+  const double u = offset.dot(across) / determinant, v = direction.dot(around) / determinant;
+  const double t = ac.dot(around) / determinant;
+  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= 0.0 ? std::min(t, 1.0) : 1.0;
 }
 
 }  // namespace
@@ -90,6 +103,27 @@ std::size_t Reference::touchingPairs(const TriangleMesh& belt, const Pose& belt_
     return false;
   });
   return pairs;
+}
+
+double Reference::firstHit(const Segment& way) const {
+  const Vec3 direction = way.to - way.from;
+  const double pieces = std::ceil(direction.norm() / kCellSize);
+  double first = 1.0;
+  for (double piece = 0.0; piece < pieces; ++piece) {
+    if (first <= piece / pieces) break;
+    Aabb box;
+    box.extend(way.from + piece / pieces * direction);
+    box.extend(way.from + (piece + 1.0) / pieces * direction);
+    const Aabb& whole = blisk_.bounds();
+    if ((box.min.array() > whole.max.array()).any() || (whole.min.array() > box.max.array()).any()) continue;
+    forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) {
+      const std::size_t index = indexOf(cell);
+      for (std::uint32_t k = begin_[index]; k < begin_[index + 1]; ++k) {
+        first = std::min(first, hitOf(blisk_.triangle(triangles_[k]), way));
+      }
+    });
+  }
+  return first;
 }
 
 bool Reference::within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const {

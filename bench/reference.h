@@ -19,6 +19,9 @@ class Reference {
   /// The pairs of triangles that meet, exactly, of the blisk and the posed belt.
   std::size_t touchingPairs(const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 
+  /// The part of the way, 0 to 1, at which a triangle is met first; 1 where none is. In double precision.
+  double firstHit(const Segment& way) const;
+
   /// Whether some two triangles are no farther apart than `reach`.
   bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 

@@ -98,6 +98,20 @@ std::vector<Pose> shuffledOverBlades(const std::vector<Pose>& path) {
   return poses;
 }
 
+std::vector<Segment> randomWays(const TriangleMesh& blisk) {
+  constexpr int kWays = 100'000;
+  const Vec3 reach = 1.1 * blisk.bounds().max;
+  std::mt19937_64 random(3);
+  const auto point = [&] {
+    Vec3 p = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis) p[axis] = uniform(random, -reach[axis], reach[axis]);
+    return Vec3(p.cast<float>().cast<double>());
+  };
+  std::vector<Segment> ways(kWays);
+  for (Segment& way : ways) way = {point(), point()};
+  return ways;
+}
+
 Scene makeScene(const std::string& name, std::size_t poses) {
   const std::map<std::string, std::size_t> sizes = {{"50k", 50'000}, {"300k", 300'000}, {"1500k", 1'500'000}};
   const auto size = sizes.find(name);
@@ -112,6 +126,7 @@ Scene makeScene(const std::string& name, std::size_t poses) {
   }();
   scene.path = stretchesOf(whole_path, poses);
   scene.shuffled = shuffledOverBlades(scene.path);
+  scene.ways = randomWays(*scene.blisk);
   return scene;
 }
 

@@ -9,14 +9,21 @@
 
 namespace octoblisk::bench {
 
-/// Lengths in mm. All coordinates of the meshes are representable in single precision, so that contenders of
-/// either precision see the same triangles.
+/// A straight way from one point to another.
+struct Segment {
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+};
+
+/// Lengths in mm. All coordinates of the meshes and ways are representable in single precision, so that
+/// contenders of either precision see the same.
 struct Scene {
   std::string name;
   std::shared_ptr<const TriangleMesh> blisk;
   std::shared_ptr<const TriangleMesh> belt;
   std::vector<Pose> path;      ///< belt_in_blisk, in the order they are driven through
   std::vector<Pose> shuffled;  ///< the same, each turned to a random blade, in random order
+  std::vector<Segment> ways;   ///< from anywhere to anywhere in a box a little larger than the blisk
 };
 
 inline constexpr const char* kSceneNames[] = {"50k", "300k", "1500k"};

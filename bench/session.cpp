@@ -71,6 +71,10 @@ void Session::run() {
 }
 
 int Session::finish(const std::vector<Row>& rows) const {
+  for (const Row& row : rows) {
+    for (const auto& [key, value] : row.items()) std::cout << key << ' ' << value.dump() << "  ";
+    std::cout << '\n';
+  }
   if (rows_file_.empty()) return 0;
   std::ofstream file(rows_file_);
   file << "[\n";

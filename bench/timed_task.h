@@ -12,10 +12,11 @@ namespace octoblisk::bench {
 
 /// A contender that is ready to be asked.
 struct Trial {
-  std::size_t questions = 1;                 ///< a pass asks all of them, in order
-  std::function<void(std::size_t)> ask;      ///< asks one
-  std::optional<std::size_t> differences;    ///< answers that are not the reference's; none: not compared
-  std::map<std::string, double> counters{};  ///< what else there is to tell of the questions
+  std::size_t questions = 1;             ///< a pass asks all of them, in order
+  std::size_t asked_at_once = 1;         ///< short ones come in bundles; times are told for each of a bundle
+  std::function<void(std::size_t)> ask;  ///< asks one, or one bundle
+  std::optional<std::size_t> differences = {};  ///< answers that are not the reference's; none: not compared
+  std::map<std::string, double> counters = {};  ///< what else there is to tell of the questions
 };
 
 struct TimedTask {

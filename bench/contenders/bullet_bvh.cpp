@@ -1,5 +1,7 @@
 // Bullet's static mesh, btBvhTriangleMeshShape, with the belt as a compound of 128 convex hulls: two concave
 // meshes have no contacts in Bullet otherwise, but by GImpact.
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
 #include "bullet_world.h"
 #include "contender.h"
 #include "models/belt_grinder.h"
@@ -54,6 +56,26 @@ class BulletBvh final : public ContactsQuery {
   BulletWorld world_{&blisk_, belt_.shape()};
 };
 
+class BulletBvhRays final : public RayQuery {
+ public:
+  explicit BulletBvhRays(const Scene& scene) : mesh_(*scene.blisk) {}
+
+  double firstHit(const Segment& way) override {
+    Nearest nearest(toBullet(way.from), toBullet(way.to));
+    blisk_.performRaycast(&nearest, nearest.m_from, nearest.m_to);
+    return static_cast<double>(nearest.m_hitFraction);
+  }
+
+ private:
+  struct Nearest : btTriangleRaycastCallback {
+    using btTriangleRaycastCallback::btTriangleRaycastCallback;
+    btScalar reportHit(const btVector3&, btScalar fraction, int, int) override { return fraction; }
+  };
+
+  BulletMesh mesh_;
+  btBvhTriangleMeshShape blisk_{mesh_.view(), true};
+};
+
 class BulletBvhBuild final : public BuildQuery {
  public:
   explicit BulletBvhBuild(const Scene& scene) : mesh_(*scene.blisk) {}
@@ -69,7 +91,7 @@ class BulletBvhBuild final : public BuildQuery {
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };
 
-const bool kRegistered = registerContender<BulletBvh, BulletBvhBuild>("bullet-bvh");
+const bool kRegistered = registerContender<BulletBvh, BulletBvhRays, BulletBvhBuild>("bullet-bvh");
 
 }  // namespace
 }  // namespace octoblisk::bench

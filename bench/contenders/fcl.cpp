@@ -2,6 +2,7 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include "contender.h"
 
@@ -34,7 +35,7 @@ struct FclMesh {
   }
 };
 
-class Fcl final : public CollideQuery, public ContactsQuery {
+class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuery {
  public:
   explicit Fcl(const Scene& scene)
       : blisk_(FclMesh(*scene.blisk).model()), belt_(FclMesh(*scene.belt).model()) {}
@@ -57,6 +58,17 @@ class Fcl final : public CollideQuery, public ContactsQuery {
       if (!again) ++pairs;
     }
     return pairs;
+  }
+
+  /// FCL keeps nothing from one call to the next.
+  double distance(const Pose& belt_in_blisk, bool /*warm*/) override {
+    fcl::DistanceRequestd request;
+    request.enable_nearest_points = false;
+    request.rel_err = 0.0;
+    request.abs_err = 0.0;
+    fcl::DistanceResultd result;
+    return fcl::distance(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
+                         request, result);
   }
 
  private:

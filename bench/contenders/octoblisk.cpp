@@ -5,6 +5,9 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
+#if __has_include("octoblisk/raycast.h")
+#include "octoblisk/raycast.h"
+#endif
 
 namespace octoblisk::bench {
 namespace {
@@ -29,6 +32,27 @@ class OctoBlisk final : public CollideQuery, public ContactsQuery {
   std::vector<Contact> found_;
 };
 
+#if __has_include("octoblisk/raycast.h")
+class OctoBliskRays final : public RayQuery {
+ public:
+  explicit OctoBliskRays(const Scene& scene) : blisk_(ClusteredOctree::build(scene.blisk)) {}
+
+  double firstHit(const Segment& way) override {
+    Ray ray;
+    ray.origin = way.from;
+    ray.direction = way.to - way.from;
+    ray.t_max = 1.0;
+    const std::optional<RayHit> hit = closestHit(blisk_, ray);
+    return hit ? hit->t : 1.0;
+  }
+
+ private:
+  ClusteredOctree blisk_;
+};
+#else
+struct OctoBliskRays {};
+#endif
+
 class OctoBliskBuild final : public BuildQuery {
  public:
   explicit OctoBliskBuild(const Scene& scene) : mesh_(scene.blisk) {}
@@ -44,7 +68,7 @@ class OctoBliskBuild final : public BuildQuery {
   std::optional<ClusteredOctree> tree_;
 };
 
-const bool kRegistered = registerContender<OctoBlisk, OctoBliskBuild>(kOurs);
+const bool kRegistered = registerContender<OctoBlisk, OctoBliskRays, OctoBliskBuild>(kOurs);
 
 }  // namespace
 }  // namespace octoblisk::bench

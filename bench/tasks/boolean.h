@@ -21,10 +21,11 @@ inline TimedTask booleanTask(const std::string& name, std::vector<Pose> Scene::*
     for (std::size_t k = 0; k < poses.size(); ++k) {
       differences += query->collides(poses[k]) != (truth.touching_pairs[k] > 0);
     }
-    return Trial{poses.size(),
-                 [query, &poses](std::size_t k) { benchmark::DoNotOptimize(query->collides(poses[k])); },
-                 differences,
-                 {{"hit_rate", truth.hit_rate}, {"near_rate", truth.near_rate}}};
+    return Trial{
+        .questions = poses.size(),
+        .ask = [query, &poses](std::size_t k) { benchmark::DoNotOptimize(query->collides(poses[k])); },
+        .differences = differences,
+        .counters = {{"hit_rate", truth.hit_rate}, {"near_rate", truth.near_rate}}};
   };
   return {name, [](const Contender& contender) { return static_cast<bool>(contender.collide); }, prepare};
 }

@@ -8,7 +8,7 @@ namespace {
 
 Trial prepare(const Scene& scene, const Contender& contender) {
   const std::shared_ptr<BuildQuery> query = contender.build(scene);
-  return {1, [query](std::size_t) { query->build(); }, std::nullopt};
+  return {.ask = [query](std::size_t) { query->build(); }};
 }
 
 }  // namespace

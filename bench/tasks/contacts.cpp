@@ -20,12 +20,12 @@ Trial prepare(const Scene& scene, const Contender& contender) {
     differences += query->countsPairs() ? found != pairs : (found > 0) != (pairs > 0);
   }
   const double pairs = std::accumulate(truth.touching_pairs.begin(), truth.touching_pairs.end(), 0.0);
-  return {scene.path.size(),
-          [query, &scene](std::size_t k) { benchmark::DoNotOptimize(query->contacts(scene.path[k])); },
-          differences,
-          {{"hit_rate", truth.hit_rate},
-           {"pairs_a_pose", pairs / static_cast<double>(scene.path.size())},
-           {"counts_pairs", query->countsPairs()}}};
+  return {.questions = scene.path.size(),
+          .ask = [query, &scene](std::size_t k) { benchmark::DoNotOptimize(query->contacts(scene.path[k])); },
+          .differences = differences,
+          .counters = {{"hit_rate", truth.hit_rate},
+                       {"pairs_a_pose", pairs / static_cast<double>(scene.path.size())},
+                       {"counts_pairs", query->countsPairs()}}};
 }
 
 }  // namespace

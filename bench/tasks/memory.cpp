@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "contender.h"
@@ -42,14 +43,14 @@ void measure(benchmark::State& state, const Scene& scene, const Contender& conte
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
   Session session(argc, argv);
-  std::vector<Measured> all;
+  std::vector<std::unique_ptr<Measured>> all;
   for (const char* scene : kSceneNames) {
     for (const Contender& contender : contenders()) {
       if (!contender.build) continue;
       const std::string name = std::string("memory/") + scene + '/' + contender.name;
-      const auto run = [&, scene](benchmark::State& state) {
-        Measured& measured = all.emplace_back(scene, contender.name);
-        measure(state, sceneNamed(scene), contender, measured);
+      Measured* measured = all.emplace_back(std::make_unique<Measured>(scene, contender.name)).get();
+      const auto run = [&contender, measured](benchmark::State& state) {
+        measure(state, sceneNamed(measured->scene), contender, *measured);
       };
       benchmark::RegisterBenchmark(name.c_str(), run)
           ->Iterations(1)
@@ -60,16 +61,18 @@ int main(int argc, char** argv) {
   session.run();
 
   std::map<std::string, double> ours;
-  for (const Measured& m : all) {
-    if (m.contender == kOurs) ours[m.scene] = m.bytes_a_triangle;
+  for (const auto& m : all) {
+    if (m->contender == kOurs) ours[m->scene] = m->bytes_a_triangle;
   }
   std::vector<Row> rows;
-  for (const Measured& m : all) {
+  for (const auto& m : all) {
+    if (m->bytes_a_triangle == 0.0) continue;  // filtered out
     Row row = {{"task", "memory"},
-               {"scene", m.scene},
-               {"contender", m.contender},
-               {"bytes_a_triangle", m.bytes_a_triangle}};
-    row["ratio"] = ours.contains(m.scene) ? Row(m.bytes_a_triangle / ours[m.scene]) : Row(nullptr);
+               {"scene", m->scene},
+               {"contender", m->contender},
+               {"bytes_a_triangle", m->bytes_a_triangle}};
+    const double base = ours[m->scene];
+    row["ratio"] = base > 0.0 ? Row(m->bytes_a_triangle / base) : Row(nullptr);
     rows.push_back(std::move(row));
   }
   return session.finish(rows);
