@@ -6,7 +6,9 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 namespace octoblisk::bench {
@@ -36,9 +38,35 @@ void pinTo(int core) {
   }
 }
 
+std::string textOf(const Row& value) {
+  if (!value.is_number_float()) return value.is_string() ? value.get<std::string>() : value.dump();
+  std::ostringstream text;
+  text << std::setprecision(4) << value.get<double>();
+  return text.str();
+}
+
+/// The first seven columns, which all rows of a task have.
+void printTable(const std::vector<Row>& rows) {
+  constexpr std::size_t kColumns = 7;
+  if (rows.empty()) return;
+  std::size_t column = 0;
+  for (const auto& item : rows.front().items()) {
+    if (column++ < kColumns) std::cout << std::left << std::setw(18) << item.key();
+  }
+  std::cout << '\n';
+  for (const Row& row : rows) {
+    column = 0;
+    for (const auto& item : row.items()) {
+      if (column++ < kColumns) std::cout << std::left << std::setw(18) << textOf(item.value());
+    }
+    std::cout << '\n';
+  }
+}
+
 }  // namespace
 
-Session::Session(int argc, char** argv) : core_(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) - 1) {
+Session::Session(int argc, char** argv, bool pinned)
+    : core_(pinned ? static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) - 1 : -1) {
   // Defaults that the user's own options, which come later, replace.
   std::vector<std::string> arguments = {argv[0], "--benchmark_min_time=0.05", "--benchmark_repetitions=7",
                                         "--benchmark_enable_random_interleaving=true",
@@ -71,10 +99,7 @@ void Session::run() {
 }
 
 int Session::finish(const std::vector<Row>& rows) const {
-  for (const Row& row : rows) {
-    for (const auto& [key, value] : row.items()) std::cout << key << ' ' << value.dump() << "  ";
-    std::cout << '\n';
-  }
+  printTable(rows);
   if (rows_file_.empty()) return 0;
   std::ofstream file(rows_file_);
   file << "[\n";

@@ -13,12 +13,13 @@ using Row = nlohmann::ordered_json;
 
 /// Options beside Google Benchmark's:
 ///   --rows FILE   where the rows go, as a JSON array
-///   --core N      the core to be pinned to; by default the last; -1 for none
+///   --core N      the core to be pinned to; -1: none
 ///   --poses N     about how many poses to keep of a scene's path; by default all
 class Session {
  public:
-  /// Takes the options and pins the process. Exits with a message on an option that is not known.
-  Session(int argc, char** argv);
+  /// Takes the options and pins the process: by default to the last core, or to none. Exits with a message on
+  /// an option that is not known.
+  Session(int argc, char** argv, bool pinned = true);
 
   std::size_t poses() const { return poses_; }
 

@@ -39,7 +39,7 @@ auto medianOf(Values& values, Less less) {
   return *middle;
 }
 
-void visit(benchmark::State& state, Entrant& entrant) {
+void visit(benchmark::State& state, Entrant& entrant, bool by_the_clock) {
   using Clock = std::chrono::steady_clock;
   Trial& trial = *entrant.trial;
   std::vector<Clock::time_point> readings(trial.questions + 1);
@@ -51,7 +51,9 @@ void visit(benchmark::State& state, Entrant& entrant) {
       trial.ask(k);
       readings[k + 1] = Clock::now();
     }
-    const double seconds = threadSeconds() - start;
+    const double seconds = by_the_clock
+                               ? std::chrono::duration<double>(readings.back() - readings.front()).count()
+                               : threadSeconds() - start;
     state.SetIterationTime(seconds);
     for (std::size_t k = 0; k < trial.questions; ++k) {
       micros[k] = std::chrono::duration<double, std::micro>(readings[k + 1] - readings[k]).count();
@@ -98,7 +100,7 @@ std::vector<Row> rowsOf(const std::string& task, std::vector<std::unique_ptr<Ent
 }  // namespace
 
 int runTimedTask(int argc, char** argv, const TimedTask& task) {
-  Session session(argc, argv);
+  Session session(argc, argv, !task.on_threads);
   std::vector<std::unique_ptr<Entrant>> entrants;
   for (const char* scene : kSceneNames) {
     for (const Contender& contender : contenders()) {
@@ -111,7 +113,7 @@ int runTimedTask(int argc, char** argv, const TimedTask& task) {
                                        entrant->trial = task.prepare(
                                            sceneNamed(entrant->scene, session.poses()), *entrant->contender);
                                      }
-                                     visit(state, *entrant);
+                                     visit(state, *entrant, task.on_threads);
                                    })
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond);

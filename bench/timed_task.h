@@ -23,14 +23,16 @@ struct TimedTask {
   std::string name;
   std::function<bool(const Contender&)> can_do;
   std::function<Trial(const Scene&, const Contender&)> prepare;  ///< compares the answers; is not timed
+  bool on_threads =
+      false;  ///< contenders may use several: not pinned to a core, and passes taken by the clock
 };
 
 /// The main function of a task. Benchmarks are named task/scene/contender. Each repetition is one visit to a
 /// contender, the visits are shuffled, and a row tells of the pass whose mean is the median of all passes:
 /// task, scene, contender, mean_us and median_us of a question, ratio (of the mean to ours), answers_equal.
 ///
-/// A pass is taken by the thread's processor time, a question by the clock, whose reading (about 20 ns) both
-/// include.
+/// A pass is taken by the thread's processor time, which other work on the machine disturbs less, a question
+/// by the clock. Both include the clock's reading, about 20 ns.
 int runTimedTask(int argc, char** argv, const TimedTask& task);
 
 }  // namespace octoblisk::bench

@@ -53,20 +53,36 @@ class OctoBliskRays final : public RayQuery {
 struct OctoBliskRays {};
 #endif
 
-class OctoBliskBuild final : public BuildQuery {
+class OctoBliskBuild : public BuildQuery {
  public:
-  explicit OctoBliskBuild(const Scene& scene) : mesh_(scene.blisk) {}
+  explicit OctoBliskBuild(const Scene& scene, const BuildOptions& options = {})
+      : mesh_(scene.blisk), options_(options) {}
 
   void build() override {
     clear();
-    tree_ = ClusteredOctree::build(mesh_);
+    tree_ = ClusteredOctree::build(mesh_, options_);
   }
   void clear() override { tree_.reset(); }
 
  private:
   std::shared_ptr<const TriangleMesh> mesh_;
+  BuildOptions options_;
   std::optional<ClusteredOctree> tree_;
 };
+
+#if __has_include("octoblisk/build_options.h")
+/// Registers a build by other options, as a contender of its own.
+bool registerBuild(const std::string& name, const BuildOptions& options) {
+  Contender contender{.name = name};
+  contender.build = [options](const Scene& scene) {
+    return std::make_unique<OctoBliskBuild>(scene, options);
+  };
+  return registerContender(std::move(contender));
+}
+
+const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
+const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
+#endif
 
 const bool kRegistered = registerContender<OctoBlisk, OctoBliskRays, OctoBliskBuild>(kOurs);
 

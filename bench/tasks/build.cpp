@@ -17,5 +17,5 @@ Trial prepare(const Scene& scene, const Contender& contender) {
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
   const auto can_do = [](const Contender& contender) { return static_cast<bool>(contender.build); };
-  return runTimedTask(argc, argv, {"build", can_do, prepare});
+  return runTimedTask(argc, argv, {"build", can_do, prepare, true});
 }
