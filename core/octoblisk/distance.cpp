@@ -13,27 +13,42 @@ namespace octoblisk::HWY_NAMESPACE {
 
 void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, Nearest& nearest) {
   const LocalPose pose(a, b, b_in_a);
-  nearest.setSize(pose.size);
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
-  const auto limit = [&] { return nearest.squaredLimit(); };
+  const auto limit = [&] { return squaredLimit(nearest.bound(), pose.size); };
   walkPairs(a, b, pose, bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const TriangleLanes triangles_of_b(leaves);
     const NearTriangles near(leaves);
     for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
-      unsigned left = near.boundsWithin(i, nearest.bound());
+      unsigned left = near.boundsWithin(i, static_cast<float>(nearest.bound()));
       if (left == 0) continue;
       const auto verdicts = triangles_of_b.meet(i);
-      float distance[kLanes];
-      near.distances(i).store(distance);
+      const auto [distance, excess] = near.distances(i);
       for (; left != 0; left &= left - 1) {
         const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
         const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
         const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
-        if (may_meet ? nearest.offer(pair, true) : nearest.consider(pair, distance[j], near.rounding()))
-          return true;
+        const bool done =
+            may_meet
+                ? nearest.offer(pair, true)
+                : nearest.consider(pair, double(distance[j]) - double(excess[j]) - double(near.rounding()),
+                                   double(distance[j]) + double(near.rounding()));
+        if (done) return true;
       }
+    }
+    return false;
+  });
+}
+
+void searchConvex(const ClusteredOctree& a, const Obb& bounds_of_b, NearestToConvex& nearest) {
+  const LocalBox local(a, bounds_of_b);
+  const auto bound = [](const Box8& boxes, const BoxF& box)
+                         HWY_ATTR { return squaredDistanceBound(boxes, box); };
+  const auto limit = [&] { return squaredLimit(nearest.bound(), local.size); };
+  walkBox(a, local.box, bound, limit, [&](Child leaf) {
+    for (const std::uint32_t triangle : a.triangles(leaf)) {
+      if (nearest.offer(triangle)) return true;
     }
     return false;
   });
@@ -46,6 +61,7 @@ HWY_AFTER_NAMESPACE();
 namespace octoblisk {
 
 HWY_EXPORT(searchPairs);
+HWY_EXPORT(searchConvex);
 
 Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    const DistanceOptions& options) {
@@ -56,6 +72,16 @@ Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   const bool hinted = within(options.hint.a, a) && within(options.hint.b, b);
   if (!hinted || !nearest.offer(options.hint, true)) HWY_DYNAMIC_DISPATCH(searchPairs)(a, b, b_in_a, nearest);
   return nearest.settled();
+}
+
+Clearance distance(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a,
+                   const DistanceOptions& options) {
+  NearestToConvex nearest(a.mesh(), b, b_in_a, options);
+  const bool hinted = options.hint.a < a.mesh().triangleCount();
+  const Aabb bounds = b.bounds();
+  const Obb box = b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
+  if (!hinted || !nearest.offer(options.hint.a)) HWY_DYNAMIC_DISPATCH(searchConvex)(a, box, nearest);
+  return nearest.clearance();
 }
 
 }  // namespace octoblisk

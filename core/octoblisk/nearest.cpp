@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "octoblisk/traversal_stack.h"
+#include "octoblisk/triangle_convex.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {
@@ -19,10 +19,9 @@ bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
   return distance == 0.0;
 }
 
-bool Nearest::consider(const TrianglePair& pair, float distance, float rounding) {
-  const double least = double(distance) - double(rounding);
-  if (least > bound_ - tolerance_) return false;
-  bound_ = std::min(bound_, double(distance) + double(rounding));
+bool Nearest::consider(const TrianglePair& pair, double least, double most) {
+  if (least > bound()) return false;
+  bound_ = std::min(bound_, most);
   if (count_ == candidates_.size()) {
     const auto nearer = [&](const Candidate& candidate) { return candidate.least <= bound_; };
     const auto end = std::partition(candidates_.begin(), candidates_.end(), nearer);
@@ -31,11 +30,6 @@ bool Nearest::consider(const TrianglePair& pair, float distance, float rounding)
   if (count_ == candidates_.size()) settleAll();
   candidates_[count_++] = {least, pair};
   return best_.distance == 0.0;
-}
-
-float Nearest::squaredLimit() const {
-  const float limit = traversalLimit(std::clamp(bound_ - tolerance_, 0.0, kFarthest), size_);
-  return limit * limit;
 }
 
 void Nearest::settleAll() {
@@ -53,6 +47,17 @@ void Nearest::settleAll() {
 Clearance Nearest::settled() {
   settleAll();
   return best_;
+}
+
+bool NearestToConvex::offer(std::uint32_t triangle) {
+  const std::optional<Contact> contact = contactOf(a_in_b_ * a_.triangle(triangle), b_, best_.distance);
+  if (!contact || contact->distance >= best_.distance) return false;
+  const bool meet = contact->distance <= 0.0;
+  best_.distance = meet ? 0.0 : contact->distance;
+  best_.point_on_b = b_in_a_ * contact->point_on_b;
+  best_.point_on_a = meet ? best_.point_on_b : b_in_a_ * contact->point_on_a;
+  best_.triangle_a = triangle;
+  return meet;
 }
 
 }  // namespace octoblisk

@@ -1,13 +1,24 @@
-// The search for the nearest pair of triangles: how near another must be to matter, and which are left to be
-// compared exactly.
+// The nearest found so far in a search for the least distance: how near another must be to matter, and which
+// are left to be compared exactly.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "octoblisk/distance.h"
+#include "octoblisk/traversal_stack.h"
 
 namespace octoblisk {
 
+/// Boxes do not matter whose squared distance in single precision is above this, where what is farther than
+/// `bound` does not; `size` sets the rounding.
+inline float squaredLimit(double bound, double size) {
+  constexpr double kFarthestRoot = 1e18;  // its square is below that of the distance to empty boxes
+  const float limit = traversalLimit(std::min(bound, kFarthestRoot), size);
+  return limit * limit;
+}
+
+/// The nearest pair of triangles of two meshes.
 class Nearest {
  public:
   Nearest(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, const DistanceOptions& options)
@@ -19,19 +30,12 @@ class Nearest {
   /// where nothing can be nearer.
   bool offer(const TrianglePair& pair, bool may_meet);
 
-  /// Keeps the pair for later if it may be the nearest, by its distance in single precision, which may be
-  /// off by `rounding`. Returns true where nothing can be nearer.
-  bool consider(const TrianglePair& pair, float distance, float rounding);
+  /// Keeps the pair for later if it may be the nearest, by bounds of its distance. Returns true where nothing
+  /// can be nearer.
+  bool consider(const TrianglePair& pair, double least, double most);
 
-  /// The size of the bodies, which sets how far the distances of boxes may be off.
-  void setSize(double size) { size_ = size; }
-
-  /// Triangles farther apart than this do not matter.
-  float bound() const {
-    return static_cast<float>(std::min((bound_ - tolerance_) * (1.0 + 0x1p-20), kFarthest));
-  }
-  /// Nor do boxes whose squared distance in single precision is above this.
-  float squaredLimit() const;
+  /// What is farther than this does not matter.
+  double bound() const { return std::max(0.0, bound_ - tolerance_); }
 
   /// The nearest of all.
   Clearance settled();
@@ -43,16 +47,38 @@ class Nearest {
   };
   void settleAll();
 
-  static constexpr double kFarthest = 1e18;  // its square is below that of the distance to empty boxes
-
   const TriangleMesh &a_, &b_;
   const Pose& b_in_a_;
   const double tolerance_;
-  double size_ = 0.0;
   double bound_;  // the distance is proved to be no more
   Clearance best_;
   std::array<Candidate, 64> candidates_;
   std::size_t count_ = 0;
+};
+
+/// The triangle of a mesh that is nearest to a convex body.
+class NearestToConvex {
+ public:
+  NearestToConvex(const TriangleMesh& a, const Convex& b, const Pose& b_in_a, const DistanceOptions& options)
+      : a_(a), b_(b), b_in_a_(b_in_a), a_in_b_(b_in_a.inverse()), tolerance_(options.tolerance) {
+    best_.distance = options.upper_bound;
+  }
+
+  /// Takes the triangle if it is the nearest so far. Returns true where nothing can be nearer.
+  bool offer(std::uint32_t triangle);
+
+  /// What is farther than this does not matter.
+  double bound() const { return std::max(0.0, best_.distance - tolerance_); }
+
+  const Clearance& clearance() const { return best_; }
+
+ private:
+  const TriangleMesh& a_;
+  const Convex& b_;
+  const Pose& b_in_a_;
+  const Pose a_in_b_;
+  const double tolerance_;
+  Clearance best_;
 };
 
 }  // namespace octoblisk

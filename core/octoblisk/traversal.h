@@ -85,35 +85,29 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Loc
       a, b, pose, gap, [limit = pose.limit(reach)] { return limit; }, visit);
 }
 
-/// Calls visit(leaf) for all leaves whose boxes may be within `reach` of a box in the mesh's frame, those
-/// that overlap most first. Returns true as soon as visit does, else false.
-template <typename Visit>
-bool traverseBox(const ClusteredOctree& tree, const Obb& box_in_tree, double reach, Visit&& visit) {
+/// The same for the leaves of one tree and a box in its local frame: visit(leaf).
+template <typename Gap, typename Limit, typename Visit>
+bool walkBox(const ClusteredOctree& tree, const BoxF& box, Gap&& gap, Limit&& limit, Visit&& visit) {
   struct Entry {
     Slot slot;
     float gap;
-    Entry() = default;
-    Entry(Slot at, float widest_gap) : slot(at), gap(widest_gap) {}
   };
-  const Vec3 center = box_in_tree.center - tree.origin();
-  const BoxF box{center.cast<float>(), box_in_tree.axes.cast<float>(),
-                 box_in_tree.half_extents.cast<float>()};
-  const float limit = traversalLimit(reach, center.norm() + tree.radius() + box_in_tree.half_extents.norm());
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
-  forEachWithin(widestGap(tree.boxes(ClusteredOctree::kRoot), box), limit,
-                [&](std::uint32_t lane, float gap) {
-                  stack.pushSorted(0, {{0, lane}, gap});
-                });
+  forEachWithin(gap(tree.boxes(ClusteredOctree::kRoot), box), limit(), [&](std::uint32_t lane, float found) {
+    stack.pushSorted(0, {{0, lane}, found});
+  });
   while (!stack.empty()) {
-    const Child child = tree.child(stack.pop().slot);
+    const Entry entry = stack.pop();
+    if (entry.gap > limit()) continue;
+    const Child child = tree.child(entry.slot);
     if (child.isLeaf()) {
       if (visit(child)) return true;
       continue;
     }
     const std::size_t first = stack.size();
     const std::uint32_t node = child.node();
-    forEachWithin(widestGap(tree.nodes()[node].boxes, box), limit, [&](std::uint32_t lane, float gap) {
-      stack.pushSorted(first, {{node, lane}, gap});
+    forEachWithin(gap(tree.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+      stack.pushSorted(first, {{node, lane}, found});
     });
   }
   return false;

@@ -36,6 +36,18 @@ struct LocalPose {
   float limit(double reach) const { return traversalLimit(reach, size); }
 };
 
+/// A box in a tree's local frame, and the size of tree, box and the way between them.
+struct LocalBox {
+  BoxF box;
+  double size;
+
+  LocalBox(const ClusteredOctree& tree, const Obb& box_in_tree) {
+    const Vec3 center = box_in_tree.center - tree.origin();
+    box = {center.cast<float>(), box_in_tree.axes.cast<float>(), box_in_tree.half_extents.cast<float>()};
+    size = center.norm() + tree.radius() + box_in_tree.half_extents.norm();
+  }
+};
+
 /// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above
 /// its leaves: this never overflows.
 template <typename Entry, int kLevels>

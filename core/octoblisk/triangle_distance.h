@@ -29,13 +29,37 @@ HWY_INLINE Float8 squaredSegmentDistance(const Vec8& u, const Vec8& v, const Vec
   return dot(apart, apart);
 }
 
-/// The squared distance of a point to the triangle's plane where its foot is inside the triangle, else
-/// infinite. `edge` in turn, `from` the corner that starts each, all relative to the point.
-HWY_INLINE Float8 squaredFaceDistance(const Vec8 from[3], const Vec8 edge[3], const Vec8& normal) {
-  const Float8 far(1e38f), height = dot(normal, from[0]);
-  Float8 outside(0.0f);
-  for (int i = 0; i < 3; ++i) outside = max(outside, dot(cross(normal, edge[i]), from[i]));
-  return select(Float8(0.0f), outside, far, height * height / nonzero(dot(normal, normal)));
+/// Three corners with what distances to them need.
+struct Corners8 {
+  Vec8 corner[3], edge[3], normal;
+  Float8 squared[3];  // of the edges
+  Float8 squared_normal;
+  Float8 thin;  ///< above 0 for triangles too thin to have a normal: no more than this wide
+
+  HWY_INLINE explicit Corners8(const Vec8 corners[3]) {
+    for (int v = 0; v < 3; ++v) corner[v] = corners[v];
+    for (int v = 0; v < 3; ++v) {
+      edge[v] = corner[(v + 1) % 3] - corner[v];
+      squared[v] = dot(edge[v], edge[v]);
+    }
+    normal = cross(edge[0], edge[1]);
+    squared_normal = dot(normal, normal);
+    const Float8 longest = max(squared[0], max(squared[1], squared[2]));
+    constexpr float kThin = 0x1p-10f;  // of sin²
+    thin = select(squared_normal, Float8(kThin) * longest * longest + Float8(0x1p-100f),
+                  Float8(0x1p-4f) * sqrt(longest) + Float8(0x1p-100f), Float8(0.0f));
+  }
+};
+
+/// The squared distance of a point to the triangle's plane where its foot is inside the triangle, else, and
+/// where it is thin, far.
+HWY_INLINE Float8 squaredFaceDistance(const Vec8& point, const Corners8& face) {
+  const Float8 far(1e38f), height = dot(face.normal, point - face.corner[0]);
+  Float8 outside = face.thin;
+  for (int i = 0; i < 3; ++i) {
+    outside = max(outside, dot(cross(face.edge[i], face.normal), point - face.corner[i]));
+  }
+  return select(Float8(0.0f), outside, far, height * height / nonzero(face.squared_normal));
 }
 
 /// The triangles of B's leaf, to be found near those of A.
@@ -61,31 +85,29 @@ class NearTriangles {
     return lanes() & ~less(Float8(reach * reach), dot(apart, apart));
   }
 
+  struct Distances {
+    float distance[kLanes];  ///< no less than the true one, but for rounding
+    float excess[kLanes];    ///< and no more than this above it
+  };
+
   /// The distances from triangle i of A to those that do not meet it.
-  HWY_INLINE Float8 distances(std::uint32_t i) const {
-    const Vec8 one[3] = {leaves_.cornerOfA(i, 0), leaves_.cornerOfA(i, 1), leaves_.cornerOfA(i, 2)};
-    Vec8 one_edge[3], edge[3];
-    Float8 one_squared[3], squared[3];
-    for (int v = 0; v < 3; ++v) {
-      one_edge[v] = one[(v + 1) % 3] - one[v];
-      edge[v] = corner_[(v + 1) % 3] - corner_[v];
-      one_squared[v] = dot(one_edge[v], one_edge[v]);
-      squared[v] = dot(edge[v], edge[v]);
-    }
-    const Vec8 one_normal = cross(one_edge[0], one_edge[1]), normal = cross(edge[0], edge[1]);
+  HWY_INLINE Distances distances(std::uint32_t i) const {
+    const Vec8 corners_of_one[3] = {leaves_.cornerOfA(i, 0), leaves_.cornerOfA(i, 1),
+                                    leaves_.cornerOfA(i, 2)};
+    const Corners8 one(corners_of_one), eight(corner_);
     Float8 least(1e38f);
     for (int v = 0; v < 3; ++v) {
-      Vec8 from_corner[3], from_one[3];
       for (int w = 0; w < 3; ++w) {
-        const Vec8 offset = one[v] - corner_[w];
-        least = min(least, squaredSegmentDistance(one_edge[v], edge[w], offset, one_squared[v], squared[w]));
-        from_one[w] = corner_[w] - one[v];
-        from_corner[w] = one[w] - corner_[v];
+        least = min(least, squaredSegmentDistance(one.edge[v], eight.edge[w], one.corner[v] - eight.corner[w],
+                                                  one.squared[v], eight.squared[w]));
       }
-      least = min(least, min(squaredFaceDistance(from_one, edge, normal),
-                             squaredFaceDistance(from_corner, one_edge, one_normal)));
+      least = min(least,
+                  min(squaredFaceDistance(one.corner[v], eight), squaredFaceDistance(eight.corner[v], one)));
     }
-    return sqrt(least);
+    Distances result;
+    sqrt(least).store(result.distance);
+    max(one.thin, eight.thin).store(result.excess);
+    return result;
   }
 
  private:

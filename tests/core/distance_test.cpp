@@ -1,0 +1,144 @@
+// The distance of two bodies against looking at every pair of triangles, and closed forms.
+#include "octoblisk/distance.h"
+
+#include <gtest/gtest.h>
+
+#include "octoblisk/collide.h"
+#include "octoblisk/triangle_pair.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+/// 0 where two triangles meet, else the least distance of any two.
+double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
+  if (!testing::bruteForcePairs(a, b, b_in_a).empty()) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
+    for (std::size_t j = 0; j < b.triangleCount(); ++j) {
+      least = std::min(least, closestPoints(a.triangle(i), b_in_a * b.triangle(j)).distance);
+    }
+  }
+  return least;
+}
+
+/// Whether the witnesses are on their triangles and as far apart as is said.
+void expectWitness(const Clearance& found, const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
+                   double size) {
+  ASSERT_TRUE(found.found());
+  const double slack = 1e-11 * size;
+  EXPECT_NEAR((found.point_on_a - found.point_on_b).norm(), found.distance, slack);
+  const auto to = [](const Triangle& triangle, const Vec3& point) {
+    return closestPoints(triangle, Triangle{point, point, point}).distance;
+  };
+  if (found.distance > 0.0) {
+    EXPECT_LE(to(a.triangle(found.triangle_a), found.point_on_a), slack);
+    EXPECT_LE(to(b_in_a * b.triangle(found.triangle_b), found.point_on_b), slack);
+  } else {
+    EXPECT_TRUE(intersects(a.triangle(found.triangle_a), b_in_a * b.triangle(found.triangle_b)));
+  }
+}
+
+TEST(Distance, vs_bruteforce) {
+  std::mt19937_64 random(71);
+  const std::vector<testing::SharedMesh> meshes = {
+      testing::torus(2, 0.7, 18, 9), testing::fan(5, 6), testing::waveSheet(2, 0.4, 9),
+      testing::soup(random, 200, 2, 0.5), testing::boxMesh({1, 0.5, 0.2})};
+  std::vector<ClusteredOctree> trees;
+  for (const auto& mesh : meshes) trees.push_back(ClusteredOctree::build(mesh));
+  int touching = 0, poses = 0;
+  for (std::size_t a = 0; a < meshes.size(); ++a) {
+    for (std::size_t b = 0; b < meshes.size(); ++b) {
+      for (int i = 0; i < 12; ++i, ++poses) {
+        const Pose b_in_a = testing::randomPose(random, 3.2);
+        const double expected = bruteForceDistance(*meshes[a], *meshes[b], b_in_a);
+        const Clearance found = distance(trees[a], trees[b], b_in_a);
+        ASSERT_NEAR(found.distance, expected, 1e-12) << a << ' ' << b << ' ' << i;
+        ASSERT_EQ(found.distance == 0.0, expected == 0.0);
+        ASSERT_EQ(found.distance == 0.0, collide(trees[a], trees[b], b_in_a).has_value());
+        expectWitness(found, *meshes[a], *meshes[b], b_in_a, 10.0);
+        touching += expected == 0.0;
+
+        const Clearance hinted =
+            distance(trees[a], trees[b], b_in_a, {.hint = {found.triangle_a, found.triangle_b}});
+        ASSERT_EQ(hinted.distance, found.distance);
+        if (expected == 0.0) continue;
+        const double below = expected * 0.999, above = expected * 1.001, tolerance = 0.1 * expected;
+        const Clearance bounded = distance(trees[a], trees[b], b_in_a, {.upper_bound = below});
+        ASSERT_FALSE(bounded.found());
+        ASSERT_EQ(bounded.distance, below);
+        ASSERT_NEAR(distance(trees[a], trees[b], b_in_a, {.upper_bound = above}).distance, expected, 1e-12);
+        const double rough = distance(trees[a], trees[b], b_in_a, {.tolerance = tolerance}).distance;
+        ASSERT_GE(rough, expected - 1e-12);
+        ASSERT_LE(rough, expected + tolerance);
+      }
+    }
+  }
+  EXPECT_GT(touching, poses * 3 / 10);
+  EXPECT_LT(touching, poses * 7 / 10);
+}
+
+TEST(Distance, ofBoxesIsTheClosedForm) {
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 2, 3}));
+  std::mt19937_64 random(72);
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const ClusteredOctree scaled = ClusteredOctree::build(testing::boxMesh(scale * Vec3(1, 2, 3)));
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 shift = testing::randomPoint(random, 12.0 * scale);
+      const Vec3 gap = (shift.cwiseAbs() - 2.0 * scale * Vec3(1, 2, 3)).cwiseMax(0.0);
+      const double found = distance(scaled, scaled, {Mat3::Identity(), shift}).distance;
+      if (gap.norm() > 0.0) {
+        EXPECT_NEAR(found, gap.norm(), 1e-12 * scale);
+      }
+    }
+  }
+}
+
+TEST(Distance, farFromTheOriginAndFarApart) {
+  const auto mesh = testing::torus(2, 0.7, 18, 9);
+  const ClusteredOctree tree = ClusteredOctree::build(mesh);
+  for (const double away : {1e3, 1e6, 1e9, 1e15}) {
+    const Pose pose{Mat3::Identity(), Vec3(away, 0, 0)};
+    EXPECT_NEAR(distance(tree, tree, pose).distance, away - 2.0 * 2.7, 1e-15 * away + 1e-12) << away;
+  }
+}
+
+TEST(Distance, ofNestedSurfacesIsTheirGap) {
+  const ClusteredOctree outer = ClusteredOctree::build(testing::boxMesh({2, 2, 2}));
+  const ClusteredOctree inner = ClusteredOctree::build(testing::boxMesh({1, 1, 0.5}));
+  EXPECT_NEAR(distance(outer, inner, Pose{}).distance, 1.0, 1e-15);
+}
+
+TEST(Distance, toConvexBodies_vs_bruteforce) {
+  std::mt19937_64 random(73);
+  const auto mesh = testing::torus(2, 0.7, 18, 9);
+  const ClusteredOctree tree = ClusteredOctree::build(mesh);
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), {0.5, 0.3, 0.8}});
+  const auto box_mesh = testing::boxMesh({0.5, 0.3, 0.8});
+  int touching = 0;
+  constexpr int kPoses = 300;
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose = testing::randomPose(random, 3.0);
+    double expected = bruteForceDistance(*mesh, *box_mesh, pose);
+    const Clearance found = distance(tree, box, pose);
+    if (found.distance == 0.0 && expected > 0.0) {  // a triangle wholly inside the box
+      const Triangle triangle = pose.inverse() * mesh->triangle(found.triangle_a);
+      for (const Vec3& corner : triangle) {
+        EXPECT_TRUE((corner.cwiseAbs().array() <= Eigen::Array3d(0.5, 0.3, 0.8)).all());
+      }
+      expected = 0.0;
+    }
+    touching += expected == 0.0;
+    ASSERT_NEAR(found.distance, expected, 1e-9) << i;
+    ASSERT_NEAR((found.point_on_a - found.point_on_b).norm(), expected, 1e-9);
+    if (expected > 0.0) {
+      ASSERT_FALSE(distance(tree, box, pose, {.upper_bound = 0.99 * expected}).found());
+    }
+  }
+  EXPECT_GT(touching, kPoses * 3 / 10);
+  EXPECT_LT(touching, kPoses * 7 / 10);
+}
+
+}  // namespace
+}  // namespace octoblisk
