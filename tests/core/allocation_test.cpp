@@ -11,7 +11,9 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/path_query.h"
 #include "octoblisk/raycast.h"
+#include "octoblisk/sweep.h"
 #include "shared/meshes.h"
 
 namespace {
@@ -41,6 +43,13 @@ TEST(Allocation, warmQueriesAllocateNothing) {
     std::mt19937_64 random(61);
     for (int i = 0; i < 50; ++i) {
       const Pose pose = testing::randomPose(random, 1.2);
+      const Motion motion(pose, testing::randomPose(random, 1.2));
+      PathQuery query(fan, ring);
+      for (const double fraction : {0.0, 0.01}) {
+        hits += query.collide(motion.at(fraction)).has_value();
+        query.distance(motion.at(fraction));
+      }
+      sweep(fan, ring, motion, 0.01);
       hits += collide(fan, ring, pose).has_value() + collide(fan, box, pose).has_value();
       contacts(fan, ring, pose, 0.05, found);
       patches.reduce(found);

@@ -1,0 +1,65 @@
+// The way of a body from one pose to another, and how far any of its points gets on it.
+#pragma once
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk {
+
+/// A motion of B in A's frame, at constant speeds over fractions 0 … 1: one point of B, the centre, goes
+/// straight, while B turns about an axis of fixed direction through it. A centre on the axis of a screw gives
+/// that screw.
+class Motion {
+ public:
+  /// From one pose to another by the shorter turn; of half a turn, by either way. `center_in_b` is the point
+  /// of B that goes straight.
+  Motion(const Pose& from, const Pose& to, const Vec3& center_in_b = Vec3::Zero());
+
+  /// A turn about the axis through `center_in_a` along `turn`, whose length is the angle in radians, of any
+  /// number of revolutions; the axis itself is shifted by `advance` meanwhile.
+  static Motion about(const Pose& from, const Vec3& center_in_a, const Vec3& turn,
+                      const Vec3& advance = Vec3::Zero());
+
+  /// The pose at a fraction of the way: at 0 the first pose itself, at 1 the last to rounding.
+  Pose at(double fraction) const;
+
+  /// A length in mesh units that bounds the way of each point of B's tree, along its path, over the whole
+  /// motion; over a part of it, the same part of this. |v| + |ω| r for the centre's way v and the greatest
+  /// distance r from the axis, where the way along the axis and that across are at right angles.
+  double lengthBound(const ClusteredOctree& b) const;
+
+  const Pose& from() const { return from_; }
+  const Vec3& centerInB() const { return center_in_b_; }
+  const Vec3& advance() const { return advance_; }  ///< of the centre, in A's frame
+  const Vec3& axis() const { return axis_; }        ///< unit, in A's frame
+  double angle() const { return angle_; }           ///< about the axis, radians, >= 0
+
+ private:
+  Motion() = default;
+
+  Pose from_;
+  Vec3 center_in_b_ = Vec3::Zero();
+  Vec3 advance_ = Vec3::Zero();
+  Vec3 axis_ = Vec3::UnitX();
+  double angle_ = 0.0;
+};
+
+/// A box and a ball that both hold a body, for bounds on its motion. They are as valid where rotations are
+/// orthonormal to single precision only.
+class Hold {
+ public:
+  explicit Hold(const ClusteredOctree& tree);
+
+  /// No point of the body, so turned, is farther than this from the line along `axis`, of unit length,
+  /// through the body's `center`.
+  double distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const;
+
+  /// No point of the body is farther than this from itself between the two poses.
+  double displacement(const Pose& from, const Pose& to) const;
+
+ private:
+  std::array<Vec3, 8> corners_;  // of the box
+  Vec3 center_;                  // of the ball
+  double radius_;
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,46 @@
+#include "octoblisk/path_query.h"
+
+#include <algorithm>
+
+#include "octoblisk/triangle_pair.h"
+
+namespace octoblisk {
+
+PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), hold_of_b_(b) {}
+
+std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
+  if (met_ && intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
+    return witness_;
+  met_ = false;
+  if (provedBeyond(0.0, b_in_a)) return std::nullopt;
+  const std::optional<TrianglePair> found = octoblisk::collide(*a_, *b_, b_in_a);
+  if (found) {
+    witness_ = *found;
+    met_ = true;
+  }
+  return found;
+}
+
+Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options) {
+  if (provedBeyond(options.upper_bound, b_in_a)) return {.distance = options.upper_bound};
+  DistanceOptions hinted = options;
+  if (witness_.a != kNoTriangle) hinted.hint = witness_;
+  const Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
+  if (found.found()) witness_ = {found.triangle_a, found.triangle_b};
+  met_ = found.found() && found.distance == 0.0;
+  proof_pose_ = b_in_a;
+  proved_distance_ = found.distance - options.tolerance;
+  return found;
+}
+
+/// Whether the last distance proves that the bodies are farther apart than this, however distances and poses
+/// are rounded.
+bool PathQuery::provedBeyond(double distance, const Pose& b_in_a) const {
+  constexpr double kRounding = 1e-12;
+  if (!(proved_distance_ > distance)) return false;
+  const double size = a_->origin().norm() + a_->radius() + b_->origin().norm() + b_->radius() +
+                      proof_pose_.translation.norm() + b_in_a.translation.norm();
+  return proved_distance_ - hold_of_b_.displacement(proof_pose_, b_in_a) > distance + kRounding * size;
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,43 @@
+// When a moving body first comes near another.
+#pragma once
+
+#include <optional>
+
+#include "octoblisk/distance.h"
+#include "octoblisk/motion.h"
+
+namespace octoblisk {
+
+struct SweepOptions {
+  /// How far above the tolerance the distance may still be where an impact is told, as a part of the
+  /// tolerance, > 0: the smaller, the more steps.
+  double slack = 0.125;
+  /// Distances measured at most.
+  int max_steps = 1000;
+};
+
+struct TimeOfImpact {
+  double fraction = 0.0;  ///< of the motion: the bodies are proved apart before it
+  Clearance clearance;    ///< at this fraction
+  /// False where the steps were used up: nothing is known of what follows the fraction, and the clearance
+  /// is above the tolerance.
+  bool converged = true;
+
+  TrianglePair pair() const { return {clearance.triangle_a, clearance.triangle_b}; }
+};
+
+/// The fraction of B's motion at which the surfaces of A and B first come as near as `tolerance`, > 0, mesh
+/// units; none where they stay farther apart all the way. Continuous: nothing, however thin, is passed
+/// through, as a step never exceeds the distance less the tolerance over the bound on the speed of any point
+/// of B (conservative advancement: B. Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
+///
+/// Before the fraction the distance is proved to be above the tolerance; at it, it is at most
+/// (1 + slack) · tolerance, or 0 where the bodies touch at the start, which gives fraction 0. For the
+/// rounding of poses and distances the tolerance is raised by 1e-12 of the scene's size.
+///
+/// Ends after at most `max_steps` distances, and after lengthBound / (slack · tolerance) + 1 anyway: sliding
+/// along A just above the tolerance takes most. Allocates nothing.
+std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b, const Motion& b_in_a,
+                                  double tolerance, const SweepOptions& options = {});
+
+}  // namespace octoblisk

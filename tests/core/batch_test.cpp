@@ -1,0 +1,76 @@
+// Many poses on many threads against one after another.
+#include "octoblisk/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+constexpr int kThreadCounts[] = {1, 2, 3, 8};
+
+struct Batch : ::testing::Test {
+  ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 8));
+  ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 16, 10));
+  std::vector<Pose> poses;
+
+  Batch() {
+    std::mt19937_64 random(95);
+    const Pose start{Mat3::Identity(), Vec3(2.5, 0, 0)};
+    for (int i = 0; i < 10 * static_cast<int>(kPosesAtOnce) + 17; ++i) {
+      // A path along which several pairs touch at a time, so that which is named depends on what was before.
+      const Eigen::AngleAxisd turn(0.003 * i, Vec3::UnitZ()), tilt(0.01 * i, Vec3(1, 2, 0).normalized());
+      poses.push_back(Pose{turn.toRotationMatrix(), Vec3::Zero()} * start *
+                      Pose{tilt.toRotationMatrix(), testing::randomPoint(random, 0.01)});
+    }
+  }
+};
+
+TEST_F(Batch, collideAll_vs_oneByOne) {
+  const auto first = collideAll(fan, ring, poses, 1);
+  ASSERT_EQ(first.size(), poses.size());
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ASSERT_EQ(first[i].has_value(), collide(fan, ring, poses[i]).has_value()) << i;
+    hits += first[i].has_value();
+  }
+  EXPECT_GT(hits, poses.size() * 3 / 10);
+  EXPECT_LT(hits, poses.size() * 7 / 10);
+  for (const int threads : kThreadCounts) EXPECT_EQ(collideAll(fan, ring, poses, threads), first);
+  EXPECT_EQ(collideAll(fan, ring, poses), first);
+}
+
+bool sameBits(const Clearance& one, const Clearance& other) {
+  return std::memcmp(&one.distance, &other.distance, sizeof(double)) == 0 &&
+         std::memcmp(one.point_on_a.data(), other.point_on_a.data(), 3 * sizeof(double)) == 0 &&
+         std::memcmp(one.point_on_b.data(), other.point_on_b.data(), 3 * sizeof(double)) == 0 &&
+         one.triangle_a == other.triangle_a && one.triangle_b == other.triangle_b;
+}
+
+TEST_F(Batch, distanceAll_vs_oneByOne) {
+  for (const double bound : {std::numeric_limits<double>::infinity(), 0.05}) {
+    const DistanceOptions options{.upper_bound = bound};
+    const auto first = distanceAll(fan, ring, poses, options, 1);
+    ASSERT_EQ(first.size(), poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      ASSERT_NEAR(first[i].distance, distance(fan, ring, poses[i], options).distance, 1e-12) << i;
+    for (const int threads : kThreadCounts) {
+      const auto again = distanceAll(fan, ring, poses, options, threads);
+      ASSERT_EQ(again.size(), first.size());
+      for (std::size_t i = 0; i < first.size(); ++i)
+        ASSERT_TRUE(sameBits(again[i], first[i])) << threads << " threads, pose " << i;
+    }
+  }
+}
+
+TEST_F(Batch, noPoses) {
+  EXPECT_TRUE(collideAll(fan, ring, {}, 8).empty());
+  EXPECT_TRUE(distanceAll(fan, ring, {}, {}, 8).empty());
+}
+
+}  // namespace
+}  // namespace octoblisk

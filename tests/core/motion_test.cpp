@@ -1,0 +1,86 @@
+// Motions against what they promise of their ends, their centre and every vertex.
+#include "octoblisk/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+TEST(Motion, goesFromPoseToPoseWithItsCentreStraight) {
+  std::mt19937_64 random(70);
+  for (int i = 0; i < 1000; ++i) {
+    const Pose from = testing::randomPose(random, 5.0), to = testing::randomPose(random, 5.0);
+    const Vec3 center = testing::randomPoint(random, 3.0);
+    const Motion motion(from, to, center);
+    ASSERT_EQ(motion.at(0.0).rotation, from.rotation);
+    ASSERT_EQ(motion.at(0.0).translation, from.translation);
+    ASSERT_TRUE(motion.at(1.0).rotation.isApprox(to.rotation, 1e-13));
+    ASSERT_TRUE(motion.at(1.0).translation.isApprox(to.translation, 1e-12));
+    ASSERT_LE(motion.angle(), std::numbers::pi);
+    const double fraction = testing::uniform(random, 0.0, 1.0);
+    const Vec3 straight = (1.0 - fraction) * (from * center) + fraction * (to * center);
+    ASSERT_LT((motion.at(fraction) * center - straight).norm(), 1e-12);
+  }
+}
+
+TEST(Motion, turnsAtConstantSpeed) {
+  std::mt19937_64 random(71);
+  for (int i = 0; i < 300; ++i) {
+    const Motion motion(testing::randomPose(random, 5.0), testing::randomPose(random, 5.0));
+    const double fraction = testing::uniform(random, 0.0, 0.9);
+    const Mat3 tenth = motion.at(fraction + 0.1).rotation * motion.at(fraction).rotation.transpose();
+    ASSERT_NEAR(Eigen::AngleAxisd(tenth).angle(), 0.1 * motion.angle(), 1e-12);
+  }
+}
+
+TEST(Motion, screwOfManyTurns) {
+  const Motion screw = Motion::about(Pose{}, Vec3(1, 0, 7), Vec3(0, 0, 5 * std::numbers::pi), Vec3(0, 0, 10));
+  // Two and a half turns about x = 1, y = 0, ten up.
+  EXPECT_LT((screw.at(1.0) * Vec3(3, 0, 0) - Vec3(-1, 0, 10)).norm(), 1e-13);
+  EXPECT_LT((screw.at(0.4) * Vec3(3, 0, 0) - Vec3(3, 0, 4)).norm(), 1e-13);
+  EXPECT_LT((screw.at(0.1) * Vec3(3, 0, 0) - Vec3(1, 2, 1)).norm(), 1e-13);
+}
+
+/// How far the mesh's vertices are from themselves between two poses, at most.
+double farthestVertex(const TriangleMesh& mesh, const Pose& from, const Pose& to) {
+  double farthest = 0.0;
+  for (const Vec3& vertex : mesh.vertices())
+    farthest = std::max(farthest, (from * vertex - to * vertex).norm());
+  return farthest;
+}
+
+TEST(Motion, noVertexGoesFartherThanTheBounds) {
+  std::mt19937_64 random(72);
+  int tight = 0, tight_displacements = 0, cases = 0;
+  for (const auto& mesh : {testing::torus(3, 1, 24, 12), testing::boxMesh({10, 0.1, 0.2}), testing::fan(9, 8),
+                           testing::soup(random, 30, 4, 1)}) {
+    const ClusteredOctree tree = ClusteredOctree::build(mesh);
+    const Hold hold(tree);
+    for (int i = 0; i < 200; ++i, ++cases) {
+      const Pose from = testing::randomPose(random, 4.0);
+      const Vec3 way = testing::randomPoint(random, 3.0), center = testing::randomPoint(random, 9.0),
+                 turn = testing::randomPoint(random, i % 2 ? 3.0 : 0.0);
+      const Motion motion = Motion::about(from, center, turn, way);
+      const double bound = motion.lengthBound(tree), start = testing::uniform(random, 0.0, 0.999);
+      // Over a short part the way is as long as it is far.
+      const Pose here = motion.at(start), next = motion.at(start + 1e-3);
+      const double step = farthestVertex(*mesh, here, next);
+      ASSERT_LE(step, 1e-3 * bound * (1.0 + 1e-9));
+      tight += step > 0.6e-3 * bound;
+      const double far = farthestVertex(*mesh, from, motion.at(1.0));
+      ASSERT_LE(far, bound * (1.0 + 1e-9));
+      ASSERT_LE(far, hold.displacement(from, motion.at(1.0)) * (1.0 + 1e-12));
+      ASSERT_LE(step, hold.displacement(here, next) * (1.0 + 1e-9));
+      tight_displacements += step > 0.6 * hold.displacement(here, next);
+    }
+  }
+  EXPECT_GT(tight, cases * 8 / 10);
+  EXPECT_GT(tight_displacements, cases * 8 / 10);
+}
+
+}  // namespace
+}  // namespace octoblisk
