@@ -97,6 +97,44 @@ TEST(PathQuery, mixedWithBounds_vs_eachOnItsOwn) {
   EXPECT_GT(beyond, 200);
 }
 
+TEST(PathQuery, aWayAsLongAsTheClearanceIsNotTakenForClear) {
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  const auto along = [](double gap) { return Pose{Mat3::Identity(), Vec3(2.0 + gap, 0.5, 0.25)}; };
+  for (const double gap : {0.5, 0.25, 1e-3, 1e-6}) {
+    PathQuery query(box, box);
+    EXPECT_NEAR(query.distance(along(gap)).distance, gap, 1e-14);
+    EXPECT_FALSE(query.collide(along(1e-3 * gap)));
+    EXPECT_TRUE(query.collide(along(0.0)));
+    EXPECT_TRUE(query.collide(along(-1e-3 * gap)));
+    EXPECT_NEAR(query.distance(along(gap)).distance, gap, 1e-14);
+    EXPECT_EQ(query.distance(along(0.3 * gap), {.upper_bound = 0.2 * gap}).distance, 0.2 * gap);
+    EXPECT_FALSE(query.distance(along(0.3 * gap), {.upper_bound = 0.2 * gap}).found());
+    EXPECT_NEAR(query.distance(along(0.3 * gap), {.upper_bound = 0.4 * gap}).distance, 0.3 * gap, 1e-14);
+  }
+}
+
+TEST(PathQuery, aDistanceWithinAToleranceProvesThatMuchLess) {
+  const Bodies bodies;
+  std::mt19937_64 random(93);
+  int too_large = 0, meeting = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Pose pose = testing::randomPose(random, 2.5);
+    const Clearance exact = distance(bodies.fan, bodies.ring, pose);
+    PathQuery query(bodies.fan, bodies.ring);
+    const double found = query.distance(pose, {.tolerance = 0.3}).distance;
+    if (exact.distance == 0.0 || found < exact.distance + 0.02) continue;
+    ++too_large;
+    // Straight at the nearest point, a little farther than is free, but not as far as was said.
+    const Vec3 way = (exact.point_on_a - exact.point_on_b) * ((exact.distance + 0.01) / exact.distance);
+    const Pose nearer{pose.rotation, pose.translation + way};
+    const bool expected = collide(bodies.fan, bodies.ring, nearer).has_value();
+    ASSERT_EQ(query.collide(nearer).has_value(), expected) << i;
+    meeting += expected;
+  }
+  EXPECT_GT(too_large, 50);
+  EXPECT_GT(meeting, too_large / 2);
+}
+
 TEST(PathQuery, theOptionsHintServesTheFirstPoseAndAPairOutOfRangeNone) {
   const Bodies bodies;
   const Pose pose{Mat3::Identity(), Vec3(4, 0, 0)};
