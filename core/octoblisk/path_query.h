@@ -11,7 +11,8 @@ namespace octoblisk {
 
 /// Answers as `collide` and `distance` do, verdicts and distances alike, sooner where the poses are those of
 /// a fine path: it remembers the pair of triangles that was found last, and how far apart the bodies were.
-/// Which of several pairs is named may depend on the poses before.
+/// Which of several pairs is named may depend on the poses before, and so may the distance within the
+/// options' tolerance.
 ///
 /// Refers to the trees, which must outlive it. Costs no more to make than a copy of a few corners: one for
 /// each thread and path; the trees may be shared. Allocates nothing.

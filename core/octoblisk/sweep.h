@@ -35,8 +35,10 @@ struct TimeOfImpact {
 /// (1 + slack) · tolerance, or 0 where the bodies touch at the start, which gives fraction 0. For the
 /// rounding of poses and distances the tolerance is raised by 1e-12 of the scene's size.
 ///
-/// Ends after at most `max_steps` distances, and after lengthBound / (slack · tolerance) + 1 anyway: sliding
-/// along A just above the tolerance takes most. Allocates nothing.
+/// Ends after at most `max_steps` distances, and after lengthBound / (slack · tolerance) + 1 anyway. The
+/// bound on the speed knows no direction, so that sliding along A just above the tolerance takes most: a way
+/// of a thousand times the clearance, about as many. A free way of less than the clearance takes one.
+/// Allocates nothing.
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b, const Motion& b_in_a,
                                   double tolerance, const SweepOptions& options = {});
 
