@@ -1,5 +1,6 @@
 // octoblisk check: tells for each pose of a file whether two meshes collide, exactly.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,8 +17,8 @@
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "models/mesh_file.h"
-#include "octoblisk/collide.h"
 #include "report/progress_bar.h"
+#include "toolpath/pose_check.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -27,12 +29,15 @@ struct CheckRequest {
   std::string moving;
   std::string poses;
   std::string out;
+  PoseCheckOptions options;
 };
 
 struct CheckSummary {
   std::size_t poses = 0;
   std::size_t colliding = 0;
-  std::chrono::duration<double, std::micro> query_time{};  ///< of all queries together
+  std::size_t met_on_the_way = 0;                    ///< ways to a pose that come within the tolerance
+  std::size_t unsettled = 0;                         ///< of these, not proved either way
+  std::chrono::duration<double, std::micro> time{};  ///< of all answers together
 };
 
 ClusteredOctree readTree(const std::string& file) {
@@ -52,42 +57,82 @@ std::ofstream openResult(const CheckRequest& request) {
   return result;
 }
 
-CheckSummary checkPoses(const ClusteredOctree& fixed, const ClusteredOctree& moving,
-                        const std::vector<Pose>& poses, std::ostream& result) {
+/// A number so that it is read back as it is; nothing for none.
+std::string field(const std::optional<double>& value) {
+  if (!value) return ",";
+  std::ostringstream text;
+  text << ',' << std::setprecision(17) << *value;
+  return text.str();
+}
+
+void write(std::ostream& result, std::size_t pose, const PoseAnswer& answer,
+           const PoseCheckOptions& options) {
+  result << pose << ',' << (answer.touching ? '1' : '0') << ',';
+  if (answer.touching) result << answer.touching->a;
+  result << ',';
+  if (answer.touching) result << answer.touching->b;
+  if (options.clearance) result << field(answer.clearance);
+  if (options.depth) result << field(answer.depth);
+  if (options.continuous) {
+    result << field(answer.on_the_way ? std::optional(answer.on_the_way->fraction) : std::nullopt);
+  }
+  result << '\n';
+}
+
+CheckSummary checkPoses(PoseCheck& poses_check, const std::vector<Pose>& poses,
+                        const PoseCheckOptions& options, std::ostream& result) {
   using Clock = std::chrono::steady_clock;
+  constexpr std::size_t kAtOnce = 256;
   CheckSummary summary{poses.size()};
-  result << "pose,colliding,triangle_fixed,triangle_moving\n";
+  result << "pose,colliding,triangle_fixed,triangle_moving" << (options.clearance ? ",clearance" : "")
+         << (options.depth ? ",depth" : "") << (options.continuous ? ",fraction" : "") << '\n';
   ProgressBar progress(std::cerr, poses.size());
-  for (std::size_t index = 0; index < poses.size(); ++index) {
+  for (std::size_t begin = 0; begin < poses.size(); begin += kAtOnce) {
+    const std::size_t end = std::min(begin + kAtOnce, poses.size());
     const Clock::time_point start = Clock::now();
-    const std::optional<TrianglePair> pair = collide(fixed, moving, poses[index]);
-    summary.query_time += Clock::now() - start;
-    if (pair) {
-      ++summary.colliding;
-      result << index << ",1," << pair->a << ',' << pair->b << '\n';
-    } else {
-      result << index << ",0,,\n";
+    const std::vector<PoseAnswer> answers = poses_check.answer(poses, begin, end);
+    summary.time += Clock::now() - start;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const PoseAnswer& answer = answers[i];
+      write(result, begin + i, answer, options);
+      summary.colliding += answer.touching.has_value();
+      summary.met_on_the_way += answer.on_the_way.has_value();
+      summary.unsettled += answer.on_the_way && !answer.on_the_way->converged;
     }
-    progress.update(index + 1);
+    progress.update(end);
   }
   return summary;
+}
+
+/// Says which file cannot be asked for depths.
+PoseCheck poseCheck(const CheckRequest& request, const ClusteredOctree& fixed,
+                    const ClusteredOctree& moving) try {
+  return PoseCheck(fixed, moving, request.options);
+} catch (const std::invalid_argument& error) {
+  throw std::runtime_error(request.fixed + ": " + error.what());
 }
 
 CheckSummary check(const CheckRequest& request) {
   const std::vector<Pose> moving_in_fixed = readPoses(request.poses);
   const ClusteredOctree fixed = readTree(request.fixed);
   const ClusteredOctree moving = readTree(request.moving);
+  PoseCheck poses_check = poseCheck(request, fixed, moving);
   std::ofstream result = openResult(request);  // after all input is known to be good: it empties the file
-  const CheckSummary summary = checkPoses(fixed, moving, moving_in_fixed, result);
+  const CheckSummary summary = checkPoses(poses_check, moving_in_fixed, request.options, result);
   result.close();
   if (!result) throw std::runtime_error(request.out + ": cannot be written to its end");
   return summary;
 }
 
-void tell(const CheckSummary& summary) {
+void tell(const CheckSummary& summary, const PoseCheckOptions& options) {
   std::cout << summary.poses << " poses: " << summary.colliding << " colliding, "
-            << summary.poses - summary.colliding << " clear; " << std::fixed << std::setprecision(2)
-            << summary.query_time.count() / static_cast<double>(summary.poses) << " us per query\n";
+            << summary.poses - summary.colliding << " clear";
+  if (options.continuous) {
+    std::cout << "; of the ways between them " << summary.met_on_the_way << " come within "
+              << options.tolerance << ", " << summary.unsettled << " of these for want of a proof";
+  }
+  std::cout << "; " << std::fixed << std::setprecision(2)
+            << summary.time.count() / static_cast<double>(summary.poses) << " us a pose\n";
 }
 
 }  // namespace
@@ -95,9 +140,10 @@ void tell(const CheckSummary& summary) {
 void addCheckCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "check",
-      "Tell for each pose whether the surfaces of two meshes meet, exactly on their triangles.\n"
+      "Tell for each pose whether the surfaces of two meshes meet, exactly on their triangles; if asked,\n"
+      "how far apart or how deep in each other they are, and whether the ways between poses are free.\n"
       "Lengths are in mesh units: both meshes and the poses must share them. One mesh wholly inside\n"
-      "another does not meet it.");
+      "another does not meet it; its depth tells.");
   const auto request = std::make_shared<CheckRequest>();
   const std::string mesh_help = ", in mesh units: .stl, .obj or .ply";
   command.add_option("--fixed", request->fixed, "Mesh that stays" + mesh_help)->required()->check(notEmpty());
@@ -115,13 +161,34 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       .add_option(
           "-o,--out", request->out,
           "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
-          "of triangles that meet where colliding is 1")
+          "of triangles that meet where colliding is 1; then the columns of the options below")
       ->required()
       ->check(notEmpty());
+  PoseCheckOptions& options = request->options;
+  command.add_flag("--clearance", options.clearance,
+                   "Column clearance: the least distance of the surfaces, in mesh units; 0 where they meet");
+  command.add_flag(
+      "--depth", options.depth,
+      "Column depth: how deep the deepest point of one mesh lies inside the other, in mesh units, "
+      "to the tolerance. The fixed mesh must be closed; an open moving one counts as a surface");
+  command.add_flag("--continuous", options.continuous,
+                   "Column fraction: of the way from the pose before, straight and turning evenly, the part "
+                   "that is proved to keep the tolerance; empty where all of it does");
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "Of depths, and the distance that ways must keep, in mesh units. Ways that slide at little "
+                  "more than this take long to prove")
+      ->capture_default_str()
+      ->check(numberFrom(1e-9, 1e9));
+  command
+      .add_option("--threads", options.threads,
+                  "Threads; 0: all that the machine has. The answers are the same")
+      ->capture_default_str()
+      ->check(wholeNumberFrom(0, 1024));
   command.callback([request, &exit_code] {
     const CheckSummary summary = check(*request);
-    tell(summary);
-    exit_code = summary.colliding > 0 ? 1 : 0;
+    tell(summary, request->options);
+    exit_code = summary.colliding + summary.met_on_the_way > 0 ? 1 : 0;
   });
 }
 

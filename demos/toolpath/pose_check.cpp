@@ -1,0 +1,56 @@
+#include "toolpath/pose_check.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "octoblisk/batch.h"
+#include "octoblisk/parallel.h"
+
+namespace octoblisk::demos {
+
+PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving,
+                     const PoseCheckOptions& options)
+    : fixed_(fixed), moving_(moving), options_(options) {
+  if (!options.depth) return;
+  fixed_surface_ = std::make_unique<const Surface>(fixed);
+  moving_surface_ = std::make_unique<const Surface>(moving);
+  if (!fixed_surface_->isClosed()) {
+    throw std::invalid_argument("depths need a closed mesh, and this one has open edges");
+  }
+  depth_queries_.resize(static_cast<std::size_t>(threadCount(options.threads)));
+}
+
+PoseCheck::~PoseCheck() = default;
+
+std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size_t begin, std::size_t end) {
+  std::vector<PoseAnswer> answers(end - begin);
+  const std::span<const Pose> asked = poses.subspan(begin, end - begin);
+  const auto touching = collideAll(fixed_, moving_, asked, options_.threads);
+  for (std::size_t i = 0; i < answers.size(); ++i) answers[i].touching = touching[i];
+  if (options_.clearance) {
+    const auto clearances = distanceAll(fixed_, moving_, asked, {}, options_.threads);
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i].clearance = clearances[i].distance;
+  }
+  if (!options_.depth && !options_.continuous) return answers;
+  parallelFor(answers.size(), options_.threads == 0 ? threadCount(0) : options_.threads,
+              [&](std::size_t i, std::size_t worker) {
+                if (options_.depth) answers[i].depth = depthAt(asked[i], worker);
+                if (options_.continuous && begin + i > 0) {
+                  const Motion way(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
+                  answers[i].on_the_way = sweep(fixed_, moving_, way, options_.tolerance);
+                }
+              });
+  return answers;
+}
+
+double PoseCheck::depthAt(const Pose& moving_in_fixed, std::size_t worker) {
+  DepthQuery& query = depth_queries_[worker];
+  const double of_moving =
+      query.deepest(*fixed_surface_, *moving_surface_, moving_in_fixed, options_.tolerance).depth;
+  if (!moving_surface_->isClosed()) return of_moving;
+  const GougeDepth of_fixed =
+      query.deepest(*moving_surface_, *fixed_surface_, moving_in_fixed.inverse(), options_.tolerance);
+  return std::max(of_moving, of_fixed.depth);
+}
+
+}  // namespace octoblisk::demos

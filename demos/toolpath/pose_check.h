@@ -1,0 +1,51 @@
+// What is asked about each pose of one mesh against another: touch, clearance, depth, and the way between
+// poses.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "octoblisk/depth.h"
+#include "octoblisk/sweep.h"
+
+namespace octoblisk::demos {
+
+struct PoseCheckOptions {
+  bool clearance = false;
+  bool depth = false;
+  bool continuous = false;
+  double tolerance = 1e-3;  ///< mesh units, > 0: of depths, and of the distance that a way must keep
+  int threads = 0;          ///< 0: as many as the machine runs at once; the answers do not depend on it
+};
+
+struct PoseAnswer {
+  std::optional<TrianglePair> touching;  ///< a pair of triangles that meet: of the fixed and the moving mesh
+  std::optional<double> clearance;       ///< if asked for: the least distance, 0 where they touch
+  std::optional<double> depth;           ///< if asked for: how deep the deepest point of one is in the other
+  std::optional<TimeOfImpact> on_the_way;  ///< if asked for, of the way from the pose before: where it is met
+};
+
+/// Answers for poses of the moving mesh in the fixed one's frame, over threads.
+class PoseCheck {
+ public:
+  /// The trees must outlive it. Throws std::invalid_argument where depths are asked for and the fixed mesh is
+  /// not closed.
+  PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
+  ~PoseCheck();
+
+  /// For the poses [begin, end); the way to `begin` starts at the pose before it, where there is one.
+  std::vector<PoseAnswer> answer(std::span<const Pose> poses, std::size_t begin, std::size_t end);
+
+ private:
+  double depthAt(const Pose& moving_in_fixed, std::size_t worker);
+
+  const ClusteredOctree &fixed_, &moving_;
+  const PoseCheckOptions options_;
+  std::unique_ptr<const Surface> fixed_surface_, moving_surface_;
+  std::vector<DepthQuery> depth_queries_;  // one a thread
+};
+
+}  // namespace octoblisk::demos
