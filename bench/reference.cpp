@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "octoblisk/triangle_pair.h"
@@ -133,6 +134,20 @@ bool Reference::within(double reach, const TriangleMesh& belt, const Pose& belt_
     return found;
   });
   return found;
+}
+
+std::optional<double> Reference::distance(double farthest, const TriangleMesh& belt,
+                                          const Pose& belt_in_blisk) const {
+  constexpr double kFirstReach = 0.125;
+  for (double reach = std::min(kFirstReach, farthest);; reach = std::min(2.0 * reach, farthest)) {
+    double least = std::numeric_limits<double>::infinity();
+    forEachPair(reach, belt, belt_in_blisk, [&](const Triangle& of_blisk, const Triangle& of_belt) {
+      least = std::min(least, closestPoints(of_blisk, of_belt).distance);
+      return false;
+    });
+    if (least <= reach) return least;
+    if (reach == farthest) return std::nullopt;
+  }
 }
 
 const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses) {

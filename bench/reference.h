@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "octoblisk/contact.h"
@@ -24,6 +25,10 @@ class Reference {
 
   /// Whether some two triangles are no farther apart than `reach`.
   bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
+
+  /// The least distance of two triangles of two bodies that do not touch, by all pairs near enough to matter;
+  /// none where it is above `farthest`.
+  std::optional<double> distance(double farthest, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 
  private:
   using Cell = Eigen::Vector3i;

@@ -48,16 +48,17 @@ std::string textOf(const Row& value) {
 /// The first seven columns, which all rows of a task have.
 void printTable(const std::vector<Row>& rows) {
   constexpr std::size_t kColumns = 7;
+  constexpr int kWidth = 20;
   if (rows.empty()) return;
   std::size_t column = 0;
   for (const auto& item : rows.front().items()) {
-    if (column++ < kColumns) std::cout << std::left << std::setw(18) << item.key();
+    if (column++ < kColumns) std::cout << std::left << std::setw(kWidth) << item.key();
   }
   std::cout << '\n';
   for (const Row& row : rows) {
     column = 0;
     for (const auto& item : row.items()) {
-      if (column++ < kColumns) std::cout << std::left << std::setw(18) << textOf(item.value());
+      if (column++ < kColumns) std::cout << std::left << std::setw(kWidth) << textOf(item.value());
     }
     std::cout << '\n';
   }

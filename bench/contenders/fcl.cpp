@@ -2,7 +2,11 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 #include <fcl/narrowphase/distance.h>
+
+#include <array>
+#include <cstdint>
 
 #include "contender.h"
 
@@ -35,22 +39,82 @@ struct FclMesh {
   }
 };
 
-class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuery {
+/// The two models and a question to them.
+class FclPair {
  public:
-  explicit Fcl(const Scene& scene)
+  explicit FclPair(const Scene& scene)
       : blisk_(FclMesh(*scene.blisk).model()), belt_(FclMesh(*scene.belt).model()) {}
 
-  bool collides(const Pose& belt_in_blisk) override {
+  fcl::CollisionResultd collide(const Pose& belt_in_blisk, std::size_t most, bool with_points) const {
     fcl::CollisionResultd result;
-    ask(belt_in_blisk, fcl::CollisionRequestd(1, false), result);
-    return result.isCollision();
+    fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
+                 fcl::CollisionRequestd(most, with_points), result);
+    return result;
   }
 
-  /// A pair of triangles may have several contact points, one after the other.
+  const Model& blisk() const { return *blisk_; }
+  const Model& belt() const { return *belt_; }
+
+ private:
+  std::unique_ptr<Model> blisk_, belt_;
+};
+
+constexpr std::size_t kAll = 1'000'000;
+
+class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuery {
+ public:
+  explicit Fcl(const Scene& scene) : pair_(scene) {}
+
+  bool collides(const Pose& belt_in_blisk) override {
+    return pair_.collide(belt_in_blisk, 1, false).isCollision();
+  }
+
+  /// Without points, FCL makes one contact of each pair of triangles.
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    constexpr std::size_t kAll = 1'000'000;
-    fcl::CollisionResultd result;
-    ask(belt_in_blisk, fcl::CollisionRequestd(kAll, true), result);
+    return pair_.collide(belt_in_blisk, kAll, false).numContacts();
+  }
+
+  /// FCL keeps nothing from one call to the next and takes no pair to begin with, but it takes a distance
+  /// that only nearer pairs are of interest to: warm, that of the nearest pair of the call before.
+  double distance(const Pose& belt_in_blisk, bool warm) override {
+    const fcl::Transform3d pose = transformOf(belt_in_blisk);
+    fcl::DistanceRequestd request;  // exact, not signed
+    request.enable_nearest_points = false;
+    fcl::DistanceResultd result;
+    if (warm && blisk_triangle_ >= 0) result.min_distance = distanceOfNearestBefore(pose);
+    fcl::distance(&pair_.blisk(), fcl::Transform3d::Identity(), &pair_.belt(), pose, request, result);
+    if (result.b1 >= 0) {  // else none is nearer than the one before
+      blisk_triangle_ = result.b1;
+      belt_triangle_ = result.b2;
+    }
+    return result.min_distance;
+  }
+
+ private:
+  static std::array<fcl::Vector3d, 3> cornersOf(const Model& model, std::intptr_t triangle) {
+    const fcl::Triangle& corners = model.tri_indices[triangle];
+    return {model.vertices[corners[0]], model.vertices[corners[1]], model.vertices[corners[2]]};
+  }
+
+  double distanceOfNearestBefore(const fcl::Transform3d& pose) const {
+    fcl::Vector3d on_blisk, on_belt;
+    return fcl::detail::TriangleDistance<double>::triDistance(
+        cornersOf(pair_.blisk(), blisk_triangle_).data(), cornersOf(pair_.belt(), belt_triangle_).data(),
+        pose, on_blisk, on_belt);
+  }
+
+  FclPair pair_;
+  std::intptr_t blisk_triangle_ = -1, belt_triangle_ = -1;  // the nearest of the call before
+};
+
+/// With points, normals and depths.
+class FclPoints final : public ContactsQuery {
+ public:
+  explicit FclPoints(const Scene& scene) : pair_(scene) {}
+
+  /// A pair of triangles may have several points, one after the other.
+  std::size_t contacts(const Pose& belt_in_blisk) override {
+    const fcl::CollisionResultd result = pair_.collide(belt_in_blisk, kAll, true);
     std::size_t pairs = 0;
     for (std::size_t k = 0; k < result.numContacts(); ++k) {
       const bool again = k > 0 && result.getContact(k).b1 == result.getContact(k - 1).b1 &&
@@ -60,24 +124,8 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
     return pairs;
   }
 
-  /// FCL keeps nothing from one call to the next.
-  double distance(const Pose& belt_in_blisk, bool /*warm*/) override {
-    fcl::DistanceRequestd request;
-    request.enable_nearest_points = false;
-    request.rel_err = 0.0;
-    request.abs_err = 0.0;
-    fcl::DistanceResultd result;
-    return fcl::distance(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
-                         request, result);
-  }
-
  private:
-  void ask(const Pose& belt_in_blisk, const fcl::CollisionRequestd& request, fcl::CollisionResultd& result) {
-    fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk), request,
-                 result);
-  }
-
-  std::unique_ptr<Model> blisk_, belt_;
+  FclPair pair_;
 };
 
 class FclBuild final : public BuildQuery {
@@ -96,6 +144,7 @@ class FclBuild final : public BuildQuery {
 };
 
 const bool kRegistered = registerContender<Fcl, FclBuild>("fcl");
+const bool kPoints = registerContender<FclPoints>("fcl-points");
 
 }  // namespace
 }  // namespace octoblisk::bench

@@ -2,17 +2,17 @@
 #include <optional>
 
 #include "contender.h"
+#include "octoblisk/build_options.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
-#if __has_include("octoblisk/raycast.h")
+#include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
-#endif
 
 namespace octoblisk::bench {
 namespace {
 
-class OctoBlisk final : public CollideQuery, public ContactsQuery {
+class OctoBlisk final : public CollideQuery, public ContactsQuery, public DistanceQuery {
  public:
   explicit OctoBlisk(const Scene& scene)
       : blisk_(ClusteredOctree::build(scene.blisk)), belt_(ClusteredOctree::build(scene.belt)) {}
@@ -21,7 +21,31 @@ class OctoBlisk final : public CollideQuery, public ContactsQuery {
     return collide(blisk_, belt_, belt_in_blisk).has_value();
   }
 
-  /// With points, normals and depths.
+  std::size_t contacts(const Pose& belt_in_blisk) override {
+    touchingPairs(blisk_, belt_, belt_in_blisk, pairs_);
+    return pairs_.size();
+  }
+
+  double distance(const Pose& belt_in_blisk, bool warm) override {
+    DistanceOptions options;
+    if (warm) options.hint = nearest_;
+    const Clearance clearance = octoblisk::distance(blisk_, belt_, belt_in_blisk, options);
+    nearest_ = {clearance.triangle_a, clearance.triangle_b};
+    return clearance.distance;
+  }
+
+ private:
+  ClusteredOctree blisk_, belt_;
+  std::vector<TrianglePair> pairs_;
+  TrianglePair nearest_;  // of the call before
+};
+
+/// With points, normals and depths.
+class OctoBliskPoints final : public ContactsQuery {
+ public:
+  explicit OctoBliskPoints(const Scene& scene)
+      : blisk_(ClusteredOctree::build(scene.blisk)), belt_(ClusteredOctree::build(scene.belt)) {}
+
   std::size_t contacts(const Pose& belt_in_blisk) override {
     octoblisk::contacts(blisk_, belt_, belt_in_blisk, 0.0, found_);
     return found_.size();
@@ -32,7 +56,6 @@ class OctoBlisk final : public CollideQuery, public ContactsQuery {
   std::vector<Contact> found_;
 };
 
-#if __has_include("octoblisk/raycast.h")
 class OctoBliskRays final : public RayQuery {
  public:
   explicit OctoBliskRays(const Scene& scene) : blisk_(ClusteredOctree::build(scene.blisk)) {}
@@ -49,9 +72,6 @@ class OctoBliskRays final : public RayQuery {
  private:
   ClusteredOctree blisk_;
 };
-#else
-struct OctoBliskRays {};
-#endif
 
 class OctoBliskBuild : public BuildQuery {
  public:
@@ -70,7 +90,6 @@ class OctoBliskBuild : public BuildQuery {
   std::optional<ClusteredOctree> tree_;
 };
 
-#if __has_include("octoblisk/build_options.h")
 /// Registers a build by other options, as a contender of its own.
 bool registerBuild(const std::string& name, const BuildOptions& options) {
   Contender contender{.name = name};
@@ -82,9 +101,8 @@ bool registerBuild(const std::string& name, const BuildOptions& options) {
 
 const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
 const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
-#endif
-
 const bool kRegistered = registerContender<OctoBlisk, OctoBliskRays, OctoBliskBuild>(kOurs);
+const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
 
 }  // namespace
 }  // namespace octoblisk::bench
