@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -17,6 +19,7 @@
 #include "models/mesh_file.h"
 #include "octoblisk/contact.h"
 #include "shared/brute_force.h"
+#include "shared/meshes.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -213,6 +216,78 @@ TEST_F(CheckCommand, BruteForceOfTheTestItselfLooksAtEveryTriangle) {
   for (const Pose& pose : posesRoundBlades(3)) {
     EXPECT_EQ(pairsThatMeet(blisk, belt, pose), testing::bruteForcePairs(blisk, belt, pose));
   }
+}
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// Two boxes of edges 2 and 1, as OBJ files, and a way of the small one along x past and into the large one.
+void writeBoxes(const std::filesystem::path& folder) {
+  for (const auto& [name, half] : {std::pair("large", 1.0), std::pair("small", 0.5)}) {
+    writeMesh(folder / (std::string(name) + ".obj"), *octoblisk::testing::boxMesh({half, half, half}));
+  }
+}
+
+TEST_F(CheckCommand, TellsClearanceDepthAndTheWayBetween) {
+  writeBoxes(folder_.path());
+  // Apart by 1, by 0.25, in by 0.3, wholly inside, then through the large one to the other side at a stroke.
+  const std::string poses = kPoseHeader +
+                            "2.5,0,0,1,0,0,0\n1.75,0,0,1,0,0,0\n1.2,0,0,1,0,0,0\n0.1,0,0,1,0,0,0\n" +
+                            "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n";
+  folder_.write("poses.csv", poses);
+  const std::string arguments =
+      "check --fixed large.obj --moving small.obj --poses poses.csv --clearance --depth --continuous "
+      "--tolerance "
+      "0.001 --out ";
+  const Outcome one = run(arguments + "one.csv --threads 1");
+  EXPECT_EQ(one.exit_code, 1) << one.error;
+  EXPECT_EQ(run(arguments + "three.csv --threads 3").exit_code, 1);
+  EXPECT_EQ(textOf(folder_.path() / "one.csv"), textOf(folder_.path() / "three.csv"));
+
+  std::istringstream table(textOf(folder_.path() / "one.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "pose,colliding,triangle_fixed,triangle_moving,clearance,depth,fraction");
+  const auto nothing = std::numeric_limits<double>::quiet_NaN();
+  struct Row {
+    bool colliding;
+    double clearance, depth, fraction;
+  };
+  // The ways meet where the small box is within 0.001 … 0.001125 of the large one.
+  const std::vector<Row> expected = {{false, 1.0, 0.0, nothing},     {false, 0.25, 0.0, nothing},
+                                     {true, 0.0, 0.3, 0.249 / 0.55}, {false, 0.4, 0.6, 0.0},
+                                     {false, 1.0, 0.0, nothing},     {false, 1.0, 0.0, 0.999 / 5.0}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_TRUE(std::getline(table, line));
+    std::vector<std::string> fields;
+    std::istringstream rest(line + ",");
+    for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+    ASSERT_EQ(fields.size(), 7u) << line;
+    EXPECT_EQ(fields[1] == "1", expected[i].colliding) << line;
+    EXPECT_NEAR(std::stod(fields[4]), expected[i].clearance, 1e-9) << line;
+    EXPECT_NEAR(std::stod(fields[5]), expected[i].depth, 1e-3) << line;
+    if (i == 4) continue;  // out of the large box again: met on the way, wherever that is proved
+    EXPECT_EQ(fields[6].empty(), std::isnan(expected[i].fraction)) << line;
+    if (!fields[6].empty()) {
+      EXPECT_NEAR(std::stod(fields[6]), expected[i].fraction, 5e-4) << line;
+    }
+  }
+}
+
+TEST_F(CheckCommand, DepthsNeedAClosedMesh) {
+  writeBoxes(folder_.path());
+  writeMesh(folder_.path() / "sheet.obj", *octoblisk::testing::waveSheet(1, 0.1, 4));
+  folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
+  const Outcome outcome =
+      run("check --fixed sheet.obj --moving small.obj --poses poses.csv --depth --out out.csv");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("sheet.obj: depths need a closed mesh"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
+  EXPECT_EQ(
+      run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv").exit_code, 1);
 }
 
 TEST_F(CheckCommand, LeavesZeroForACleanPath) {
