@@ -36,6 +36,7 @@ std::optional<ClosestPoint> searchClosest(const ClusteredOctree& tree, const Vec
   const Vec3 local = point - tree.origin();
   const Eigen::Vector3f local_single = local.cast<float>();
   const double farthest = local.norm() + tree.radius();  // no triangle is farther
+  if (!(farthest <= kFarthest)) return std::nullopt;
   const double rounding = kTraversalRounding * farthest;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);

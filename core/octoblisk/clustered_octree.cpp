@@ -141,12 +141,12 @@ void ClusteredOctree::writeLeafVertices(std::uint32_t node) {
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     const Child leaf = nodes_[node].children[lane];
     if (!leaf.isLeaf()) continue;
-    const Obb frame = box({node, lane});
+    const Obb frame = localBox({node, lane});
     float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
     for (std::uint32_t i = 0; i < leaf.count(); ++i) {
       const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
       for (std::uint32_t v = 0; v < 3; ++v) {
-        const Vec3 corner = frame.axes.transpose() * (triangle[v] - frame.center);
+        const Vec3 corner = frame.axes.transpose() * (triangle[v] - origin_ - frame.center);
         for (std::uint32_t k = 0; k < 3; ++k) {
           row[(3 * v + k) * leaf.count() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
         }
@@ -155,9 +155,15 @@ void ClusteredOctree::writeLeafVertices(std::uint32_t node) {
   }
 }
 
-Obb ClusteredOctree::box(Slot slot) const {
+Obb ClusteredOctree::localBox(Slot slot) const {
   const BoxF box = boxes(slot).get(static_cast<int>(slot.lane));
-  return {box.center.cast<double>() + origin_, box.axes.cast<double>(), box.half_extents.cast<double>()};
+  return {box.center.cast<double>(), box.axes.cast<double>(), box.half_extents.cast<double>()};
+}
+
+Obb ClusteredOctree::box(Slot slot) const {
+  Obb box = localBox(slot);
+  box.center += origin_;
+  return box;
 }
 
 std::vector<Obb> ClusteredOctree::boxes(int depth) const {
@@ -194,9 +200,9 @@ void ClusteredOctree::validate() const {
       for (const std::uint32_t t : triangles(here)) {
         ++leaves_of_triangle[t];
         for (const Slot above : path) {
-          const Obb bounds = box(above);
+          const Obb bounds = localBox(above);
           for (const Vec3& vertex : mesh_->triangle(t)) {
-            if (!bounds.contains(vertex)) {
+            if (!bounds.contains(vertex - origin_)) {
               fail("box " + std::to_string(above.lane) + " of node " + std::to_string(above.node) +
                    " does not hold triangle " + std::to_string(t));
             }

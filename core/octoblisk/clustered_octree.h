@@ -102,6 +102,8 @@ class ClusteredOctree {
  private:
   ClusteredOctree() = default;
   void writeLeafVertices(std::uint32_t node);
+  /// box(slot) relative to the origin: exact, however far away that is.
+  Obb localBox(Slot slot) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Vec3 origin_ = Vec3::Zero();

@@ -15,7 +15,7 @@ void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose&
   const LocalPose pose(a, b, b_in_a);
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
-  const auto limit = [&] { return squaredLimit(nearest.bound(), pose.size); };
+  const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
   walkPairs(a, b, pose, bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const TriangleLanes triangles_of_b(leaves);
@@ -46,7 +46,7 @@ void searchConvex(const ClusteredOctree& a, const Obb& bounds_of_b, NearestToCon
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
   const auto limit = [&] { return squaredLimit(nearest.bound(), local.size); };
-  walkBox(a, local.box, bound, limit, [&](Child leaf) {
+  walkBox(a, local, bound, limit, [&](Child leaf) {
     for (const std::uint32_t triangle : a.triangles(leaf)) {
       if (nearest.offer(triangle)) return true;
     }

@@ -1,6 +1,7 @@
 #include "octoblisk/nearest.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "octoblisk/triangle_convex.h"
 #include "octoblisk/triangle_pair.h"
@@ -11,7 +12,8 @@ bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
   const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
   const bool meet = may_meet && intersects(triangle_a, triangle_b);
   const Contact contact = meet ? contactOf(triangle_a, triangle_b) : closestPoints(triangle_a, triangle_b);
-  const double distance = meet ? 0.0 : contact.distance;
+  // Rounding must not make one of two that do not meet.
+  const double distance = meet ? 0.0 : std::max(contact.distance, std::numeric_limits<double>::denorm_min());
   if (distance < best_.distance) {
     best_ = {distance, meet ? contact.point_on_b : contact.point_on_a, contact.point_on_b, pair.a, pair.b};
     bound_ = std::min(bound_, distance);

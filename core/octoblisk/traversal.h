@@ -34,7 +34,7 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
 
 /// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves of which no gap(boxes, box), nor one of the
 /// boxes above, is larger than limit(), which may shrink; the smallest gaps first. Returns true as soon as
-/// visit does, else false.
+/// visit does, else false. Where the pose is not finite, nothing is near.
 template <typename Gap, typename Limit, typename Visit>
 bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Gap&& gap,
                Limit&& limit, Visit&& visit) {
@@ -42,6 +42,7 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
     Slot a, b;
     float gap;
   };
+  if (!(pose.size <= kFarthest)) return false;
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
   const BoxF root = posed(pose.b_to_a, b.boxes(ClusteredOctree::kRoot), 0);
   forEachWithin(gap(a.boxes(ClusteredOctree::kRoot), root), limit(), [&](std::uint32_t lane, float found) {
@@ -87,11 +88,13 @@ bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const Loc
 
 /// The same for the leaves of one tree and a box in its local frame: visit(leaf).
 template <typename Gap, typename Limit, typename Visit>
-bool walkBox(const ClusteredOctree& tree, const BoxF& box, Gap&& gap, Limit&& limit, Visit&& visit) {
+bool walkBox(const ClusteredOctree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, Visit&& visit) {
   struct Entry {
     Slot slot;
     float gap;
   };
+  if (!(local.size <= kFarthest)) return false;
+  const BoxF& box = local.box;
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
   forEachWithin(gap(tree.boxes(ClusteredOctree::kRoot), box), limit(), [&](std::uint32_t lane, float found) {
     stack.pushSorted(0, {{0, lane}, found});

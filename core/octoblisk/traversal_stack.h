@@ -25,15 +25,17 @@ inline float traversalLimit(double reach, double size) {
 struct LocalPose {
   Pose exact;  ///< of B in A
   PoseF b_to_a, a_to_b;
-  double size;  ///< of both trees and the way between them, which sets the rounding
+  double size;     ///< of both trees and the way between them, which sets the rounding in single precision
+  double doubles;  ///< how far posed vertices may be off in double precision, of bodies far from an origin
 
   LocalPose(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a)
       : exact{b_in_a.rotation, b_in_a * b.origin() - a.origin()},
         b_to_a(exact),
         a_to_b(exact.inverse()),
-        size(exact.translation.norm() + a.radius() + b.radius()) {}
+        size(exact.translation.norm() + a.radius() + b.radius()),
+        doubles(0x1p-48 * (size + a.origin().norm() + b.origin().norm() + b_in_a.translation.norm())) {}
 
-  float limit(double reach) const { return traversalLimit(reach, size); }
+  float limit(double reach) const { return traversalLimit(reach + doubles, size); }
 };
 
 /// A box in a tree's local frame, and the size of tree, box and the way between them.

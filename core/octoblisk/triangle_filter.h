@@ -8,6 +8,7 @@
 #endif
 
 #include <bit>
+#include <cmath>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/simd.h"
@@ -45,7 +46,7 @@ class LeafPair {
     }
     size_ = boxes_a.largestHalfExtent(lane_a) + boxes_b.largestHalfExtent(lane_b) +
             std::max({std::abs(shift_[0]), std::abs(shift_[1]), std::abs(shift_[2])});
-    doubles_ = static_cast<float>(0x1p-50 * pose.size);
+    doubles_ = static_cast<float>(pose.doubles);
   }
 
   std::uint32_t countA() const { return leaf_a_.count(); }
@@ -76,6 +77,8 @@ class LeafPair {
 
   /// How far a corner of A and one of B may be off together, along each axis.
   float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
+  /// A power of two by which all lengths become about 1, whose powers neither overflow nor vanish.
+  float unit() const { return std::ldexp(1.0f, -std::ilogb(size_)); }
   /// How far a height over a triangle's plane may be off.
   float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 
@@ -95,6 +98,7 @@ class TriangleLanes {
     for (int v = 0; v < 3; ++v) edge_[v] = corner_[(v + 1) % 3] - corner_[v];
     normal_ = cross(edge_[0], corner_[2] - corner_[0]);
     normal_magnitude_ = sumOfMagnitudes(normal_);
+    unevenness_ = max(abs(dot(normal_, edge_[0])), abs(dot(normal_, edge_[2])));
     squared_edge_ = max(dot(edge_[0], edge_[0]), max(dot(edge_[1], edge_[1]), dot(edge_[2], edge_[2])));
   }
 
@@ -120,11 +124,12 @@ class TriangleLanes {
 
   unsigned lanes() const { return (1u << leaves_.countB()) - 1u; }
 
-  /// The corners of each triangle over the plane of the other, times the plane's normal.
+  /// The corners of each triangle over the plane of the other, times the plane's normal. The normal of a
+  /// sliver may be all rounding: by the unevenness its own corners are off the plane.
   struct Heights {
     Vec8 to[3];  // from the one's first corner to those of the eight
     Vec8 edge01, edge02;
-    Float8 normal_magnitude;
+    Float8 normal_magnitude, unevenness;
     Float8 of_eight[3], of_one[3];
 
     HWY_INLINE Heights(const TriangleLanes& eight, std::uint32_t i) {
@@ -133,6 +138,7 @@ class TriangleLanes {
       edge02 = eight.leaves_.cornerOfA(i, 2) - origin;
       const Vec8 normal = cross(edge01, edge02);
       normal_magnitude = sumOfMagnitudes(normal);
+      unevenness = max(abs(dot(normal, edge01)), abs(dot(normal, edge02)));
       for (int v = 0; v < 3; ++v) {
         to[v] = eight.corner_[v] - origin;
         of_eight[v] = dot(normal, to[v]);
@@ -145,8 +151,8 @@ class TriangleLanes {
     /// Those that one of the two planes parts by more than `reach`.
     HWY_INLINE unsigned apart(const TriangleLanes& eight, float reach) const {
       const Float8 zero(0.0f), part(reach), tiny(kTiny);
-      const Float8 slack = part * normal_magnitude + tiny,
-                   slack_of_eight = part * eight.normal_magnitude_ + tiny;
+      const Float8 slack = part * normal_magnitude + unevenness + tiny,
+                   slack_of_eight = part * eight.normal_magnitude_ + eight.unevenness_ + tiny;
       return less(slack, min(min(of_eight[0], of_eight[1]), of_eight[2])) |
              less(max(max(of_eight[0], of_eight[1]), of_eight[2]), zero - slack) |
              less(slack_of_eight, min(min(of_one[0], of_one[1]), of_one[2])) |
@@ -213,7 +219,7 @@ class TriangleLanes {
   }
 
   Vec8 corner_[3], edge_[3], normal_;
-  Float8 normal_magnitude_, squared_edge_;
+  Float8 normal_magnitude_, unevenness_, squared_edge_;
   const LeafPair& leaves_;
 };
 

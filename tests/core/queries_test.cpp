@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
+#include "octoblisk/distance.h"
 #include "octoblisk/triangle_convex.h"
 #include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
@@ -152,6 +154,76 @@ TEST(Queries, farFromTheOriginNothingIsMissed) {
   }
   EXPECT_GT(hits, 30);
   EXPECT_LT(hits, 70);
+}
+
+/// A sliver among other triangles, which is long, `thinness` of that wide, and along no axis, and a small
+/// triangle at it.
+struct SliverScene {
+  SharedMesh a, b;
+
+  SliverScene(std::mt19937_64& random, double thinness, double scale, const Vec3& away) {
+    const auto point = [&](double size) { return testing::randomPoint(random, size); };
+    std::vector<Vec3> corners_of_a(3), corners_of_b;
+    const Vec3 from = point(1.0), along = point(1.0);
+    const double part = testing::uniform(random, 0, 1);
+    corners_of_a = {from, from + along, from + part * along + thinness * point(1.0)};
+    for (int i = 0; i < 6; ++i) corners_of_a.push_back(point(1.0));
+    const double size = std::pow(10.0, testing::uniform(random, -4, 0));
+    const Vec3 at = from + testing::uniform(random, 0, 1) * along, one = point(size), other = point(size);
+    corners_of_b = {at - (one + other) * testing::uniform(random, -1, 1), at + one, at + other};
+    a = meshOf(corners_of_a, scale, away);
+    b = meshOf(corners_of_b, scale, away);
+  }
+
+ private:
+  static SharedMesh meshOf(const std::vector<Vec3>& corners, double scale, const Vec3& away) {
+    std::vector<Vec3> vertices;
+    std::vector<TriangleMesh::Indices> triangles;
+    for (const Vec3& corner : corners) vertices.push_back(scale * corner + away);
+    for (std::uint32_t v = 0; v < vertices.size(); v += 3) triangles.push_back({v, v + 1, v + 2});
+    return std::make_shared<const TriangleMesh>(vertices, triangles);
+  }
+};
+
+TEST(Queries, sliversOfAnySizeAreNotMissed) {
+  std::mt19937_64 random(23);
+  const Vec3 far(1e6, -7e5, 8e5);
+  int hits = 0, scenes = 0;
+  for (const auto& [scale, away] : {std::pair(1.0, Vec3(0, 0, 0)), {1e-6, Vec3(0, 0, 0)}, {1e-6, far}}) {
+    for (const double thinness : {1e-2, 1e-4, 1e-6, 1e-8, 0.0}) {
+      for (int i = 0; i < 300; ++i, ++scenes) {
+        const SliverScene scene(random, thinness, scale, away);
+        const ClusteredOctree a = ClusteredOctree::build(scene.a, {.threads = 1});
+        const ClusteredOctree b = ClusteredOctree::build(scene.b, {.threads = 1});
+        ASSERT_NO_THROW(a.validate());
+        const auto expected = testing::bruteForcePairs(*scene.a, *scene.b, Pose{});
+        hits += !expected.empty();
+        std::vector<TrianglePair> found;
+        touchingPairs(a, b, Pose{}, found);
+        ASSERT_EQ(found, expected) << scale << ' ' << away.x() << ' ' << thinness << ' ' << i;
+        ASSERT_EQ(collide(a, b, Pose{}).has_value(), !expected.empty());
+        ASSERT_EQ(distance(a, b, Pose{}).distance == 0.0, !expected.empty());
+      }
+    }
+  }
+  EXPECT_GT(hits, 0.3 * scenes);
+  EXPECT_LT(hits, 0.7 * scenes);
+}
+
+TEST(Queries, posesThatAreNotFiniteMeetNothing) {
+  const ClusteredOctree torus = ClusteredOctree::build(testing::torus(3, 1, 32, 16));
+  Pose turned;
+  turned.rotation(0, 1) = std::nan("");
+  const auto moved = [](double x) { return Pose{Mat3::Identity(), Vec3(x, 0, 0)}; };
+  for (const Pose& pose : {turned, moved(std::nan("")), moved(HUGE_VAL), moved(1e39)}) {
+    std::vector<TrianglePair> pairs;
+    std::vector<Contact> found;
+    EXPECT_FALSE(collide(torus, torus, pose));
+    touchingPairs(torus, torus, pose, pairs);
+    contacts(torus, torus, pose, 0.1, found);
+    EXPECT_TRUE(pairs.empty() && found.empty());
+    EXPECT_FALSE(distance(torus, torus, pose).found());
+  }
 }
 
 }  // namespace
