@@ -24,16 +24,13 @@ void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose&
       unsigned left = near.boundsWithin(i, static_cast<float>(nearest.bound()));
       if (left == 0) continue;
       const auto verdicts = triangles_of_b.meet(i);
-      const auto [distance, excess] = near.distances(i);
+      const auto [least, most] = near.distances(i);
       for (; left != 0; left &= left - 1) {
         const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
         const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
         const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
         const bool done =
-            may_meet
-                ? nearest.offer(pair, true)
-                : nearest.consider(pair, double(distance[j]) - double(excess[j]) - double(near.rounding()),
-                                   double(distance[j]) + double(near.rounding()));
+            may_meet ? nearest.offer(pair, true) : nearest.consider(pair, double(least[j]), double(most[j]));
         if (done) return true;
       }
     }

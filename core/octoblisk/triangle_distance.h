@@ -33,6 +33,7 @@ HWY_INLINE Float8 squaredSegmentDistance(const Vec8& u, const Vec8& v, const Vec
 struct Corners8 {
   Vec8 corner[3], edge[3], normal;
   Float8 squared[3];  // of the edges
+  Float8 longest;     // squared edge
   Float8 squared_normal;
   Float8 thin;  ///< above 0 for triangles too thin to have a normal: no more than this wide
 
@@ -44,7 +45,7 @@ struct Corners8 {
     }
     normal = cross(edge[0], edge[1]);
     squared_normal = dot(normal, normal);
-    const Float8 longest = max(squared[0], max(squared[1], squared[2]));
+    longest = max(squared[0], max(squared[1], squared[2]));
     constexpr float kThin = 0x1p-10f;  // of sin²
     thin = select(squared_normal, Float8(kThin) * longest * longest + Float8(0x1p-100f),
                   Float8(0x1p-4f) * sqrt(longest) + Float8(0x1p-100f), Float8(0.0f));
@@ -65,14 +66,11 @@ HWY_INLINE Float8 squaredFaceDistance(const Vec8& point, const Corners8& face) {
 /// The triangles of B's leaf, to be found near those of A.
 class NearTriangles {
  public:
-  HWY_INLINE explicit NearTriangles(const LeafPair& leaves) : leaves_(leaves) {
+  HWY_INLINE explicit NearTriangles(const LeafPair& leaves) : leaves_(leaves), unit_(leaves.unit()) {
     for (std::uint32_t v = 0; v < 3; ++v) corner_[v] = leaves.cornersOfB(v);
     low_ = min(corner_[0], min(corner_[1], corner_[2]));
     high_ = max(corner_[0], max(corner_[1], corner_[2]));
   }
-
-  /// How far a distance may be off.
-  HWY_INLINE float rounding() const { return leaves_.planeRounding(); }
 
   /// Those whose bounds are no farther than `limit` from the bounds of triangle i of A.
   HWY_INLINE unsigned boundsWithin(std::uint32_t i, float limit) const {
@@ -81,20 +79,21 @@ class NearTriangles {
                high = max(corner[0], max(corner[1], corner[2]));
     const Float8 zero(0.0f);
     const Vec8 apart = max(Vec8(zero, zero, zero), max(low_ - high, low - high_));
-    const float reach = limit + rounding();
+    const float reach = limit + leaves_.planeRounding();
     return lanes() & ~less(Float8(reach * reach), dot(apart, apart));
   }
 
   struct Distances {
-    float distance[kLanes];  ///< no less than the true one, but for rounding
-    float excess[kLanes];    ///< and no more than this above it
+    float least[kLanes], most[kLanes];  ///< the true one is between
   };
 
   /// The distances from triangle i of A to those that do not meet it.
   HWY_INLINE Distances distances(std::uint32_t i) const {
-    const Vec8 corners_of_one[3] = {leaves_.cornerOfA(i, 0), leaves_.cornerOfA(i, 1),
-                                    leaves_.cornerOfA(i, 2)};
-    const Corners8 one(corners_of_one), eight(corner_);
+    const Float8 unit(unit_);
+    const Vec8 corners_of_one[3] = {leaves_.cornerOfA(i, 0) * unit, leaves_.cornerOfA(i, 1) * unit,
+                                    leaves_.cornerOfA(i, 2) * unit};
+    const Vec8 corners_of_eight[3] = {corner_[0] * unit, corner_[1] * unit, corner_[2] * unit};
+    const Corners8 one(corners_of_one), eight(corners_of_eight);
     Float8 least(1e38f);
     for (int v = 0; v < 3; ++v) {
       for (int w = 0; w < 3; ++w) {
@@ -104,9 +103,14 @@ class NearTriangles {
       least = min(least,
                   min(squaredFaceDistance(one.corner[v], eight), squaredFaceDistance(eight.corner[v], one)));
     }
+    // Of segments all but parallel, rounding moves the closest points along them, at worst where the sine is
+    // about its root: a unit in the last place of the square of their length is lost then, times 60.
+    const Float8 lost = Float8(0x1p-18f) * max(one.longest, eight.longest);
+    const Float8 rounding(leaves_.planeRounding()), size(1.0f / unit_);
     Distances result;
-    sqrt(least).store(result.distance);
-    max(one.thin, eight.thin).store(result.excess);
+    ((sqrt(max(least - lost, Float8(0.0f))) - max(one.thin, eight.thin)) * size - rounding)
+        .store(result.least);
+    (sqrt(least) * size + rounding).store(result.most);
     return result;
   }
 
@@ -114,6 +118,7 @@ class NearTriangles {
   unsigned lanes() const { return (1u << leaves_.countB()) - 1u; }
 
   const LeafPair& leaves_;
+  const float unit_;
   Vec8 corner_[3], low_, high_;
 };
 

@@ -95,6 +95,52 @@ TEST(Distance, ofBoxesIsTheClosedForm) {
   }
 }
 
+TEST(Distance, ofBodiesOfAnySize_vs_bruteforce) {
+  std::mt19937_64 random(72);
+  for (const double scale : {1e-12, 1e-8, 1e-7, 1e-6, 1e6, 1e9, 1e11}) {
+    const auto scaled = [&](const testing::SharedMesh& mesh) {
+      std::vector<Vec3> vertices;
+      for (const Vec3& vertex : mesh->vertices()) vertices.push_back(scale * vertex);
+      return std::make_shared<const TriangleMesh>(vertices, mesh->triangles());
+    };
+    const auto a = scaled(testing::soup(random, 100, 1, 0.4)), b = scaled(testing::torus(1, 0.3, 16, 8));
+    const ClusteredOctree tree_a = ClusteredOctree::build(a), tree_b = ClusteredOctree::build(b);
+    for (int i = 0; i < 40; ++i) {
+      Pose pose = testing::randomPose(random, 2.0);
+      pose.translation = scale * (pose.translation + pose.translation.normalized());
+      const double expected = bruteForceDistance(*a, *b, pose);
+      ASSERT_NEAR(distance(tree_a, tree_b, pose).distance, expected, 1e-12 * scale) << scale << ' ' << i;
+    }
+  }
+}
+
+/// Two triangles that are nearest where long edges pass each other at a small angle.
+TEST(Distance, ofEdgesAllButParallel_vs_bruteforce) {
+  std::mt19937_64 random(73);
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<Vec3> of_a, of_b;
+    const Vec3 along = testing::randomPoint(random, 1.0).normalized();
+    const Vec3 across = along.unitOrthogonal();
+    const Vec3 turned = (along + testing::uniform(random, 0, 2e-3) * testing::randomPoint(random, 1.0));
+    for (int t = 0; t < 4; ++t) {
+      const Vec3 at = t * Vec3(1e-6, 2e-6, -1e-6), gap = across * testing::uniform(random, 2e-5, 2e-4);
+      for (const double end : {-testing::uniform(random, 0, 1), testing::uniform(random, 0, 1)}) {
+        of_a.push_back(at + end * along);
+        of_b.push_back(at + gap + end * turned);
+      }
+      of_a.push_back(at - across + testing::randomPoint(random, 0.7));
+      of_b.push_back(at + gap + across + testing::randomPoint(random, 0.7));
+    }
+    const std::vector<TriangleMesh::Indices> triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}};
+    const auto a = std::make_shared<const TriangleMesh>(of_a, triangles);
+    const auto b = std::make_shared<const TriangleMesh>(of_b, triangles);
+    const ClusteredOctree tree_a = ClusteredOctree::build(a, {.threads = 1});
+    const ClusteredOctree tree_b = ClusteredOctree::build(b, {.threads = 1});
+    const double expected = bruteForceDistance(*a, *b, Pose{});
+    ASSERT_NEAR(distance(tree_a, tree_b, Pose{}).distance, expected, 1e-12) << i;
+  }
+}
+
 TEST(Distance, farFromTheOriginAndFarApart) {
   const auto mesh = testing::torus(2, 0.7, 18, 9);
   const ClusteredOctree tree = ClusteredOctree::build(mesh);
