@@ -17,19 +17,22 @@ void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Po
   const float reach = pose.limit(threshold);
   traversePairs(a, b, pose, threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    const TriangleLanes triangles_of_b(leaves);
-    for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
-      const std::uint32_t triangle_a = leaves.triangleA(i);
-      for (unsigned near = triangles_of_b.near(i, reach); near != 0; near &= near - 1) {
-        const std::uint32_t triangle_b = leaves.triangleB(static_cast<std::uint32_t>(std::countr_zero(near)));
-        Contact contact = contactOf(a.mesh().triangle(triangle_a), b_in_a * b.mesh().triangle(triangle_b));
-        if (contact.distance > threshold) continue;
-        contact.triangle_a = triangle_a;
-        contact.triangle_b = triangle_b;
-        found.push_back(contact);
-      }
-    }
-    return false;
+    return leaves.forEachNear(
+        [&] { return reach + leaves.coordinateRounding(); },
+        [&](std::uint32_t i, unsigned near) HWY_ATTR {
+          const std::uint32_t triangle_a = leaves.triangleA(i);
+          for (near = TriangleLanes(leaves).within(reach, i, near); near != 0; near &= near - 1) {
+            const std::uint32_t triangle_b =
+                leaves.triangleB(static_cast<std::uint32_t>(std::countr_zero(near)));
+            Contact contact =
+                contactOf(a.mesh().triangle(triangle_a), b_in_a * b.mesh().triangle(triangle_b));
+            if (contact.distance > threshold) continue;
+            contact.triangle_a = triangle_a;
+            contact.triangle_b = triangle_b;
+            found.push_back(contact);
+          }
+          return false;
+        });
   });
 }
 

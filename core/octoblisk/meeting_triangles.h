@@ -22,18 +22,19 @@ bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, cons
   const LocalPose pose(a, b, b_in_a);
   return traversePairs(a, b, pose, 0.0, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    const TriangleLanes triangles_of_b(leaves);
-    for (std::uint32_t i = 0; i < leaves.countA(); ++i) {
-      const auto verdicts = triangles_of_b.meet(i);
-      for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
-        const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
-        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-        const bool open = (verdicts.open >> j & 1u) != 0;
-        if (open && !intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
-        if (visit(pair)) return true;
-      }
-    }
-    return false;
+    return leaves.forEachNear(
+        [&] { return leaves.coordinateRounding(); },
+        [&](std::uint32_t i, unsigned near) HWY_ATTR {
+          const auto verdicts = TriangleLanes(leaves).meet(i, near);
+          for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+            const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+            const bool open = (verdicts.open >> j & 1u) != 0;
+            if (open && !intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
+            if (visit(pair)) return true;
+          }
+          return false;
+        });
   });
 }
 

@@ -7,94 +7,17 @@
 #define OCTOBLISK_TRIANGLE_FILTER_H
 #endif
 
-#include <bit>
-#include <cmath>
-
-#include "octoblisk/clustered_octree.h"
-#include "octoblisk/simd.h"
-#include "octoblisk/traversal_stack.h"
+#include "octoblisk/leaf_pair.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
-
-/// Two leaves close to each other, in the frame of A's leaf, where boxes are tight and single precision goes
-/// a long way.
-class LeafPair {
- public:
-  HWY_INLINE LeafPair(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Slot slot_a,
-                      Slot slot_b)
-      : a_(a), b_(b), leaf_a_(a.child(slot_a)), leaf_b_(b.child(slot_b)) {
-    const Box8 &boxes_a = a.boxes(slot_a), &boxes_b = b.boxes(slot_b);
-    const std::uint32_t lane_a = slot_a.lane, lane_b = slot_b.lane;
-    double between[3];  // of the centres, in A's local frame
-    for (int i = 0; i < 3; ++i) {
-      between[i] = pose.exact.translation[i] - double(boxes_a.center[i][lane_a]);
-      for (int k = 0; k < 3; ++k) between[i] += pose.exact.rotation(i, k) * double(boxes_b.center[k][lane_b]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      const float x = boxes_a.axes[0][i][lane_a], y = boxes_a.axes[1][i][lane_a],
-                  z = boxes_a.axes[2][i][lane_a];
-      shift_[i] = x * static_cast<float>(between[0]) + y * static_cast<float>(between[1]) +
-                  z * static_cast<float>(between[2]);
-      const auto& rotation = pose.b_to_a.rotation;
-      float turned[3];
-      for (int k = 0; k < 3; ++k) turned[k] = x * rotation(0, k) + y * rotation(1, k) + z * rotation(2, k);
-      for (int j = 0; j < 3; ++j) {
-        rotation_[i][j] = turned[0] * boxes_b.axes[0][j][lane_b] + turned[1] * boxes_b.axes[1][j][lane_b] +
-                          turned[2] * boxes_b.axes[2][j][lane_b];
-      }
-    }
-    size_ = boxes_a.largestHalfExtent(lane_a) + boxes_b.largestHalfExtent(lane_b) +
-            std::max({std::abs(shift_[0]), std::abs(shift_[1]), std::abs(shift_[2])});
-    doubles_ = static_cast<float>(pose.doubles);
-  }
-
-  std::uint32_t countA() const { return leaf_a_.count(); }
-  std::uint32_t countB() const { return leaf_b_.count(); }
-  std::uint32_t triangleA(std::uint32_t i) const { return a_.triangles(leaf_a_)[i]; }
-  std::uint32_t triangleB(std::uint32_t j) const { return b_.triangles(leaf_b_)[j]; }
-
-  /// Corner v of triangle i of A, the same in all lanes.
-  HWY_INLINE Vec8 cornerOfA(std::uint32_t i, std::uint32_t v) const {
-    const float* x = a_.leafVertices(leaf_a_) + 3 * v * countA() + i;
-    return {Float8(x[0]), Float8(x[countA()]), Float8(x[2 * countA()])};
-  }
-
-  /// Corner v of the triangles of B; lanes beyond their count hold anything.
-  HWY_INLINE Vec8 cornersOfB(std::uint32_t v) const {
-    const float* x = b_.leafVertices(leaf_b_) + 3 * v * countB();
-    const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
-    const auto along = [&](int i) HWY_ATTR {
-      return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
-             Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]);
-    };
-    return {along(0), along(1), along(2)};
-  }
-
-  // In units in the last place of the size, with half diagonals below 1.74 half extents: the axes of a box
-  // are orthonormal but for 4; a corner of A is off by that and 1; one of B by 4 and 1, the product of three
-  // rotations 16, the products 2, their sums 3, the shift 8.
-
-  /// How far a corner of A and one of B may be off together, along each axis.
-  float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
-  /// A power of two by which all lengths become about 1, whose powers neither overflow nor vanish.
-  float unit() const { return std::ldexp(1.0f, -std::ilogb(size_)); }
-  /// How far a height over a triangle's plane may be off.
-  float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
-
- private:
-  const ClusteredOctree &a_, &b_;
-  const Child leaf_a_, leaf_b_;
-  float rotation_[3][3], shift_[3];
-  float size_, doubles_;
-};
 
 /// The triangles of B's leaf with what all tests of them need.
 class TriangleLanes {
  public:
   /// The triangles of B.
   HWY_INLINE explicit TriangleLanes(const LeafPair& leaves) : leaves_(leaves) {
-    for (std::uint32_t v = 0; v < 3; ++v) corner_[v] = leaves.cornersOfB(v);
+    for (std::uint32_t v = 0; v < 3; ++v) corner_[v] = leaves.cornerOfB(v);
     for (int v = 0; v < 3; ++v) edge_[v] = corner_[(v + 1) % 3] - corner_[v];
     normal_ = cross(edge_[0], corner_[2] - corner_[0]);
     normal_magnitude_ = sumOfMagnitudes(normal_);
@@ -107,22 +30,20 @@ class TriangleLanes {
     unsigned open;  ///< bit i: too close to call; all others do not meet
   };
 
-  /// The verdicts on triangle i of A.
-  HWY_INLINE Verdicts meet(std::uint32_t i) const {
+  /// The verdicts on triangle i of A and those of `near`.
+  HWY_INLINE Verdicts meet(std::uint32_t i, unsigned near) const {
     const Heights heights(*this, i);
-    const unsigned open = lanes() & ~heights.apart(*this, leaves_.planeRounding());
+    const unsigned open = near & ~heights.apart(*this, leaves_.planeRounding());
     return open == 0 ? Verdicts{0, 0} : piercing(heights, open);
   }
 
-  /// Those that may be within `reach` of triangle i of A.
-  HWY_INLINE unsigned near(std::uint32_t i, float reach) const {
-    return lanes() & ~Heights(*this, i).apart(*this, reach + leaves_.planeRounding());
+  /// Those of `near` that may be within `reach` of triangle i of A.
+  HWY_INLINE unsigned within(float reach, std::uint32_t i, unsigned near) const {
+    return near & ~Heights(*this, i).apart(*this, reach + leaves_.planeRounding());
   }
 
  private:
   static constexpr float kTiny = 1e-37f;  // more than denormal numbers can err
-
-  unsigned lanes() const { return (1u << leaves_.countB()) - 1u; }
 
   /// The corners of each triangle over the plane of the other, times the plane's normal. The normal of a
   /// sliver may be all rounding: by the unevenness its own corners are off the plane.
@@ -172,9 +93,7 @@ class TriangleLanes {
         max(max(squared_edge_, max(dot(one_edge[0], one_edge[0]),
                                    max(dot(one_edge[1], one_edge[1]), dot(one_edge[2], one_edge[2])))),
             max(dot(to[0], to[0]), max(dot(to[1], to[1]), dot(to[2], to[2]))));
-    const Float8 slack =
-        (Float8(18.0f * leaves_.coordinateRounding()) + Float8(0x1p-20f) * sqrt(squared)) * squared +
-        Float8(kTiny);
+    const Float8 slack = Float8(19.0f * leaves_.coordinateRounding()) * squared + Float8(kTiny);
     const Float8 minus_slack = zero - slack;
 
     // Which triangles each edge passes on one hand, for certain and perhaps: [0] left, [1] right.
