@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,17 +14,24 @@
 
 namespace octoblisk::bench {
 
-/// Whether the belt touches the blisk.
-class CollideQuery {
+/// A question about one pose.
+class PoseQuery {
  public:
-  virtual ~CollideQuery() = default;
-  virtual bool collides(const Pose& belt_in_blisk) = 0;
+  virtual ~PoseQuery() = default;
+  /// How many tests the answer takes, and the bytes they read, by name; empty where the library does not tell.
+  virtual std::map<std::string, double> cost(const Pose&) const { return {}; }
+};
+
+/// Whether the belt touches the blisk.
+class CollideQuery : public PoseQuery {
+ public:
+  /// If `warm`, the pose is one step from that of the call before.
+  virtual bool collides(const Pose& belt_in_blisk, bool warm) = 0;
 };
 
 /// Everything that touches.
-class ContactsQuery {
+class ContactsQuery : public PoseQuery {
  public:
-  virtual ~ContactsQuery() = default;
   /// The number of pairs of triangles that meet, or of what the library reports in their place.
   virtual std::size_t contacts(const Pose& belt_in_blisk) = 0;
   /// Whether `contacts` counts pairs of triangles, all of them. If not, only "none or some" is compared.
@@ -39,9 +47,8 @@ class RayQuery {
 };
 
 /// How far apart they are.
-class DistanceQuery {
+class DistanceQuery : public PoseQuery {
  public:
-  virtual ~DistanceQuery() = default;
   /// Of two that do not touch. If `warm`, what the call before found may be of use.
   virtual double distance(const Pose& belt_in_blisk, bool warm) = 0;
 };

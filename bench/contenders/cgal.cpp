@@ -27,7 +27,7 @@ class Cgal final : public CollideQuery {
     belt_id_ = detection_.add_mesh(belt_);
   }
 
-  bool collides(const Pose& belt_in_blisk) override {
+  bool collides(const Pose& belt_in_blisk, bool) override {
     const Mat3& r = belt_in_blisk.rotation;
     const Vec3& t = belt_in_blisk.translation;
     detection_.set_transformation(

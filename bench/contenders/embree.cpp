@@ -101,7 +101,7 @@ class Embree final : public CollideQuery, public ContactsQuery {
         blisk_(device_, *scene.blisk, RTC_BUILD_QUALITY_MEDIUM),
         belt_(device_, *scene.belt, RTC_BUILD_QUALITY_REFIT) {}
 
-  bool collides(const Pose& belt_in_blisk) override { return ask(belt_in_blisk, true) > 0; }
+  bool collides(const Pose& belt_in_blisk, bool) override { return ask(belt_in_blisk, true) > 0; }
   std::size_t contacts(const Pose& belt_in_blisk) override { return ask(belt_in_blisk, false); }
 
  private:

@@ -65,7 +65,7 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
  public:
   explicit Fcl(const Scene& scene) : pair_(scene) {}
 
-  bool collides(const Pose& belt_in_blisk) override {
+  bool collides(const Pose& belt_in_blisk, bool) override {
     return pair_.collide(belt_in_blisk, 1, false).isCollision();
   }
 

@@ -1,5 +1,7 @@
 // Our own: the clustered octree.
+#include <map>
 #include <optional>
+#include <string>
 
 #include "contender.h"
 #include "octoblisk/build_options.h"
@@ -7,52 +9,110 @@
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
+#include "octoblisk/path_query.h"
+#include "octoblisk/query_cost.h"
 #include "octoblisk/raycast.h"
 
 namespace octoblisk::bench {
 namespace {
 
-class OctoBlisk final : public CollideQuery, public ContactsQuery, public DistanceQuery {
- public:
-  explicit OctoBlisk(const Scene& scene)
-      : blisk_(ClusteredOctree::build(scene.blisk)), belt_(ClusteredOctree::build(scene.belt)) {}
+std::map<std::string, double> named(const QueryCost& cost, const ClusteredOctree& a,
+                                    const ClusteredOctree& b) {
+  return {{"box_tests", static_cast<double>(cost.box_tests)},
+          {"leaf_pairs", static_cast<double>(cost.leaf_pairs)},
+          {"triangle_tests", static_cast<double>(cost.triangle_tests)},
+          {"exact_tests", static_cast<double>(cost.exact_tests)},
+          {"bytes", static_cast<double>(cost.bytes(a, b))}};
+}
 
-  bool collides(const Pose& belt_in_blisk) override {
-    return collide(blisk_, belt_, belt_in_blisk).has_value();
+/// The two trees that all questions are about.
+struct Trees {
+  explicit Trees(const Scene& scene)
+      : blisk(ClusteredOctree::build(scene.blisk)), belt(ClusteredOctree::build(scene.belt)) {}
+
+  ClusteredOctree blisk, belt;
+};
+
+/// Along a path by the query made for paths, else pose by pose.
+class OctoBliskCollide final : public CollideQuery {
+ public:
+  explicit OctoBliskCollide(const Scene& scene) : trees_(scene), along_path_(trees_.blisk, trees_.belt) {}
+
+  bool collides(const Pose& belt_in_blisk, bool warm) override {
+    return warm ? along_path_.collide(belt_in_blisk).has_value()
+                : collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();
   }
+
+ private:
+  Trees trees_;
+  PathQuery along_path_;
+};
+
+/// Each pose by itself, on a path as well.
+class OctoBliskCold final : public CollideQuery {
+ public:
+  explicit OctoBliskCold(const Scene& scene) : trees_(scene) {}
+
+  bool collides(const Pose& belt_in_blisk, bool) override {
+    return collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();
+  }
+  std::map<std::string, double> cost(const Pose& belt_in_blisk) const override {
+    return named(costOfCollide(trees_.blisk, trees_.belt, belt_in_blisk), trees_.blisk, trees_.belt);
+  }
+
+ private:
+  Trees trees_;
+};
+
+class OctoBliskPairs final : public ContactsQuery {
+ public:
+  explicit OctoBliskPairs(const Scene& scene) : trees_(scene) {}
 
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    touchingPairs(blisk_, belt_, belt_in_blisk, pairs_);
+    touchingPairs(trees_.blisk, trees_.belt, belt_in_blisk, pairs_);
     return pairs_.size();
   }
+  std::map<std::string, double> cost(const Pose& belt_in_blisk) const override {
+    return named(costOfTouchingPairs(trees_.blisk, trees_.belt, belt_in_blisk), trees_.blisk, trees_.belt);
+  }
+
+ private:
+  Trees trees_;
+  std::vector<TrianglePair> pairs_;
+};
+
+class OctoBliskDistance final : public DistanceQuery {
+ public:
+  explicit OctoBliskDistance(const Scene& scene) : trees_(scene) {}
 
   double distance(const Pose& belt_in_blisk, bool warm) override {
     DistanceOptions options;
     if (warm) options.hint = nearest_;
-    const Clearance clearance = octoblisk::distance(blisk_, belt_, belt_in_blisk, options);
+    const Clearance clearance = octoblisk::distance(trees_.blisk, trees_.belt, belt_in_blisk, options);
     nearest_ = {clearance.triangle_a, clearance.triangle_b};
     return clearance.distance;
   }
+  std::map<std::string, double> cost(const Pose& belt_in_blisk) const override {
+    return named(costOfDistance(trees_.blisk, trees_.belt, belt_in_blisk), trees_.blisk, trees_.belt);
+  }
 
  private:
-  ClusteredOctree blisk_, belt_;
-  std::vector<TrianglePair> pairs_;
+  Trees trees_;
   TrianglePair nearest_;  // of the call before
 };
 
 /// With points, normals and depths.
 class OctoBliskPoints final : public ContactsQuery {
  public:
-  explicit OctoBliskPoints(const Scene& scene)
-      : blisk_(ClusteredOctree::build(scene.blisk)), belt_(ClusteredOctree::build(scene.belt)) {}
+  explicit OctoBliskPoints(const Scene& scene) : trees_(scene) {}
 
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    octoblisk::contacts(blisk_, belt_, belt_in_blisk, 0.0, found_);
+    octoblisk::contacts(trees_.blisk, trees_.belt, belt_in_blisk, 0.0, found_);
     return found_.size();
   }
 
  private:
-  ClusteredOctree blisk_, belt_;
+  Trees trees_;
   std::vector<Contact> found_;
 };
 
@@ -101,7 +161,10 @@ bool registerBuild(const std::string& name, const BuildOptions& options) {
 
 const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
 const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
-const bool kRegistered = registerContender<OctoBlisk, OctoBliskRays, OctoBliskBuild>(kOurs);
+const bool kRegistered =
+    registerContender<OctoBliskCollide, OctoBliskPairs, OctoBliskDistance, OctoBliskRays, OctoBliskBuild>(
+        kOurs);
+const bool kCold = registerContender<OctoBliskCold>("octoblisk-cold");
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
 
 }  // namespace

@@ -63,7 +63,7 @@ class Ode final : public CollideQuery, public ContactsQuery {
     belt_.build();
   }
 
-  bool collides(const Pose& belt_in_blisk) override {
+  bool collides(const Pose& belt_in_blisk, bool) override {
     return ask(belt_in_blisk, 1 | static_cast<int>(CONTACTS_UNIMPORTANT)) > 0;
   }
 

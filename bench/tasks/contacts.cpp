@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "mean_cost.h"
 #include "reference.h"
 #include "timed_task.h"
 
@@ -20,12 +21,15 @@ Trial prepare(const Scene& scene, const Contender& contender) {
     differences += query->countsPairs() ? found != pairs : (found > 0) != (pairs > 0);
   }
   const double pairs = std::accumulate(truth.touching_pairs.begin(), truth.touching_pairs.end(), 0.0);
-  return {.questions = scene.path.size(),
-          .ask = [query, &scene](std::size_t k) { benchmark::DoNotOptimize(query->contacts(scene.path[k])); },
-          .differences = differences,
-          .counters = {{"hit_rate", truth.hit_rate},
-                       {"pairs_a_pose", pairs / static_cast<double>(scene.path.size())},
-                       {"counts_pairs", query->countsPairs()}}};
+  Trial trial{
+      .questions = scene.path.size(),
+      .ask = [query, &scene](std::size_t k) { benchmark::DoNotOptimize(query->contacts(scene.path[k])); },
+      .differences = differences,
+      .counters = {{"hit_rate", truth.hit_rate},
+                   {"pairs_a_pose", pairs / static_cast<double>(scene.path.size())},
+                   {"counts_pairs", query->countsPairs()}}};
+  trial.counters.merge(meanCost(*query, scene.path));
+  return trial;
 }
 
 }  // namespace

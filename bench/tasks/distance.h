@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "mean_cost.h"
 #include "reference.h"
 #include "timed_task.h"
 
@@ -72,7 +73,7 @@ inline TimedTask distanceTask(const std::string& name, bool warm) {
     }
     std::vector<double> sorted = distances.truth;
     std::ranges::sort(sorted);
-    return Trial{
+    Trial trial{
         .questions = distances.poses.size(),
         .ask = [query, warm, &distances](
                    std::size_t k) { benchmark::DoNotOptimize(query->distance(distances.poses[k], warm)); },
@@ -80,6 +81,8 @@ inline TimedTask distanceTask(const std::string& name, bool warm) {
         .counters = {{"by_reference", static_cast<double>(distances.by_reference)},
                      {"median_distance", sorted[sorted.size() / 2]},
                      {"greatest_distance", sorted.back()}}};
+    trial.counters.merge(meanCost(*query, distances.poses));
+    return trial;
   };
   return {name, [](const Contender& contender) { return static_cast<bool>(contender.distance); }, prepare};
 }

@@ -50,6 +50,11 @@ struct Slot {
   std::uint32_t node, lane;
 };
 
+/// A node of each of two trees: what hangs from them. By default the whole trees.
+struct NodePair {
+  std::uint32_t a = 0, b = 0;
+};
+
 class ClusteredOctree {
  public:
   struct alignas(64) Node {

@@ -9,11 +9,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
 
-std::optional<TrianglePair> firstPair(const ClusteredOctree& a, const ClusteredOctree& b,
-                                      const Pose& b_in_a) {
-  std::optional<TrianglePair> hit;
-  forEachMeetingPair(a, b, b_in_a, [&](TrianglePair pair) {
-    hit = pair;
+std::optional<Meeting> firstPair(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                                 NodePair below) {
+  std::optional<Meeting> hit;
+  forEachMeetingPair(a, b, b_in_a, below, [&](TrianglePair pair, NodePair nodes) {
+    hit = {pair, nodes};
     return true;
   });
   return hit;
@@ -21,7 +21,7 @@ std::optional<TrianglePair> firstPair(const ClusteredOctree& a, const ClusteredO
 
 void allPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
               std::vector<TrianglePair>& found) {
-  forEachMeetingPair(a, b, b_in_a, [&](TrianglePair pair) {
+  forEachMeetingPair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair) {
     found.push_back(pair);
     return false;
   });
@@ -41,8 +41,14 @@ namespace octoblisk {
 HWY_EXPORT(firstPair);
 HWY_EXPORT(allPairs);
 
+std::optional<Meeting> collideBelow(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                                    NodePair below) {
+  return HWY_DYNAMIC_DISPATCH(firstPair)(a, b, b_in_a, below);
+}
+
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
-  return HWY_DYNAMIC_DISPATCH(firstPair)(a, b, b_in_a);
+  const std::optional<Meeting> hit = collideBelow(a, b, b_in_a, NodePair());
+  return hit ? std::optional(hit->pair) : std::nullopt;
 }
 
 void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,

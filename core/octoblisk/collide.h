@@ -15,6 +15,16 @@ namespace octoblisk {
 /// mesh wholly inside another does not touch it. Allocates nothing.
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
 
+/// Two triangles that meet, and the nodes whose leaves they are in.
+struct Meeting {
+  TrianglePair pair;
+  NodePair nodes;
+};
+
+/// The same for what hangs from a node of each tree alone: where the bodies met a moment ago, say.
+std::optional<Meeting> collideBelow(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                                    NodePair below);
+
 /// Replaces `found` by all pairs of triangles that meet, by ascending indices. Where `found` has the room,
 /// allocates nothing.
 void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,

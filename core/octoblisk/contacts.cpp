@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "octoblisk/traversal.h"
+#include "octoblisk/triangle_distance.h"
 #include "octoblisk/triangle_filter.h"
 #include "octoblisk/triangle_pair.h"
 
@@ -14,25 +15,31 @@ namespace octoblisk::HWY_NAMESPACE {
 void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
                     std::vector<Contact>& found) {
   const LocalPose pose(a, b, b_in_a);
-  const float reach = pose.limit(threshold);
-  traversePairs(a, b, pose, threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+  const float limit = pose.limit(threshold);
+  traversePairs(a, b, pose, NodePair(), threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    return leaves.forEachNear(
-        [&] { return reach + leaves.coordinateRounding(); },
-        [&](std::uint32_t i, unsigned near) HWY_ATTR {
-          const std::uint32_t triangle_a = leaves.triangleA(i);
-          for (near = TriangleLanes(leaves).within(reach, i, near); near != 0; near &= near - 1) {
-            const std::uint32_t triangle_b =
-                leaves.triangleB(static_cast<std::uint32_t>(std::countr_zero(near)));
-            Contact contact =
-                contactOf(a.mesh().triangle(triangle_a), b_in_a * b.mesh().triangle(triangle_b));
-            if (contact.distance > threshold) continue;
-            contact.triangle_a = triangle_a;
-            contact.triangle_b = triangle_b;
-            found.push_back(contact);
-          }
-          return false;
-        });
+    const TriangleLanes triangles_of_b(leaves);
+    const auto reach = [&] { return limit + leaves.coordinateRounding(); };
+    return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
+      near = triangles_of_b.within(limit, i, near);
+      if (near == 0) return false;
+      const auto [meet, open] = triangles_of_b.meet(i, near);
+      unsigned apart = near & ~(meet | open);
+      if (apart != 0) apart &= threshold > 0.0 ? TriangleDistances(leaves).from(i).within(limit) : 0u;
+      const Triangle triangle_a = a.mesh().triangle(leaves.triangleA(i));
+      for (unsigned left = meet | open | apart; left != 0; left &= left - 1) {
+        const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+        const Triangle triangle_b = b_in_a * b.mesh().triangle(leaves.triangleB(j));
+        Contact contact = (meet >> j & 1u) != 0   ? meetingContact(triangle_a, triangle_b)
+                          : (open >> j & 1u) != 0 ? contactOf(triangle_a, triangle_b)
+                                                  : closestPoints(triangle_a, triangle_b);
+        if (contact.distance > threshold) continue;
+        contact.triangle_a = leaves.triangleA(i);
+        contact.triangle_b = leaves.triangleB(j);
+        found.push_back(contact);
+      }
+      return false;
+    });
   });
 }
 

@@ -31,10 +31,13 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
   for (std::size_t i = 0; i < 3; ++i) {
     size = std::max({size, of[i].cwiseAbs().maxCoeff(), by[i].cwiseAbs().maxCoeff()});
   }
-  const double slack = 1e-14 * size;
   std::array<Vec3, 8> polygon = {of[0], of[1], of[2]};
   std::size_t count = 3;
-  if (length > 1e-12 * (by[1] - by[0]).norm() * (by[2] - by[0]).norm()) {  // else keep all
+  // The thinner the triangle, the more its normal is off by rounding.
+  const double squared_edge =
+      std::max({(by[1] - by[0]).squaredNorm(), (by[2] - by[1]).squaredNorm(), (by[0] - by[2]).squaredNorm()});
+  if (length > 1e-12 * squared_edge) {  // else keep all
+    const double slack = 1e-14 * size * (1.0 + squared_edge / length);
     const Vec3 normal = scaled / length;
     clip(polygon, count, normal, by[0] - slack * normal);
     clip(polygon, count, -normal, by[0] + slack * normal);
@@ -80,11 +83,8 @@ double leastMean(std::span<const double> first, std::span<const double> second) 
 
 double levelMean(std::span<const double> a, std::span<const double> b, std::span<const double> c) {
   const double none = std::numeric_limits<double>::infinity();
-  Vec3 weights;
-  {
-    const Vec3 first(a[1] - a[0], b[1] - b[0], c[1] - c[0]), second(a[2] - a[0], b[2] - b[0], c[2] - c[0]);
-    weights = first.cross(second);
-  }
+  const Vec3 first(a[1] - a[0], b[1] - b[0], c[1] - c[0]), second(a[2] - a[0], b[2] - b[0], c[2] - c[0]);
+  Vec3 weights = first.cross(second);
   const double sum = weights.sum();
   if (sum == 0.0) return none;
   weights /= sum;

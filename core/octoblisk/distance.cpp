@@ -4,40 +4,13 @@
 #define HWY_TARGET_INCLUDE "octoblisk/distance.cpp"
 #include <hwy/foreach_target.h>
 
-#include "octoblisk/nearest.h"
-#include "octoblisk/traversal.h"
-#include "octoblisk/triangle_distance.h"
-#include "octoblisk/triangle_filter.h"
+#include "octoblisk/nearest_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
 
 void searchPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, Nearest& nearest) {
-  const LocalPose pose(a, b, b_in_a);
-  const auto bound = [](const Box8& boxes, const BoxF& box)
-                         HWY_ATTR { return squaredDistanceBound(boxes, box); };
-  const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
-  walkPairs(a, b, pose, bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
-    const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    const TriangleDistances distances(leaves);
-    const TriangleLanes triangles_of_b(leaves);
-    const auto reach = [&] { return static_cast<float>(nearest.bound()) + leaves.planeRounding(); };
-    return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
-      near = triangles_of_b.within(reach(), i, near);
-      if (near == 0) return false;
-      const auto verdicts = triangles_of_b.meet(i, near);
-      const auto [least, most] = distances.from(i);
-      for (; near != 0; near &= near - 1) {
-        const auto j = static_cast<std::uint32_t>(std::countr_zero(near));
-        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-        const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
-        const bool done =
-            may_meet ? nearest.offer(pair, true) : nearest.consider(pair, double(least[j]), double(most[j]));
-        if (done) return true;
-      }
-      return false;
-    });
-  });
+  searchNearest(a, b, b_in_a, nearest);
 }
 
 void searchConvex(const ClusteredOctree& a, const Obb& bounds_of_b, NearestToConvex& nearest) {

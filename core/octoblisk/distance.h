@@ -21,8 +21,9 @@ struct Clearance {
 };
 
 struct DistanceOptions {
-  /// Only what is nearer than this is looked for; where nothing is, the distance is proved to be at least
-  /// this, and it is what the clearance says, without triangles. Stops as soon as that is proved.
+  /// Only what is nearer than this is looked for; where nothing is found, the distance is proved to be at
+  /// least this, less the tolerance, and it is what the clearance says, without triangles. Stops as soon as
+  /// that is proved.
   double upper_bound = std::numeric_limits<double>::infinity();
   /// The distance may be too large by this much: > 0 ends sooner. 0: exact, to the rounding of the closest
   /// points of two triangles.

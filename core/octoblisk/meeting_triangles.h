@@ -7,6 +7,7 @@
 #endif
 
 #include "octoblisk/contact.h"
+#include "octoblisk/query_cost.h"
 #include "octoblisk/traversal.h"
 #include "octoblisk/triangle_filter.h"
 #include "octoblisk/triangle_pair.h"
@@ -14,28 +15,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::HWY_NAMESPACE {
 
-/// Calls visit(pair) for every pair of triangles that meet: by the filter where it is sure, else by the exact
-/// test. Returns true as soon as visit does, else false.
-template <typename Visit>
+/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet, and the two nodes whose
+/// leaves they are in: by the filter where it is sure, else by the exact test. Returns true as soon as visit
+/// does, else false.
+template <typename Visit, typename Tally = NoTally>
 bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                        Visit&& visit) {
+                        NodePair below, Visit&& visit, Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
-  return traversePairs(a, b, pose, 0.0, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
-    const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    return leaves.forEachNear(
-        [&] { return leaves.coordinateRounding(); },
-        [&](std::uint32_t i, unsigned near) HWY_ATTR {
+  const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
+    tally.boxTest();
+    return widestGap(boxes, box);
+  };
+  return walkPairs(
+      a, b, pose, below, gap, [limit = pose.limit(0.0)] { return limit; },
+      [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        tally.leafPair();
+        const LeafPair leaves(a, b, pose, slot_a, slot_b);
+        const auto reach = [&] { return leaves.coordinateRounding(); };
+        return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
+          tally.triangleTest();
           const auto verdicts = TriangleLanes(leaves).meet(i, near);
           for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
             const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-            const bool open = (verdicts.open >> j & 1u) != 0;
-            if (open && !intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
-            if (visit(pair)) return true;
+            if ((verdicts.open >> j & 1u) != 0) {
+              tally.exactTest();
+              if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
+            }
+            if (visit(pair, NodePair{slot_a.node, slot_b.node})) return true;
           }
           return false;
         });
-  });
+      });
 }
 
 }  // namespace octoblisk::HWY_NAMESPACE

@@ -1,7 +1,8 @@
 #include "octoblisk/nearest.h"
 
 #include <algorithm>
-#include <limits>
+#include <cassert>
+#include <cmath>
 
 #include "octoblisk/triangle_convex.h"
 #include "octoblisk/triangle_pair.h"
@@ -9,11 +10,12 @@
 namespace octoblisk {
 
 bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
+  ++measured_;
   const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
   const bool meet = may_meet && intersects(triangle_a, triangle_b);
-  const Contact contact = meet ? contactOf(triangle_a, triangle_b) : closestPoints(triangle_a, triangle_b);
-  // Rounding must not make one of two that do not meet.
-  const double distance = meet ? 0.0 : std::max(contact.distance, std::numeric_limits<double>::denorm_min());
+  const Contact contact =
+      meet ? meetingContact(triangle_a, triangle_b) : closestPoints(triangle_a, triangle_b);
+  const double distance = meet ? 0.0 : contact.distance;
   if (distance < best_.distance) {
     best_ = {distance, meet ? contact.point_on_b : contact.point_on_a, contact.point_on_b, pair.a, pair.b};
     bound_ = std::min(bound_, distance);
@@ -22,6 +24,7 @@ bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
 }
 
 bool Nearest::consider(const TrianglePair& pair, double least, double most) {
+  assert(!std::isnan(least) && !std::isnan(most));
   if (least > bound()) return false;
   bound_ = std::min(bound_, most);
   if (count_ == candidates_.size()) {

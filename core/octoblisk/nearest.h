@@ -40,6 +40,9 @@ class Nearest {
   /// The nearest of all.
   Clearance settled();
 
+  /// How many pairs were measured in double precision.
+  std::size_t measured() const { return measured_; }
+
  private:
   struct Candidate {
     double least;
@@ -54,6 +57,7 @@ class Nearest {
   Clearance best_;
   std::array<Candidate, 64> candidates_;
   std::size_t count_ = 0;
+  std::size_t measured_ = 0;
 };
 
 /// The triangle of a mesh that is nearest to a convex body.

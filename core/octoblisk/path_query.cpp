@@ -9,16 +9,22 @@ namespace octoblisk {
 PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), hold_of_b_(b) {}
 
 std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
-  if (met_ && intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
-    return witness_;
-  met_ = false;
-  if (provedBeyond(0.0, b_in_a)) return std::nullopt;
-  const std::optional<TrianglePair> found = octoblisk::collide(*a_, *b_, b_in_a);
-  if (found) {
-    witness_ = *found;
-    met_ = true;
+  if (met_) {
+    if (intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
+      return witness_;
+    if (meetBelow(b_in_a, nodes_)) return witness_;
   }
-  return found;
+  met_ = !provedBeyond(0.0, b_in_a) && meetBelow(b_in_a, NodePair());
+  return met_ ? std::optional(witness_) : std::nullopt;
+}
+
+/// Looks for a pair that meets below two nodes, and keeps it.
+bool PathQuery::meetBelow(const Pose& b_in_a, NodePair below) {
+  const std::optional<Meeting> hit = collideBelow(*a_, *b_, b_in_a, below);
+  if (!hit) return false;
+  witness_ = hit->pair;
+  nodes_ = hit->nodes;
+  return true;
 }
 
 Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options) {

@@ -20,7 +20,8 @@ class PathQuery {
  public:
   PathQuery(const ClusteredOctree& a, const ClusteredOctree& b);
 
-  /// A pair of triangles that meet, or none. The pair that met at the pose before is tested first, exactly.
+  /// A pair of triangles that meet, or none. The pair that met at the pose before is tested first, then the
+  /// triangles around it.
   /// Where the last distance less the way that B's points went since is above 0, nothing more is looked at.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
@@ -30,11 +31,13 @@ class PathQuery {
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
  private:
+  bool meetBelow(const Pose& b_in_a, NodePair below);
   bool provedBeyond(double distance, const Pose& b_in_a) const;
 
   const ClusteredOctree *a_, *b_;
   Hold hold_of_b_;
   TrianglePair witness_;
+  NodePair nodes_;    // whose leaves the witness is in, or near
   bool met_ = false;  // the witness, at the pose before
   // At this pose, the distance was proved to be no less than this.
   Pose proof_pose_;

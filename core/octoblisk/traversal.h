@@ -32,22 +32,26 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   }
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves of which no gap(boxes, box), nor one of the
-/// boxes above, is larger than limit(), which may shrink; the smallest gaps first. Returns true as soon as
-/// visit does, else false. Where the pose is not finite, nothing is near.
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes of which no gap(boxes, box),
+/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first. Returns
+/// true as soon as visit does, else false. Where the pose is not finite, nothing is near.
 template <typename Gap, typename Limit, typename Visit>
-bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Gap&& gap,
-               Limit&& limit, Visit&& visit) {
+bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
+               Gap&& gap, Limit&& limit, Visit&& visit) {
   struct Entry {
     Slot a, b;
     float gap;
   };
   if (!(pose.size <= kFarthest)) return false;
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
-  const BoxF root = posed(pose.b_to_a, b.boxes(ClusteredOctree::kRoot), 0);
-  forEachWithin(gap(a.boxes(ClusteredOctree::kRoot), root), limit(), [&](std::uint32_t lane, float found) {
-    stack.pushSorted(0, {{0, lane}, ClusteredOctree::kRoot, found});
-  });
+  for (std::uint32_t lane_b = 0; lane_b < kLanes; ++lane_b) {
+    const Slot slot_b{below.b, lane_b};
+    if (b.child(slot_b).isEmpty()) break;
+    const BoxF box = posed(pose.b_to_a, b.boxes(slot_b), lane_b);
+    forEachWithin(gap(a.nodes()[below.a].boxes, box), limit(), [&](std::uint32_t lane_a, float found) {
+      stack.pushSorted(0, {{below.a, lane_a}, slot_b, found});
+    });
+  }
   while (!stack.empty()) {
     const Entry pair = stack.pop();
     if (pair.gap > limit()) continue;
@@ -76,14 +80,15 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
   return false;
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves whose boxes, and all boxes above, may be within
-/// `reach` of each other, those that overlap most first. Returns true as soon as visit does, else false.
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes whose boxes, and all boxes
+/// between, may be within `reach` of each other, those that overlap most first. Returns true as soon as visit
+/// does, else false.
 template <typename Visit>
-bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, double reach,
-                   Visit&& visit) {
+bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
+                   double reach, Visit&& visit) {
   const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   return walkPairs(
-      a, b, pose, gap, [limit = pose.limit(reach)] { return limit; }, visit);
+      a, b, pose, below, gap, [limit = pose.limit(reach)] { return limit; }, visit);
 }
 
 /// The same for the leaves of one tree and a box in its local frame: visit(leaf).

@@ -50,8 +50,8 @@ struct LocalBox {
   }
 };
 
-/// The walk's to-do list. One entry is taken and at most eight are put for it, and each has a box less above
-/// its leaves: this never overflows.
+/// The walk's to-do list. It begins with at most eight times eight entries; then one is taken and at most
+/// eight are put for it, and each has a box less above its leaves: this never overflows.
 template <typename Entry, int kLevels>
 class TraversalStack {
  public:
@@ -69,7 +69,7 @@ class TraversalStack {
   std::size_t size() const { return count_; }
 
  private:
-  std::array<Entry, (kLanes - 1) * kLevels + 1> entries_;
+  std::array<Entry, (kLanes - 1) * kLevels + kLanes * kLanes> entries_;
   std::size_t count_ = 0;
 };
 

@@ -83,6 +83,11 @@ class TriangleDistances {
 
   struct Distances {
     float least[kLanes], most[kLanes];  ///< the true one is between
+
+    /// Bit j: distance j may be within the limit.
+    HWY_INLINE unsigned within(float limit) const {
+      return kAllLanes & ~less(Float8(limit), Float8::load(least));
+    }
   };
 
   /// From triangle i of A to those that do not meet it.

@@ -219,15 +219,17 @@ Contact closestPoints(const Triangle& a, const Triangle& b) {
   if (!(distance > 0.0)) normal = scaledNormal(b);
   if (!(normal.squaredNorm() > 0.0)) normal = -scaledNormal(a);
   if (!(normal.squaredNorm() > 0.0)) normal = Vec3::UnitX();
-  return {best.on_a, best.on_b, unit(normal), distance, kNoTriangle, kNoTriangle};
+  // Rounding must not make two that do not meet touch.
+  return {best.on_a,    best.on_b,
+          unit(normal), std::max(distance, std::numeric_limits<double>::denorm_min()),
+          kNoTriangle,  kNoTriangle};
 }
 
 Contact contactOf(const Triangle& a, const Triangle& b) {
-  if (!intersects(a, b)) {
-    Contact apart = closestPoints(a, b);
-    apart.distance = std::max(apart.distance, std::numeric_limits<double>::denorm_min());
-    return apart;
-  }
+  return intersects(a, b) ? meetingContact(a, b) : closestPoints(a, b);
+}
+
+Contact meetingContact(const Triangle& a, const Triangle& b) {
   const std::optional<Penetration> below_a = penetration(a, b), below_b = penetration(b, a);
   if (below_a && (!below_b || below_a->depth <= below_b->depth)) {
     return {below_a->deepest + below_a->depth * below_a->normal,

@@ -1,0 +1,42 @@
+// What a query looks at on its way to the answer: the work, beside which its time can be judged.
+#pragma once
+
+#include <cstddef>
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk {
+
+struct QueryCost {
+  std::size_t box_tests = 0;       ///< of up to eight boxes against one
+  std::size_t leaf_pairs = 0;      ///< whose boxes may be near enough
+  std::size_t triangle_tests = 0;  ///< of one triangle against up to eight
+  std::size_t exact_tests = 0;     ///< of two triangles, in double precision
+
+  void boxTest() { ++box_tests; }
+  void leafPair() { ++leaf_pairs; }
+  void triangleTest() { ++triangle_tests; }
+  void exactTest() { ++exact_tests; }
+
+  /// The bytes of the trees that these tests read at least, repeated ones counted again.
+  std::size_t bytes(const ClusteredOctree& a, const ClusteredOctree& b) const;
+};
+
+/// Counts nothing and costs nothing.
+struct NoTally {
+  void boxTest() const {}
+  void leafPair() const {}
+  void triangleTest() const {}
+  void exactTest() const {}
+};
+
+/// The cost of collide(a, b, b_in_a).
+QueryCost costOfCollide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
+
+/// The cost of touchingPairs(a, b, b_in_a, ...).
+QueryCost costOfTouchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
+
+/// The cost of distance(a, b, b_in_a).
+QueryCost costOfDistance(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
+
+}  // namespace octoblisk

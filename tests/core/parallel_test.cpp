@@ -1,0 +1,44 @@
+// Loops over threads: every index once, and what is thrown in one reaches the caller.
+#include "octoblisk/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace octoblisk {
+namespace {
+
+TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {
+  for (const int threads : {1, 2, 5}) {
+    std::vector<std::atomic<int>> visits(1000);
+    std::atomic<bool> worker_is_known = true;
+    parallelFor(visits.size(), threads, [&](std::size_t index, std::size_t worker) {
+      ++visits[index];
+      if (worker >= static_cast<std::size_t>(threads)) worker_is_known = false;
+    });
+    for (const std::atomic<int>& count : visits) ASSERT_EQ(count, 1);
+    EXPECT_TRUE(worker_is_known);
+  }
+}
+
+TEST(ParallelFor, throwsWhatABodyThrew) {
+  for (const int threads : {1, 4}) {
+    std::atomic<int> visits = 0;
+    try {
+      parallelFor(100000, threads, [&](std::size_t index, std::size_t) {
+        ++visits;
+        if (index == 17) throw std::runtime_error("at " + std::to_string(index));
+      });
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "at 17");
+    }
+    EXPECT_LT(visits, 100000);  // the rest is not begun
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
