@@ -13,6 +13,10 @@ namespace octoblisk {
 /// segment or a point, too.
 Vec3 closestPoint(const Triangle& triangle, const Vec3& point);
 
+inline double distance(const Triangle& triangle, const Vec3& point) {
+  return (closestPoint(triangle, point) - point).norm();
+}
+
 struct ClosestPoint {
   Vec3 point = Vec3::Zero();  ///< on the mesh
   double distance = std::numeric_limits<double>::infinity();

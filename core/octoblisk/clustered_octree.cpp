@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "octoblisk/huge_pages.h"
 #include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
 
@@ -112,11 +113,13 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
   constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());
   const auto has_children = [](const PartitionNode& node) { return node.child_count > 0; };
-  tree.nodes_.reserve(1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
+  reserveOnHugePages(
+      tree.nodes_, 1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
   tree.nodes_.emplace_back();
   NodeWriter writer(partition, static_cast<float>(kRounding * tree.radius_ + kSmallest), tree.nodes_);
   writer.write(0, kRoot, 1);
 
+  reserveOnHugePages(tree.leaf_vertices_, 9 * tree.triangle_order_.size() + kLanes);
   tree.leaf_vertices_.resize(9 * tree.triangle_order_.size() + kLanes);
   parallelFor(tree.nodes_.size(), threadCount(options.threads), [&](std::size_t node, std::size_t) {
     tree.writeLeafVertices(static_cast<std::uint32_t>(node));

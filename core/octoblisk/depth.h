@@ -47,6 +47,7 @@ class DepthQuery {
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
  private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
   enum class Side : std::uint8_t { unknown, outside, inside, on_surface };
   enum class Mark : std::uint8_t { none, crossing, inside };
 

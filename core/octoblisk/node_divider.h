@@ -27,7 +27,7 @@ struct Cut {
 };
 
 /// Divides the triangles of a node, the widest cluster first, until there are eight, or none has more than
-/// `capacity`. Keeps its memory from node to node.
+/// `capacity`, or than a node of leaves alone can do with. Keeps its memory from node to node.
 class NodeDivider {
  public:
   NodeDivider(std::uint32_t capacity, const SplitEffort& effort) : capacity_(capacity), effort_(effort) {}

@@ -73,6 +73,13 @@ class Float8 {
     return result;
   }
 
+  /// Of all eight: ((0+4) + (1+5)) + ((2+6) + (3+7)), on every target.
+  friend HWY_INLINE float sum(const Float8& a) {
+    float of[kSize];
+    a.store(of);
+    return ((of[0] + of[4]) + (of[1] + of[5])) + ((of[2] + of[6]) + (of[3] + of[7]));
+  }
+
   /// Bit i: a[i] < b[i]; bits beyond the eighth are 0.
   friend HWY_INLINE unsigned less(const Float8& a, const Float8& b) {
     unsigned bits = 0;

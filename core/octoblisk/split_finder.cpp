@@ -1,47 +1,13 @@
 #include "octoblisk/split_finder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 
 namespace octoblisk {
 namespace {
 
 constexpr float kNormalWeight = 0.25f;  // of a unit normal, in largest half extents
 constexpr float kThinAxis = 0.25f;      // axes shorter than this part of the longest are no seeds
-constexpr float kSameError = 2e-6f;     // relative: two seeds that end here have found the same clusters
-
-// Turns of a box by sevenths of 90°, and by quarters of that either way; the eighth lane is not a turn.
-constexpr float kCoarseCosine[kLanes] = {1.0f,          0.9749279122f, 0.9009688679f, 0.7818314825f,
-                                         0.6234898019f, 0.4338837391f, 0.2225209340f, 0.0f};
-constexpr float kCoarseSine[kLanes] = {0.0f,          0.2225209340f, 0.4338837391f, 0.6234898019f,
-                                       0.7818314825f, 0.9009688679f, 0.9749279122f, 0.0f};
-constexpr float kFineCosine[kLanes] = {1.0f,          0.9984268150f, 0.9984268150f, 0.9937122099f,
-                                       0.9937122099f, 0.9858710183f, 0.9858710183f, 0.0f};
-constexpr float kFineSine[kLanes] = {0.0f,           0.0560704472f, -0.0560704472f, 0.1119644763f,
-                                     -0.1119644763f, 0.1675062233f, -0.1675062233f, 0.0f};
-
-namespace portable {
-#include "octoblisk/split_search.inc"
-}
-
-#if defined(__x86_64__) && !defined(__clang__)  // clang has no such pragma
-#pragma GCC push_options
-#pragma GCC target("avx2")
-namespace avx2 {
-#include "octoblisk/split_search.inc"
-}
-#pragma GCC pop_options
-#endif
-
-using FindSplit = void (*)(SplitSearch&);
-
-FindSplit fastestFindSplit() {
-#if defined(__x86_64__) && !defined(__clang__)
-  if (__builtin_cpu_supports("avx2")) return avx2::findSplit;
-#endif
-  return portable::findSplit;
-}
 
 /// The search's box of one side, back in the records' frame.
 BoxF boxOf(const SplitSearch::Side& side, const Eigen::Vector3f& center, float size) {
@@ -85,7 +51,7 @@ void SplitFinder::fill(std::span<const TriangleRecord> records, std::span<const 
       block.feature[k][lane] = (record.centroid[k] - center[k]) * scale;
       block.feature[3 + k][lane] = kNormalWeight * record.normal[k];
     }
-    block.present[lane] = ~0u;
+    block.present[lane] = 1.0f;
   }
   for (std::size_t i = count; i % kLanes != 0; ++i) {
     TriangleBlock& block = search_.blocks[i / kLanes];
@@ -94,7 +60,7 @@ void SplitFinder::fill(std::span<const TriangleRecord> records, std::span<const 
     for (auto& corner : block.corner) {
       for (auto& row : corner) row[lane] = 0.0f;
     }
-    block.present[lane] = 0;
+    block.present[lane] = 0.0f;
   }
   search_.count = static_cast<int>(count);
   saw_all_ = stride == 1;
@@ -121,14 +87,13 @@ void SplitFinder::chooseSeeds(const BoxF& box) {
 std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records,
                                                     std::span<const std::uint32_t> indices, const BoxF& box,
                                                     float slack, const SplitEffort& effort) {
-  static const FindSplit find_split = fastestFindSplit();
   constexpr float kSmallest = 1e-36f;  // below it, 1 / size is not finite
   const float size = std::max(box.half_extents.maxCoeff(), kSmallest), scale = 1.0f / size;
   search_.effort = effort;
   search_.slack = slack * scale;
   fill(records, indices, box.center, scale, effort.samples);
   chooseSeeds(box);
-  find_split(search_);
+  findSplit(search_);
   if (search_.best < 0) return std::nullopt;
   const SplitSearch::Candidate& best = search_.candidates[search_.best];
   plane_.of_centroid = scale * Eigen::Map<const Eigen::Vector3f>(best.normal);

@@ -1,0 +1,80 @@
+// The tree and what rays find are the same to the last bit on every instruction set that the machine has.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "octoblisk/raycast.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+/// Lets the library use some of the instruction sets alone, as long as it lives.
+class OnlyTargets {
+ public:
+  explicit OnlyTargets(std::int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+  ~OnlyTargets() {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+  OnlyTargets(const OnlyTargets&) = delete;
+  OnlyTargets& operator=(const OnlyTargets&) = delete;
+};
+
+struct Answers {
+  std::vector<ClusteredOctree::Node> nodes;
+  std::vector<std::uint32_t> order;
+  std::vector<double> t;
+  std::size_t hits = 0;
+
+  bool operator==(const Answers& other) const {
+    return order == other.order && t == other.t && nodes.size() == other.nodes.size() &&
+           std::memcmp(nodes.data(), other.nodes.data(), nodes.size() * sizeof nodes[0]) == 0;
+  }
+};
+
+Answers answers(const testing::SharedMesh& mesh, BuildQuality quality) {
+  const ClusteredOctree tree = ClusteredOctree::build(mesh, {.quality = quality});
+  Answers all;
+  all.nodes.assign(tree.nodes().begin(), tree.nodes().end());
+  all.order.assign(tree.triangleOrder().begin(), tree.triangleOrder().end());
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 2000; ++i) {
+    Ray ray;
+    ray.origin = testing::randomPoint(random, 4.0);
+    ray.direction = testing::randomPoint(random, 1.0) - 0.25 * ray.origin;
+    const auto hit = closestHit(tree, ray);
+    all.hits += hit.has_value();
+    all.t.push_back(hit ? hit->t : -1.0);
+  }
+  return all;
+}
+
+TEST(InstructionSets, giveTheSameBits) {
+  std::mt19937_64 random(7);
+  for (const testing::SharedMesh& mesh :
+       {testing::torus(3, 1, 120, 60), testing::fan(12, 20), testing::soup(random, 5000, 10, 0.3)}) {
+    for (const BuildQuality quality : {BuildQuality::standard, BuildQuality::fast}) {
+      const Answers best = answers(mesh, quality);
+      std::int64_t left = hwy::SupportedTargets();
+      int tried = 0;
+      while (left != 0) {
+        left &= left - 1;  // the best comes first
+        const OnlyTargets only(left | HWY_STATIC_TARGET);
+        EXPECT_EQ(answers(mesh, quality), best) << std::hex << left;
+        ++tried;
+      }
+      EXPECT_GE(tried, 1);
+      EXPECT_GT(best.hits, 0u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
