@@ -18,6 +18,11 @@ struct BoxF {
   Eigen::Vector3f half_extents = Eigen::Vector3f::Zero();
 };
 
+/// The box in the frame of the mesh, where the tree's origin is `origin`.
+inline Obb inMesh(const BoxF& box, const Vec3& origin) {
+  return {box.center.cast<double>() + origin, box.axes.cast<double>(), box.half_extents.cast<double>()};
+}
+
 /// A rigid motion in single precision.
 struct PoseF {
   Eigen::Matrix3f rotation;

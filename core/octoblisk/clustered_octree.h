@@ -1,15 +1,15 @@
 // The clustered octree: up to eight children a node, each with an oriented box of its own that holds its
-// whole triangles. Built once, never changed: const queries from any number of threads may share it.
+// whole triangles. Built once, never changed: const queries from any number of threads may share it, and
+// copies share its memory.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "octoblisk/box8.h"
 #include "octoblisk/build_options.h"
+#include "octoblisk/tree_arrays.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
@@ -24,39 +24,9 @@ struct BuildStats {
   std::size_t bytes = 0;     ///< of the tree beside the mesh
 };
 
-/// What a box of a node holds: another node, a leaf of 1..8 triangles, or nothing.
-class Child {
- public:
-  Child() = default;
-  static Child node(std::uint32_t index) { return Child(index); }
-  static Child leaf(std::uint32_t first, std::uint32_t count) {
-    return Child(kLeafBit | first << 3 | (count - 1));
-  }
-
-  bool isLeaf() const { return (bits_ & kLeafBit) != 0; }
-  bool isEmpty() const { return bits_ == 0; }
-  std::uint32_t node() const { return bits_; }
-  std::uint32_t first() const { return (bits_ & ~kLeafBit) >> 3; }  ///< of a leaf, in triangleOrder()
-  std::uint32_t count() const { return (bits_ & 7u) + 1; }          ///< of a leaf
-
- private:
-  explicit Child(std::uint32_t bits) : bits_(bits) {}
-  static constexpr std::uint32_t kLeafBit = 0x80000000u;
-  std::uint32_t bits_ = 0;
-};
-
-/// One box of one node.
-struct Slot {
-  std::uint32_t node, lane;
-};
-
 class ClusteredOctree {
  public:
-  struct alignas(64) Node {
-    Box8 boxes;
-    std::array<Child, kLanes> children;
-  };
-  static_assert(sizeof(Node) == 512);  // eight cache lines
+  using Node = TreeNode;
 
   /// Boxes from the root to a leaf at most.
   static constexpr int kMaxDepth = 64;
@@ -66,6 +36,17 @@ class ClusteredOctree {
   /// Throws std::invalid_argument for no mesh, more than kMaxTriangles triangles, or an option out of its
   /// range.
   static ClusteredOctree build(std::shared_ptr<const TriangleMesh> mesh, const BuildOptions& options = {});
+
+  /// The tree of a mesh of the same triangles whose vertices have moved: every box keeps its axes and what it
+  /// holds, and is made to fit again. Several times faster than building; the farther the vertices have moved
+  /// the slower are queries, never wrong. Deterministic. `threads` as in BuildOptions.
+  /// Throws std::invalid_argument for no mesh, another number of vertices or triangles, a triangle with other
+  /// vertices, or a negative number of threads.
+  ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) const&;
+
+  /// The same in this tree's memory, if it shares that with no other: `tree =
+  /// std::move(tree).refitted(mesh)`. Where it throws, this tree is as it was.
+  ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) &&;
 
   const TriangleMesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
@@ -81,17 +62,17 @@ class ClusteredOctree {
 
   // What traversals read. The first node holds the box of the whole tree alone, in lane 0.
   static constexpr Slot kRoot = {0, 0};
-  const std::vector<Node>& nodes() const { return nodes_; }
-  Child child(Slot slot) const { return nodes_[slot.node].children[slot.lane]; }
-  const Box8& boxes(Slot slot) const { return nodes_[slot.node].boxes; }
-  std::span<const std::uint32_t> triangleOrder() const { return triangle_order_; }
+  std::span<const Node> nodes() const { return arrays_.nodes; }
+  Child child(Slot slot) const { return arrays_.child(slot); }
+  const Box8& boxes(Slot slot) const { return arrays_.nodes[slot.node].boxes; }
+  std::span<const std::uint32_t> triangleOrder() const { return arrays_.triangle_order; }
   std::span<const std::uint32_t> triangles(Child leaf) const {
     return triangleOrder().subspan(leaf.first(), leaf.count());
   }
   /// The corners of a leaf's triangles in the frame of its box: nine rows (x, y, z of each corner in turn) of
   /// count() numbers. Eight may be read from any row, those beyond its end being anything.
   const float* leafVertices(Child leaf) const {
-    return leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
+    return arrays_.leaf_vertices.data() + 9 * std::size_t{leaf.first()};
   }
   /// The boxes are relative to this point of the mesh's frame.
   const Vec3& origin() const { return origin_; }
@@ -100,15 +81,15 @@ class ClusteredOctree {
   Obb box(Slot slot) const;
 
  private:
-  ClusteredOctree() = default;
-  void writeLeafVertices(std::uint32_t node);
+  /// Over arrays that fit the mesh.
+  ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> arrays,
+                  BuildOptions options);
 
   std::shared_ptr<const TriangleMesh> mesh_;
-  Vec3 origin_ = Vec3::Zero();
-  double radius_ = 0.0;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> triangle_order_;
-  std::vector<float> leaf_vertices_;
+  Vec3 origin_;
+  double radius_;
+  TreeArrays arrays_;
+  std::shared_ptr<OwnedArrays> owned_;  // where the arrays are
   BuildOptions options_;
   BuildStats stats_;
 };

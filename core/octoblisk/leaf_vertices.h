@@ -1,0 +1,16 @@
+// The corners of a leaf's triangles in the frame of its box, where single precision goes a long way.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk {
+
+/// Writes the triangles' corners in the frame of a box: nine rows (x, y, z of each corner in turn) of as many
+/// numbers as there are triangles.
+void writeLeafVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const Obb& frame,
+                       float* rows);
+
+}  // namespace octoblisk
