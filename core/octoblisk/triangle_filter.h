@@ -95,6 +95,9 @@ class TriangleLanes {
     for (int v = 0; v < 3; ++v) edge_[v] = corner_[(v + 1) % 3] - corner_[v];
     normal_ = cross(edge_[0], corner_[2] - corner_[0]);
     normal_magnitude_ = sumOfMagnitudes(normal_);
+    const Float8 zero(0.0f), second = dot(normal_, edge_[0]), third = zero - dot(normal_, edge_[2]);
+    low_ = min(zero, min(second, third));
+    high_ = max(zero, max(second, third));
     squared_edge_ = max(dot(edge_[0], edge_[0]), max(dot(edge_[1], edge_[1]), dot(edge_[2], edge_[2])));
   }
 
@@ -125,6 +128,7 @@ class TriangleLanes {
     Vec8 to[3];  // from the one's first corner to those of the eight
     Vec8 edge01, edge02;
     Float8 normal_magnitude;
+    Float8 low, high;  // of the one's own corners: not 0 where it is so thin that its normal is rounding
     Float8 of_eight[3], of_one[3];
 
     HWY_INLINE Heights(const TriangleLanes& eight, std::uint32_t i) {
@@ -133,6 +137,9 @@ class TriangleLanes {
       edge02 = eight.leaves_.cornerOfA(i, 2) - origin;
       const Vec8 normal = cross(edge01, edge02);
       normal_magnitude = sumOfMagnitudes(normal);
+      const Float8 zero(0.0f), second = dot(normal, edge01), third = dot(normal, edge02);
+      low = min(zero, min(second, third));
+      high = max(zero, max(second, third));
       for (int v = 0; v < 3; ++v) {
         to[v] = eight.corner_[v] - origin;
         of_eight[v] = dot(normal, to[v]);
@@ -144,13 +151,13 @@ class TriangleLanes {
 
     /// Those that one of the two planes parts by more than `reach`.
     HWY_INLINE unsigned apart(const TriangleLanes& eight, float reach) const {
-      const Float8 zero(0.0f), part(reach), tiny(kTiny);
+      const Float8 part(reach), tiny(kTiny);
       const Float8 slack = part * normal_magnitude + tiny,
                    slack_of_eight = part * eight.normal_magnitude_ + tiny;
-      return less(slack, min(min(of_eight[0], of_eight[1]), of_eight[2])) |
-             less(max(max(of_eight[0], of_eight[1]), of_eight[2]), zero - slack) |
-             less(slack_of_eight, min(min(of_one[0], of_one[1]), of_one[2])) |
-             less(max(max(of_one[0], of_one[1]), of_one[2]), zero - slack_of_eight);
+      return less(high + slack, min(min(of_eight[0], of_eight[1]), of_eight[2])) |
+             less(max(max(of_eight[0], of_eight[1]), of_eight[2]), low - slack) |
+             less(eight.high_ + slack_of_eight, min(min(of_one[0], of_one[1]), of_one[2])) |
+             less(max(max(of_one[0], of_one[1]), of_one[2]), eight.low_ - slack_of_eight);
     }
   };
 
@@ -214,6 +221,7 @@ class TriangleLanes {
 
   Vec8 corner_[3], edge_[3], normal_;
   Float8 normal_magnitude_, squared_edge_;
+  Float8 low_, high_;  // of their own corners over their first, along the normal: see Heights
   const LeafPair& leaves_;
 };
 
