@@ -12,10 +12,11 @@
 namespace octoblisk::bench {
 namespace {
 
-class OctoBlisk final : public CollideQuery, public ContactsQuery, public DistanceQuery {
+class OctoBlisk : public CollideQuery, public ContactsQuery, public DistanceQuery {
  public:
-  explicit OctoBlisk(const Scene& scene)
-      : blisk_(ClusteredOctree::build(scene.blisk)), belt_(ClusteredOctree::build(scene.belt)) {}
+  explicit OctoBlisk(const Scene& scene, const BuildOptions& options = {})
+      : blisk_(ClusteredOctree::build(scene.blisk, options)),
+        belt_(ClusteredOctree::build(scene.belt, options)) {}
 
   bool collides(const Pose& belt_in_blisk) override {
     return collide(blisk_, belt_, belt_in_blisk).has_value();
@@ -56,9 +57,10 @@ class OctoBliskPoints final : public ContactsQuery {
   std::vector<Contact> found_;
 };
 
-class OctoBliskRays final : public RayQuery {
+class OctoBliskRays : public RayQuery {
  public:
-  explicit OctoBliskRays(const Scene& scene) : blisk_(ClusteredOctree::build(scene.blisk)) {}
+  explicit OctoBliskRays(const Scene& scene, const BuildOptions& options = {})
+      : blisk_(ClusteredOctree::build(scene.blisk, options)) {}
 
   double firstHit(const Segment& way) override {
     Ray ray;
@@ -90,6 +92,20 @@ class OctoBliskBuild : public BuildQuery {
   std::optional<ClusteredOctree> tree_;
 };
 
+/// The tree that takes least memory.
+class CompactOctoBlisk final : public OctoBlisk {
+ public:
+  explicit CompactOctoBlisk(const Scene& scene) : OctoBlisk(scene, {.storage = Storage::compact}) {}
+};
+class CompactOctoBliskRays final : public OctoBliskRays {
+ public:
+  explicit CompactOctoBliskRays(const Scene& scene) : OctoBliskRays(scene, {.storage = Storage::compact}) {}
+};
+class CompactOctoBliskBuild final : public OctoBliskBuild {
+ public:
+  explicit CompactOctoBliskBuild(const Scene& scene) : OctoBliskBuild(scene, {.storage = Storage::compact}) {}
+};
+
 /// Registers a build by other options, as a contender of its own.
 bool registerBuild(const std::string& name, const BuildOptions& options) {
   Contender contender{.name = name};
@@ -102,6 +118,8 @@ bool registerBuild(const std::string& name, const BuildOptions& options) {
 const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
 const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
 const bool kRegistered = registerContender<OctoBlisk, OctoBliskRays, OctoBliskBuild>(kOurs);
+const bool kCompact =
+    registerContender<CompactOctoBlisk, CompactOctoBliskRays, CompactOctoBliskBuild>("octoblisk-compact");
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
 
 }  // namespace

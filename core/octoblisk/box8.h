@@ -42,11 +42,18 @@ struct Box8 {
   float half_extents[3][kLanes];
   float axes[3][3][kLanes];  ///< [component][axis]
 
+  static constexpr float kEmptyHalfExtent = -1e30f;
+
   /// Eight empty boxes: nothing overlaps them.
   Box8() {
-    const BoxF empty{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Identity(), Eigen::Vector3f::Constant(-1e30f)};
+    const BoxF empty{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Identity(),
+                     Eigen::Vector3f::Constant(kEmptyHalfExtent)};
     for (int lane = 0; lane < kLanes; ++lane) set(lane, empty);
   }
+
+  /// Eight boxes that are not set: room for such as are read only once they are.
+  struct Unset {};
+  explicit Box8(Unset) {}
 
   void set(int lane, const BoxF& box) {
     int order[3] = {0, 1, 2};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
 #include "octoblisk/refit.h"
+#include "octoblisk/tree_check.h"
 
 namespace octoblisk {
 namespace {
@@ -123,23 +125,48 @@ BuildStats statsOf(const TreeArrays& tree, std::size_t triangles) {
   return stats;
 }
 
+/// Whether the corners in a leaf of a fast tree are those of the mesh, but for rounding.
+bool hasItsCorners(const ClusteredOctree& tree, Slot slot) {
+  const Child leaf = tree.child(slot);
+  LeafVertices computed, unused;
+  writeLeafVertices(tree.mesh(), tree.triangles(leaf), tree.box(slot), computed.rows);
+  const float* stored = tree.leafVertices(slot, unused);
+  const float rounding = 0x1p-21f * tree.nodes()[slot.node].boxes.largestHalfExtent(slot.lane);
+  return std::equal(stored, stored + 9 * leaf.count(), computed.rows,
+                    [&](float a, float b) { return std::abs(a - b) <= rounding; });
+}
+
 }  // namespace
 
-ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh,
-                                 std::shared_ptr<OwnedArrays> arrays, BuildOptions options)
+ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                                 std::shared_ptr<const void> owner, std::shared_ptr<OwnedArrays> owned,
+                                 BuildOptions options)
     : mesh_(std::move(mesh)),
       origin_(mesh_->bounds().center()),
       radius_(mesh_->bounds().halfExtents().norm()),
-      arrays_(arrays->view()),
-      owned_(std::move(arrays)),
+      arrays_(arrays),
+      owner_(std::move(owner)),
+      owned_(std::move(owned)),
       options_(std::move(options)),
       stats_(statsOf(arrays_, mesh_->triangleCount())) {}
+
+ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> owned,
+                                 BuildOptions options)
+    : ClusteredOctree(std::move(mesh), owned->view(), nullptr, owned, std::move(options)) {}
+
+ClusteredOctree ClusteredOctree::over(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                                      std::shared_ptr<const void> owner, const BuildOptions& options) {
+  check(mesh, options);
+  checkTree(arrays, *mesh);
+  return ClusteredOctree(std::move(mesh), arrays, std::move(owner), nullptr, options);
+}
 
 ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
                                        const BuildOptions& options) {
   check(mesh, options);
   const int threads = threadCount(options.threads);
   const Vec3 origin = mesh->bounds().center();
+  const double radius = mesh->bounds().halfExtents().norm();
   Partition partition = partitionOf(makeRecords(*mesh, origin, threads), options);
 
   const auto arrays = std::make_shared<OwnedArrays>();
@@ -147,15 +174,19 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   const auto has_children = [](const PartitionNode& node) { return node.child_count > 0; };
   arrays->nodes.reserve(1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
   arrays->nodes.emplace_back();
-  NodeWriter(partition, boxPadding(mesh->bounds().halfExtents().norm()), arrays->nodes).write(0, kRoot);
-  writeAllLeafVertices(*arrays, *mesh, origin, threads);
+  NodeWriter(partition, boxPadding(radius), arrays->nodes).write(0, kRoot);
+  if (options.storage == Storage::compact) {
+    makeCompact(*arrays, *mesh, origin, radius, threads);
+  } else {
+    writeAllLeafVertices(*arrays, *mesh, origin, threads);
+  }
   return ClusteredOctree(std::move(mesh), arrays, options);
 }
 
 ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> deformed, int threads) const& {
   checkThreads(threads);
   checkDeformed(deformed.get(), *mesh_);
-  const auto copy = std::make_shared<OwnedArrays>(*owned_);
+  const auto copy = std::make_shared<OwnedArrays>(arrays_);
   refit(*copy, *deformed, deformed->bounds().center(), deformed->bounds().halfExtents().norm(),
         threadCount(threads));
   return ClusteredOctree(std::move(deformed), copy, options_);
@@ -169,6 +200,10 @@ ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> de
   refit(*owned_, *deformed, deformed->bounds().center(), deformed->bounds().halfExtents().norm(),
         threadCount(threads));
   return ClusteredOctree(std::move(deformed), std::move(owned_), std::move(options_));
+}
+
+void ClusteredOctree::computeLeafVertices(Slot slot, LeafVertices& room) const {
+  writeLeafVertices(*mesh_, triangles(child(slot)), box(slot), room.rows);
 }
 
 Obb ClusteredOctree::box(Slot slot) const { return inMesh(arrays_.box(slot), origin_); }
@@ -204,6 +239,10 @@ void ClusteredOctree::validate() const {
       fail("it is deeper than " + std::to_string(kMaxDepth));
     const Child here = child(slot);
     if (here.isLeaf()) {
+      if (!isCompact() && !hasItsCorners(*this, slot)) {
+        fail("the corners in leaf " + std::to_string(slot.lane) + " of node " + std::to_string(slot.node) +
+             " are not those of its triangles");
+      }
       for (const std::uint32_t t : triangles(here)) {
         ++leaves_of_triangle[t];
         for (const Slot above : path) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "octoblisk/build_options.h"
+#include "octoblisk/leaf_vertices.h"
 #include "octoblisk/tree_arrays.h"
 #include "octoblisk/triangle_mesh.h"
 
@@ -48,13 +49,19 @@ class ClusteredOctree {
   /// std::move(tree).refitted(mesh)`. Where it throws, this tree is as it was.
   ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) &&;
 
+  /// The tree over arrays that the owner keeps and never changes, made by any tree of the mesh.
+  /// Throws std::invalid_argument that tells what is wrong where queries on them could fail: see checkTree.
+  static ClusteredOctree over(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                              std::shared_ptr<const void> owner, const BuildOptions& options);
+
   const TriangleMesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
   const BuildOptions& options() const { return options_; }
   const BuildStats& stats() const { return stats_; }
 
   /// Checks that every triangle is in exactly one leaf, that every box holds the vertices of all triangles
-  /// below it, and that the depth is bounded. Throws std::logic_error that names the node or triangle.
+  /// below it, that the leaves' corners are those of the mesh, and that the depth is bounded. Throws
+  /// std::logic_error that names the node or triangle.
   void validate() const;
 
   /// The boxes at a depth (the root's box is 0), and those of leaves above it; in the mesh's frame.
@@ -62,34 +69,44 @@ class ClusteredOctree {
 
   // What traversals read. The first node holds the box of the whole tree alone, in lane 0.
   static constexpr Slot kRoot = {0, 0};
-  std::span<const Node> nodes() const { return arrays_.nodes; }
+  bool isCompact() const { return arrays_.isCompact(); }
+  std::span<const Node> nodes() const { return arrays_.nodes; }  ///< of a fast tree, else none
+  std::span<const CompactNode> compactNodes() const { return arrays_.compact_nodes; }
+  std::size_t nodeCount() const { return arrays_.nodeCount(); }
+  const std::array<Child, kLanes>& children(std::uint32_t node) const { return arrays_.children(node); }
   Child child(Slot slot) const { return arrays_.child(slot); }
-  const Box8& boxes(Slot slot) const { return arrays_.nodes[slot.node].boxes; }
   std::span<const std::uint32_t> triangleOrder() const { return arrays_.triangle_order; }
-  std::span<const std::uint32_t> triangles(Child leaf) const {
-    return triangleOrder().subspan(leaf.first(), leaf.count());
-  }
+  std::span<const std::uint32_t> triangles(Child leaf) const { return arrays_.triangles(leaf); }
   /// The corners of a leaf's triangles in the frame of its box: nine rows (x, y, z of each corner in turn) of
-  /// count() numbers. Eight may be read from any row, those beyond its end being anything.
-  const float* leafVertices(Child leaf) const {
-    return arrays_.leaf_vertices.data() + 9 * std::size_t{leaf.first()};
+  /// as many numbers as it has triangles. Eight may be read from any row, those beyond its end being
+  /// anything. A compact tree computes them from the mesh, into the room.
+  const float* leafVertices(Slot slot, LeafVertices& room) const {
+    if (!isCompact()) return arrays_.leaf_vertices.data() + 9 * std::size_t{child(slot).first()};
+    computeLeafVertices(slot, room);
+    return room.rows;
   }
   /// The boxes are relative to this point of the mesh's frame.
   const Vec3& origin() const { return origin_; }
   /// The greatest distance of a vertex from the origin.
   double radius() const { return radius_; }
   Obb box(Slot slot) const;
+  const TreeArrays& arrays() const { return arrays_; }
 
  private:
-  /// Over arrays that fit the mesh.
-  ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> arrays,
+  /// `owned` is null where the arrays are the owner's and never change.
+  ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                  std::shared_ptr<const void> owner, std::shared_ptr<OwnedArrays> owned,
                   BuildOptions options);
+  ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> owned,
+                  BuildOptions options);
+  void computeLeafVertices(Slot slot, LeafVertices& room) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Vec3 origin_;
   double radius_;
   TreeArrays arrays_;
-  std::shared_ptr<OwnedArrays> owned_;  // where the arrays are
+  std::shared_ptr<const void> owner_;   // of the arrays, where they are not
+  std::shared_ptr<OwnedArrays> owned_;  // these
   BuildOptions options_;
   BuildStats stats_;
 };

@@ -4,9 +4,17 @@
 #include <cstdint>
 #include <span>
 
+#include "octoblisk/box8.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
+
+/// Room for the corners of one leaf; not set.
+struct LeafVertices {
+  float rows[9 * kLanes];
+
+  LeafVertices() {}
+};
 
 /// Writes the triangles' corners in the frame of a box: nine rows (x, y, z of each corner in turn) of as many
 /// numbers as there are triangles.

@@ -15,6 +15,8 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "octoblisk/node_boxes.h"
+
 #ifndef OCTOBLISK_RAY_WALK_ONCE
 #define OCTOBLISK_RAY_WALK_ONCE
 namespace octoblisk {
@@ -242,9 +244,9 @@ class RayWalk {
   /// Puts the children entered on the list, but for the nearest, which `here` becomes; false: there is none.
   HWY_INLINE bool enterNode(Slot& here) {
     const std::uint32_t index = tree_.child(here).node();
-    const ClusteredOctree::Node& node = tree_.nodes()[index];
+    Box8 room(Box8::Unset{});
     HWY_ALIGN float reaches[kLanes];
-    unsigned entered = enter(node.boxes, local_, limit_, reaches);
+    unsigned entered = enter(boxesOf(tree_, index, room), local_, limit_, reaches);
     if (entered == 0) return false;
     const auto next = [&]() HWY_ATTR {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
@@ -267,11 +269,14 @@ class RayWalk {
   /// False where nothing is of interest any more.
   HWY_INLINE bool visitLeaf(Slot slot) {
     const Child leaf = tree_.child(slot);
-    const ShearedRay sheared(local_, tree_.boxes(slot), slot.lane);
+    Box8 room(Box8::Unset{});
+    LeafVertices corners;
+    const ShearedRay sheared(local_, boxesAt(tree_, slot, room), slot.lane);
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
     hwy::Prefetch(triangles.data());  // while the corners are waited for
     const unsigned in_leaf = (1u << triangles.size()) - 1;
-    unsigned crossed = mayCross(tree_.leafVertices(leaf), triangles.size(), sheared, limit_) & in_leaf;
+    unsigned crossed =
+        mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;
     for (; crossed != 0; crossed &= crossed - 1) {
       const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
       const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));

@@ -62,13 +62,14 @@ class Extents {
     for (const Piece& piece : pieces) large_[piece.large].extent.extend(piece.extent);
   }
 
-  /// The box with the axes that holds all below a child; the slot's own axes where there is much below it.
+  /// The box with the slot's own axes that holds all below it.
   BoxF box(Slot slot, Child child, const Eigen::Matrix3f& axes) const {
+    return ranges_.of(child).count() > kLarge ? box(child, axes, ofLarge(slot)) : box(child, axes);
+  }
+  /// The box with other axes.
+  BoxF box(Child child, const Eigen::Matrix3f& axes) const {
     const TriangleRange range = ranges_.of(child);
-    const Eigen::Vector3f from = vertices_.first(range.begin);
-    const Extent extent = range.count() > kLarge ? ofLarge(slot) : vertices_.extent(range, axes, from);
-    const Eigen::Vector3f middle = 0.5f * (extent.low + extent.high);
-    return {from + axes * middle, axes, 0.5f * (extent.high - extent.low)};
+    return box(child, axes, vertices_.extent(range, axes, vertices_.first(range.begin)));
   }
 
  private:
@@ -78,6 +79,12 @@ class Extents {
     Slot slot;
     Extent extent;
   };
+
+  BoxF box(Child child, const Eigen::Matrix3f& axes, const Extent& extent) const {
+    const Eigen::Vector3f middle = 0.5f * (extent.low + extent.high);
+    return {vertices_.first(ranges_.of(child).begin) + axes * middle, axes,
+            0.5f * (extent.high - extent.low)};
+  }
 
   const Extent& ofLarge(Slot slot) const {
     const auto key = [](const Slot& s) { return std::pair(s.node, s.lane); };
@@ -90,6 +97,50 @@ class Extents {
   std::vector<Large> large_;  // in the order of their slots
 };
 
+void fit(TreeNode& node, std::uint32_t index, const Extents& extents, float pad) {
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const Child child = node.children[lane];
+    if (child.isEmpty()) continue;
+    BoxF box = extents.box({index, lane}, child, node.boxes.get(static_cast<int>(lane)).axes);
+    box.half_extents.array() += pad;
+    node.boxes.set(static_cast<int>(lane), box);
+  }
+}
+
+/// The axes by descending half extents.
+Eigen::Matrix3f sortedAxes(const BoxF& box) {
+  Box8 boxes;
+  boxes.set(0, box);
+  return boxes.get(0).axes;
+}
+
+void fit(CompactNode& node, std::uint32_t index, const Extents& extents, float pad) {
+  std::array<CompactRotation, kLanes> rotations = {};
+  std::array<BoxF, kLanes> boxes;
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const Child child = node.children[lane];
+    if (child.isEmpty()) continue;
+    rotations[lane] = node.rotationOf(lane);
+    boxes[lane] = extents.box({index, lane}, child, decoded(rotations[lane]));
+    const Eigen::Vector3f& half = boxes[lane].half_extents;
+    if (half[0] >= half[1] && half[1] >= half[2]) continue;
+    rotations[lane] = compactRotation(sortedAxes(boxes[lane]));
+    boxes[lane] = extents.box(child, decoded(rotations[lane]));
+  }
+  node.setBoxes(rotations, boxes, pad);
+}
+
+/// Calls visit(node) for each, on several threads.
+template <typename Visit>
+void forEachNode(const TreeArrays& tree, int threads, const Visit& visit) {
+  constexpr std::size_t kChunk = 64;
+  const std::size_t count = tree.nodeCount();
+  parallelFor((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
+    const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+    for (std::size_t n = chunk * kChunk; n < end; ++n) visit(static_cast<std::uint32_t>(n));
+  });
+}
+
 }  // namespace
 
 float boxPadding(double radius) {
@@ -100,43 +151,49 @@ float boxPadding(double radius) {
 
 void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads) {
   const TreeVertices vertices(mesh, tree.triangle_order, origin, threads);
-  const Ranges ranges(tree.view());
-  const Extents extents(tree.view(), ranges, vertices, threads);
+  const TreeArrays arrays = tree.view();
+  const Ranges ranges(arrays);
+  const Extents extents(arrays, ranges, vertices, threads);
   const float pad = boxPadding(radius);
-  constexpr std::size_t kChunk = 64;
-  const std::size_t chunks = (tree.nodes.size() + kChunk - 1) / kChunk;
-  parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(tree.nodes.size(), (chunk + 1) * kChunk);
-    for (std::size_t n = chunk * kChunk; n < end; ++n) {
-      TreeNode& node = tree.nodes[n];
-      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        if (node.children[lane].isEmpty()) continue;
-        const Slot slot{static_cast<std::uint32_t>(n), lane};
-        BoxF box = extents.box(slot, node.children[lane], node.boxes.get(static_cast<int>(lane)).axes);
-        box.half_extents.array() += pad;
-        node.boxes.set(static_cast<int>(lane), box);
-      }
+  forEachNode(arrays, threads, [&](std::uint32_t n) {
+    if (arrays.isCompact()) {
+      fit(tree.compact_nodes[n], n, extents, pad);
+    } else {
+      fit(tree.nodes[n], n, extents, pad);
     }
   });
-  writeAllLeafVertices(tree, mesh, origin, threads);
+  if (!arrays.isCompact()) writeAllLeafVertices(tree, mesh, origin, threads);
 }
 
 void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads) {
   tree.leaf_vertices.resize(9 * tree.triangle_order.size() + kLanes);
-  constexpr std::size_t kChunk = 64;
-  const std::size_t chunks = (tree.nodes.size() + kChunk - 1) / kChunk;
-  parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(tree.nodes.size(), (chunk + 1) * kChunk);
-    for (std::size_t n = chunk * kChunk; n < end; ++n) {
-      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        const Child leaf = tree.nodes[n].children[lane];
-        if (!leaf.isLeaf()) continue;
-        const BoxF box = tree.nodes[n].boxes.get(static_cast<int>(lane));
-        writeLeafVertices(mesh, std::span(tree.triangle_order).subspan(leaf.first(), leaf.count()),
-                          inMesh(box, origin), tree.leaf_vertices.data() + 9 * std::size_t{leaf.first()});
-      }
+  const TreeArrays arrays = tree.view();
+  forEachNode(arrays, threads, [&](std::uint32_t n) {
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const Child leaf = arrays.children(n)[lane];
+      if (!leaf.isLeaf()) continue;
+      writeLeafVertices(mesh, arrays.triangles(leaf), inMesh(arrays.box({n, lane}), origin),
+                        tree.leaf_vertices.data() + 9 * std::size_t{leaf.first()});
     }
   });
+}
+
+void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius,
+                 int threads) {
+  std::vector<CompactNode> compact_nodes(tree.nodes.size());
+  forEachNode(tree.view(), threads, [&](std::uint32_t n) {
+    CompactNode& node = compact_nodes[n];
+    node.children = tree.nodes[n].children;
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      if (node.children[lane].isEmpty()) continue;
+      const CompactRotation rotation = compactRotation(tree.nodes[n].boxes.get(static_cast<int>(lane)).axes);
+      for (std::size_t k = 0; k < 4; ++k) node.rotation[k][lane] = rotation[k];
+    }
+  });
+  tree.nodes = {};
+  tree.leaf_vertices = {};
+  tree.compact_nodes = std::move(compact_nodes);
+  refit(tree, mesh, origin, radius, threads);
 }
 
 }  // namespace octoblisk

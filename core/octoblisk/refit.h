@@ -11,11 +11,15 @@ namespace octoblisk {
 float boxPadding(double radius);
 
 /// Makes every box hold all vertices below it: axes and children stay, centres, half extents and the
-/// corners in the leaves are computed anew. `origin` and `radius` are those of the mesh's bounds. The same to
+/// corners in the leaves are computed anew, in the frames
+/// of compact nodes where they are such. `origin` and `radius` are those of the mesh's bounds. The same to
 /// the last bit for any number of threads.
 void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads);
 
-/// Writes the corners in all leaves.
+/// Writes the corners in all leaves of a fast tree.
 void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads);
+
+/// Makes a fast tree a compact one.
+void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads);
 
 }  // namespace octoblisk

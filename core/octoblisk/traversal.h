@@ -14,6 +14,7 @@
 
 #include "octoblisk/box_test.h"
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/node_boxes.h"
 #include "octoblisk/traversal_stack.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -43,8 +44,9 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
     float gap;
   };
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
-  const BoxF root = posed(pose.b_to_a, b.boxes(ClusteredOctree::kRoot), 0);
-  forEachWithin(gap(a.boxes(ClusteredOctree::kRoot), root), limit(), [&](std::uint32_t lane, float found) {
+  Box8 room(Box8::Unset{}), room_a(Box8::Unset{}), room_b(Box8::Unset{});
+  const BoxF root = posed(pose.b_to_a, boxesAt(b, ClusteredOctree::kRoot, room_b), 0);
+  forEachWithin(gap(boxesOf(a, 0, room), root), limit(), [&](std::uint32_t lane, float found) {
     stack.pushSorted(0, {{0, lane}, ClusteredOctree::kRoot, found});
   });
   while (!stack.empty()) {
@@ -56,18 +58,18 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
       continue;
     }
     const std::size_t first = stack.size();
-    const Box8 &boxes_a = a.boxes(pair.a), &boxes_b = b.boxes(pair.b);
+    const Box8 &boxes_a = boxesAt(a, pair.a, room_a), &boxes_b = boxesAt(b, pair.b, room_b);
     const bool a_is_larger = boxes_a.largestHalfExtent(pair.a.lane) >= boxes_b.largestHalfExtent(pair.b.lane);
     if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
       const BoxF box = posed(pose.b_to_a, boxes_b, pair.b.lane);
       const std::uint32_t node = child_a.node();
-      forEachWithin(gap(a.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+      forEachWithin(gap(boxesOf(a, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {{node, lane}, pair.b, found});
       });
     } else {
       const BoxF box = posed(pose.a_to_b, boxes_a, pair.a.lane);
       const std::uint32_t node = child_b.node();
-      forEachWithin(gap(b.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+      forEachWithin(gap(boxesOf(b, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {pair.a, {node, lane}, found});
       });
     }
@@ -93,7 +95,8 @@ bool walkBox(const ClusteredOctree& tree, const BoxF& box, Gap&& gap, Limit&& li
     float gap;
   };
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
-  forEachWithin(gap(tree.boxes(ClusteredOctree::kRoot), box), limit(), [&](std::uint32_t lane, float found) {
+  Box8 room(Box8::Unset{});
+  forEachWithin(gap(boxesOf(tree, 0, room), box), limit(), [&](std::uint32_t lane, float found) {
     stack.pushSorted(0, {{0, lane}, found});
   });
   while (!stack.empty()) {
@@ -106,7 +109,7 @@ bool walkBox(const ClusteredOctree& tree, const BoxF& box, Gap&& gap, Limit&& li
     }
     const std::size_t first = stack.size();
     const std::uint32_t node = child.node();
-    forEachWithin(gap(tree.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+    forEachWithin(gap(boxesOf(tree, node, room), box), limit(), [&](std::uint32_t lane, float found) {
       stack.pushSorted(first, {{node, lane}, found});
     });
   }

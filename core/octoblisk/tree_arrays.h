@@ -1,5 +1,5 @@
-// What a clustered octree is made of: nodes of up to eight boxes each, and the triangles in the order of the
-// leaves. Arrays alone, so that they may lie in memory of their own or in a file.
+// What a clustered octree is made of: nodes of up to eight boxes each, fast or compact, and the triangles in
+// the order of the leaves. Arrays alone, so that they may lie in memory of their own or in a file.
 #pragma once
 
 #include <array>
@@ -8,34 +8,10 @@
 #include <vector>
 
 #include "octoblisk/box8.h"
+#include "octoblisk/child.h"
+#include "octoblisk/compact_node.h"
 
 namespace octoblisk {
-
-/// What a box of a node holds: another node, a leaf of 1..8 triangles, or nothing.
-class Child {
- public:
-  Child() = default;
-  static Child node(std::uint32_t index) { return Child(index); }
-  static Child leaf(std::uint32_t first, std::uint32_t count) {
-    return Child(kLeafBit | first << 3 | (count - 1));
-  }
-
-  bool isLeaf() const { return (bits_ & kLeafBit) != 0; }
-  bool isEmpty() const { return bits_ == 0; }
-  std::uint32_t node() const { return bits_; }
-  std::uint32_t first() const { return (bits_ & ~kLeafBit) >> 3; }  ///< of a leaf, in triangleOrder()
-  std::uint32_t count() const { return (bits_ & 7u) + 1; }          ///< of a leaf
-
- private:
-  explicit Child(std::uint32_t bits) : bits_(bits) {}
-  static constexpr std::uint32_t kLeafBit = 0x80000000u;
-  std::uint32_t bits_ = 0;
-};
-
-/// One box of one node.
-struct Slot {
-  std::uint32_t node, lane;
-};
 
 struct alignas(64) TreeNode {
   Box8 boxes;
@@ -43,28 +19,49 @@ struct alignas(64) TreeNode {
 };
 static_assert(sizeof(TreeNode) == 512);  // eight cache lines
 
-/// A tree's arrays. Nodes are in depth-first order, the first of them holds the box of the whole tree alone,
-/// in lane 0, and the triangles below a node are a range of the order.
+/// A tree's arrays: of a fast tree `nodes` and `leaf_vertices`, of a compact one `compact_nodes`. Nodes are
+/// in depth-first order, the first of them holds the box of the whole tree alone, in lane 0, and the
+/// triangles below a node are a range of the order.
 struct TreeArrays {
   std::span<const TreeNode> nodes;
+  std::span<const CompactNode> compact_nodes;
   std::span<const std::uint32_t> triangle_order;
-  std::span<const float> leaf_vertices;  ///< see ClusteredOctree::leafVertices
+  std::span<const float> leaf_vertices;  ///< nine rows for each leaf (leaf_vertices.h), and eight to spare
 
-  Child child(Slot slot) const { return nodes[slot.node].children[slot.lane]; }
-  std::size_t nodeCount() const { return nodes.size(); }
-  BoxF box(Slot slot) const { return nodes[slot.node].boxes.get(static_cast<int>(slot.lane)); }
+  bool isCompact() const { return !compact_nodes.empty(); }
+  std::size_t nodeCount() const { return isCompact() ? compact_nodes.size() : nodes.size(); }
+  const std::array<Child, kLanes>& children(std::uint32_t node) const {
+    return isCompact() ? compact_nodes[node].children : nodes[node].children;
+  }
+  Child child(Slot slot) const { return children(slot.node)[slot.lane]; }
+  BoxF box(Slot slot) const {
+    return isCompact() ? compact_nodes[slot.node].box(slot.lane)
+                       : nodes[slot.node].boxes.get(static_cast<int>(slot.lane));
+  }
+  std::span<const std::uint32_t> triangles(Child leaf) const {
+    return triangle_order.subspan(leaf.first(), leaf.count());
+  }
   std::size_t bytes() const {
-    return nodes.size_bytes() + triangle_order.size_bytes() + leaf_vertices.size_bytes();
+    return nodes.size_bytes() + compact_nodes.size_bytes() + triangle_order.size_bytes() +
+           leaf_vertices.size_bytes();
   }
 };
 
 /// The arrays in memory of their own.
 struct OwnedArrays {
   std::vector<TreeNode> nodes;
+  std::vector<CompactNode> compact_nodes;
   std::vector<std::uint32_t> triangle_order;
   std::vector<float> leaf_vertices;
 
-  TreeArrays view() const { return {nodes, triangle_order, leaf_vertices}; }
+  OwnedArrays() = default;
+  explicit OwnedArrays(const TreeArrays& tree)
+      : nodes(tree.nodes.begin(), tree.nodes.end()),
+        compact_nodes(tree.compact_nodes.begin(), tree.compact_nodes.end()),
+        triangle_order(tree.triangle_order.begin(), tree.triangle_order.end()),
+        leaf_vertices(tree.leaf_vertices.begin(), tree.leaf_vertices.end()) {}
+
+  TreeArrays view() const { return {nodes, compact_nodes, triangle_order, leaf_vertices}; }
 };
 
 /// Calls visit(slot, child) for all boxes of the tree in the order of their nodes.
@@ -72,7 +69,7 @@ template <typename Visit>
 void forEachChild(const TreeArrays& tree, Visit&& visit) {
   for (std::uint32_t n = 0; n < tree.nodeCount(); ++n) {
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const Child child = tree.child({n, lane});
+      const Child child = tree.children(n)[lane];
       if (!child.isEmpty()) visit(Slot{n, lane}, child);
     }
   }

@@ -10,6 +10,7 @@
 #include <bit>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/node_boxes.h"
 #include "octoblisk/simd.h"
 #include "octoblisk/traversal_stack.h"
 
@@ -22,8 +23,14 @@ class LeafPair {
  public:
   HWY_INLINE LeafPair(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Slot slot_a,
                       Slot slot_b)
-      : a_(a), b_(b), leaf_a_(a.child(slot_a)), leaf_b_(b.child(slot_b)) {
-    const Box8 &boxes_a = a.boxes(slot_a), &boxes_b = b.boxes(slot_b);
+      : a_(a),
+        b_(b),
+        leaf_a_(a.child(slot_a)),
+        leaf_b_(b.child(slot_b)),
+        rows_a_(a.leafVertices(slot_a, corners_a_)),
+        rows_b_(b.leafVertices(slot_b, corners_b_)) {
+    Box8 room_a(Box8::Unset{}), room_b(Box8::Unset{});
+    const Box8 &boxes_a = boxesAt(a, slot_a, room_a), &boxes_b = boxesAt(b, slot_b, room_b);
     const std::uint32_t lane_a = slot_a.lane, lane_b = slot_b.lane;
     double between[3];  // of the centres, in A's local frame
     for (int i = 0; i < 3; ++i) {
@@ -48,6 +55,9 @@ class LeafPair {
     doubles_ = static_cast<float>(0x1p-50 * pose.size);
   }
 
+  LeafPair(const LeafPair&) = delete;
+  LeafPair& operator=(const LeafPair&) = delete;
+
   std::uint32_t countA() const { return leaf_a_.count(); }
   std::uint32_t countB() const { return leaf_b_.count(); }
   std::uint32_t triangleA(std::uint32_t i) const { return a_.triangles(leaf_a_)[i]; }
@@ -55,13 +65,13 @@ class LeafPair {
 
   /// Corner v of triangle i of A, the same in all lanes.
   HWY_INLINE Vec8 cornerOfA(std::uint32_t i, std::uint32_t v) const {
-    const float* x = a_.leafVertices(leaf_a_) + 3 * v * countA() + i;
+    const float* x = rows_a_ + 3 * v * countA() + i;
     return {Float8(x[0]), Float8(x[countA()]), Float8(x[2 * countA()])};
   }
 
   /// Corner v of the triangles of B; lanes beyond their count hold anything.
   HWY_INLINE Vec8 cornersOfB(std::uint32_t v) const {
-    const float* x = b_.leafVertices(leaf_b_) + 3 * v * countB();
+    const float* x = rows_b_ + 3 * v * countB();
     const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
     const auto along = [&](int i) HWY_ATTR {
       return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
@@ -82,6 +92,8 @@ class LeafPair {
  private:
   const ClusteredOctree &a_, &b_;
   const Child leaf_a_, leaf_b_;
+  LeafVertices corners_a_, corners_b_;  // room for those of compact trees
+  const float *const rows_a_, *const rows_b_;
   float rotation_[3][3], shift_[3];
   float size_, doubles_;
 };
