@@ -4,13 +4,19 @@ namespace octoblisk {
 
 void writeLeafVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const Obb& frame,
                        float* rows) {
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  double axes[3][3], center[3];  // plain numbers, which the compiler keeps in registers
+  for (int k = 0; k < 3; ++k) {
+    center[k] = frame.center[k];
+    for (int j = 0; j < 3; ++j) axes[k][j] = frame.axes(k, j);
+  }
+  const std::size_t count = triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const TriangleMesh::Indices& corners = mesh.triangles()[triangles[i]];
     for (std::size_t v = 0; v < 3; ++v) {
-      const Vec3 corner = frame.axes.transpose() * (mesh.vertices()[corners[v]] - frame.center);
-      for (std::size_t k = 0; k < 3; ++k) {
-        rows[(3 * v + k) * triangles.size() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
-      }
+      const Vec3& corner = mesh.vertices()[corners[v]];
+      const double x = corner[0] - center[0], y = corner[1] - center[1], z = corner[2] - center[2];
+      for (std::size_t k = 0; k < 3; ++k)
+        rows[(3 * v + k) * count + i] = static_cast<float>(axes[0][k] * x + axes[1][k] * y + axes[2][k] * z);
     }
   }
 }

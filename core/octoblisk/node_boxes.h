@@ -72,6 +72,13 @@ HWY_INLINE const Box8& boxesAt(const ClusteredOctree& tree, Slot slot, Box8& roo
   return room;
 }
 
+/// The largest half extent of a box that is not empty.
+HWY_INLINE float largestHalfExtent(const ClusteredOctree& tree, Slot slot) {
+  if (HWY_LIKELY(!tree.isCompact())) return tree.nodes()[slot.node].boxes.largestHalfExtent(slot.lane);
+  const CompactNode& node = tree.compactNodes()[slot.node];
+  return node.scale * static_cast<float>(node.half_extents[0][slot.lane]);
+}
+
 }  // namespace octoblisk::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -44,8 +44,8 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
     float gap;
   };
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
-  Box8 room(Box8::Unset{}), room_a(Box8::Unset{}), room_b(Box8::Unset{});
-  const BoxF root = posed(pose.b_to_a, boxesAt(b, ClusteredOctree::kRoot, room_b), 0);
+  Box8 room(Box8::Unset{});
+  const BoxF root = posed(pose.b_to_a, boxesAt(b, ClusteredOctree::kRoot, room), 0);
   forEachWithin(gap(boxesOf(a, 0, room), root), limit(), [&](std::uint32_t lane, float found) {
     stack.pushSorted(0, {{0, lane}, ClusteredOctree::kRoot, found});
   });
@@ -58,16 +58,15 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
       continue;
     }
     const std::size_t first = stack.size();
-    const Box8 &boxes_a = boxesAt(a, pair.a, room_a), &boxes_b = boxesAt(b, pair.b, room_b);
-    const bool a_is_larger = boxes_a.largestHalfExtent(pair.a.lane) >= boxes_b.largestHalfExtent(pair.b.lane);
+    const bool a_is_larger = largestHalfExtent(a, pair.a) >= largestHalfExtent(b, pair.b);
     if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
-      const BoxF box = posed(pose.b_to_a, boxes_b, pair.b.lane);
+      const BoxF box = posed(pose.b_to_a, boxesAt(b, pair.b, room), pair.b.lane);
       const std::uint32_t node = child_a.node();
       forEachWithin(gap(boxesOf(a, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {{node, lane}, pair.b, found});
       });
     } else {
-      const BoxF box = posed(pose.a_to_b, boxes_a, pair.a.lane);
+      const BoxF box = posed(pose.a_to_b, boxesAt(a, pair.a, room), pair.a.lane);
       const std::uint32_t node = child_b.node();
       forEachWithin(gap(boxesOf(b, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {pair.a, {node, lane}, found});
