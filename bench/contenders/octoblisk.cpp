@@ -27,8 +27,9 @@ std::map<std::string, double> named(const QueryCost& cost, const ClusteredOctree
 
 /// The two trees that all questions are about.
 struct Trees {
-  explicit Trees(const Scene& scene)
-      : blisk(ClusteredOctree::build(scene.blisk)), belt(ClusteredOctree::build(scene.belt)) {}
+  Trees(const Scene& scene, const BuildOptions& options)
+      : blisk(ClusteredOctree::build(scene.blisk, options)),
+        belt(ClusteredOctree::build(scene.belt, options)) {}
 
   ClusteredOctree blisk, belt;
 };
@@ -36,7 +37,8 @@ struct Trees {
 /// Along a path by the query made for paths, else pose by pose.
 class OctoBliskCollide final : public CollideQuery {
  public:
-  explicit OctoBliskCollide(const Scene& scene) : trees_(scene), along_path_(trees_.blisk, trees_.belt) {}
+  OctoBliskCollide(const Scene& scene, const BuildOptions& options)
+      : trees_(scene, options), along_path_(trees_.blisk, trees_.belt) {}
 
   bool collides(const Pose& belt_in_blisk, bool warm) override {
     return warm ? along_path_.collide(belt_in_blisk).has_value()
@@ -51,7 +53,7 @@ class OctoBliskCollide final : public CollideQuery {
 /// Each pose by itself, on a path as well.
 class OctoBliskCold final : public CollideQuery {
  public:
-  explicit OctoBliskCold(const Scene& scene) : trees_(scene) {}
+  explicit OctoBliskCold(const Scene& scene) : trees_(scene, {}) {}
 
   bool collides(const Pose& belt_in_blisk, bool) override {
     return collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();
@@ -66,7 +68,7 @@ class OctoBliskCold final : public CollideQuery {
 
 class OctoBliskPairs final : public ContactsQuery {
  public:
-  explicit OctoBliskPairs(const Scene& scene) : trees_(scene) {}
+  OctoBliskPairs(const Scene& scene, const BuildOptions& options) : trees_(scene, options) {}
 
   std::size_t contacts(const Pose& belt_in_blisk) override {
     touchingPairs(trees_.blisk, trees_.belt, belt_in_blisk, pairs_);
@@ -83,7 +85,7 @@ class OctoBliskPairs final : public ContactsQuery {
 
 class OctoBliskDistance final : public DistanceQuery {
  public:
-  explicit OctoBliskDistance(const Scene& scene) : trees_(scene) {}
+  OctoBliskDistance(const Scene& scene, const BuildOptions& options) : trees_(scene, options) {}
 
   double distance(const Pose& belt_in_blisk, bool warm) override {
     DistanceOptions options;
@@ -104,7 +106,7 @@ class OctoBliskDistance final : public DistanceQuery {
 /// With points, normals and depths.
 class OctoBliskPoints final : public ContactsQuery {
  public:
-  explicit OctoBliskPoints(const Scene& scene) : trees_(scene) {}
+  explicit OctoBliskPoints(const Scene& scene) : trees_(scene, {}) {}
 
   std::size_t contacts(const Pose& belt_in_blisk) override {
     octoblisk::contacts(trees_.blisk, trees_.belt, belt_in_blisk, 0.0, found_);
@@ -118,7 +120,8 @@ class OctoBliskPoints final : public ContactsQuery {
 
 class OctoBliskRays final : public RayQuery {
  public:
-  explicit OctoBliskRays(const Scene& scene) : blisk_(ClusteredOctree::build(scene.blisk)) {}
+  OctoBliskRays(const Scene& scene, const BuildOptions& options)
+      : blisk_(ClusteredOctree::build(scene.blisk, options)) {}
 
   double firstHit(const Segment& way) override {
     Ray ray;
@@ -133,10 +136,9 @@ class OctoBliskRays final : public RayQuery {
   ClusteredOctree blisk_;
 };
 
-class OctoBliskBuild : public BuildQuery {
+class OctoBliskBuild final : public BuildQuery {
  public:
-  explicit OctoBliskBuild(const Scene& scene, const BuildOptions& options = {})
-      : mesh_(scene.blisk), options_(options) {}
+  OctoBliskBuild(const Scene& scene, const BuildOptions& options) : mesh_(scene.blisk), options_(options) {}
 
   void build() override {
     clear();
@@ -150,20 +152,32 @@ class OctoBliskBuild : public BuildQuery {
   std::optional<ClusteredOctree> tree_;
 };
 
-/// Registers a build by other options, as a contender of its own.
-bool registerBuild(const std::string& name, const BuildOptions& options) {
-  Contender contender{.name = name};
-  contender.build = [options](const Scene& scene) {
-    return std::make_unique<OctoBliskBuild>(scene, options);
+template <typename Answers, typename Query>
+Maker<Query> answers(const BuildOptions& options) {
+  return [options](const Scene& scene) -> std::unique_ptr<Query> {
+    return std::make_unique<Answers>(scene, options);
   };
-  return registerContender(std::move(contender));
 }
 
+/// Registers all answers of trees that are built by these options.
+bool registerTrees(const std::string& name, const BuildOptions& options) {
+  return registerContender({.name = name,
+                            .collide = answers<OctoBliskCollide, CollideQuery>(options),
+                            .contacts = answers<OctoBliskPairs, ContactsQuery>(options),
+                            .distance = answers<OctoBliskDistance, DistanceQuery>(options),
+                            .ray = answers<OctoBliskRays, RayQuery>(options),
+                            .build = answers<OctoBliskBuild, BuildQuery>(options)});
+}
+
+/// Registers their build alone.
+bool registerBuild(const std::string& name, const BuildOptions& options) {
+  return registerContender({.name = name, .build = answers<OctoBliskBuild, BuildQuery>(options)});
+}
+
+const bool kRegistered = registerTrees(kOurs, {});
+const bool kCompact = registerTrees("octoblisk-compact", {.storage = Storage::compact});
 const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
 const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
-const bool kRegistered =
-    registerContender<OctoBliskCollide, OctoBliskPairs, OctoBliskDistance, OctoBliskRays, OctoBliskBuild>(
-        kOurs);
 const bool kCold = registerContender<OctoBliskCold>("octoblisk-cold");
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
 

@@ -18,6 +18,11 @@ struct BoxF {
   Eigen::Vector3f half_extents = Eigen::Vector3f::Zero();
 };
 
+/// The box in the frame of the mesh, where the tree's origin is `origin`.
+inline Obb inMesh(const BoxF& box, const Vec3& origin) {
+  return {box.center.cast<double>() + origin, box.axes.cast<double>(), box.half_extents.cast<double>()};
+}
+
 /// A rigid motion in single precision.
 struct PoseF {
   Eigen::Matrix3f rotation;
@@ -37,11 +42,18 @@ struct Box8 {
   float half_extents[3][kLanes];
   float axes[3][3][kLanes];  ///< [component][axis]
 
+  static constexpr float kEmptyHalfExtent = -1e30f;
+
   /// Eight empty boxes: nothing overlaps them.
   Box8() {
-    const BoxF empty{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Identity(), Eigen::Vector3f::Constant(-1e30f)};
+    const BoxF empty{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Identity(),
+                     Eigen::Vector3f::Constant(kEmptyHalfExtent)};
     for (int lane = 0; lane < kLanes; ++lane) set(lane, empty);
   }
+
+  /// Eight boxes that are not set: room for such as are read only once they are.
+  struct Unset {};
+  explicit Box8(Unset) {}
 
   void set(int lane, const BoxF& box) {
     int order[3] = {0, 1, 2};

@@ -18,11 +18,18 @@ enum class BuildQuality {
   fast,      ///< less time to build, looser boxes: for meshes that change often
 };
 
+/// What the tree takes of memory, and queries of time.
+enum class Storage {
+  fast,     ///< about 68 bytes a triangle beside the mesh
+  compact,  ///< a quarter of that: boxes of sixteen-bit integers, corners read from the mesh; slower queries
+};
+
 struct BuildOptions {
   PartitionKind partition = PartitionKind::clustering;
   int leaf_capacity = 8;  ///< most triangles in a leaf: 1..8; for `paper` the FNOP, at least 1
   BuildQuality quality = BuildQuality::standard;  ///< of `clustering`
   int threads = 0;  ///< that build: 0 for as many as the machine has; the tree is the same to the last bit
+  Storage storage = Storage::fast;
   // The rest is for `paper` alone.
   int clusters = 2;                        ///< k, 1..8, for each part
   std::uint64_t seed = 1;                  ///< of k-means

@@ -45,6 +45,7 @@ std::optional<ClosestPoint> searchClosest(const ClusteredOctree& tree, const Vec
   auto limit = static_cast<float>(best.distance + rounding);
 
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
+  Box8 room(Box8::Unset{});
   stack.pushSorted(0, {tree.child(ClusteredOctree::kRoot), 0.0f});
   while (!stack.empty()) {
     const Entry entry = stack.pop();
@@ -63,11 +64,12 @@ std::optional<ClosestPoint> searchClosest(const ClusteredOctree& tree, const Vec
       limit = static_cast<float>(best.distance + rounding);
       continue;
     }
-    const ClusteredOctree::Node& node = tree.nodes()[entry.child.node()];
+    const std::array<Child, kLanes>& children = tree.children(entry.child.node());
     const std::size_t first = stack.size();
-    forEachWithin(distances(node.boxes, local_single), limit, [&](std::uint32_t lane, float distance) {
-      stack.pushSorted(first, {node.children[lane], distance});
-    });
+    forEachWithin(distances(boxesOf(tree, entry.child.node(), room), local_single), limit,
+                  [&](std::uint32_t lane, float distance) {
+                    stack.pushSorted(first, {children[lane], distance});
+                  });
   }
   if (best.triangle == kNoTriangle) return std::nullopt;
   return best;

@@ -1,16 +1,25 @@
 #include "octoblisk/clustered_octree.h"
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "octoblisk/huge_pages.h"
 #include "octoblisk/parallel.h"
 #include "octoblisk/partition.h"
+#include "octoblisk/refit.h"
+#include "octoblisk/tree_check.h"
 
 namespace octoblisk {
 namespace {
+
+void checkThreads(int threads) {
+  if (threads >= 0) return;
+  throw std::invalid_argument("threads is " + std::to_string(threads) + ", but must not be negative");
+}
 
 void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& options) {
   if (!mesh) throw std::invalid_argument("a clustered octree needs a mesh");
@@ -25,10 +34,7 @@ void check(const std::shared_ptr<const TriangleMesh>& mesh, const BuildOptions& 
     throw std::invalid_argument("leaf_capacity is " + std::to_string(options.leaf_capacity) +
                                 ", but must be 1 to 8");
   }
-  if (options.threads < 0) {
-    throw std::invalid_argument("threads is " + std::to_string(options.threads) +
-                                ", but must not be negative");
-  }
+  checkThreads(options.threads);
   if (options.clusters < 1 || options.clusters > kLanes) {
     throw std::invalid_argument("clusters is " + std::to_string(options.clusters) + ", but must be 1 to 8");
   }
@@ -59,12 +65,9 @@ class NodeWriter {
   NodeWriter(const Partition& partition, float pad, std::vector<ClusteredOctree::Node>& nodes)
       : partition_(partition), pad_(pad), nodes_(nodes) {}
 
-  int depth() const { return depth_; }
-
   /// Puts the partition's node into a slot, and all below it into new nodes.
-  void write(std::uint32_t partition_node, Slot slot, int depth) {
+  void write(std::uint32_t partition_node, Slot slot) {
     const PartitionNode& source = partition_.nodes[partition_node];
-    depth_ = std::max(depth_, depth);
     nodes_[slot.node].boxes.set(static_cast<int>(slot.lane), padded(source.box, pad_));
     Child& child = nodes_[slot.node].children[slot.lane];
     if (source.child_count == 0) {
@@ -75,7 +78,7 @@ class NodeWriter {
     child = Child::node(node);
     nodes_.emplace_back();
     for (std::uint32_t lane = 0; lane < source.child_count; ++lane) {
-      write(source.first_child + lane, {node, lane}, depth + 1);
+      write(source.first_child + lane, {node, lane});
     }
   }
 
@@ -83,91 +86,129 @@ class NodeWriter {
   const Partition& partition_;
   const float pad_;
   std::vector<ClusteredOctree::Node>& nodes_;
-  int depth_ = 0;
 };
 
-template <typename Visit>
-void forEachChild(const std::vector<ClusteredOctree::Node>& nodes, Visit&& visit) {
-  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (!nodes[n].children[lane].isEmpty()) visit(Slot{n, lane}, nodes[n].children[lane]);
-    }
+/// Throws unless the mesh is the other one with its vertices moved.
+void checkDeformed(const TriangleMesh* deformed, const TriangleMesh& mesh) {
+  if (!deformed) throw std::invalid_argument("to refit a clustered octree needs a mesh");
+  const auto checkCount = [](const char* what, std::size_t count, std::size_t wanted) {
+    if (count == wanted) return;
+    throw std::invalid_argument("the deformed mesh has " + std::to_string(count) + ' ' + what +
+                                ", the tree's " + std::to_string(wanted));
+  };
+  checkCount("triangles", deformed->triangleCount(), mesh.triangleCount());
+  checkCount("vertices", deformed->vertices().size(), mesh.vertices().size());
+  const auto [other, own] = std::ranges::mismatch(deformed->triangles(), mesh.triangles());
+  if (own != mesh.triangles().end()) {
+    throw std::invalid_argument("triangle " + std::to_string(own - mesh.triangles().begin()) +
+                                " of the deformed mesh has other vertices than that of the tree's");
   }
+}
+
+BuildStats statsOf(const TreeArrays& tree, std::size_t triangles) {
+  BuildStats stats;
+  stats.triangles = triangles;
+  stats.nodes = tree.nodeCount();
+  stats.bytes = tree.bytes();
+  const auto volume = [&](Slot slot) { return 8.0 * tree.box(slot).half_extents.cast<double>().prod(); };
+  stats.root_volume = volume(ClusteredOctree::kRoot);
+  std::vector<int> depth(tree.nodeCount(), 0);  // boxes round a node
+  forEachChild(tree, [&](Slot slot, Child child) {
+    const int depth_of_child = depth[slot.node] + 1;
+    if (!child.isLeaf()) {
+      depth[child.node()] = depth_of_child;
+      return;
+    }
+    ++stats.leaves;
+    stats.leaf_volume += volume(slot);
+    stats.depth = std::max(stats.depth, depth_of_child);
+  });
+  return stats;
+}
+
+/// Whether the corners in a leaf of a fast tree are those of the mesh, but for rounding.
+bool hasItsCorners(const ClusteredOctree& tree, Slot slot) {
+  const Child leaf = tree.child(slot);
+  LeafVertices computed, unused;
+  writeLeafVertices(tree.mesh(), tree.triangles(leaf), tree.arrays().box(slot), tree.origin(), computed.rows);
+  const float* stored = tree.leafVertices(slot, unused);
+  const float rounding = 0x1p-21f * tree.nodes()[slot.node].boxes.largestHalfExtent(slot.lane);
+  return std::equal(stored, stored + 9 * leaf.count(), computed.rows,
+                    [&](float a, float b) { return std::abs(a - b) <= rounding; });
 }
 
 }  // namespace
 
+ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                                 std::shared_ptr<const void> owner, std::shared_ptr<OwnedArrays> owned,
+                                 BuildOptions options)
+    : mesh_(std::move(mesh)),
+      origin_(mesh_->bounds().center()),
+      radius_(mesh_->bounds().halfExtents().norm()),
+      arrays_(arrays),
+      owner_(std::move(owner)),
+      owned_(std::move(owned)),
+      options_(std::move(options)),
+      stats_(statsOf(arrays_, mesh_->triangleCount())) {}
+
+ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> owned,
+                                 BuildOptions options)
+    : ClusteredOctree(std::move(mesh), owned->view(), nullptr, owned, std::move(options)) {}
+
+ClusteredOctree ClusteredOctree::over(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
+                                      std::shared_ptr<const void> owner, const BuildOptions& options) {
+  check(mesh, options);
+  checkTree(arrays, *mesh);
+  return ClusteredOctree(std::move(mesh), arrays, std::move(owner), nullptr, options);
+}
+
 ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
                                        const BuildOptions& options) {
   check(mesh, options);
-  ClusteredOctree tree;
-  tree.mesh_ = std::move(mesh);
-  tree.options_ = options;
-  tree.origin_ = tree.mesh_->bounds().center();
-  tree.radius_ = tree.mesh_->bounds().halfExtents().norm();
+  const int threads = threadCount(options.threads);
+  const Vec3 origin = mesh->bounds().center();
+  const double radius = mesh->bounds().halfExtents().norm();
+  Partition partition = partitionOf(makeRecords(*mesh, origin, threads), options);
 
-  Partition partition =
-      partitionOf(makeRecords(*tree.mesh_, tree.origin_, threadCount(options.threads)), options);
-  tree.triangle_order_ = std::move(partition.order);
-
-  constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
-  constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());
+  const auto arrays = std::make_shared<OwnedArrays>();
+  arrays->triangle_order = std::move(partition.order);
   const auto has_children = [](const PartitionNode& node) { return node.child_count > 0; };
-  reserveOnHugePages(
-      tree.nodes_, 1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
-  tree.nodes_.emplace_back();
-  NodeWriter writer(partition, static_cast<float>(kRounding * tree.radius_ + kSmallest), tree.nodes_);
-  writer.write(0, kRoot, 1);
-
-  reserveOnHugePages(tree.leaf_vertices_, 9 * tree.triangle_order_.size() + kLanes);
-  tree.leaf_vertices_.resize(9 * tree.triangle_order_.size() + kLanes);
-  parallelFor(tree.nodes_.size(), threadCount(options.threads), [&](std::size_t node, std::size_t) {
-    tree.writeLeafVertices(static_cast<std::uint32_t>(node));
-  });
-
-  BuildStats& stats = tree.stats_;
-  stats.triangles = tree.mesh_->triangleCount();
-  stats.nodes = tree.nodes_.size();
-  stats.depth = writer.depth();
-  stats.root_volume = tree.box(kRoot).volume();
-  stats.bytes = tree.nodes_.size() * sizeof(Node) + tree.triangle_order_.size() * sizeof(std::uint32_t) +
-                tree.leaf_vertices_.size() * sizeof(float);
-  forEachChild(tree.nodes_, [&](Slot slot, Child child) {
-    if (!child.isLeaf()) return;
-    ++stats.leaves;
-    stats.leaf_volume += tree.box(slot).volume();
-  });
-  return tree;
-}
-
-void ClusteredOctree::writeLeafVertices(std::uint32_t node) {
-  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    const Child leaf = nodes_[node].children[lane];
-    if (!leaf.isLeaf()) continue;
-    const Obb frame = localBox({node, lane});
-    float* row = leaf_vertices_.data() + 9 * std::size_t{leaf.first()};
-    for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-      const Triangle triangle = mesh_->triangle(triangles(leaf)[i]);
-      for (std::uint32_t v = 0; v < 3; ++v) {
-        const Vec3 corner = frame.axes.transpose() * (triangle[v] - origin_ - frame.center);
-        for (std::uint32_t k = 0; k < 3; ++k) {
-          row[(3 * v + k) * leaf.count() + i] = static_cast<float>(corner[static_cast<Eigen::Index>(k)]);
-        }
-      }
-    }
+  reserveOnHugePages(arrays->nodes,
+                     1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
+  arrays->nodes.emplace_back();
+  NodeWriter(partition, boxPadding(radius), arrays->nodes).write(0, kRoot);
+  if (options.storage == Storage::compact) {
+    makeCompact(*arrays, *mesh, origin, radius, threads);
+  } else {
+    writeAllLeafVertices(*arrays, *mesh, origin, threads);
   }
+  return ClusteredOctree(std::move(mesh), arrays, options);
 }
 
-Obb ClusteredOctree::localBox(Slot slot) const {
-  const BoxF box = boxes(slot).get(static_cast<int>(slot.lane));
-  return {box.center.cast<double>(), box.axes.cast<double>(), box.half_extents.cast<double>()};
+ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> deformed, int threads) const& {
+  checkThreads(threads);
+  checkDeformed(deformed.get(), *mesh_);
+  const auto copy = std::make_shared<OwnedArrays>(arrays_);
+  refit(*copy, *deformed, deformed->bounds().center(), deformed->bounds().halfExtents().norm(),
+        threadCount(threads));
+  return ClusteredOctree(std::move(deformed), copy, options_);
 }
 
-Obb ClusteredOctree::box(Slot slot) const {
-  Obb box = localBox(slot);
-  box.center += origin_;
-  return box;
+ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> deformed, int threads) && {
+  if (owned_.use_count() != 1) return std::as_const(*this).refitted(std::move(deformed), threads);
+  std::atomic_thread_fence(std::memory_order_acquire);  // after what those did that shared it
+  checkThreads(threads);
+  checkDeformed(deformed.get(), *mesh_);
+  refit(*owned_, *deformed, deformed->bounds().center(), deformed->bounds().halfExtents().norm(),
+        threadCount(threads));
+  return ClusteredOctree(std::move(deformed), std::move(owned_), std::move(options_));
 }
+
+void ClusteredOctree::computeLeafVertices(Slot slot, LeafVertices& room) const {
+  writeLeafVertices(*mesh_, triangles(child(slot)), arrays_.box(slot), origin_, room.rows);
+}
+
+Obb ClusteredOctree::box(Slot slot) const { return inMesh(arrays_.box(slot), origin_); }
 
 std::vector<Obb> ClusteredOctree::boxes(int depth) const {
   std::vector<Obb> found;
@@ -181,7 +222,7 @@ std::vector<Obb> ClusteredOctree::boxes(int depth) const {
       continue;
     }
     for (std::uint32_t lane = kLanes; lane-- > 0;) {
-      if (!nodes_[here.node()].children[lane].isEmpty()) open.push_back({{here.node(), lane}, level + 1});
+      if (!child({here.node(), lane}).isEmpty()) open.push_back({{here.node(), lane}, level + 1});
     }
   }
   return found;
@@ -200,10 +241,14 @@ void ClusteredOctree::validate() const {
       fail("it is deeper than " + std::to_string(kMaxDepth));
     const Child here = child(slot);
     if (here.isLeaf()) {
+      if (!isCompact() && !hasItsCorners(*this, slot)) {
+        fail("the corners in leaf " + std::to_string(slot.lane) + " of node " + std::to_string(slot.node) +
+             " are not those of its triangles");
+      }
       for (const std::uint32_t t : triangles(here)) {
         ++leaves_of_triangle[t];
         for (const Slot above : path) {
-          const Obb bounds = localBox(above);
+          const Obb bounds = inMesh(arrays_.box(above), Vec3::Zero());  // exact, however far the origin is
           for (const Vec3& vertex : mesh_->triangle(t)) {
             if (!bounds.contains(vertex - origin_)) {
               fail("box " + std::to_string(above.lane) + " of node " + std::to_string(above.node) +
@@ -214,7 +259,7 @@ void ClusteredOctree::validate() const {
       }
     } else {
       for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        if (!nodes_[here.node()].children[lane].isEmpty()) self(self, {here.node(), lane});
+        if (!child({here.node(), lane}).isEmpty()) self(self, {here.node(), lane});
       }
     }
     path.pop_back();

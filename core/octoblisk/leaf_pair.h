@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/node_boxes.h"
 #include "octoblisk/simd.h"
 #include "octoblisk/traversal_stack.h"
 
@@ -23,8 +24,14 @@ class LeafPair {
  public:
   HWY_INLINE LeafPair(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, Slot slot_a,
                       Slot slot_b)
-      : a_(a), b_(b), leaf_a_(a.child(slot_a)), leaf_b_(b.child(slot_b)) {
-    const Box8 &boxes_a = a.boxes(slot_a), &boxes_b = b.boxes(slot_b);
+      : a_(a),
+        b_(b),
+        leaf_a_(a.child(slot_a)),
+        leaf_b_(b.child(slot_b)),
+        rows_a_(a.leafVertices(slot_a, corners_a_)),
+        rows_b_(b.leafVertices(slot_b, corners_b_)) {
+    Box8 room_a(Box8::Unset{}), room_b(Box8::Unset{});
+    const Box8 &boxes_a = boxesAt(a, slot_a, room_a), &boxes_b = boxesAt(b, slot_b, room_b);
     const std::uint32_t lane_a = slot_a.lane, lane_b = slot_b.lane;
     double between[3];  // of the centres, in A's local frame
     for (int i = 0; i < 3; ++i) {
@@ -50,6 +57,9 @@ class LeafPair {
     for (std::uint32_t v = 0; v < 3; ++v) corner_of_b_[v] = posedCornersOfB(v);
   }
 
+  LeafPair(const LeafPair&) = delete;
+  LeafPair& operator=(const LeafPair&) = delete;
+
   std::uint32_t countA() const { return leaf_a_.count(); }
   std::uint32_t countB() const { return leaf_b_.count(); }
   unsigned lanesOfB() const { return (1u << countB()) - 1u; }
@@ -58,7 +68,7 @@ class LeafPair {
 
   /// Corner v of triangle i of A, the same in all lanes.
   HWY_INLINE Vec8 cornerOfA(std::uint32_t i, std::uint32_t v) const {
-    const float* x = a_.leafVertices(leaf_a_) + 3 * v * countA() + i;
+    const float* x = rows_a_ + 3 * v * countA() + i;
     return {Float8(x[0]), Float8(x[countA()]), Float8(x[2 * countA()])};
   }
 
@@ -73,9 +83,9 @@ class LeafPair {
     const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),
                high = max(corner_of_b_[0], max(corner_of_b_[1], corner_of_b_[2]));
     float low_of_a[3][kLanes], high_of_a[3][kLanes];
-    const float* rows = a_.leafVertices(leaf_a_);
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto row = [&](std::uint32_t v) HWY_ATTR { return Float8::load(rows + (3 * v + k) * countA()); };
+      const auto row = [&](std::uint32_t v)
+                           HWY_ATTR { return Float8::load(rows_a_ + (3 * v + k) * countA()); };
       min(row(0), min(row(1), row(2))).store(low_of_a[k]);
       max(row(0), max(row(1), row(2))).store(high_of_a[k]);
     }
@@ -104,7 +114,7 @@ class LeafPair {
 
  private:
   HWY_INLINE Vec8 posedCornersOfB(std::uint32_t v) const {
-    const float* x = b_.leafVertices(leaf_b_) + 3 * v * countB();
+    const float* x = rows_b_ + 3 * v * countB();
     const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
     const auto along = [&](int i) HWY_ATTR {
       return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
@@ -115,6 +125,8 @@ class LeafPair {
 
   const ClusteredOctree &a_, &b_;
   const Child leaf_a_, leaf_b_;
+  LeafVertices corners_a_, corners_b_;  // room for those of compact trees
+  const float *const rows_a_, *const rows_b_;
   Vec8 corner_of_b_[3];
   float rotation_[3][3], shift_[3];
   float size_, doubles_;

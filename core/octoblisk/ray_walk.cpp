@@ -12,6 +12,7 @@
 // Must come after it.
 #include <hwy/cache_control.h>
 
+#include "octoblisk/node_boxes.h"
 #include "octoblisk/ray_lanes.h"
 
 #ifndef OCTOBLISK_RAY_WALK_ONCE
@@ -74,9 +75,9 @@ class RayWalk {
   /// Puts the children entered on the list, but for the nearest, which `here` becomes; false: there is none.
   HWY_INLINE bool enterNode(Slot& here) {
     const std::uint32_t index = tree_.child(here).node();
-    const ClusteredOctree::Node& node = tree_.nodes()[index];
+    Box8 room(Box8::Unset{});
     HWY_ALIGN float reaches[kLanes];
-    unsigned entered = enter(node.boxes, local_, limit_, reaches);
+    unsigned entered = enter(boxesOf(tree_, index, room), local_, limit_, reaches);
     if (entered == 0) return false;
     if ((entered & (entered - 1)) == 0) {
       here = {index, static_cast<std::uint32_t>(std::countr_zero(entered))};
@@ -106,18 +107,28 @@ class RayWalk {
     constexpr std::size_t kLine = 64;
     const Child child = tree_.child(slot);
     if (child.isLeaf()) return;
-    const auto* node = reinterpret_cast<const char*>(&tree_.nodes()[child.node()]);
-    for (std::size_t i = 0; i < sizeof(ClusteredOctree::Node); i += kLine) hwy::Prefetch(node + i);
+    const auto fetch = [](const auto& node) HWY_ATTR {
+      const auto* bytes = reinterpret_cast<const char*>(&node);
+      for (std::size_t i = 0; i < sizeof(node); i += kLine) hwy::Prefetch(bytes + i);
+    };
+    if (tree_.isCompact()) {
+      fetch(tree_.compactNodes()[child.node()]);
+    } else {
+      fetch(tree_.nodes()[child.node()]);
+    }
   }
 
   /// False where nothing is of interest any more.
   HWY_INLINE bool visitLeaf(Slot slot) {
     const Child leaf = tree_.child(slot);
+    Box8 room(Box8::Unset{});
+    LeafVertices corners;
+    const ShearedRay sheared(local_, boxesAt(tree_, slot, room), slot.lane);
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
     hwy::Prefetch(triangles.data());  // while the corners are waited for
-    const ShearedRay sheared(local_, tree_.boxes(slot), slot.lane);
     const unsigned in_leaf = (1u << triangles.size()) - 1;
-    unsigned crossed = mayCross(tree_.leafVertices(leaf), triangles.size(), sheared, limit_) & in_leaf;
+    unsigned crossed =
+        mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;
     for (; crossed != 0; crossed &= crossed - 1) {
       const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
       const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));

@@ -35,6 +35,9 @@ class Float8 {
     }
     return result;
   }
+  /// Eight integers from memory.
+  static HWY_INLINE Float8 load(const std::int16_t* from) { return converted(from); }
+  static HWY_INLINE Float8 load(const std::uint16_t* from) { return converted(from); }
   HWY_INLINE void store(float* to) const {
     for (std::size_t p = 0; p < kParts; ++p) hwy::HWY_NAMESPACE::StoreU(part_[p], Tag(), to + p * kWidth);
   }
@@ -96,6 +99,17 @@ class Float8 {
   static constexpr std::size_t kWidth = hwy::HWY_NAMESPACE::MaxLanes(Tag());
   static constexpr std::size_t kParts = kSize / kWidth;
 
+  template <typename Integer>
+  static HWY_INLINE Float8 converted(const Integer* from) {
+    const hwy::HWY_NAMESPACE::Rebind<Integer, Tag> narrow;
+    const hwy::HWY_NAMESPACE::RebindToSigned<Tag> wide;
+    Float8 result;
+    for (std::size_t p = 0; p < kParts; ++p) {
+      const auto integers = hwy::HWY_NAMESPACE::LoadU(narrow, from + p * kWidth);
+      result.part_[p] = hwy::HWY_NAMESPACE::ConvertTo(Tag(), hwy::HWY_NAMESPACE::PromoteTo(wide, integers));
+    }
+    return result;
+  }
   template <typename Operation>
   static HWY_INLINE Float8 combined(const Float8& a, const Float8& b, Operation operation) {
     Float8 result;

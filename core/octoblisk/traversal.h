@@ -14,6 +14,7 @@
 
 #include "octoblisk/box_test.h"
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/node_boxes.h"
 #include "octoblisk/traversal_stack.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -44,11 +45,12 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
   };
   if (!(pose.size <= kFarthest)) return false;
   TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
+  Box8 room(Box8::Unset{}), room_of_one(Box8::Unset{});
   for (std::uint32_t lane_b = 0; lane_b < kLanes; ++lane_b) {
     const Slot slot_b{below.b, lane_b};
-    if (b.child(slot_b).isEmpty()) break;
-    const BoxF box = posed(pose.b_to_a, b.boxes(slot_b), lane_b);
-    forEachWithin(gap(a.nodes()[below.a].boxes, box), limit(), [&](std::uint32_t lane_a, float found) {
+    if (b.child(slot_b).isEmpty()) continue;
+    const BoxF box = posed(pose.b_to_a, boxesAt(b, slot_b, room_of_one), lane_b);
+    forEachWithin(gap(boxesOf(a, below.a, room), box), limit(), [&](std::uint32_t lane_a, float found) {
       stack.pushSorted(0, {{below.a, lane_a}, slot_b, found});
     });
   }
@@ -61,18 +63,17 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
       continue;
     }
     const std::size_t first = stack.size();
-    const Box8 &boxes_a = a.boxes(pair.a), &boxes_b = b.boxes(pair.b);
-    const bool a_is_larger = boxes_a.largestHalfExtent(pair.a.lane) >= boxes_b.largestHalfExtent(pair.b.lane);
+    const bool a_is_larger = largestHalfExtent(a, pair.a) >= largestHalfExtent(b, pair.b);
     if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
-      const BoxF box = posed(pose.b_to_a, boxes_b, pair.b.lane);
+      const BoxF box = posed(pose.b_to_a, boxesAt(b, pair.b, room), pair.b.lane);
       const std::uint32_t node = child_a.node();
-      forEachWithin(gap(a.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+      forEachWithin(gap(boxesOf(a, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {{node, lane}, pair.b, found});
       });
     } else {
-      const BoxF box = posed(pose.a_to_b, boxes_a, pair.a.lane);
+      const BoxF box = posed(pose.a_to_b, boxesAt(a, pair.a, room), pair.a.lane);
       const std::uint32_t node = child_b.node();
-      forEachWithin(gap(b.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+      forEachWithin(gap(boxesOf(b, node, room), box), limit(), [&](std::uint32_t lane, float found) {
         stack.pushSorted(first, {pair.a, {node, lane}, found});
       });
     }
@@ -101,7 +102,8 @@ bool walkBox(const ClusteredOctree& tree, const LocalBox& local, Gap&& gap, Limi
   if (!(local.size <= kFarthest)) return false;
   const BoxF& box = local.box;
   TraversalStack<Entry, ClusteredOctree::kMaxDepth> stack;
-  forEachWithin(gap(tree.boxes(ClusteredOctree::kRoot), box), limit(), [&](std::uint32_t lane, float found) {
+  Box8 room(Box8::Unset{});
+  forEachWithin(gap(boxesOf(tree, 0, room), box), limit(), [&](std::uint32_t lane, float found) {
     stack.pushSorted(0, {{0, lane}, found});
   });
   while (!stack.empty()) {
@@ -114,7 +116,7 @@ bool walkBox(const ClusteredOctree& tree, const LocalBox& local, Gap&& gap, Limi
     }
     const std::size_t first = stack.size();
     const std::uint32_t node = child.node();
-    forEachWithin(gap(tree.nodes()[node].boxes, box), limit(), [&](std::uint32_t lane, float found) {
+    forEachWithin(gap(boxesOf(tree, node, room), box), limit(), [&](std::uint32_t lane, float found) {
       stack.pushSorted(first, {{node, lane}, found});
     });
   }

@@ -68,7 +68,7 @@ TEST(ClusteredOctree, leavesHoldNoMoreThanTheirCapacity) {
       }
       EXPECT_EQ(tree.stats().leaves, leaves);
       EXPECT_EQ(tree.stats().triangles, mesh->triangleCount());
-      EXPECT_EQ(tree.stats().nodes, tree.nodes().size());
+      EXPECT_EQ(tree.stats().nodes, tree.nodeCount());
     }
   }
 }

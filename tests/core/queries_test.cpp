@@ -125,6 +125,40 @@ INSTANTIATE_TEST_SUITE_P(Partitions, Queries,
                            return kind.param == PartitionKind::paper ? "paper" : "clustering";
                          });
 
+/// Triangles whose corners are in a line but for rounding: what single precision makes of their normals
+/// points anywhere.
+SharedMesh slivers(std::mt19937_64& random, int count) {
+  std::vector<Vec3> vertices;
+  std::vector<TriangleMesh::Indices> triangles;
+  for (int i = 0; i < count; ++i) {
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    const Vec3 from = testing::randomPoint(random, 0.5), to = testing::randomPoint(random, 0.5);
+    vertices.insert(vertices.end(), {from, to, from + testing::uniform(random, 0.2, 0.8) * (to - from)});
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  return std::make_shared<const TriangleMesh>(vertices, triangles);
+}
+
+TEST(Queries, sliversAreNotMissed) {
+  std::mt19937_64 random(23);
+  const SharedMesh thin = slivers(random, 12), wide = testing::soup(random, 12, 0.8, 0.4);
+  const ClusteredOctree a = ClusteredOctree::build(thin), b = ClusteredOctree::build(wide);
+  std::vector<TrianglePair> found;
+  int hits = 0;
+  constexpr int kPoses = 20000;
+  for (int i = 0; i < kPoses; ++i) {
+    const Pose pose = testing::randomPose(random, 0.8);
+    const auto expected = testing::bruteForcePairs(*thin, *wide, pose);
+    hits += !expected.empty();
+    touchingPairs(a, b, pose, found);
+    ASSERT_EQ(found, expected) << "pose " << i;
+    touchingPairs(b, a, pose.inverse(), found);
+    ASSERT_EQ(found.empty(), testing::bruteForcePairs(*wide, *thin, pose.inverse()).empty()) << "pose " << i;
+  }
+  EXPECT_GE(hits, kPoses * 3 / 10);
+  EXPECT_LE(hits, kPoses * 7 / 10);
+}
+
 TEST(Queries, touchingIsColliding) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
   EXPECT_TRUE(collide(box, box, {Mat3::Identity(), Vec3(2, 0, 0)}));
