@@ -1,7 +1,6 @@
 #include "octoblisk/clustered_octree.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -196,7 +195,7 @@ ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> de
 
 ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> deformed, int threads) && {
   if (owned_.use_count() != 1) return std::as_const(*this).refitted(std::move(deformed), threads);
-  std::atomic_thread_fence(std::memory_order_acquire);  // after what those did that shared it
+  std::shared_ptr<OwnedArrays>(owned_).reset();  // comes after all that those did who gave up their share
   checkThreads(threads);
   checkDeformed(deformed.get(), *mesh_);
   refit(*owned_, *deformed, deformed->bounds().center(), deformed->bounds().halfExtents().norm(),
