@@ -26,7 +26,7 @@ bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, cons
     tally.boxTest();
     return widestGap(boxes, box);
   };
-  return walkPairs(
+  return walkPairs<TraversalStack>(
       a, b, pose, below, gap, [limit = pose.limit(0.0)] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         tally.leafPair();

@@ -25,7 +25,7 @@ void searchNearest(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
     return squaredDistanceBound(boxes, box);
   };
   const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
-  walkPairs(a, b, pose, NodePair(), bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+  walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     tally.leafPair();
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const TriangleDistances distances(leaves);

@@ -15,6 +15,7 @@
 #include "octoblisk/box_test.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/node_boxes.h"
+#include "octoblisk/traversal_queue.h"
 #include "octoblisk/traversal_stack.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,9 +35,10 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
 }
 
 /// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes of which no gap(boxes, box),
-/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first. Returns
-/// true as soon as visit does, else false. Where the pose is not finite, nothing is near.
-template <typename Gap, typename Limit, typename Visit>
+/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first: of all
+/// with a TraversalQueue, of those below the same pair with a TraversalStack. Returns true as soon as visit
+/// does, else false. Where the pose is not finite, nothing is near.
+template <template <typename Entry, int kLevels> typename ToDo, typename Gap, typename Limit, typename Visit>
 bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
                Gap&& gap, Limit&& limit, Visit&& visit) {
   struct Entry {
@@ -44,37 +46,40 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
     float gap;
   };
   if (!(pose.size <= kFarthest)) return false;
-  TraversalStack<Entry, 2 * ClusteredOctree::kMaxDepth> stack;
+  ToDo<Entry, 2 * ClusteredOctree::kMaxDepth> to_do;
   Box8 room(Box8::Unset{}), room_of_one(Box8::Unset{});
   for (std::uint32_t lane_b = 0; lane_b < kLanes; ++lane_b) {
     const Slot slot_b{below.b, lane_b};
     if (b.child(slot_b).isEmpty()) continue;
     const BoxF box = posed(pose.b_to_a, boxesAt(b, slot_b, room_of_one), lane_b);
     forEachWithin(gap(boxesOf(a, below.a, room), box), limit(), [&](std::uint32_t lane_a, float found) {
-      stack.pushSorted(0, {{below.a, lane_a}, slot_b, found});
+      to_do.pushSorted(0, {{below.a, lane_a}, slot_b, found});
     });
   }
-  while (!stack.empty()) {
-    const Entry pair = stack.pop();
-    if (pair.gap > limit()) continue;
+  while (!to_do.empty()) {
+    const Entry pair = to_do.pop();
+    if (pair.gap > limit()) {
+      to_do.dismiss();
+      continue;
+    }
     const Child child_a = a.child(pair.a), child_b = b.child(pair.b);
     if (child_a.isLeaf() && child_b.isLeaf()) {
       if (visit(pair.a, pair.b)) return true;
       continue;
     }
-    const std::size_t first = stack.size();
+    const std::size_t first = to_do.size();
     const bool a_is_larger = largestHalfExtent(a, pair.a) >= largestHalfExtent(b, pair.b);
     if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
       const BoxF box = posed(pose.b_to_a, boxesAt(b, pair.b, room), pair.b.lane);
       const std::uint32_t node = child_a.node();
       forEachWithin(gap(boxesOf(a, node, room), box), limit(), [&](std::uint32_t lane, float found) {
-        stack.pushSorted(first, {{node, lane}, pair.b, found});
+        to_do.pushSorted(first, {{node, lane}, pair.b, found});
       });
     } else {
       const BoxF box = posed(pose.a_to_b, boxesAt(a, pair.a, room), pair.a.lane);
       const std::uint32_t node = child_b.node();
       forEachWithin(gap(boxesOf(b, node, room), box), limit(), [&](std::uint32_t lane, float found) {
-        stack.pushSorted(first, {pair.a, {node, lane}, found});
+        to_do.pushSorted(first, {pair.a, {node, lane}, found});
       });
     }
   }
@@ -88,7 +93,7 @@ template <typename Visit>
 bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
                    double reach, Visit&& visit) {
   const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
-  return walkPairs(
+  return walkPairs<TraversalStack>(
       a, b, pose, below, gap, [limit = pose.limit(reach)] { return limit; }, visit);
 }
 

@@ -68,6 +68,9 @@ class TraversalStack {
   }
   std::size_t size() const { return count_; }
 
+  /// What was popped last is too far: nothing follows from that for those that wait.
+  void dismiss() {}
+
  private:
   std::array<Entry, (kLanes - 1) * kLevels + kLanes * kLanes> entries_;
   std::size_t count_ = 0;

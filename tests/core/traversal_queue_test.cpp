@@ -1,0 +1,68 @@
+// The to-do list of searches for the nearest: by gap while there is room, and nothing is lost when there is none.
+#include "octoblisk/traversal_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace octoblisk {
+namespace {
+
+struct Entry {
+  int name;
+  float gap;
+};
+using Queue = TraversalQueue<Entry, 2>;
+
+TEST(TraversalQueue, givesTheLeastGapFirst) {
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<float> gap(-1.0f, 5.0f);
+  const auto queue = std::make_unique<Queue>();
+  for (int i = 0; i < 500; ++i) queue->pushSorted(queue->size(), {i, gap(random)});
+  float last = -2.0f;
+  int popped = 0;
+  for (; !queue->empty(); ++popped) {
+    const Entry entry = queue->pop();
+    EXPECT_GE(entry.gap, last);
+    last = entry.gap;
+  }
+  EXPECT_EQ(popped, 500);
+}
+
+TEST(TraversalQueue, losesNothingWhereRoomRunsOut) {
+  // Each entry taken brings three, as in a walk, until there are many more than there is room for.
+  const auto queue = std::make_unique<Queue>();
+  constexpr int kEntries = 9000;
+  std::mt19937_64 random(32);
+  std::uniform_real_distribution<float> gap(0.0f, 1.0f);
+  std::vector<int> seen(kEntries, 0);
+  int made = 0;
+  std::vector<int> depth(kEntries, 0);
+  const auto push = [&](std::size_t first, int level) {
+    depth[static_cast<std::size_t>(made)] = level;
+    queue->pushSorted(first, {made++, gap(random)});
+  };
+  for (int i = 0; i < 1020; ++i) push(queue->size(), 0);
+  while (!queue->empty()) {
+    const Entry entry = queue->pop();
+    ++seen[static_cast<std::size_t>(entry.name)];
+    const int level = depth[static_cast<std::size_t>(entry.name)];
+    const std::size_t first = queue->size();
+    for (int child = 0; child < 3 && level < 2 && made < kEntries; ++child) push(first, level + 1);
+  }
+  EXPECT_GT(made, 5000);
+  for (int i = 0; i < made; ++i) ASSERT_EQ(seen[static_cast<std::size_t>(i)], 1) << i;
+}
+
+TEST(TraversalQueue, dismissesAllThatWaitsBehindTheLast) {
+  const auto queue = std::make_unique<Queue>();
+  for (int i = 0; i < 10; ++i) queue->pushSorted(queue->size(), {i, static_cast<float>(i)});
+  EXPECT_EQ(queue->pop().name, 0);
+  queue->dismiss();
+  EXPECT_TRUE(queue->empty());
+}
+
+}  // namespace
+}  // namespace octoblisk
