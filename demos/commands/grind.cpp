@@ -22,6 +22,7 @@
 #include "models/mesh_file.h"
 #include "models/open_edges.h"
 #include "models/orientation.h"
+#include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/progress_bar.h"
 #include "toolpath/grinding_path.h"

@@ -1,4 +1,5 @@
-// The pictures of a grinding run.
+#include "report/grinding_pictures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +10,6 @@
 
 #include "octoblisk/distance.h"
 #include "octoblisk/separating_axis.h"
-#include "report/grinding_report.h"
-#include "report/picture.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -85,8 +84,8 @@ std::vector<Obb> boxesNear(const ClusteredOctree& tree, const Vec3& center) {
 }
 
 std::string title(const GrindingRun& run, std::size_t shown) {
-  return "Pose " + std::to_string(shown) + " of 0 to " + std::to_string(run.poses.size() - 1) + ": " +
-         nameOf(run.poses[shown].verdict);
+  return "Pose " + std::to_string(shown) + " (of 0-" + std::to_string(run.poses.size() - 1) +
+         "): " + nameOf(run.poses[shown].verdict);
 }
 
 std::string counts(const GrindingRun& run) {
@@ -124,42 +123,11 @@ Focus focusOf(const GrindingRun& run, const PoseReport& pose) {
           text.str()};
 }
 
-void writeOverview(const GrindingRun& run, std::size_t shown, const Vec3& outward,
-                   const std::filesystem::path& file) {
-  Picture overview;
-  overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};
-  addBlisk(run, overview);
-  addTool(run, run.poses[shown], overview);
-  addPath(run, overview);
-  addContacts(run.poses[shown], 11.0f, overview);
-  const Vec3 sideways = Vec3::UnitZ().cross(outward);
-  overview.camera =
-      frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
-  writePng(overview, file.string(), kWidth, kHeight);
-}
-
-void writeCloseup(const GrindingRun& run, std::size_t shown, const Vec3& outward,
-                  const std::filesystem::path& file) {
-  const PoseReport& pose = run.poses[shown];
-  const auto [center, half_side, text] = focusOf(run, pose);
-  Picture closeup;
-  closeup.annotation = {.title = title(run, shown), .subtitle = text, .length_unit = "mm"};
-  addBlisk(run, closeup);
-  addTool(run, pose, closeup);
-  if (const std::vector<Obb> boxes = boxesNear(*run.blisk, center); !boxes.empty()) {
-    closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});
-    closeup.annotation.legend.push_back(
-        {palette::kBlue,
-         "boxes of the tree, level " + std::to_string(kBoxDepth) + " (faint: behind surfaces)",
-         LegendSymbol::kLine});
-  }
-  addContacts(pose, 13.0f, closeup);
-  const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);
-  const Vec3 along =
-      wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
-  const Aabb cube{center - Vec3::Constant(half_side), center + Vec3::Constant(half_side)};
-  closeup.camera = frame(cube, along - 0.35 * outward, outward);
-  writePng(closeup, file.string(), kWidth, kHeight);
+/// The direction from the axis to the contact wheel.
+Vec3 outwardOf(const PoseReport& pose) {
+  const Vec3& wheel = pose.tool_in_blisk.translation;
+  const double radius = std::hypot(wheel.x(), wheel.y());
+  return radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
 }
 
 }  // namespace
@@ -193,13 +161,48 @@ std::size_t poseToShow(const GrindingRun& run) {
   return shown;
 }
 
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
+Picture overviewOf(const GrindingRun& run) {
   const std::size_t shown = poseToShow(run);
-  const Vec3& wheel = run.poses[shown].tool_in_blisk.translation;
-  const double radius = std::hypot(wheel.x(), wheel.y());
-  const Vec3 outward = radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
-  writeOverview(run, shown, outward, folder / "overview.png");
-  writeCloseup(run, shown, outward, folder / "closeup.png");
+  const PoseReport& pose = run.poses[shown];
+  Picture overview;
+  overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};
+  addBlisk(run, overview);
+  addTool(run, pose, overview);
+  addPath(run, overview);
+  addContacts(pose, 11.0f, overview);
+  const Vec3 outward = outwardOf(pose), sideways = Vec3::UnitZ().cross(outward);
+  overview.camera =
+      frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
+  return overview;
+}
+
+Picture closeupOf(const GrindingRun& run) {
+  const std::size_t shown = poseToShow(run);
+  const PoseReport& pose = run.poses[shown];
+  const auto [center, half_side, text] = focusOf(run, pose);
+  Picture closeup;
+  closeup.annotation = {.title = title(run, shown), .subtitle = text, .length_unit = "mm"};
+  addBlisk(run, closeup);
+  addTool(run, pose, closeup);
+  if (const std::vector<Obb> boxes = boxesNear(*run.blisk, center); !boxes.empty()) {
+    closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});
+    closeup.annotation.legend.push_back(
+        {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth) + " (faint where hidden)",
+         LegendSymbol::kLine});
+  }
+  addContacts(pose, 13.0f, closeup);
+  const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);
+  const Vec3 along =
+      wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
+  const Aabb cube{center - Vec3::Constant(half_side), center + Vec3::Constant(half_side)};
+  const Vec3 outward = outwardOf(pose);
+  closeup.camera = frame(cube, along - 0.35 * outward, outward);
+  return closeup;
+}
+
+void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
+  writePng(overviewOf(run), (folder / "overview.png").string(), kWidth, kHeight);
+  writePng(closeupOf(run), (folder / "closeup.png").string(), kWidth, kHeight);
 }
 
 }  // namespace octoblisk::demos

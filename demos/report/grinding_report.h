@@ -1,4 +1,4 @@
-// What a grinding run leaves behind: a table of contacts, a summary, pictures.
+// What a grinding run leaves behind: tables and a summary. Its pictures: grinding_pictures.h.
 #pragma once
 
 #include <filesystem>
@@ -47,17 +47,5 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file);
 /// summary.json: limits (ground_blade: null where no blade was ground), counts, the ranges of poses that
 /// interfere ("first" to "last", both included), the tree. Throws as above.
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file);
-
-/// The pose to look at: the deepest touch that is not intended, else the deepest, else the middle of the
-/// path.
-std::size_t poseToShow(const GrindingRun& run);
-
-/// The worst touch of a pose that has one: "belt on blade 2, 0.31 mm deep", "arm on hub or shroud, …",
-/// "belt wholly inside the blisk, …".
-std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
-
-/// overview.png: the blisk with the ground blade, the path and the tool at the pose to show. closeup.png:
-/// where it touches, or comes nearest, with the boxes of the tree there. Throws as above.
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos
