@@ -14,8 +14,11 @@ int main(int argc, char** argv) {
       "Lengths are in mesh units; the generated models and the grinding check are in mm."};
   app.name("octoblisk");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "octoblisk " OCTOBLISK_VERSION, "The version, and no more");
   app.set_help_all_flag("--help-all", "Help of every subcommand");
-  app.footer("Exit codes: 0 clean, 1 interference found, 2 bad input.");
+  app.footer(
+      "Mesh files are read with coordinates rounded to 32-bit floats.\n"
+      "Exit codes: 0 clean, 1 interference found, 2 bad input.");
 
   int exit_code = 0;
   octoblisk::demos::addGrindCommand(app, exit_code);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace octoblisk::demos {
@@ -21,13 +22,13 @@ std::string nameOf(Verdict verdict) {
   return {};
 }
 
-Verdict verdictOf(const PartContact& contact, int blade, const VerdictRules& rules) {
-  const double distance = contact.contact.distance;
+Verdict verdictOf(const PartContact& contact, int blade, double depth, const VerdictRules& rules) {
+  const bool touches = contact.contact.distance <= 0.0;
   if (contact.part == rules.grinding_part && blade == rules.ground_blade && blade != 0) {
-    if (distance > 0.0) return Verdict::clear;
-    return -distance <= rules.max_depth ? Verdict::intended_contact : Verdict::interference;
+    if (!touches) return Verdict::clear;
+    return depth <= rules.max_depth ? Verdict::intended_contact : Verdict::interference;
   }
-  return distance > 0.0 ? Verdict::near_miss : Verdict::interference;
+  return touches ? Verdict::interference : Verdict::near_miss;
 }
 
 int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part) {
@@ -45,27 +46,46 @@ int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part) {
   return most == poses_of_blade.end() ? 0 : most->first;
 }
 
-std::optional<std::size_t> worstContact(const PoseReport& pose) {
-  if (pose.contacts.empty()) return std::nullopt;
-  const auto rank = [&](std::size_t c) {
-    return std::pair(pose.verdicts[c], -pose.contacts[c].contact.distance);
-  };
-  std::size_t worst = 0;
-  for (std::size_t c = 1; c < pose.contacts.size(); ++c) {
-    if (rank(c) > rank(worst)) worst = c;
-  }
-  return worst;
-}
-
 void judge(std::span<PoseReport> poses, const VerdictRules& rules) {
   for (PoseReport& pose : poses) {
     pose.verdicts.clear();
     pose.verdict = Verdict::clear;
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      pose.verdicts.push_back(verdictOf(pose.contacts[c], pose.blades[c], rules));
+      const PartContact& contact = pose.contacts[c];
+      const auto deepest = std::ranges::find(pose.depths, contact.part, &PartDepth::part);
+      const double depth = deepest == pose.depths.end() ? 0.0 : deepest->depth;
+      pose.verdicts.push_back(verdictOf(contact, pose.blades[c], depth, rules));
       pose.verdict = std::max(pose.verdict, pose.verdicts.back());
     }
+    if (std::ranges::any_of(pose.depths, &PartDepth::is_inside)) pose.verdict = Verdict::interference;
   }
+}
+
+std::optional<WorstTouch> worstTouch(const PoseReport& pose) {
+  using Rank = std::tuple<Verdict, double, bool, double>;
+  std::optional<std::pair<Rank, WorstTouch>> worst;
+  const auto consider = [&](const Rank& rank, const WorstTouch& touch) {
+    if (!worst || rank > worst->first) worst = {rank, touch};
+  };
+  for (std::size_t d = 0; d < pose.depths.size(); ++d) {
+    const PartDepth& deepest = pose.depths[d];
+    const int blade = pose.depth_blades[d];
+    if (!deepest.is_inside) continue;
+    consider({Verdict::interference, deepest.depth, true, 0.0},
+             {deepest.part, blade, blade, deepest.depth, deepest.point_on_blisk, true});
+  }
+  for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
+    const auto& [part, contact] = pose.contacts[c];
+    WorstTouch touch{part, pose.blades[c], pose.blades[c], 0.0 - contact.distance, contact.point_on_a, false};
+    const auto deepest = std::ranges::find(pose.depths, part, &PartDepth::part);
+    if (contact.distance <= 0.0 && deepest != pose.depths.end()) {
+      touch.depth = deepest->depth;
+      touch.deepest_blade = pose.depth_blades[static_cast<std::size_t>(deepest - pose.depths.begin())];
+    }
+    consider({pose.verdicts[c], touch.depth, touch.blade == touch.deepest_blade, -contact.distance}, touch);
+  }
+  if (!worst) return std::nullopt;
+  return worst->second;
 }
 
 }  // namespace octoblisk::demos

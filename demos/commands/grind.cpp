@@ -1,12 +1,16 @@
 // octoblisk grind: moves the belt grinder along a path and tells what touches what.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
+#include <sstream>
 
 #include "cell/grinding_cell.h"
+#include "cell/part_depths.h"
 #include "cell/reduce_contacts.h"
 #include "cell/verdict.h"
 #include "commands/commands.h"
@@ -16,7 +20,9 @@
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
 #include "models/mesh_file.h"
+#include "models/open_edges.h"
 #include "models/orientation.h"
+#include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/progress_bar.h"
 #include "toolpath/grinding_path.h"
@@ -34,8 +40,12 @@ struct GrindRequest {
   std::optional<int> ground_blade;
   double max_depth = 0.1;  // mm
   double near_miss = 0.5;  // mm
-  bool pictures = true;
+  bool no_pictures = false;
 };
+
+std::string nameOfBlisk(const GrindRequest& request) {
+  return request.blisk.empty() ? "the blisk" : request.blisk;
+}
 
 std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
   auto shared = std::make_shared<const TriangleMesh>(std::move(mesh));
@@ -68,7 +78,7 @@ std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk,
   if (!request.path.empty()) return readPoses(request.path);
   if (blades.count == 0) {
     throw std::invalid_argument(
-        (request.blisk.empty() ? "the blisk" : request.blisk) +
+        nameOfBlisk(request) +
         ": no blades were found round the z axis, so no path can be made: give one by --path");
   }
   const BeltParameters belt;
@@ -78,22 +88,49 @@ std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk,
   return makeGrindingPath(blisk, blades, options);
 }
 
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
 void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFound& blades,
               GrindingRun& run) {
   ProgressBar progress(std::cerr, path.size());
-  std::chrono::duration<double> spent{};
+  Seconds spent{};
   for (const Pose& pose : path) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     const std::vector<PartContact> all = cell.contactsAt(pose);
-    spent += std::chrono::steady_clock::now() - start;
-    PoseReport report{pose, reduceContacts(all, blades.blade_of_triangle), {}, {}, Verdict::clear};
+    spent += Clock::now() - start;
+    PoseReport report;
+    report.tool_in_blisk = pose;
+    report.contacts = reduceContacts(all, blades.blade_of_triangle);
     for (const PartContact& found : report.contacts) {
       report.blades.push_back(blades.blade_of_triangle[found.contact.triangle_a]);
     }
     run.poses.push_back(std::move(report));
     progress.update(run.poses.size());
   }
-  run.seconds_a_pose = spent.count() / static_cast<double>(path.size());
+  run.contact_seconds_a_pose = spent.count() / static_cast<double>(path.size());
+}
+
+/// How deep the parts are at each pose: as solids, or by pairs of triangles where there are none.
+void measureDepths(PartDepths& depths, const std::vector<Pose>& path, GrindingRun& run) {
+  constexpr std::size_t kAtOnce = 16;  // for the progress bar's sake
+  ProgressBar progress(std::cerr, path.size());
+  const auto start = Clock::now();
+  for (std::size_t begin = 0; begin < path.size(); begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, path.size() - begin);
+    std::vector<std::vector<PartDepth>> found = depths.measure(std::span(path).subspan(begin, count));
+    for (std::size_t i = 0; i < count; ++i) run.poses[begin + i].depths = std::move(found[i]);
+    progress.update(begin + count);
+  }
+  run.depth_seconds_a_pose = Seconds(Clock::now() - start).count() / static_cast<double>(path.size());
+  for (PoseReport& pose : run.poses) {
+    for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
+      if (run.depth_kinds[deepest.part] == DepthKind::of_pairs) pose.depths.push_back(deepest);
+    }
+    for (const PartDepth& deepest : pose.depths) {
+      pose.depth_blades.push_back(run.blade_of_triangle[deepest.triangle_of_blisk]);
+    }
+  }
 }
 
 /// Refuses to write a table over a file that is read; path.csv is kept where it is the path read.
@@ -107,11 +144,48 @@ void requireNoInputAmongTables(const GrindRequest& request) {
   }
 }
 
-/// Without blades, a path of the user's own is checked against hub and shroud alone.
-void warnOfNoBlades(const GrindRequest& request) {
-  std::cerr << "octoblisk: warning: " << (request.blisk.empty() ? "the blisk" : request.blisk)
-            << ": no blades were found round the z axis: every touch counts as interference with hub or "
-               "shroud\n";
+void warn(const std::string& of, const std::string& what) {
+  std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
+}
+
+/// What is checked otherwise than one may think.
+void warnOf(const GrindRequest& request, const GrindingRun& run, const BladesFound& blades) {
+  // A path of the user's own is then checked against hub and shroud alone.
+  if (blades.count == 0) {
+    warn(nameOfBlisk(request),
+         "no blades were found round the z axis: every touch counts as interference with hub or shroud");
+  }
+  if (blades.shrouded && request.path.empty()) {
+    warn(nameOfBlisk(request),
+         "a shroud joins the blades' tips, and the built-in path leads through it: give a path by --path");
+  }
+  const auto is_of = [&](DepthKind kind) {
+    return std::ranges::find(run.depth_kinds, kind) != run.depth_kinds.end();
+  };
+  const std::string open_belt = request.belt.empty() ? "the belt grinder" : request.belt;
+  if (is_of(DepthKind::of_part)) {
+    warn(open_belt, describe(openEdges(run.parts.front().tree->mesh())) +
+                        ": its depth is that of its surface in the blisk");
+  }
+  if (is_of(DepthKind::of_pairs)) {
+    warn(nameOfBlisk(request),
+         describe(openEdges(run.blisk->mesh())) +
+             ", so it is no solid: depths are those of pairs of triangles, which shrink as meshes get finer, "
+             "and a part wholly inside goes unnoticed");
+  }
+}
+
+/// "poses 20-79, 228": the runs that interfere, the first of them where they are many.
+std::string listOf(const std::vector<PoseRange>& ranges) {
+  constexpr std::size_t kMost = 12;
+  std::ostringstream text;
+  text << "poses ";
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
+    text << (i > 0 ? ", " : "") << ranges[i].first;
+    if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
+  }
+  if (ranges.size() > kMost) text << " and " << ranges.size() - kMost << " more runs (summary.json)";
+  return text.str();
 }
 
 void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
@@ -129,6 +203,7 @@ void tell(const GrindingRun& run, const std::filesystem::path& out, bool picture
             << run.count(Verdict::interference) << " interference\n";
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict == Verdict::interference) {
+    std::cout << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
     std::cout << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
@@ -155,18 +230,22 @@ int grind(const GrindRequest& request) {
   run.near_miss = request.near_miss;
   const BladesFound blades = findBlades(run.blisk->mesh());
   run.blade_count = blades.count;
+  run.blade_of_triangle = blades.blade_of_triangle;
   if (request.ground_blade && (*request.ground_blade < 1 || *request.ground_blade > blades.count)) {
     throw std::invalid_argument("--ground-blade " + std::to_string(*request.ground_blade) +
                                 ": the blisk has " + std::to_string(blades.count) +
                                 " blades, numbered from 1");
   }
   const std::vector<Pose> path = pathOf(request, run.blisk->mesh(), blades);
-  if (blades.count == 0) warnOfNoBlades(request);
+  PartDepths depths(run.blisk, run.parts, request.max_depth);
+  for (std::size_t part = 0; part < run.parts.size(); ++part) run.depth_kinds.push_back(depths.kindOf(part));
+  warnOf(request, run, blades);
   const bool is_input = std::filesystem::equivalent(request.path, out / "path.csv", error);
   if (!is_input) writePoses(out / "path.csv", path);
 
   GrindingCell cell(run.blisk, run.parts, request.near_miss);
   movePath(cell, path, blades, run);
+  measureDepths(depths, path, run);
   const int default_blade = request.path.empty() ? 1 : mostTouchedBlade(run.poses, run.rules.grinding_part);
   run.rules.ground_blade = request.ground_blade.value_or(default_blade);
   run.rules.max_depth = request.max_depth;
@@ -175,8 +254,8 @@ int grind(const GrindRequest& request) {
   writePoseVerdicts(run, out / "poses.csv");
   writeContacts(run, out / "contacts.csv");
   writeSummary(run, out / "summary.json");
-  if (request.pictures) writePictures(run, out);
-  tell(run, out, request.pictures);
+  if (!request.no_pictures) writePictures(run, out);
+  tell(run, out, !request.no_pictures);
   return run.count(Verdict::interference) > 0 ? 1 : 0;
 }
 
@@ -211,7 +290,10 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
           "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most")
       ->check(wholeNumberFrom(1, kMostBlades));
   command
-      .add_option("--max-depth", request->max_depth, "mm that the belt may be pressed into the ground blade")
+      .add_option("--max-depth", request->max_depth,
+                  "mm that the belt may be pressed into the ground blade: how deep the deepest point of one "
+                  "lies in the "
+                  "other")
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str();
   command
@@ -219,16 +301,21 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                   "mm below which a clearance is reported; above 0, at most " + std::to_string(kMostNearMiss))
       ->check(numberFrom(0.0, kMostNearMiss, true))
       ->capture_default_str();
-  command.add_flag("!--no-pictures", request->pictures, "Leave the pictures out");
+  command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
   command.footer(
       "Tables, in OUT:\n"
-      "  poses.csv     the verdict of each pose, with part, blade and depth of its worst contact\n"
+      "  poses.csv     the verdict of each pose, with part and blade of its worst touch and the part's "
+      "depth\n"
       "  contacts.csv  contacts, a few of each patch of touch, each with a verdict of its own: triangles,\n"
-      "                points and normal in the blisk's frame; the normal points from the part into the "
-      "blisk\n"
+      "                points and normal in the blisk's frame; the normal points from the part into the\n"
+      "                blisk; the depth is that of the pair of triangles alone\n"
       "  summary.json  limits, counts, the poses that interfere\n"
       "  path.csv      the path\n"
-      "Blades are numbered from 1 by angle; blade 0 is hub or shroud. A negative depth is a clearance.\n"
+      "Blades are numbered from 1 by angle; blade 0 is hub or shroud. Poses and triangles are counted from\n"
+      "0. A negative depth is a clearance. Verdicts go by how deep the deepest point of a part lies in the\n"
+      "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with "
+      "a\n"
+      "warning. A part wholly inside the blisk is interference.\n"
       "Exit codes: 0 no interference, 1 interference found, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }

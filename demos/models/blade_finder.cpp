@@ -81,6 +81,29 @@ void renumber(const WeldedSurface& surface, BladesFound& found) {
   for (int& blade : found.blade_of_triangle) blade = number[blade];
 }
 
+/// Height over mean thickness, of all blades together. The field radius · angle · e_theta has the divergence
+/// 1 and does not flow through a surface of revolution, as which a blade's open root counts: its outflow is
+/// the volume.
+double slenderness(const TriangleMesh& mesh, const BladesFound& found) {
+  std::vector<double> volume(found.count, 0.0), first_angle(found.count, kTurn);
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const int blade = found.blade_of_triangle[t];
+    if (blade == 0) continue;
+    const Triangle corners = mesh.triangle(t);
+    const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const double angle = std::atan2(centroid.y(), centroid.x());
+    if (first_angle[blade - 1] == kTurn) first_angle[blade - 1] = angle;
+    const double turn = std::remainder(angle - first_angle[blade - 1], kTurn);
+    const Vec3 normal = 0.5 * scaledNormal(corners);  // as long as the triangle's area
+    volume[blade - 1] += turn * (centroid.x() * normal.y() - centroid.y() * normal.x());
+    area += normal.norm();
+  }
+  double whole = 0.0;
+  for (const double each : volume) whole += std::abs(each);  // the mesh may face inward
+  return (found.tip_radius - found.root_radius) * 0.5 * area / whole;
+}
+
 }  // namespace
 
 BladesFound findBlades(const TriangleMesh& mesh) {
@@ -109,6 +132,13 @@ BladesFound findBlades(const TriangleMesh& mesh) {
   }
   const bool has_hub = found.root_radius > 0.0;
   if (!has_hub) found.root_radius = cut.low;
+  constexpr double kLeastSlenderness = 3.0;
+  if (!(slenderness(mesh, found) >= kLeastSlenderness)) {
+    BladesFound none;
+    none.blade_of_triangle.assign(mesh.triangleCount(), 0);
+    return none;
+  }
+  found.shrouded = std::isfinite(cut.high);
   renumber(surface, found);
   return found;
 }

@@ -13,6 +13,7 @@ struct BladesFound {
   std::vector<int> blade_of_triangle;  ///< 1..count; 0 for hub, shroud or not known
   double root_radius = 0.0;            ///< the hub's greatest: beyond it the blades stand apart
   double tip_radius = 0.0;             ///< the greatest of a blade
+  bool shrouded = false;               ///< whether a ring joins the blades at their tips
 };
 
 /// Finds equal parts spaced equally round the Z axis: those the mesh falls into beyond some radius, and
@@ -25,9 +26,11 @@ struct BladesFound {
 /// to angle 0: the numbers of `makeBlisk`. Vertices at equal coordinates count as one; the mesh need not be
 /// closed, and blades may reach into the hub without sharing vertices with it.
 ///
-/// Where there are no such parts, the count is 0, all triangles are 0 and both radii are 0. Blades of several
-/// kinds (splitters) are not found; the four edges of
-/// a square bar are.
+/// Parts that are not at least three times as high as they are thick are no blades: the four edges of a
+/// square bar, say, or the teeth of a gear.
+///
+/// Where there are no blades, the count is 0, all triangles are 0 and both radii are 0. Blades of several
+/// kinds (splitters) are not found.
 BladesFound findBlades(const TriangleMesh& mesh);
 
 }  // namespace octoblisk::demos

@@ -32,9 +32,11 @@ std::vector<std::string_view> cells(std::string_view line) {
 
 double finiteNumber(std::string_view text, const std::filesystem::path& file, std::size_t line) {
   double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const bool two_signs = digits.size() < text.size() && digits.starts_with('-');
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (two_signs || error != std::errc{} || stop != end || !std::isfinite(value)) {
     throw std::runtime_error(atLine(file, line, inQuotes(text) + " is not a finite number"));
   }
   return value;

@@ -11,8 +11,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -46,9 +48,14 @@ const Format& formatOf(const std::filesystem::path& file) {
 
 std::string readBytes(const std::filesystem::path& file) {
   std::ifstream stream = openForReading(file);
-  std::string bytes(std::filesystem::file_size(file), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read to its end");
+  std::string bytes;
+  if (std::filesystem::is_regular_file(file)) {
+    bytes.resize(std::filesystem::file_size(file));
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!stream) throw std::runtime_error(file.string() + ": cannot be read to its end");
+  } else {  // a device or a pipe: it has no size
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  }
   if (bytes.empty()) throw std::runtime_error(file.string() + ": the file is empty");
   return bytes;
 }
@@ -100,6 +107,21 @@ void forEachMesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
   for (unsigned c = 0; c < node.mNumChildren; ++c) forEachMesh(scene, *node.mChildren[c], transform, visit);
 }
 
+/// What is beyond single precision, assimp makes infinite.
+void requireUsable(float coordinate, std::size_t triangle, const std::string& file) {
+  if (std::abs(coordinate) <= TriangleMesh::kMaxCoordinate) return;
+  std::ostringstream message;
+  message << file << ": triangle " << triangle << " (counted from 0) has a coordinate that is ";
+  if (std::isnan(coordinate)) {
+    message << "NaN";
+  } else if (std::isinf(coordinate)) {
+    message << "infinite, or beyond single precision";
+  } else {
+    message << coordinate << ", beyond " << TriangleMesh::kMaxCoordinate;
+  }
+  throw std::runtime_error(message.str());
+}
+
 TriangleMesh joined(const aiScene& scene, const std::string& file) {
   std::size_t corners = 0;
   forEachMesh(scene, *scene.mRootNode, aiMatrix4x4(),
@@ -114,9 +136,8 @@ TriangleMesh joined(const aiScene& scene, const std::string& file) {
       for (int corner = 0; corner < 3; ++corner) {
         aiVector3D point = mesh.mVertices[face.mIndices[corner]];
         if (!transform.IsIdentity()) point = transform * point;
-        if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z)) {
-          throw std::runtime_error(file + ": triangle " + std::to_string(triangles.size() + 1) +
-                                   " has a coordinate that is NaN or infinite");
+        for (const float coordinate : {point.x, point.y, point.z}) {
+          requireUsable(coordinate, triangles.size(), file);
         }
         indices[corner] = points.indexOf(point);
       }
@@ -185,6 +206,8 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
 
 void writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh) {
   const Format& format = formatOf(file);
+  // assimp's own complaint would name the file again.
+  if (!std::ofstream(file, std::ios::app)) throw std::runtime_error(file.string() + ": cannot be written");
   const std::unique_ptr<aiScene> scene = sceneOf(mesh);
   Assimp::Exporter exporter;
   if (exporter.Export(scene.get(), format.exporter, file.string()) != aiReturn_SUCCESS) {

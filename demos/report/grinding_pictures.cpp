@@ -1,14 +1,15 @@
-// The pictures of a grinding run.
+#include "report/grinding_pictures.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <optional>
 #include <sstream>
 
+#include "octoblisk/distance.h"
 #include "octoblisk/separating_axis.h"
-#include "report/grinding_report.h"
-#include "report/picture.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -19,13 +20,28 @@ constexpr int kBoxDepth = 4;                  // of the tree's boxes in the clos
 
 Color colorOf(const std::string& part) {
   if (part == "belt") return palette::kSand;
-  return part == "arm" ? palette::kGreen : palette::kSky;
+  return part == "arm" ? palette::kSlate : palette::kSky;
 }
 
 Color colorOf(Verdict verdict) {
   return verdict == Verdict::intended_contact ? palette::kGreen
          : verdict == Verdict::interference   ? palette::kVermilion
                                               : palette::kYellow;
+}
+
+/// The blisk, with the ground blade in a colour of its own.
+void addBlisk(const GrindingRun& run, Picture& picture) {
+  constexpr Color kGroundBlade{0.93f, 0.80f, 0.86f};
+  std::vector<Color> colors(run.blisk->mesh().triangleCount(), palette::kSteel);
+  const int ground = run.rules.ground_blade;
+  for (std::size_t t = 0; ground != 0 && t < colors.size(); ++t) {
+    if (run.blade_of_triangle[t] == ground) colors[t] = kGroundBlade;
+  }
+  picture.scene.addMesh(run.blisk->mesh(), {}, colors);
+  picture.annotation.legend.push_back({palette::kSteel, "blisk"});
+  if (ground != 0) {
+    picture.annotation.legend.push_back({kGroundBlade, "ground blade " + std::to_string(ground)});
+  }
 }
 
 void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
@@ -68,8 +84,8 @@ std::vector<Obb> boxesNear(const ClusteredOctree& tree, const Vec3& center) {
 }
 
 std::string title(const GrindingRun& run, std::size_t shown) {
-  return "Pose " + std::to_string(shown) + " of " + std::to_string(run.poses.size()) + ": " +
-         nameOf(run.poses[shown].verdict);
+  return "Pose " + std::to_string(shown) + " (of 0-" + std::to_string(run.poses.size() - 1) +
+         "): " + nameOf(run.poses[shown].verdict);
 }
 
 std::string counts(const GrindingRun& run) {
@@ -80,16 +96,53 @@ std::string counts(const GrindingRun& run) {
   return text.str();
 }
 
+/// What the close-up shows: the worst touch, or where the tool comes nearest to the blisk.
+struct Focus {
+  Vec3 center;
+  double half_side;  ///< of the cube that is shown, mm
+  std::string text;
+};
+
+Focus focusOf(const GrindingRun& run, const PoseReport& pose) {
+  if (const std::optional<WorstTouch> worst = worstTouch(pose)) {
+    return {worst->point_on_blisk, kCloseUp, describeWorst(run, pose)};
+  }
+  Clearance nearest;
+  std::string part;
+  for (const ToolPart& each : run.parts) {
+    const Clearance clearance = distance(*run.blisk, *each.tree, pose.tool_in_blisk);
+    if (!part.empty() && clearance.distance >= nearest.distance) continue;
+    nearest = clearance;
+    part = each.name;
+  }
+  std::ostringstream text;
+  text << "No contact at this pose: the " << part << " is " << std::fixed << std::setprecision(2)
+       << nearest.distance << " mm away";
+  constexpr double kRoomRound = 0.75;
+  return {0.5 * (nearest.point_on_a + nearest.point_on_b), std::max(kCloseUp, kRoomRound * nearest.distance),
+          text.str()};
+}
+
+/// The direction from the axis to the contact wheel.
+Vec3 outwardOf(const PoseReport& pose) {
+  const Vec3& wheel = pose.tool_in_blisk.translation;
+  const double radius = std::hypot(wheel.x(), wheel.y());
+  return radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
+}
+
 }  // namespace
 
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
-  const std::size_t c = worstContact(pose).value();
-  const auto& [part, contact] = pose.contacts[c];
+  const auto named = [](int blade) {
+    return blade == 0 ? std::string("hub or shroud") : "blade " + std::to_string(blade);
+  };
+  const WorstTouch worst = worstTouch(pose).value();
   std::ostringstream text;
-  text << run.parts[part].name
-       << (pose.blades[c] ? " on blade " + std::to_string(pose.blades[c]) : " on hub or shroud") << ", "
-       << std::fixed << std::setprecision(2) << std::abs(contact.distance) << " mm "
-       << (contact.distance > 0.0 ? "away" : "deep");
+  text << run.parts[worst.part].name
+       << (worst.is_inside ? " wholly inside the blisk, or round it, near " : " on ") << named(worst.blade)
+       << ", " << std::fixed << std::setprecision(2) << std::abs(worst.depth) << " mm "
+       << (worst.depth < 0.0 ? "away" : "deep");
+  if (worst.deepest_blade != worst.blade) text << " on " << named(worst.deepest_blade);
   return text.str();
 }
 
@@ -98,9 +151,9 @@ std::size_t poseToShow(const GrindingRun& run) {
   std::pair<Verdict, double> worst = {Verdict::clear, 0.0};
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
-    const std::optional<std::size_t> c = worstContact(pose);
-    if (!c || pose.verdict == Verdict::clear) continue;
-    const std::pair rank = {pose.verdict, -pose.contacts[*c].contact.distance};
+    const std::optional<WorstTouch> touch = worstTouch(pose);
+    if (!touch || pose.verdict == Verdict::clear) continue;
+    const std::pair rank = {pose.verdict, touch->depth};
     if (rank <= worst) continue;
     worst = rank;
     shown = p;
@@ -108,46 +161,48 @@ std::size_t poseToShow(const GrindingRun& run) {
   return shown;
 }
 
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
+Picture overviewOf(const GrindingRun& run) {
   const std::size_t shown = poseToShow(run);
   const PoseReport& pose = run.poses[shown];
-  const Vec3 wheel = pose.tool_in_blisk.translation;
-  const Vec3 outward = Vec3(wheel.x(), wheel.y(), 0.0).normalized();
-
   Picture overview;
   overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};
-  overview.annotation.legend.push_back({palette::kSteel, "blisk"});
-  overview.scene.addMesh(run.blisk->mesh(), {}, palette::kSteel);
+  addBlisk(run, overview);
   addTool(run, pose, overview);
   addPath(run, overview);
   addContacts(pose, 11.0f, overview);
-  const Vec3 sideways = Vec3::UnitZ().cross(outward);
+  const Vec3 outward = outwardOf(pose), sideways = Vec3::UnitZ().cross(outward);
   overview.camera =
       frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
-  writePng(overview, (folder / "overview.png").string(), kWidth, kHeight);
+  return overview;
+}
 
+Picture closeupOf(const GrindingRun& run) {
+  const std::size_t shown = poseToShow(run);
+  const PoseReport& pose = run.poses[shown];
+  const auto [center, half_side, text] = focusOf(run, pose);
   Picture closeup;
-  closeup.annotation = {
-      .title = title(run, shown), .subtitle = "No contact at this pose", .length_unit = "mm"};
-  closeup.annotation.legend.push_back({palette::kSteel, "blisk"});
-  closeup.scene.addMesh(run.blisk->mesh(), {}, palette::kSteel);
+  closeup.annotation = {.title = title(run, shown), .subtitle = text, .length_unit = "mm"};
+  addBlisk(run, closeup);
   addTool(run, pose, closeup);
-  Vec3 center = wheel;
-  if (const std::optional<std::size_t> worst = worstContact(pose)) {
-    center = pose.contacts[*worst].contact.point_on_a;
-    closeup.annotation.subtitle = describeWorst(run, pose);
+  if (const std::vector<Obb> boxes = boxesNear(*run.blisk, center); !boxes.empty()) {
+    closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});
+    closeup.annotation.legend.push_back(
+        {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth) + " (faint where hidden)",
+         LegendSymbol::kLine});
   }
-  const std::vector<Obb> boxes = boxesNear(*run.blisk, center);
-  closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f});
-  closeup.annotation.legend.push_back(
-      {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth), LegendSymbol::kLine});
   addContacts(pose, 13.0f, closeup);
   const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);
   const Vec3 along =
       wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
-  const Aabb cube{center - Vec3::Constant(kCloseUp), center + Vec3::Constant(kCloseUp)};
+  const Aabb cube{center - Vec3::Constant(half_side), center + Vec3::Constant(half_side)};
+  const Vec3 outward = outwardOf(pose);
   closeup.camera = frame(cube, along - 0.35 * outward, outward);
-  writePng(closeup, (folder / "closeup.png").string(), kWidth, kHeight);
+  return closeup;
+}
+
+void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
+  writePng(overviewOf(run), (folder / "overview.png").string(), kWidth, kHeight);
+  writePng(closeupOf(run), (folder / "closeup.png").string(), kWidth, kHeight);
 }
 
 }  // namespace octoblisk::demos

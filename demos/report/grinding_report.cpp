@@ -22,22 +22,34 @@ void finish(std::ofstream& stream, const std::filesystem::path& file) {
 
 double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, where they just touch
 
-/// Runs of poses that interfere, each by its first and last pose.
-nlohmann::ordered_json interferingRanges(const std::vector<PoseReport>& poses) {
-  nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (poses[i].verdict != Verdict::interference) continue;
-    const std::size_t first = i;
-    while (i + 1 < poses.size() && poses[i + 1].verdict == Verdict::interference) ++i;
-    ranges.push_back({{"first", first}, {"last", i}});
+/// What a part's depth in poses.csv is.
+std::string nameOf(DepthKind kind) {
+  switch (kind) {
+    case DepthKind::of_solids:
+      return "how deep the deepest point of part or blisk lies inside the other";
+    case DepthKind::of_part:
+      return "how deep the deepest point of the part, which is open, lies inside the blisk";
+    case DepthKind::of_pairs:
+      return "of the deepest pair of triangles, as the blisk is open";
   }
-  return ranges;
+  return {};
 }
 
 }  // namespace
 
 std::size_t GrindingRun::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
+}
+
+std::vector<PoseRange> interferingRanges(const GrindingRun& run) {
+  std::vector<PoseRange> ranges;
+  for (std::size_t pose = 0; pose < run.poses.size(); ++pose) {
+    if (run.poses[pose].verdict != Verdict::interference) continue;
+    const bool goes_on = !ranges.empty() && ranges.back().last + 1 == pose;
+    if (!goes_on) ranges.push_back({pose, pose});
+    ranges.back().last = pose;
+  }
+  return ranges;
 }
 
 void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file) {
@@ -47,9 +59,8 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     stream << p << ',' << nameOf(pose.verdict) << ',';
-    if (const std::optional<std::size_t> worst = worstContact(pose)) {
-      const auto& [part, contact] = pose.contacts[*worst];
-      stream << run.parts[part].name << ',' << pose.blades[*worst] << ',' << depthOf(contact) << '\n';
+    if (const std::optional<WorstTouch> worst = worstTouch(pose)) {
+      stream << run.parts[worst->part].name << ',' << worst->blade << ',' << worst->depth << '\n';
     } else {
       stream << ",,\n";
     }
@@ -81,9 +92,14 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   const BuildStats& tree = run.blisk->stats();
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
-  for (const ToolPart& part : run.parts) {
-    parts.push_back({{"name", part.name}, {"triangles", part.tree->stats().triangles}});
+  for (std::size_t part = 0; part < run.parts.size(); ++part) {
+    parts.push_back({{"name", run.parts[part].name},
+                     {"triangles", run.parts[part].tree->stats().triangles},
+                     {"depth_mm_is", nameOf(run.depth_kinds[part])}});
   }
+  nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
+  for (const auto& [first, last] : interferingRanges(run))
+    ranges.push_back({{"first", first}, {"last", last}});
   const int blade = run.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
@@ -102,13 +118,14 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
         {"intended_contact", run.count(Verdict::intended_contact)},
         {"near_miss", run.count(Verdict::near_miss)},
         {"interference", run.count(Verdict::interference)}}},
-      {"interfering_poses", interferingRanges(run.poses)},
+      {"interfering_poses", ranges},
       {"tree",
-       {{"nodes", tree.nodes},
-        {"leaves", tree.leaves},
-        {"depth", tree.depth},
-        {"leaf_volume_mm3", tree.leaf_volume}}},
-      {"mean_query_us", run.seconds_a_pose * 1e6}};
+       {{"nodes_of_up_to_8_boxes", tree.nodes},
+        {"leaf_boxes", tree.leaves},
+        {"boxes_round_deepest_leaf", tree.depth},
+        {"leaf_boxes_mm3", tree.leaf_volume}}},
+      {"mean_us_a_pose",
+       {{"contacts", run.contact_seconds_a_pose * 1e6}, {"depths", run.depth_seconds_a_pose * 1e6}}}};
   std::ofstream stream = openForWriting(file);
   stream << summary.dump(2) << '\n';
   finish(stream, file);

@@ -1,4 +1,4 @@
-// What a grinding run leaves behind: a table of contacts, a summary, pictures.
+// What a grinding run leaves behind: tables and a summary. Its pictures: grinding_pictures.h.
 #pragma once
 
 #include <filesystem>
@@ -14,36 +14,38 @@ struct GrindingRun {
   std::string blisk_name, belt_name, path_name;  ///< where they came from
   std::shared_ptr<const ClusteredOctree> blisk;
   std::vector<ToolPart> parts;
+  std::vector<DepthKind> depth_kinds;  ///< of each part
   int blade_count = 0;
+  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
   VerdictRules rules;
-  double near_miss = 0.0;       ///< mm
-  double seconds_a_pose = 0.0;  ///< mean
+  double near_miss = 0.0;               ///< mm
+  double contact_seconds_a_pose = 0.0;  ///< mean: Bullet's answer which parts are near, and their contacts
+  double depth_seconds_a_pose = 0.0;    ///< mean, of all threads together
   std::vector<PoseReport> poses;
 
   std::size_t count(Verdict verdict) const;
 };
 
-/// poses.csv: for each pose its verdict, and part, blade and depth of its worst contact (empty where it has
-/// no contact). Throws std::runtime_error naming a file that can't be written.
+/// Poses first to last, counted from 0.
+struct PoseRange {
+  std::size_t first = 0, last = 0;
+};
+
+/// The runs of poses that interfere.
+std::vector<PoseRange> interferingRanges(const GrindingRun& run);
+
+/// poses.csv: for each pose its verdict, and part, blade and depth of its worst touch (empty where it has
+/// no contact). The depth is that of the part as a solid. Throws std::runtime_error naming a file that can't
+/// be written.
 void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file);
 
-/// contacts.csv: a row for each contact of the reports, each with a verdict of its own. Points and normal are
+/// contacts.csv: a row for each contact of the reports, each with a verdict of its own. The depth is that of
+/// the pair of triangles; the verdict goes by that of the part. Points and normal are
 /// in the blisk's frame; the normal points from the part into the blisk. Throws as above.
 void writeContacts(const GrindingRun& run, const std::filesystem::path& file);
 
 /// summary.json: limits (ground_blade: null where no blade was ground), counts, the ranges of poses that
 /// interfere ("first" to "last", both included), the tree. Throws as above.
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file);
-
-/// The pose to look at: the deepest contact that is not intended, else the deepest, else the middle of the
-/// path.
-std::size_t poseToShow(const GrindingRun& run);
-
-/// The worst contact of a pose that has one: "belt on blade 2, 0.31 mm deep", "arm on hub or shroud, …".
-std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
-
-/// overview.png: the blisk, the path and the tool at the pose to show. closeup.png: where it touches, with
-/// the boxes of the tree. Throws as above.
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

@@ -28,6 +28,7 @@ inline constexpr Color kYellow{0.94f, 0.89f, 0.26f};
 inline constexpr Color kOrange{0.90f, 0.62f, 0.00f};
 inline constexpr Color kVermilion{0.84f, 0.25f, 0.00f};
 inline constexpr Color kPurple{0.80f, 0.47f, 0.65f};
+inline constexpr Color kSlate{0.36f, 0.40f, 0.46f};
 inline constexpr Color kInk{0.13f, 0.15f, 0.18f};
 }  // namespace palette
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
+#include "models/open_edges.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/parallel.h"
 
@@ -15,7 +17,11 @@ PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving
   fixed_surface_ = std::make_unique<const Surface>(fixed);
   moving_surface_ = std::make_unique<const Surface>(moving);
   if (!fixed_surface_->isClosed()) {
-    throw std::invalid_argument("depths need a closed mesh, and this one has open edges");
+    std::string message = "depths need a closed mesh, and " + describe(openEdges(fixed.mesh()));
+    if (moving_surface_->isClosed()) {
+      message += "; the moving one is closed: swap the two, with each pose inverted";
+    }
+    throw std::invalid_argument(message);
   }
   depth_queries_.resize(static_cast<std::size_t>(threadCount(options.threads)));
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "demos/block.h"
 #include "models/blisk.h"
 #include "shared/meshes.h"
 
@@ -142,6 +143,8 @@ TEST(BladeFinder, FindsTheBladesUnderAShroud) {
   expectNumbersOf(blisk, found);
   EXPECT_NEAR(found.root_radius, 128.0, 1e-9);
   EXPECT_NEAR(found.tip_radius, 240.0, 0.01);
+  EXPECT_TRUE(found.shrouded);
+  EXPECT_FALSE(findBlades(makeDefaultBlisk(10'000).mesh).shrouded);
 }
 
 TEST(BladeFinder, FindsBladesThatGoThroughAnOpenHubOfVaryingRadius) {
@@ -185,6 +188,13 @@ TEST(BladeFinder, FindsNoneWhereThereAreNone) {
   for (const int halvings : {2, 3, 4, 5}) expectNoBlades(sphere(100.0, halvings));
   expectNoBlades(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   expectNoBlades(TriangleMesh({{0, 0, 0}}, {{0, 0, 0}}));
+}
+
+TEST(BladeFinder, FindsNoneOnABarHoweverFinelyItIsCut) {
+  for (const int steps : {1, 2, 10, 20, 40}) {
+    expectNoBlades(block({50.0, 50.0, 20.0}, steps));
+    expectNoBlades(turned(block({50.0, 50.0, 200.0}, steps), 0.3));
+  }
 }
 
 TEST(BladeFinder, FindsNoneWhereOneBladeIsMissing) {

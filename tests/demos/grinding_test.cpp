@@ -78,6 +78,21 @@ std::vector<int> bladesOf(std::span<const PartContact> contacts, std::span<const
   return blades;
 }
 
+/// Judged by the depths of pairs of triangles.
+PoseReport judgedReport(const Pose& pose, std::vector<PartContact> contacts,
+                        std::span<const int> blade_of_triangle, const VerdictRules& rules) {
+  PoseReport report;
+  report.tool_in_blisk = pose;
+  report.contacts = std::move(contacts);
+  report.blades = bladesOf(report.contacts, blade_of_triangle);
+  report.depths = depthsOfPairs(report.contacts);
+  for (const PartDepth& depth : report.depths) {
+    report.depth_blades.push_back(blade_of_triangle[depth.triangle_of_blisk]);
+  }
+  judge({&report, 1}, rules);
+  return report;
+}
+
 /// Four posts of blade 1 about a post of blade 2, which is lower; their tops face up.
 struct Posts {
   static constexpr double kStep = 0.01;  ///< by which blade 2 is lower
@@ -114,17 +129,16 @@ TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt)
     const std::vector<PartContact> all = cell.contactsAt(pose);
     // As if all triangles were of one blade: a few of each patch, whosever they are.
     const std::vector<int> one_blade(posts.triangles.size(), 1);
-    PoseReport report{pose, reduceContacts(all, per_blade ? posts.blade_of_triangle : one_blade), {}, {}, {}};
-    report.blades = bladesOf(report.contacts, posts.blade_of_triangle);
-    judge({&report, 1}, rules);
-    return report;
+    return judgedReport(pose, reduceContacts(all, per_blade ? posts.blade_of_triangle : one_blade),
+                        posts.blade_of_triangle, rules);
   };
   EXPECT_LT(judged(0.05, false).verdict, Verdict::interference) << "the scene hides nothing";
   const PoseReport report = judged(0.05, true);
   EXPECT_EQ(report.verdict, Verdict::interference);
-  const std::size_t worst = worstContact(report).value();
-  EXPECT_EQ(report.blades[worst], 2);
-  EXPECT_NEAR(report.contacts[worst].contact.distance, -(0.05 - Posts::kStep), 1e-12);
+  const WorstTouch worst = worstTouch(report).value();
+  EXPECT_EQ(worst.blade, 2);
+  EXPECT_EQ(worst.deepest_blade, 1);
+  EXPECT_NEAR(worst.depth, 0.05, 1e-12) << "of the belt, wherever it is deepest";
   EXPECT_EQ(judged(Posts::kStep / 2, true).verdict, Verdict::near_miss) << "apart from blade 2";
 }
 
@@ -141,20 +155,22 @@ TEST(ReduceContacts, verdicts_vs_all_contacts_of_bruteforce) {
     for (int& blade : blade_of_triangle) blade = random() % 20 == 0 ? int(random() % 3) : 1;
     const Pose pose = testing::randomPose(random, 1.4);
 
+    const auto of_pairs = testing::bruteForceContacts(*blisk, *belt, pose, kReach);
+    double depth = 0.0;  // of the belt
+    for (const Contact& contact : of_pairs) depth = std::max(depth, -contact.distance);
     std::pair<Verdict, double> expected{Verdict::clear, -1.0};  // verdict and depth of the worst of all
-    for (const Contact& contact : testing::bruteForceContacts(*blisk, *belt, pose, kReach)) {
-      const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], rules);
-      expected = std::max(expected, {verdict, -contact.distance});
+    for (const Contact& contact : of_pairs) {
+      const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], depth, rules);
+      expected = std::max(expected, {verdict, contact.distance <= 0.0 ? depth : -contact.distance});
     }
     const std::vector<PartContact> all = cell.contactsAt(pose);
-    PoseReport report{pose, reduceContacts(all, blade_of_triangle), {}, {}, {}};
-    report.blades = bladesOf(report.contacts, blade_of_triangle);
-    judge({&report, 1}, rules);
+    const PoseReport report =
+        judgedReport(pose, reduceContacts(all, blade_of_triangle), blade_of_triangle, rules);
     ASSERT_EQ(report.verdict, expected.first) << "pose " << i;
-    const std::optional<std::size_t> worst = worstContact(report);
+    const std::optional<WorstTouch> worst = worstTouch(report);
     ASSERT_EQ(worst.has_value(), !all.empty());
     if (worst) {
-      ASSERT_NEAR(-report.contacts[*worst].contact.distance, expected.second, 1e-9) << "pose " << i;
+      ASSERT_NEAR(worst->depth, expected.second, 1e-9) << "pose " << i;
     }
     interference += report.verdict == Verdict::interference;
     fewer += report.contacts.size() < all.size();
@@ -173,29 +189,53 @@ PartContact contactOf(std::size_t part, double distance) {
 
 TEST(Verdict, onlyTheBeltMayTouchOnlyTheGroundBladeOnlySoDeep) {
   const VerdictRules rules{.grinding_part = 0, .ground_blade = 3, .max_depth = 0.1};
-  EXPECT_EQ(verdictOf(contactOf(0, 0.2), 3, rules), Verdict::clear);
-  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 3, rules), Verdict::intended_contact);
-  EXPECT_EQ(verdictOf(contactOf(0, -0.15), 3, rules), Verdict::interference);
-  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 4, rules), Verdict::interference);
-  EXPECT_EQ(verdictOf(contactOf(0, 0.2), 4, rules), Verdict::near_miss);
-  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 0, rules), Verdict::interference);  // the hub
-  EXPECT_EQ(verdictOf(contactOf(1, -0.05), 3, rules), Verdict::interference);  // the wheel
-  EXPECT_EQ(verdictOf(contactOf(1, 0.2), 3, rules), Verdict::near_miss);
+  const auto touch = [&](std::size_t part, int blade, double depth) {
+    return verdictOf(contactOf(part, -1e-3), blade, depth, rules);  // the pair of triangles is less deep
+  };
+  const auto apart = [&](std::size_t part, int blade) {
+    return verdictOf(contactOf(part, 0.2), blade, 0.0, rules);
+  };
+  EXPECT_EQ(apart(0, 3), Verdict::clear);
+  EXPECT_EQ(touch(0, 3, 0.05), Verdict::intended_contact);
+  EXPECT_EQ(touch(0, 3, 0.1), Verdict::intended_contact);
+  EXPECT_EQ(touch(0, 3, 0.15), Verdict::interference);
+  EXPECT_EQ(touch(0, 4, 0.05), Verdict::interference);
+  EXPECT_EQ(apart(0, 4), Verdict::near_miss);
+  EXPECT_EQ(touch(0, 0, 0.05), Verdict::interference);  // the hub
+  EXPECT_EQ(touch(1, 3, 0.05), Verdict::interference);  // the wheel
+  EXPECT_EQ(apart(1, 3), Verdict::near_miss);
   const VerdictRules no_blade{.ground_blade = 0};
-  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 0, no_blade), Verdict::interference);
+  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 0, 0.05, no_blade), Verdict::interference);
 }
 
 TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
   std::vector<PoseReport> poses(2);
   poses[0].contacts = {contactOf(0, -0.05), contactOf(1, 0.2), contactOf(0, -0.01)};
   poses[0].blades = {3, 3, 4};
+  poses[0].depths = {{.part = 0, .depth = 0.07}};
+  poses[0].depth_blades = {3};
   judge(poses, {.ground_blade = 3});
   EXPECT_EQ(poses[0].verdict, Verdict::interference);
-  EXPECT_EQ(worstContact(poses[0]), 2u) << "not the deepest, but the one that interferes";
-  EXPECT_EQ(worstContact(poses[1]), std::nullopt);
+  const WorstTouch worst = worstTouch(poses[0]).value();
+  EXPECT_EQ(worst.blade, 4) << "not where it is deepest, but where it must not be";
+  EXPECT_EQ(worst.depth, 0.07);
+  EXPECT_FALSE(worstTouch(poses[1]).has_value());
   EXPECT_EQ(poses[1].verdict, Verdict::clear);
   EXPECT_EQ(mostTouchedBlade(poses, 0), 3);
   EXPECT_EQ(mostTouchedBlade(poses, 1), 0);
+}
+
+TEST(Verdict, ofAPartWhollyInsideIsInterference) {
+  PoseReport pose;
+  pose.contacts = {contactOf(0, 0.2)};  // off the surface, from within
+  pose.blades = {3};
+  pose.depths = {{.part = 0, .depth = 1.5, .is_inside = true}};
+  pose.depth_blades = {3};
+  judge({&pose, 1}, {.ground_blade = 3});
+  EXPECT_EQ(pose.verdict, Verdict::interference);
+  const WorstTouch worst = worstTouch(pose).value();
+  EXPECT_TRUE(worst.is_inside);
+  EXPECT_EQ(worst.depth, 1.5);
 }
 
 }  // namespace

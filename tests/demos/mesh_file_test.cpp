@@ -223,13 +223,15 @@ TEST_F(MeshFile, RefusesCoordinatesThatAreNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   EXPECT_THAT(refusal("m.stl", binaryStl({kTwoFacets[0], {0, 0, nan, 1, 1, 1, 2, 2, 2}}, 2)),
-              HasSubstr("triangle 2 "));
-  EXPECT_THAT(refusal("m.stl", binaryStl({{0, 0, 0, 1, infinity, 1, 2, 2, 2}}, 1)), HasSubstr("triangle 1 "));
-  EXPECT_THAT(refusal("m.stl", replaced(kAsciiStl, "1.5", "nan")), HasSubstr("triangle 2 "));
-  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "inf")), HasSubstr("triangle 2 "));
-  EXPECT_THAT(refusal("m.ply", replaced(kPly, "1.5", "nan")), HasSubstr("triangle 2 "));
-  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e50")), HasSubstr("triangle 2 "));
-  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e20")), HasSubstr("1e12"));
+              HasSubstr("triangle 1 (counted from 0) "));
+  EXPECT_THAT(refusal("m.stl", binaryStl({{0, 0, 0, 1, infinity, 1, 2, 2, 2}}, 1)),
+              HasSubstr("triangle 0 (counted from 0) "));
+  EXPECT_THAT(refusal("m.stl", replaced(kAsciiStl, "1.5", "nan")), HasSubstr("triangle 1 (counted from 0) "));
+  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "inf")), HasSubstr("triangle 1 (counted from 0) "));
+  EXPECT_THAT(refusal("m.ply", replaced(kPly, "1.5", "nan")), HasSubstr("triangle 1 (counted from 0) "));
+  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e50")),
+              HasSubstr("infinite, or beyond single precision"));
+  EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e20")), HasSubstr("1e+20, beyond 1e+12"));
 }
 
 TEST_F(MeshFile, RefusesWhatCannotBeWritten) {

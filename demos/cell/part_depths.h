@@ -1,0 +1,69 @@
+// How deep the tool's parts and the blisk lie in each other: as solids, whatever triangles they are made of.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cell/fine_features.h"
+#include "cell/grinding_cell.h"
+#include "octoblisk/depth.h"
+
+namespace octoblisk::demos {
+
+/// The deepest place of a part that touches the blisk, or that lies in it.
+struct PartDepth {
+  std::size_t part = 0;
+  double depth = 0.0;                   ///< mm
+  std::uint32_t triangle_of_blisk = 0;  ///< the deepest point's own, or the nearest to it
+  Vec3 point_on_blisk = Vec3::Zero();   ///< on that triangle
+  bool is_inside = false;               ///< no surfaces meet: one lies wholly in the other
+};
+
+/// What a part's depth is.
+enum class DepthKind {
+  of_solids,  ///< how deep the deepest point of part or blisk lies inside the other
+  of_part,    ///< how deep the deepest point of the part, which is open, lies inside the blisk
+  of_pairs,   ///< of the deepest pair of triangles, as the blisk is open: less the finer the meshes are
+};
+
+/// Measures depths by DepthQuery (octoblisk/depth.h), pose by pose over threads; the answers do not depend on
+/// their number.
+class PartDepths {
+ public:
+  /// `limit` (mm): the depth that is judged by. A depth is measured to 1 % of it (but to 0.1 µm at most), and
+  /// where that does not tell on which side of the limit it is, to 0.1 %. Where the two touch, of the blisk's
+  /// points those on its fine features (fine_features.h) alone are looked at: others may exceed the limit, by
+  /// 1 % at most, only where the part's do. A limit of 0 leaves out none.
+  PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
+             int threads = 0);
+
+  DepthKind kindOf(std::size_t part) const;
+
+  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; but none whose
+  /// depth is that of pairs.
+  std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
+
+ private:
+  std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
+  GougeDepth ofBlisk(DepthQuery& query, std::size_t part, const Pose& tool_in_blisk, bool touches) const;
+  GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
+                     const Pose& b_in_a) const;
+
+  std::shared_ptr<const ClusteredOctree> blisk_;
+  std::vector<ToolPart> parts_;
+  double limit_;
+  double tolerance_;
+  octoblisk::Surface blisk_surface_;
+  std::vector<octoblisk::Surface> part_surfaces_;
+  FineFeatures fine_;
+  std::optional<octoblisk::Surface> fine_surface_;
+  std::vector<DepthQuery> queries_;  // one a thread
+};
+
+/// The depths of pairs of triangles: for each part that touches, its deepest contact.
+std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts);
+
+}  // namespace octoblisk::demos

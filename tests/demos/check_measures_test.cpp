@@ -1,0 +1,124 @@
+// octoblisk check: clearance, depth and the ways between poses.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "demos/check_command.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Two boxes of edges 2 and 1, as OBJ files, and a way of the small one along x past and into the large one.
+void writeBoxes(const std::filesystem::path& folder) {
+  for (const auto& [name, half] : {std::pair("large", 1.0), std::pair("small", 0.5)}) {
+    writeMesh(folder / (std::string(name) + ".obj"), *octoblisk::testing::boxMesh({half, half, half}));
+  }
+}
+
+TEST_F(CheckCommand, TellsClearanceDepthAndTheWayBetween) {
+  writeBoxes(folder_.path());
+  // Apart by 1, by 0.25, in by 0.3, wholly inside, then through the large one to the other side at a stroke.
+  const std::string poses = kPoseHeader +
+                            "2.5,0,0,1,0,0,0\n1.75,0,0,1,0,0,0\n1.2,0,0,1,0,0,0\n0.1,0,0,1,0,0,0\n" +
+                            "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n";
+  folder_.write("poses.csv", poses);
+  const std::string arguments =
+      "check --fixed large.obj --moving small.obj --poses poses.csv --clearance --depth --continuous "
+      "--tolerance "
+      "0.001 --out ";
+  const Outcome one = run(arguments + "one.csv --threads 1");
+  EXPECT_EQ(one.exit_code, 1) << one.error;
+  EXPECT_THAT(one.out,
+              StartsWith("6 poses: 1 colliding, 1 with one mesh wholly inside the other, 4 clear; "));
+  EXPECT_THAT(one.out, HasSubstr("\nLeast clearance: 0 at pose 2\n"));
+  EXPECT_THAT(one.out, HasSubstr("\nGreatest depth: 0.6 at pose 3\n"));
+  EXPECT_THAT(one.out,
+              HasSubstr("\n5 ways between poses: 1 free, 4 not proved to keep 0.001 (4 come nearer, "));
+  EXPECT_EQ(run(arguments + "three.csv --threads 3").exit_code, 1);
+  EXPECT_EQ(contentOf(folder_.path() / "one.csv"), contentOf(folder_.path() / "three.csv"));
+
+  std::istringstream table(contentOf(folder_.path() / "one.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "pose,colliding,triangle_fixed,triangle_moving,clearance,depth,fraction");
+  const auto nothing = std::numeric_limits<double>::quiet_NaN();
+  struct Row {
+    bool colliding;
+    double clearance, depth, fraction;
+  };
+  // The ways meet where the small box is within 0.001 … 0.001125 of the large one.
+  const std::vector<Row> expected = {{false, 1.0, 0.0, nothing},     {false, 0.25, 0.0, 1.0},
+                                     {true, 0.0, 0.3, 0.249 / 0.55}, {false, 0.4, 0.6, 0.0},
+                                     {false, 1.0, 0.0, nothing},     {false, 1.0, 0.0, 0.999 / 5.0}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_TRUE(std::getline(table, line));
+    std::vector<std::string> fields;
+    std::istringstream rest(line + ",");
+    for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+    ASSERT_EQ(fields.size(), 7u) << line;
+    EXPECT_EQ(fields[1] == "1", expected[i].colliding) << line;
+    EXPECT_NEAR(std::stod(fields[4]), expected[i].clearance, 1e-9) << line;
+    EXPECT_NEAR(std::stod(fields[5]), expected[i].depth, 1e-3) << line;
+    if (i == 4) continue;  // out of the large box again: met on the way, wherever that is proved
+    EXPECT_EQ(fields[6].empty(), std::isnan(expected[i].fraction)) << line;
+    if (!fields[6].empty()) {
+      EXPECT_NEAR(std::stod(fields[6]), expected[i].fraction, 5e-4) << line;
+    }
+  }
+}
+
+TEST_F(CheckCommand, AMeshInsideAnotherIsFoundByItsDepthAlone) {
+  writeBoxes(folder_.path());
+  folder_.write("poses.csv", kPoseHeader + "0.1,0,0,1,0,0,0\n");
+  const std::string large_round_small = "check --poses poses.csv --out out.csv --fixed ";
+  for (const std::string meshes : {"large.obj --moving small.obj", "small.obj --moving large.obj"}) {
+    const Outcome without = run(large_round_small + meshes);
+    EXPECT_EQ(without.exit_code, 0);
+    EXPECT_THAT(without.out, StartsWith("1 pose: 0 colliding, 1 clear; "));
+    const Outcome with = run(large_round_small + meshes + " --depth");
+    EXPECT_EQ(with.exit_code, 1);
+    EXPECT_THAT(with.out,
+                StartsWith("1 pose: 0 colliding, 1 with one mesh wholly inside the other, 0 clear"));
+  }
+}
+
+TEST_F(CheckCommand, FreeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
+  writeBoxes(folder_.path());
+  const std::string arguments =
+      "check --fixed large.obj --moving small.obj --continuous --out out.csv --poses ";
+  folder_.write("past.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n2.5,3,0,1,0,0,0\n");
+  const Outcome past = run(arguments + "past.csv");
+  EXPECT_EQ(past.exit_code, 0);
+  EXPECT_THAT(past.out, HasSubstr("1 way between poses: 1 free, 0 not proved to keep 0.001\n"));
+  EXPECT_THAT(contentOf(folder_.path() / "out.csv"), HasSubstr("\n0,0,,,\n1,0,,,1\n"));
+  folder_.write("through.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n");
+  const Outcome through = run(arguments + "through.csv");
+  EXPECT_EQ(through.exit_code, 1) << "both poses are clear, the way is not";
+  EXPECT_THAT(through.out, StartsWith("2 poses: 0 colliding, 2 clear; "));
+}
+
+TEST_F(CheckCommand, DepthsNeedAClosedMesh) {
+  writeBoxes(folder_.path());
+  writeMesh(folder_.path() / "sheet.obj", *octoblisk::testing::waveSheet(1, 0.1, 4));
+  folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
+  const Outcome outcome =
+      run("check --fixed sheet.obj --moving small.obj --poses poses.csv --depth --out out.csv");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("sheet.obj: depths need a closed mesh, and 16 of its edges are open"));
+  EXPECT_THAT(outcome.error, HasSubstr("swap the two, with each pose inverted"));
+  EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
+  EXPECT_EQ(
+      run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv").exit_code, 1);
+}
+
+}  // namespace
+}  // namespace octoblisk::demos

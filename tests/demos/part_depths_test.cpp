@@ -1,0 +1,143 @@
+// How deep the tool's parts lie in the blisk, as solids.
+#include "cell/part_depths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "demos/block.h"
+#include "octoblisk/distance.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::demos {
+namespace {
+
+std::shared_ptr<const ClusteredOctree> treeOf(const TriangleMesh& mesh) {
+  return std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
+}
+
+Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+
+/// The depths at one pose of a tool of one part.
+std::vector<PartDepth> depthsOf(const TriangleMesh& blisk, const TriangleMesh& tool, const Pose& pose,
+                                double limit) {
+  return PartDepths(treeOf(blisk), {{"tool", treeOf(tool)}}, limit, 1).measure({&pose, 1}).front();
+}
+
+TEST(PartDepths, ofAFlatToolIsHowFarItIsPressedHoweverFineTheMeshesAre) {
+  constexpr double kLimit = 0.1;
+  for (const int steps : {1, 5, 20}) {
+    for (const double pressed : {0.05, 0.2, 1.0, 3.0, 6.0, 9.0}) {
+      const auto found = depthsOf(block({50, 50, 20}, steps), block({10, 10, 10}, steps + 1),
+                                  at(60.0 - pressed, 0.3, 0.2), kLimit);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NEAR(found[0].depth, pressed, 0.01 * kLimit) << steps << " steps";
+      EXPECT_FALSE(found[0].is_inside);
+      EXPECT_NEAR(found[0].point_on_blisk.x(), 50.0, 1e-9) << "on the face that it is pressed into";
+    }
+  }
+}
+
+TEST(PartDepths, aBladeThinnerThanTheLimitIsNotCutThroughUnseen) {
+  // The tool's own points are at most half a thickness deep: the edge that it swallowed tells.
+  const auto found = depthsOf(block({5, 0.05, 5}, 10), block({3, 2, 2}, 4), at(7.0, 0.013, 0.1), 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth, 1.0, 1e-3);
+}
+
+TEST(PartDepths, ofAPartWhollyInsideOrRoundTheBlisk) {
+  for (const double limit : {0.0, 0.1}) {
+    const auto inside = depthsOf(block({50, 50, 20}, 8), block({2, 2, 2}, 2), at(10, 0, 13), limit);
+    ASSERT_EQ(inside.size(), 1u);
+    EXPECT_TRUE(inside[0].is_inside);
+    EXPECT_NEAR(inside[0].depth, 9.0, 1e-3) << "of its lower face";
+    const auto round = depthsOf(*testing::torus(10, 2, 64, 32), block({50, 50, 20}, 1), at(0, 0, 0), limit);
+    ASSERT_EQ(round.size(), 1u) << "although the torus has no fine features";
+    EXPECT_TRUE(round[0].is_inside);
+    EXPECT_GT(round[0].depth, 19.0);
+    EXPECT_TRUE(depthsOf(block({50, 50, 20}, 8), block({2, 2, 2}, 2), at(80, 0, 0), limit).empty());
+  }
+}
+
+TEST(PartDepths, ofOpenMeshes) {
+  const auto sheet = testing::waveSheet(1.0, 0.1, 8);
+  const TriangleMesh box = block({0.5, 0.5, 0.5}, 2);
+  const auto kindOf = [](const TriangleMesh& blisk, const TriangleMesh& tool) {
+    return PartDepths(treeOf(blisk), {{"tool", treeOf(tool)}}, 0.1, 1).kindOf(0);
+  };
+  EXPECT_EQ(kindOf(box, box), DepthKind::of_solids);
+  EXPECT_EQ(kindOf(box, *sheet), DepthKind::of_part);
+  EXPECT_EQ(kindOf(*sheet, box), DepthKind::of_pairs);
+  EXPECT_TRUE(depthsOf(*sheet, box, at(0, 0, 0.3), 0.1).empty()) << "left to the pairs";
+  const auto found = depthsOf(box, *sheet, at(0, 0, 0.3), 0.1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_GT(found[0].depth, 0.1);
+  EXPECT_LT(found[0].depth, 0.3);
+}
+
+TEST(PartDepths, verdicts_vs_depths_of_the_whole_surfaces_both_ways) {
+  constexpr double kLimit = 0.02;
+  constexpr int kPoses = 120;
+  const std::shared_ptr<const TriangleMesh> blisks[] = {
+      testing::torus(1.0, 0.3, 16, 8),                                     // every edge is sharp
+      testing::torus(1.0, 0.3, 96, 64),                                    // none is
+      std::make_shared<const TriangleMesh>(block({1.2, 0.8, 0.015}, 6))};  // thin
+  const auto tool = treeOf(block({0.3, 0.2, 0.1}, 3));
+  std::mt19937_64 random(61);
+  int deep = 0, touching = 0;
+  for (const auto& blisk : blisks) {
+    const auto tree = treeOf(*blisk);
+    const octoblisk::Surface surface(*tree), tool_surface(*tool);
+    std::vector<Pose> poses;
+    while (std::ssize(poses) < kPoses) {
+      // From a touch on, a little deeper: most poses are near the limit.
+      Pose pose = testing::randomPose(random, 1.3);
+      const Clearance apart = distance(*tree, *tool, pose);
+      if (apart.distance <= 0.0) continue;
+      const double depth = testing::uniform(random, 0.0, 3.0 * kLimit);
+      const Vec3 towards = (apart.point_on_a - apart.point_on_b).normalized();
+      pose.translation += (apart.distance + depth) * towards;
+      poses.push_back(pose);
+    }
+    PartDepths one(tree, {{"tool", tool}}, kLimit, 1), three(tree, {{"tool", tool}}, kLimit, 3);
+    const auto found = one.measure(poses), again = three.measure(poses);
+    DepthQuery query;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      ASSERT_EQ(found[i].size(), 1u);
+      ASSERT_EQ(found[i][0].depth, again[i][0].depth);
+      const double of_tool = query.deepest(surface, tool_surface, poses[i], 1e-5).depth;
+      const double of_blisk = query.deepest(tool_surface, surface, poses[i].inverse(), 1e-5).depth;
+      const double depth = std::max(of_tool, of_blisk);
+      EXPECT_LE(found[i][0].depth, depth + 1e-5) << "pose " << i;
+      const bool near_limit = std::abs(depth - kLimit) < 0.011 * kLimit;
+      if (!near_limit) {
+        EXPECT_EQ(found[i][0].depth > kLimit, depth > kLimit) << "pose " << i;
+      }
+      deep += depth > kLimit;
+      ++touching;
+    }
+  }
+  EXPECT_GT(deep, touching * 3 / 10);
+  EXPECT_LT(deep, touching * 7 / 10);
+}
+
+TEST(FineFeatures, areSharpEdgesThinWallsAndWhatIsRounder) {
+  const auto countOf = [](const TriangleMesh& mesh, double depth) {
+    const auto tree = treeOf(mesh);
+    return fineFeatures(octoblisk::Surface(*tree), depth, 1).triangles.size();
+  };
+  const auto smooth = testing::torus(1.0, 0.3, 96, 64);
+  EXPECT_EQ(countOf(*smooth, 0.1), 0u);
+  EXPECT_EQ(countOf(*smooth, 0.4), smooth->triangleCount()) << "thinner than twice the depth";
+  constexpr int kSteps = 10;
+  const TriangleMesh cube = block({1, 1, 1}, kSteps);
+  const std::size_t found = countOf(cube, 0.1);
+  EXPECT_GE(found, 6u * 4u * kSteps) << "two triangles and more of each square at an edge";
+  EXPECT_LE(found, 6u * 2u * (kSteps * kSteps - (kSteps - 4) * (kSteps - 4)));
+  EXPECT_EQ(countOf(block({1, 1, 0.05}, kSteps), 0.1), cube.triangleCount());
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
