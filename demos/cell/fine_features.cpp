@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "octoblisk/closest_point.h"
+#include "octoblisk/containment.h"
 #include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
@@ -25,12 +26,20 @@ bool isFine(const ClusteredOctree& tree, std::uint32_t index, double depth) {
   return false;
 }
 
+/// Whether an axis parts the triangle from the box.
+bool isBeside(const Triangle& triangle, const Aabb& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [least, greatest] = std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
+    if (least > box.max[axis] || greatest < box.min[axis]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-FineFeatures fineFeatures(const octoblisk::Surface& surface, double depth, int threads) {
+std::vector<std::uint32_t> fineFeatures(const octoblisk::Surface& surface, double depth, int threads) {
   const ClusteredOctree& tree = surface.tree();
-  const TriangleMesh& mesh = tree.mesh();
-  std::vector<char> fine(mesh.triangleCount(), 1);
+  std::vector<char> fine(tree.mesh().triangleCount(), 1);
   if (surface.isOriented()) {
     constexpr std::size_t kAtOnce = 1024;
     parallelFor((fine.size() + kAtOnce - 1) / kAtOnce, threadCount(threads),
@@ -41,17 +50,43 @@ FineFeatures fineFeatures(const octoblisk::Surface& surface, double depth, int t
                   }
                 });
   }
-  FineFeatures found;
-  std::vector<TriangleMesh::Indices> corners;
+  std::vector<std::uint32_t> found;
   for (std::uint32_t t = 0; t < fine.size(); ++t) {
-    if (!fine[t]) continue;
-    found.triangles.push_back(t);
-    corners.push_back(mesh.triangles()[t]);
+    if (fine[t]) found.push_back(t);
   }
-  if (corners.empty()) return found;
-  auto part = std::make_shared<const TriangleMesh>(mesh.vertices(), std::move(corners));
-  found.tree = std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::move(part)));
   return found;
+}
+
+std::optional<DeepPoint> deepestBeyond(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                                       const octoblisk::Surface& solid, const Pose& mesh_in_solid,
+                                       double limit) {
+  const Aabb& bounds = solid.tree().mesh().bounds();
+  std::optional<DeepPoint> deepest;
+  constexpr double kDeeper = 1.1;
+  double enough = limit;  // what a part must exceed to be of interest
+  std::vector<Triangle> parts;
+  for (const std::uint32_t index : triangles) {
+    const Triangle triangle = mesh_in_solid * mesh.triangle(index);
+    if (isBeside(triangle, bounds)) continue;
+    parts.push_back(triangle);
+    while (!parts.empty()) {
+      const auto [a, b, c] = parts.back();
+      parts.pop_back();
+      const Vec3 middle = (a + b + c) / 3.0;
+      const double reach = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
+      const double distance = closestPoint(solid.tree(), middle).value().distance;
+      if (distance + reach <= enough) continue;
+      const bool is_inside = locate(solid, middle) == PointLocation::inside;
+      if (!is_inside && distance >= reach) continue;
+      if (is_inside && distance > enough) {
+        deepest = {distance, mesh_in_solid.inverse() * middle, index};
+        enough = kDeeper * distance;
+      }
+      const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+      parts.insert(parts.end(), {Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+  }
+  return deepest;
 }
 
 }  // namespace octoblisk::demos

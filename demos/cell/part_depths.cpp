@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPartOfLimit = 0.01;
 constexpr double kLeastTolerance = 1e-4;  // mm
+constexpr double kLeastFine = 0.01;       // mm
 constexpr double kFiner = 0.1;            // where the limit is between the bounds
 
 }  // namespace
@@ -25,9 +26,7 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
       blisk_surface_(*blisk_),
       queries_(static_cast<std::size_t>(threadCount(threads))) {
   for (const ToolPart& part : parts_) part_surfaces_.emplace_back(*part.tree);
-  if (!blisk_surface_.isClosed() || limit == 0.0) return;
-  fine_ = fineFeatures(blisk_surface_, limit, threads);
-  if (fine_.tree) fine_surface_.emplace(*fine_.tree);
+  if (blisk_surface_.isClosed()) fine_ = fineFeatures(blisk_surface_, std::max(limit, kLeastFine), threads);
 }
 
 DepthKind PartDepths::kindOf(std::size_t part) const {
@@ -51,32 +50,31 @@ GougeDepth PartDepths::settled(DepthQuery& query, const octoblisk::Surface& a, c
   return query.deepest(a, b, b_in_a, kFiner * tolerance_);
 }
 
-/// The blisk's deepest point in a part, with its triangle's number in the blisk.
-GougeDepth PartDepths::ofBlisk(DepthQuery& query, std::size_t part, const Pose& tool_in_blisk,
-                               bool touches) const {
-  const bool fine_suffice = touches && limit_ > 0.0;
-  if (fine_suffice && !fine_surface_) return {};
-  const octoblisk::Surface& blisk = fine_suffice ? *fine_surface_ : blisk_surface_;
-  GougeDepth found = settled(query, part_surfaces_[part], blisk, tool_in_blisk.inverse());
-  if (found.gouging == Gouging::found && fine_suffice) found.triangle_b = fine_.triangles[found.triangle_b];
-  return found;
+std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_in_blisk,
+                                            DepthQuery& query) const {
+  const octoblisk::Surface& surface = part_surfaces_[part];
+  const bool has_inside = kindOf(part) == DepthKind::of_solids;
+  const GougeDepth of_part = settled(query, blisk_surface_, surface, tool_in_blisk);
+  if (of_part.gouging != Gouging::found) {  // no surfaces meet: the blisk may be inside the part
+    if (!has_inside) return std::nullopt;
+    const GougeDepth of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse());
+    if (of_blisk.gouging != Gouging::found) return std::nullopt;
+    return PartDepth{part, of_blisk.depth, of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b, true};
+  }
+  const bool touches = collide(*blisk_, *parts_[part].tree, tool_in_blisk).has_value();
+  if (touches && has_inside && of_part.depth <= limit_) {
+    const auto of_blisk =
+        deepestBeyond(blisk_->mesh(), fine_, surface, tool_in_blisk.inverse(), std::max(limit_, kLeastFine));
+    if (of_blisk) return PartDepth{part, of_blisk->depth, of_blisk->triangle, of_blisk->point, false};
+  }
+  return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches};
 }
 
 std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQuery& query) const {
   std::vector<PartDepth> found;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (kindOf(part) == DepthKind::of_pairs) continue;
-    const GougeDepth of_part = settled(query, blisk_surface_, part_surfaces_[part], tool_in_blisk);
-    const bool touches = collide(*blisk_, *parts_[part].tree, tool_in_blisk).has_value();
-    GougeDepth of_blisk;
-    if (kindOf(part) == DepthKind::of_solids) of_blisk = ofBlisk(query, part, tool_in_blisk, touches);
-    if (of_blisk.gouging == Gouging::found &&
-        (of_blisk.depth > of_part.depth || of_part.gouging != Gouging::found)) {
-      found.push_back(
-          {part, of_blisk.depth, of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b, !touches});
-    } else if (of_part.gouging == Gouging::found) {
-      found.push_back({part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches});
-    }
+    if (const auto depth = ofPart(part, tool_in_blisk, query)) found.push_back(*depth);
   }
   return found;
 }

@@ -24,7 +24,7 @@ struct PartDepth {
 
 /// What a part's depth is.
 enum class DepthKind {
-  of_solids,  ///< how deep the deepest point of part or blisk lies inside the other
+  of_solids,  ///< how deep the deepest point of the part lies inside the blisk; see PartDepths
   of_part,    ///< how deep the deepest point of the part, which is open, lies inside the blisk
   of_pairs,   ///< of the deepest pair of triangles, as the blisk is open: less the finer the meshes are
 };
@@ -33,10 +33,12 @@ enum class DepthKind {
 /// their number.
 class PartDepths {
  public:
-  /// `limit` (mm): the depth that is judged by. A depth is measured to 1 % of it (but to 0.1 µm at most), and
-  /// where that does not tell on which side of the limit it is, to 0.1 %. Where the two touch, of the blisk's
-  /// points those on its fine features (fine_features.h) alone are looked at: others may exceed the limit, by
-  /// 1 % at most, only where the part's do. A limit of 0 leaves out none.
+  /// `limit` (mm): the depth that is judged by. A part's deepest point inside the blisk is measured to 1 % of
+  /// it (but to 0.1 µm at most), and where that does not tell on which side of the limit it is, to 0.1 %.
+  ///
+  /// Where it is within the limit, a sharp edge or a thin wall of the blisk may still be deeper inside the
+  /// part: a point of the blisk's fine features (fine_features.h) that is deeper than the limit, but 10 µm at
+  /// least, then counts, to a tenth of its depth. Where no surfaces meet, any point of the blisk counts.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 
@@ -48,7 +50,7 @@ class PartDepths {
 
  private:
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
-  GougeDepth ofBlisk(DepthQuery& query, std::size_t part, const Pose& tool_in_blisk, bool touches) const;
+  std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
                      const Pose& b_in_a) const;
 
@@ -58,8 +60,7 @@ class PartDepths {
   double tolerance_;
   octoblisk::Surface blisk_surface_;
   std::vector<octoblisk::Surface> part_surfaces_;
-  FineFeatures fine_;
-  std::optional<octoblisk::Surface> fine_surface_;
+  std::vector<std::uint32_t> fine_;  // triangles of the blisk
   std::vector<DepthQuery> queries_;  // one a thread
 };
 

@@ -26,7 +26,9 @@ double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0,
 std::string nameOf(DepthKind kind) {
   switch (kind) {
     case DepthKind::of_solids:
-      return "how deep the deepest point of part or blisk lies inside the other";
+      return "how deep the deepest point of the part lies inside the blisk, or, where only that is beyond "
+             "the limit, "
+             "of the blisk inside the part";
     case DepthKind::of_part:
       return "how deep the deepest point of the part, which is open, lies inside the blisk";
     case DepthKind::of_pairs:

@@ -126,7 +126,7 @@ TEST(PartDepths, verdicts_vs_depths_of_the_whole_surfaces_both_ways) {
 TEST(FineFeatures, areSharpEdgesThinWallsAndWhatIsRounder) {
   const auto countOf = [](const TriangleMesh& mesh, double depth) {
     const auto tree = treeOf(mesh);
-    return fineFeatures(octoblisk::Surface(*tree), depth, 1).triangles.size();
+    return fineFeatures(octoblisk::Surface(*tree), depth, 1).size();
   };
   const auto smooth = testing::torus(1.0, 0.3, 96, 64);
   EXPECT_EQ(countOf(*smooth, 0.1), 0u);
