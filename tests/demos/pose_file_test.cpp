@@ -118,7 +118,7 @@ TEST_F(PoseFile, NamesTheFileItCannotReadOrWrite) {
   EXPECT_THAT(messageOf<std::runtime_error>([&] { writePoses(missing, {}); }), HasSubstr(missing.string()));
 }
 
-TEST(PoseFile, ReadsNumbersWithAPlusSign) {
+TEST(PoseFilePlus, IsReadBeforeNumbers) {
   const ScratchFolder folder;
   const auto poses = readPoses(folder.write("plus.csv", "x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n"));
   ASSERT_EQ(poses.size(), 1u);
