@@ -118,9 +118,8 @@ TEST_F(PoseFile, NamesTheFileItCannotReadOrWrite) {
   EXPECT_THAT(messageOf<std::runtime_error>([&] { writePoses(missing, {}); }), HasSubstr(missing.string()));
 }
 
-TEST(PoseFilePlus, IsReadBeforeNumbers) {
-  const ScratchFolder folder;
-  const auto poses = readPoses(folder.write("plus.csv", "x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n"));
+TEST_F(PoseFile, ReadsNumbersWithAPlusSign) {
+  const std::vector<Pose> poses = read("x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n");
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_EQ(poses[0].translation, Vec3(5, -1, 2));
 }
