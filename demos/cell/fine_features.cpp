@@ -62,8 +62,9 @@ std::optional<DeepPoint> deepestBeyond(const TriangleMesh& mesh, std::span<const
                                        double limit) {
   const Aabb& bounds = solid.tree().mesh().bounds();
   std::optional<DeepPoint> deepest;
-  constexpr double kDeeper = 1.1;
-  double enough = limit;  // what a part must exceed to be of interest
+  constexpr double kBeyond = 1.05, kDeeper = 1.1;
+  double best = limit;
+  double enough = kBeyond * limit;  // what a part must exceed to be of interest
   std::vector<Triangle> parts;
   for (const std::uint32_t index : triangles) {
     const Triangle triangle = mesh_in_solid * mesh.triangle(index);
@@ -78,7 +79,8 @@ std::optional<DeepPoint> deepestBeyond(const TriangleMesh& mesh, std::span<const
       if (distance + reach <= enough) continue;
       const bool is_inside = locate(solid, middle) == PointLocation::inside;
       if (!is_inside && distance >= reach) continue;
-      if (is_inside && distance > enough) {
+      if (is_inside && distance > best) {
+        best = distance;
         deepest = {distance, mesh_in_solid.inverse() * middle, index};
         enough = kDeeper * distance;
       }

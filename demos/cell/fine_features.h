@@ -29,8 +29,9 @@ struct DeepPoint {
   std::uint32_t triangle = 0;
 };
 
-/// A point of some triangles of a mesh that lies deeper inside a closed solid than the limit (> 0), if there
-/// is one; no other is deeper by more than a tenth. By division of the triangles into quarters, until none
+/// A point of some triangles of a mesh that lies deeper inside a closed solid than the limit (> 0); no other
+/// is deeper by more than a tenth. None where no point exceeds the limit, and at times where none does so by
+/// more than a twentieth: to tell closer takes long. By division of the triangles into quarters, until none
 /// may be that deep: the distance to a surface grows by no more than the way.
 std::optional<DeepPoint> deepestBeyond(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
                                        const octoblisk::Surface& solid, const Pose& mesh_in_solid,

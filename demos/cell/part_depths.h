@@ -38,7 +38,8 @@ class PartDepths {
   ///
   /// Where it is within the limit, a sharp edge or a thin wall of the blisk may still be deeper inside the
   /// part: a point of the blisk's fine features (fine_features.h) that is deeper than the limit, but 10 µm at
-  /// least, then counts, to a tenth of its depth. Where no surfaces meet, any point of the blisk counts.
+  /// least, then counts, to a tenth of its depth; it may be missed where it is so by no more than a
+  /// twentieth. Where no surfaces meet, any point of the blisk counts.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 

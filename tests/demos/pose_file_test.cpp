@@ -119,8 +119,7 @@ TEST_F(PoseFile, NamesTheFileItCannotReadOrWrite) {
 }
 
 TEST_F(PoseFile, ReadsNumbersWithAPlusSign) {
-  const ScratchFolder folder;
-  const auto poses = readPoses(folder.write("plus.csv", "x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n"));
+  const std::vector<Pose> poses = read("x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n");
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_EQ(poses[0].translation, Vec3(5, -1, 2));
 }
