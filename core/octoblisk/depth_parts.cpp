@@ -105,8 +105,8 @@ Triangle DepthQuery::triangleOf(const Part& part) const {
   return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
 }
 
-/// Where to cut a part: where a corner's nearest triangle ends, or another comes as near; else, and every
-/// third time, halfway along the longest edge.
+/// Where to cut a part: where a corner's nearest triangle ends, or another comes as near; else, every third
+/// time, and always once it has been cut often, halfway along the longest edge, which makes no needles.
 DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
   Cut longest{0, 0.5}, best{0, 0.5};
   double longest_edge = -1.0, best_piece = 0.0;
@@ -133,7 +133,8 @@ DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
     const double to_excess = distance(from_nearest, to.point) - to.distance;
     if (best_piece == 0.0 && from_excess + to_excess > 0.0) consider(from_excess / (from_excess + to_excess));
   }
-  return best_piece > 0.0 && part.generation % 3 != 2 ? best : longest;
+  constexpr int kOften = 8;
+  return best_piece > 0.0 && part.generation < kOften && part.generation % 3 != 2 ? best : longest;
 }
 
 void DepthQuery::divide(const Part& part) {
