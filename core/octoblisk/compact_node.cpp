@@ -33,7 +33,7 @@ CompactRotation compactRotation(const Eigen::Matrix3f& axes) {
 Eigen::Matrix3f decoded(const CompactRotation& rotation) {
   float q[4], axes[3][3];
   for (std::size_t k = 0; k < 4; ++k) q[k] = rotation[k];
-  HWY_NAMESPACE::rotate(q, axes);
+  HWY_NAMESPACE::axesOf(q, axes);
   Eigen::Matrix3f matrix;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) matrix(i, j) = axes[i][j];

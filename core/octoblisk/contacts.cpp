@@ -19,7 +19,7 @@ void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Po
   traversePairs(a, b, pose, NodePair(), threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const TriangleLanes triangles_of_b(leaves);
-    const auto reach = [&] { return limit + leaves.coordinateRounding(); };
+    const auto reach = [&] { return limit + 2.0f * leaves.coordinateRounding(); };
     return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
       near = triangles_of_b.within(limit, i, near);
       if (near == 0) return false;

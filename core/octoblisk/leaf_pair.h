@@ -78,6 +78,8 @@ class LeafPair {
   /// Calls visit(i, near) for each triangle i of A whose bounds are within reach(), which may shrink, of
   /// those of triangles of B: bit j of `near` stands for triangle j. Ends and returns true as soon as visit
   /// does, else false.
+  /// The reach is a length: what three coordinates may be off together is less than twice
+  /// coordinateRounding().
   template <typename Reach, typename Visit>
   HWY_INLINE bool forEachNear(Reach&& reach, Visit&& visit) const {
     const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),

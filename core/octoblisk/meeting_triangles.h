@@ -31,7 +31,7 @@ bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, cons
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         tally.leafPair();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
-        const auto reach = [&] { return leaves.coordinateRounding(); };
+        const auto reach = [&] { return 2.0f * leaves.coordinateRounding(); };
         return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
           tally.triangleTest();
           const auto verdicts = TriangleLanes(leaves).meet(i, near);

@@ -13,8 +13,8 @@ namespace octoblisk {
 /// Boxes do not matter whose squared distance in single precision is above this, where what is farther than
 /// `bound` does not; `size` sets the rounding.
 inline float squaredLimit(double bound, double size) {
-  constexpr double kFarthestRoot = 1e18;  // its square is below that of the distance to empty boxes
-  const float limit = traversalLimit(std::min(bound, kFarthestRoot), size);
+  constexpr float kFarthestRoot = 1e18f;  // its square is below that of the distance to empty boxes
+  const float limit = std::min(traversalLimit(bound, size), kFarthestRoot);
   return limit * limit;
 }
 

@@ -30,7 +30,9 @@ void searchNearest(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const TriangleDistances distances(leaves);
     const TriangleLanes triangles_of_b(leaves);
-    const auto reach = [&] { return static_cast<float>(nearest.bound()) + leaves.planeRounding(); };
+    const auto reach = [&] {
+      return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
+    };
     return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
       near = triangles_of_b.within(reach(), i, near);
       if (near == 0) return false;

@@ -15,7 +15,7 @@ namespace octoblisk::HWY_NAMESPACE {
 
 /// The axes that a quaternion stands for, or those of eight.
 template <typename Real>
-HWY_INLINE void rotate(const Real (&q)[4], Real (&axes)[3][3]) {
+HWY_INLINE void axesOf(const Real (&q)[4], Real (&axes)[3][3]) {
   const Real xx = q[0] * q[0], yy = q[1] * q[1], zz = q[2] * q[2], one(1.0f);
   const Real scale = Real(2.0f) / (xx + yy + zz + q[3] * q[3]);
   const Real xy = q[0] * q[1], yz = q[1] * q[2], zx = q[2] * q[0];
@@ -35,7 +35,7 @@ HWY_INLINE void rotate(const Real (&q)[4], Real (&axes)[3][3]) {
 inline HWY_NOINLINE void decode(const CompactNode& node, std::uint32_t lane, Box8& boxes) {
   float q[4], axes[3][3];
   for (int k = 0; k < 4; ++k) q[k] = node.rotation[k][lane];
-  rotate(q, axes);
+  axesOf(q, axes);
   for (int k = 0; k < 3; ++k) {
     const float half_extent = node.half_extents[k][lane];
     boxes.center[k][lane] = node.origin[k] + node.scale * static_cast<float>(node.center[k][lane]);
@@ -48,7 +48,7 @@ inline HWY_NOINLINE void decode(const CompactNode& node, std::uint32_t lane, Box
 inline HWY_NOINLINE void decode(const CompactNode& node, Box8& boxes) {
   Float8 q[4], axes[3][3];
   for (int k = 0; k < 4; ++k) q[k] = Float8::load(node.rotation[k]);
-  rotate(q, axes);
+  axesOf(q, axes);
   const Float8 scale(node.scale), empty(Box8::kEmptyHalfExtent);
   for (int k = 0; k < 3; ++k) {
     const Float8 half_extent = Float8::load(node.half_extents[k]);

@@ -1,6 +1,7 @@
 #include "octoblisk/path_query.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "octoblisk/triangle_pair.h"
 
@@ -12,7 +13,7 @@ std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
   if (met_) {
     if (intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
       return witness_;
-    if (meetBelow(b_in_a, nodes_)) return witness_;
+    if (nodes_.a != 0 && meetBelow(b_in_a, nodes_)) return witness_;
   }
   met_ = !provedBeyond(0.0, b_in_a) && meetBelow(b_in_a, NodePair());
   return met_ ? std::optional(witness_) : std::nullopt;
@@ -32,10 +33,13 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
   DistanceOptions hinted = options;
   if (witness_.a != kNoTriangle) hinted.hint = witness_;
   const Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
-  if (found.found()) witness_ = {found.triangle_a, found.triangle_b};
+  if (found.found()) {
+    witness_ = {found.triangle_a, found.triangle_b};
+    nodes_ = NodePair();
+  }
   met_ = found.found() && found.distance == 0.0;
   proof_pose_ = b_in_a;
-  proved_distance_ = found.distance - options.tolerance;
+  proved_distance_ = std::isfinite(found.distance) ? found.distance - options.tolerance : 0.0;
   return found;
 }
 

@@ -37,7 +37,7 @@ class PathQuery {
   const ClusteredOctree *a_, *b_;
   Hold hold_of_b_;
   TrianglePair witness_;
-  NodePair nodes_;    // whose leaves the witness is in, or near
+  NodePair nodes_;    // whose leaves the witness is in; the roots where that is not known
   bool met_ = false;  // the witness, at the pose before
   // At this pose, the distance was proved to be no less than this.
   Pose proof_pose_;

@@ -39,7 +39,8 @@ std::size_t QueryCost::bytes(const ClusteredOctree& a, const ClusteredOctree& b)
   const auto bytesOfLeaf = [](const ClusteredOctree& tree) {
     return 9 * sizeof(float) * tree.stats().triangles / tree.stats().leaves;
   };
-  return box_tests * sizeof(Box8) + leaf_pairs * (bytesOfLeaf(a) + bytesOfLeaf(b)) +
+  const std::size_t boxes = a.isCompact() ? sizeof(CompactNode) : sizeof(Box8);
+  return box_tests * boxes + leaf_pairs * (bytesOfLeaf(a) + bytesOfLeaf(b)) +
          exact_tests * 2 * sizeof(Triangle);
 }
 

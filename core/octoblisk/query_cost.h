@@ -18,7 +18,7 @@ struct QueryCost {
   void triangleTest() { ++triangle_tests; }
   void exactTest() { ++exact_tests; }
 
-  /// The bytes of the trees that these tests read at least, repeated ones counted again.
+  /// About how many bytes these tests read, those read again counted again.
   std::size_t bytes(const ClusteredOctree& a, const ClusteredOctree& b) const;
 };
 

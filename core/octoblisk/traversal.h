@@ -63,6 +63,7 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
       continue;
     }
     const Child child_a = a.child(pair.a), child_b = b.child(pair.b);
+    if (child_a.isEmpty() || child_b.isEmpty()) continue;  // of a pose that is none, as all gaps are NaN
     if (child_a.isLeaf() && child_b.isLeaf()) {
       if (visit(pair.a, pair.b)) return true;
       continue;

@@ -17,7 +17,8 @@ class TraversalQueue {
   bool empty() const { return count_ == 0 && stack_.empty(); }
 
   Entry pop() {
-    if (!stack_.empty()) return stack_.pop();
+    waits_in_order_ = stack_.empty();
+    if (!waits_in_order_) return stack_.pop();
     std::pop_heap(entries_.begin(), entries_.begin() + count_, fartherFirst);
     return entries_[static_cast<std::size_t>(--count_)];
   }
@@ -33,9 +34,9 @@ class TraversalQueue {
     std::push_heap(entries_.begin(), entries_.begin() + count_, fartherFirst);
   }
 
-  /// What was popped last is too far: so is all that waits behind it.
+  /// What was popped last is too far: so is all that waits behind it in the heap.
   void dismiss() {
-    if (stack_.empty()) count_ = 0;
+    if (waits_in_order_) count_ = 0;
   }
 
  private:
@@ -45,6 +46,7 @@ class TraversalQueue {
 
   std::array<Entry, kRoom> entries_;  // a heap
   std::ptrdiff_t count_ = 0;
+  bool waits_in_order_ = true;  // behind what was popped last
   TraversalStack<Entry, kLevels> stack_;
 };
 

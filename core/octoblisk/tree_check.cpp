@@ -118,7 +118,7 @@ bool isSound(const BoxF& box, float largest) {
 /// Nothing overlaps it.
 bool isEmptyBox(const BoxF& box, float largest) {
   return box.axes.isIdentity(0.0f) && (box.half_extents.array() == Box8::kEmptyHalfExtent).all() &&
-         box.center.cwiseAbs().maxCoeff() <= largest;
+         box.center.allFinite() && box.center.cwiseAbs().maxCoeff() <= largest;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "octoblisk/collide.h"
+#include "octoblisk/path_query.h"
 #include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -148,6 +149,30 @@ TEST(Distance, farFromTheOriginAndFarApart) {
     const Pose pose{Mat3::Identity(), Vec3(away, 0, 0)};
     EXPECT_NEAR(distance(tree, tree, pose).distance, away - 2.0 * 2.7, 1e-15 * away + 1e-12) << away;
   }
+}
+
+TEST(Distance, ofWhatIsBeyondAllMeasureEnds) {
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
+  for (const double far : {1e20, 1e25, 1e28, 1e30, 1e300}) {
+    const Pose pose{Mat3::Identity(), Vec3(far, 0, 0)};
+    EXPECT_GT(distance(ring, ring, pose).distance, 1e17) << far;
+    PathQuery query(ring, ring);
+    EXPECT_GT(query.distance(pose).distance, 1e17) << far;
+    EXPECT_TRUE(query.collide({Mat3::Identity(), Vec3(0.1, 0, 0)})) << far;
+  }
+}
+
+TEST(Distance, ofManyPairsEquallyNear) {
+  // One in the other with the same gap everywhere: more boxes are about as near as the to-do list has room
+  // for.
+  const ClusteredOctree inner = ClusteredOctree::build(testing::torus(1.0, 0.5, 96, 64)),
+                        outer = ClusteredOctree::build(testing::torus(1.0, 0.502, 96, 64));
+  const Clearance found = distance(inner, outer, Pose{});
+  DistanceOptions hinted;
+  hinted.hint = {found.triangle_a, found.triangle_b};
+  EXPECT_GT(found.distance, 0.0);
+  EXPECT_LT(found.distance, 0.002);
+  EXPECT_EQ(distance(inner, outer, Pose{}, hinted).distance, found.distance);
 }
 
 TEST(Distance, ofNestedSurfacesIsTheirGap) {

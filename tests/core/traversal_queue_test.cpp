@@ -1,4 +1,5 @@
-// The to-do list of searches for the nearest: by gap while there is room, and nothing is lost when there is none.
+// The to-do list of searches for the nearest: by gap while there is room, and nothing is lost when there is
+// none.
 #include "octoblisk/traversal_queue.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,18 @@ TEST(TraversalQueue, dismissesAllThatWaitsBehindTheLast) {
   EXPECT_EQ(queue->pop().name, 0);
   queue->dismiss();
   EXPECT_TRUE(queue->empty());
+}
+
+TEST(TraversalQueue, dismissesNothingInTheHeapForWhatWasInTheStack) {
+  const auto queue = std::make_unique<Queue>();
+  for (int i = 0; i < 1024; ++i) queue->pushSorted(queue->size(), {i, 1.0f + 0.001f * static_cast<float>(i)});
+  EXPECT_EQ(queue->pop().name, 0);
+  queue->pushSorted(0, {2000, 1.05f});  // takes the room that is left
+  queue->pushSorted(0, {2001, 5.0f});   // the stack's
+  EXPECT_EQ(queue->pop().name, 2001);
+  queue->dismiss();
+  EXPECT_FALSE(queue->empty());
+  EXPECT_EQ(queue->pop().name, 1);
 }
 
 }  // namespace

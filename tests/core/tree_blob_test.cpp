@@ -278,6 +278,10 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
       expect(patched(blob, floatAt(1, place), bad), "box 0 of node 1 ");
   }
   expect(patched(blob, floatAt(0, 3 * kLanes + 5), 1.0f), "box 5 of node 0 ");  // an empty one must stay so
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect(patched(blob, floatAt(0, k * kLanes + 5), std::numeric_limits<float>::quiet_NaN()),
+           "box 5 of node 0 ");
+  }
 
   const ClusteredOctree compact = ClusteredOctree::build(mesh, {.storage = Storage::compact});
   const Blob small = toBlob(compact);
