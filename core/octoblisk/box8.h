@@ -11,6 +11,10 @@ namespace octoblisk {
 inline constexpr int kLanes = 8;
 inline constexpr unsigned kAllLanes = 0xff;
 
+/// How far products of a box's axes may be from 0 and 1: 16 units in the last place. leaf_pair.h counts on
+/// it.
+inline constexpr double kOrthonormal = 0x1p-20;
+
 /// An oriented box in single precision, in the local frame of a tree.
 struct BoxF {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();

@@ -37,7 +37,7 @@ std::optional<ClosestPoint> searchClosest(const ClusteredOctree& tree, const Vec
   const Eigen::Vector3f local_single = local.cast<float>();
   const double farthest = local.norm() + tree.radius();  // no triangle is farther
   if (!(farthest <= kFarthest)) return std::nullopt;
-  const double rounding = kTraversalRounding * farthest;
+  const double rounding = kSingleRounding * farthest;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);
   const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };

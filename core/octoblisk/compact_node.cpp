@@ -13,10 +13,10 @@ CompactRotation compactRotation(const Eigen::Matrix3f& axes) {
   const double largest = q.cwiseAbs().maxCoeff();
   // Any length will do. That is taken which decodes to axes that single precision rounds least.
   constexpr int kLongest = std::numeric_limits<std::int16_t>::max(), kLengths = 64;
-  constexpr double kOrthonormal = 0x1p-22;  // twice a unit in the last place
   CompactRotation best = {};
+  constexpr double kGoodEnough = 0x1p-22;
   double least = std::numeric_limits<double>::infinity();
-  for (int length = kLongest; length > kLongest - kLengths && least > kOrthonormal; --length) {
+  for (int length = kLongest; length > kLongest - kLengths && least > kGoodEnough; --length) {
     CompactRotation rotation;
     for (int k = 0; k < 4; ++k)
       rotation[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(std::lround(length / largest * q[k]));

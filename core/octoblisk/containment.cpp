@@ -5,6 +5,7 @@
 
 #include "octoblisk/collide.h"
 #include "octoblisk/half_line_crossing.h"
+#include "octoblisk/rounding.h"
 #include "octoblisk/triangles_in_box.h"
 
 namespace octoblisk {
@@ -12,8 +13,7 @@ namespace {
 
 /// How far a half-line may be off in double precision.
 double roundingOf(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a) {
-  constexpr double kTreeRounding = 0x1p-18, kDoubleRounding = 0x1p-48;
-  return kTreeRounding * tree.radius() +
+  return kSingleRounding * tree.radius() +
          kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
 }
 

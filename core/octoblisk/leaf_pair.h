@@ -103,9 +103,9 @@ class LeafPair {
     return false;
   }
 
-  // In units in the last place of the size, with half diagonals below 1.74 half extents: the axes of a box
-  // are orthonormal but for 4; a corner of A is off by that and 1; one of B by 4 and 1, the product of three
-  // rotations 16, the products 2, their sums 3, the shift 8.
+  // In units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A is off
+  // by 1; one of B by 1 and what B's axes are from orthonormal, 16, the product of three rotations 16, the
+  // products 2, their sums 3, the shift 8. That A's axes are not orthonormal either stretches all alike.
 
   /// How far a corner of A and one of B may be off together, along each axis.
   float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "octoblisk/raycast.h"
+#include "octoblisk/rounding.h"
 
 namespace octoblisk {
 
@@ -36,8 +37,7 @@ inline std::optional<LocalRay> clipped(const ClusteredOctree& tree, const Ray& r
   const double distance = origin.cwiseAbs().maxCoeff();
   if (!(ray.origin.cwiseAbs().maxCoeff() <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
 
-  // 64 units in the last place of single precision, and some in double precision of the way to the tree.
-  const double slack = 0x1p-18 * tree.radius() + 0x1p-48 * distance + 0x1p-120;
+  const double slack = 2.0 * (kSingleRounding * tree.radius() + kDoubleRounding * distance) + 0x1p-120;
   const double radius = tree.radius() + slack;
   const double nearest = -origin.dot(ray.direction) / ray.direction.squaredNorm();  // to the middle
   if (!((origin + nearest * ray.direction).squaredNorm() <= radius * radius)) return std::nullopt;

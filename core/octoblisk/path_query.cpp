@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "octoblisk/rounding.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {
@@ -46,11 +47,10 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
 /// Whether the last distance proves that the bodies are farther apart than this, however distances and poses
 /// are rounded.
 bool PathQuery::provedBeyond(double distance, const Pose& b_in_a) const {
-  constexpr double kRounding = 1e-12;
   if (!(proved_distance_ > distance)) return false;
-  const double size = a_->origin().norm() + a_->radius() + b_->origin().norm() + b_->radius() +
-                      proof_pose_.translation.norm() + b_in_a.translation.norm();
-  return proved_distance_ - hold_of_b_.displacement(proof_pose_, b_in_a) > distance + kRounding * size;
+  const double size = sizeOf(*a_, *b_) + proof_pose_.translation.norm() + b_in_a.translation.norm();
+  return proved_distance_ - hold_of_b_.displacement(proof_pose_, b_in_a) >
+         distance + kDistanceRounding * size;
 }
 
 }  // namespace octoblisk

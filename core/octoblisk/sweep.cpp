@@ -2,25 +2,16 @@
 
 #include <cassert>
 
+#include "octoblisk/rounding.h"
+
 namespace octoblisk {
-namespace {
-
-/// Poses, posed vertices, and distances err by less than this part of the lengths that enter them.
-constexpr double kRounding = 1e-12;
-
-/// The lengths that enter: of both bodies, from one frame to the other, and of the way.
-double sizeOf(const ClusteredOctree& a, const ClusteredOctree& b, const Motion& motion, double length) {
-  return a.origin().norm() + a.radius() + b.origin().norm() + b.radius() + motion.from().translation.norm() +
-         motion.centerInB().norm() + length;
-}
-
-}  // namespace
 
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b, const Motion& b_in_a,
                                   double tolerance, const SweepOptions& options) {
   assert(tolerance > 0.0 && options.slack > 0.0 && options.max_steps > 0);
   const double length = b_in_a.lengthBound(b);
-  const double reached = tolerance + kRounding * sizeOf(a, b, b_in_a, length);
+  const double size = sizeOf(a, b) + b_in_a.from().translation.norm() + b_in_a.centerInB().norm() + length;
+  const double reached = tolerance + kDistanceRounding * size;
   TimeOfImpact impact;
   for (int step = 1;; ++step) {
     // What is farther cannot come within reach in the rest of the motion.

@@ -1,24 +1,20 @@
-// What a walk down the trees needs beside them: its to-do list, and how far single precision can be trusted.
+// What a walk down the trees needs beside them: poses and boxes in their frames, and its to-do list.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 
-#include "octoblisk/clustered_octree.h"
+#include "octoblisk/rounding.h"
 
 namespace octoblisk {
-
-/// Distances in single precision err by less than this part of the sizes involved: 64 units in the last place
-/// of the summed radii and the distance of the origins.
-inline constexpr double kTraversalRounding = 0x1p-18;
 
 /// Beyond it lie only the empty boxes of a node: a reach is cut off here, so that they are never entered.
 inline constexpr double kFarthest = 1e29;
 
 /// The gap up to which boxes of bodies of this summed size may be within `reach` of each other.
 inline float traversalLimit(double reach, double size) {
-  return static_cast<float>(std::min(kFarthest, reach + kTraversalRounding * (size + reach)));
+  return static_cast<float>(std::min(kFarthest, reach + kSingleRounding * (size + reach)));
 }
 
 /// The pose of tree B in tree A, between the frames that their boxes are in.
@@ -33,7 +29,8 @@ struct LocalPose {
         b_to_a(exact),
         a_to_b(exact.inverse()),
         size(exact.translation.norm() + a.radius() + b.radius()),
-        doubles(0x1p-48 * (size + a.origin().norm() + b.origin().norm() + b_in_a.translation.norm())) {}
+        doubles(kDoubleRounding *
+                (size + a.origin().norm() + b.origin().norm() + b_in_a.translation.norm())) {}
 
   float limit(double reach) const { return traversalLimit(reach + doubles, size); }
 };

@@ -107,8 +107,8 @@ void checkOrder(std::span<const std::uint32_t> order) {
 /// Finite, its frame orthonormal, its half extents in descending order and neither they nor the centre
 /// larger than in a tree of that radius.
 bool isSound(const BoxF& box, float largest) {
-  constexpr float kOrthonormal = 1e-5f;
-  const Eigen::Matrix3f off = box.axes.transpose() * box.axes - Eigen::Matrix3f::Identity();
+  const Mat3 axes = box.axes.cast<double>();
+  const Mat3 off = axes.transpose() * axes - Mat3::Identity();
   const Eigen::Vector3f& half = box.half_extents;
   return box.center.cwiseAbs().maxCoeff() <= largest && box.center.allFinite() && half.allFinite() &&
          half[0] <= largest && half[0] >= half[1] && half[1] >= half[2] && half[2] >= 0.0f &&
