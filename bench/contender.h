@@ -18,7 +18,8 @@ namespace octoblisk::bench {
 class PoseQuery {
  public:
   virtual ~PoseQuery() = default;
-  /// How many tests the answer takes, and the bytes they read, by name; empty where the library does not tell.
+  /// How many tests the answer takes, and the bytes they read, by name; empty where the library does not
+  /// tell.
   virtual std::map<std::string, double> cost(const Pose&) const { return {}; }
 };
 
@@ -36,6 +37,26 @@ class ContactsQuery : public PoseQuery {
   virtual std::size_t contacts(const Pose& belt_in_blisk) = 0;
   /// Whether `contacts` counts pairs of triangles, all of them. If not, only "none or some" is compared.
   virtual bool countsPairs() const { return true; }
+};
+
+/// The same in a Bullet world: points with depths and normals, for a solver.
+class WorldContactsQuery : public PoseQuery {
+ public:
+  /// The number of contact points of depth 0 or more.
+  virtual std::size_t points(const Pose& belt_in_blisk) = 0;
+};
+
+/// A Bullet world in which bodies fall onto the blisk.
+class WorldStepQuery {
+ public:
+  virtual ~WorldStepQuery() = default;
+  /// Lifts all bodies to where they start.
+  virtual void restart() = 0;
+  virtual void step() = 0;
+  /// Where the bodies are.
+  virtual std::vector<Vec3> positions() const = 0;
+  /// The contact points on the blisk.
+  virtual std::size_t contactsOnBlisk() const = 0;
 };
 
 /// What a straight way through the blisk meets first.
@@ -73,6 +94,8 @@ struct Contender {
   std::string name;
   Maker<CollideQuery> collide = {};
   Maker<ContactsQuery> contacts = {};
+  Maker<WorldContactsQuery> world_contacts = {};
+  Maker<WorldStepQuery> world_step = {};
   Maker<DistanceQuery> distance = {};
   Maker<RayQuery> ray = {};
   Maker<BuildQuery> build = {};
@@ -84,6 +107,7 @@ inline constexpr const char* kOurs = "octoblisk";
 /// All that are built in, ours first, the others by name.
 const std::vector<Contender>& contenders();
 
+/// A name may come from several files, each with queries of its own.
 bool registerContender(Contender contender);
 
 /// Offers a library's answers to a query, if it is one that they implement.
@@ -100,6 +124,8 @@ bool registerContender(const std::string& name) {
   Contender contender{.name = name};
   (offer<Answers>(contender.collide), ...);
   (offer<Answers>(contender.contacts), ...);
+  (offer<Answers>(contender.world_contacts), ...);
+  (offer<Answers>(contender.world_step), ...);
   (offer<Answers>(contender.distance), ...);
   (offer<Answers>(contender.ray), ...);
   (offer<Answers>(contender.build), ...);

@@ -4,6 +4,7 @@
 
 #include "bullet_world.h"
 #include "contender.h"
+#include "hulls_on_blisk.h"
 #include "models/belt_grinder.h"
 
 namespace octoblisk::bench {
@@ -42,11 +43,12 @@ class BeltOfHulls {
 };
 
 /// Counts contact points between triangles and hulls, each with its depth.
-class BulletBvh final : public ContactsQuery {
+class BulletBvh final : public ContactsQuery, public WorldContactsQuery {
  public:
   explicit BulletBvh(const Scene& scene) : mesh_(*scene.blisk), belt_(*scene.belt) { blisk_.setMargin(0); }
 
-  std::size_t contacts(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
+  std::size_t points(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
+  std::size_t contacts(const Pose& belt_in_blisk) override { return points(belt_in_blisk); }
   bool countsPairs() const override { return false; }
 
  private:
@@ -91,7 +93,21 @@ class BulletBvhBuild final : public BuildQuery {
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };
 
-const bool kRegistered = registerContender<BulletBvh, BulletBvhRays, BulletBvhBuild>("bullet-bvh");
+class BulletBvhSteps final : public HullsOnBlisk {
+ public:
+  explicit BulletBvhSteps(const Scene& scene) : mesh_(*scene.blisk) {
+    blisk_.setMargin(kMargin);
+    start(&blisk_);
+  }
+  ~BulletBvhSteps() override { stop(); }
+
+ private:
+  BulletMesh mesh_;
+  btBvhTriangleMeshShape blisk_{mesh_.view(), true};
+};
+
+const bool kRegistered =
+    registerContender<BulletBvh, BulletBvhRays, BulletBvhBuild, BulletBvhSteps>("bullet-bvh");
 
 }  // namespace
 }  // namespace octoblisk::bench

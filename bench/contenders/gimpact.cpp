@@ -4,6 +4,7 @@
 
 #include "bullet_world.h"
 #include "contender.h"
+#include "hulls_on_blisk.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -16,7 +17,7 @@ std::unique_ptr<btGImpactMeshShape> shapeOf(const BulletMesh& mesh) {
 }
 
 /// Counts contact points, each with its depth.
-class Gimpact final : public ContactsQuery {
+class Gimpact final : public ContactsQuery, public WorldContactsQuery {
  public:
   explicit Gimpact(const Scene& scene) : blisk_mesh_(*scene.blisk), belt_mesh_(*scene.belt) {
     btCollisionDispatcher& dispatcher = world_.dispatcher();
@@ -28,7 +29,8 @@ class Gimpact final : public ContactsQuery {
     }
   }
 
-  std::size_t contacts(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
+  std::size_t points(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
+  std::size_t contacts(const Pose& belt_in_blisk) override { return points(belt_in_blisk); }
   bool countsPairs() const override { return false; }
 
  private:
@@ -52,7 +54,22 @@ class GimpactBuild final : public BuildQuery {
   std::unique_ptr<btGImpactMeshShape> shape_;
 };
 
-const bool kRegistered = registerContender<Gimpact, GimpactBuild>("gimpact");
+class GimpactSteps final : public HullsOnBlisk {
+ public:
+  explicit GimpactSteps(const Scene& scene) : mesh_(*scene.blisk) {
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher());
+    blisk_->setMargin(kMargin);
+    blisk_->updateBound();
+    start(blisk_.get());
+  }
+  ~GimpactSteps() override { stop(); }
+
+ private:
+  BulletMesh mesh_;
+  std::unique_ptr<btGImpactMeshShape> blisk_ = shapeOf(mesh_);
+};
+
+const bool kRegistered = registerContender<Gimpact, GimpactBuild, GimpactSteps>("gimpact");
 
 }  // namespace
 }  // namespace octoblisk::bench

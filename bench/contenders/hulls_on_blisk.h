@@ -1,0 +1,137 @@
+// A Bullet world in which convex hulls fall onto the blisk, for the contenders that differ in its shape
+// alone.
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "bullet_world.h"
+#include "contender.h"
+
+namespace octoblisk::bench {
+
+/// 200 hulls of 20 corners on a sphere of 6 mm, above the blades of the blisk, which lies on a floor within a
+/// ring of walls. Millimetres and seconds; steps of 1/240 s. The bodies never sleep.
+class HullsOnBlisk : public WorldStepQuery {
+ public:
+  void restart() override {
+    for (std::size_t k = 0; k < hulls_.size(); ++k) {
+      btRigidBody& body = *hulls_[k].body;
+      world_.removeRigidBody(&body);  // and with it its pairs
+      body.setWorldTransform(startOf(k));
+      body.setInterpolationWorldTransform(startOf(k));
+      body.setLinearVelocity(btVector3(0, 0, 0));
+      body.setAngularVelocity(btVector3(0, 0, 0));
+      body.clearForces();
+      world_.addRigidBody(&body);
+    }
+    solver_.reset();
+  }
+
+  void step() override { world_.stepSimulation(btScalar(1.0 / 240.0), 0); }
+
+  std::vector<Vec3> positions() const override {
+    std::vector<Vec3> all;
+    for (const Hull& hull : hulls_) {
+      const btVector3& at = hull.body->getWorldTransform().getOrigin();
+      all.emplace_back(at.x(), at.y(), at.z());
+    }
+    return all;
+  }
+
+  std::size_t contactsOnBlisk() const override {
+    std::size_t count = 0;
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
+      const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(m);
+      if (manifold->getBody0() != blisk_ && manifold->getBody1() != blisk_) continue;
+      count += static_cast<std::size_t>(manifold->getNumContacts());
+    }
+    return count;
+  }
+
+ protected:
+  static constexpr btScalar kMargin = btScalar(0.04);  // Bullet's own
+
+  btCollisionDispatcher& dispatcher() { return dispatcher_; }
+
+  /// Once the algorithms are registered. The shape is to outlive stop().
+  void start(btCollisionShape* blisk) {
+    world_.setGravity(btVector3(0, 0, -9810));
+    blisk_ = addStatic(blisk, btTransform::getIdentity());
+    addStatic(&floor_,
+              at(btQuaternion::getIdentity(), {0, 0, kFloor - floor_.getHalfExtentsWithMargin().z()}));
+    for (int k = 0; k < kWalls; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kWalls;
+      addStatic(&wall_, at(btQuaternion(btVector3(0, 0, 1), btScalar(angle)),
+                           {247.0 * std::cos(angle), 247.0 * std::sin(angle), 100.0}));
+    }
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    for (std::size_t k = 0; k < kHulls; ++k) {
+      Hull hull{std::make_unique<btConvexHullShape>(), nullptr};
+      for (int corner = 0; corner < 20; ++corner) {
+        const Vec3 direction(normal(random), normal(random), normal(random));
+        hull.shape->addPoint(toBullet(6.0 * direction.normalized()), false);
+      }
+      hull.shape->recalcLocalAabb();
+      btVector3 inertia;
+      hull.shape->calculateLocalInertia(1, inertia);
+      hull.body = std::make_unique<btRigidBody>(1, nullptr, hull.shape.get(), inertia);
+      hull.body->setFriction(btScalar(0.5));
+      hull.body->setActivationState(DISABLE_DEACTIVATION);
+      hull.body->setWorldTransform(startOf(k));
+      world_.addRigidBody(hull.body.get());
+      hulls_.push_back(std::move(hull));
+    }
+  }
+
+  /// Before the shape goes.
+  void stop() {
+    for (const Hull& hull : hulls_) world_.removeRigidBody(hull.body.get());
+    for (const auto& body : statics_) world_.removeRigidBody(body.get());
+  }
+
+ private:
+  struct Hull {
+    std::unique_ptr<btConvexHullShape> shape;
+    std::unique_ptr<btRigidBody> body;
+  };
+  static constexpr std::size_t kHulls = 200;
+  static constexpr int kWalls = 24;
+  static constexpr double kFloor = -30.0;
+
+  static btTransform at(const btQuaternion& rotation, const Vec3& place) {
+    return btTransform(rotation, toBullet(place));
+  }
+  static btTransform startOf(std::size_t k) {
+    const auto number = static_cast<double>(k);
+    const double radius = 140.0 + 8.5 * static_cast<double>(k % 10),
+                 angle = 2.0 * std::numbers::pi * number * 0.618;
+    return at(btQuaternion::getIdentity(), {radius * std::cos(angle), radius * std::sin(angle),
+                                            115.0 + 15.0 * static_cast<double>(k / 40)});
+  }
+  btRigidBody* addStatic(btCollisionShape* shape, const btTransform& where) {
+    statics_.push_back(std::make_unique<btRigidBody>(0, nullptr, shape));
+    statics_.back()->setWorldTransform(where);
+    statics_.back()->setFriction(btScalar(0.5));
+    world_.addRigidBody(statics_.back().get());
+    return statics_.back().get();
+  }
+
+  btDefaultCollisionConfiguration configuration_;
+  mutable btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  btBoxShape floor_{btVector3(300, 300, 15)}, wall_{btVector3(5, 36, 150)};
+  std::vector<std::unique_ptr<btRigidBody>> statics_;
+  std::vector<Hull> hulls_;
+  const btRigidBody* blisk_ = nullptr;
+};
+
+}  // namespace octoblisk::bench
