@@ -34,7 +34,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 
 #include "octoblisk/triangle_convex.h"
-#include "octoblisk/triangles_in_box.h"
+#include "octoblisk/triangles_near_convex.h"
 
 namespace octoblisk {
 
@@ -60,15 +60,13 @@ void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
 
 std::optional<std::uint32_t> collide(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a) {
   std::optional<std::uint32_t> hit;
-  const Aabb bounds = b.bounds();
   const Pose a_in_b = b_in_a.inverse();
-  forEachTriangleIn(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, 0.0,
-                    [&](std::uint32_t triangle) {
-                      const auto contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, 0.0);
-                      if (!contact || contact->distance > 0.0) return false;
-                      hit = triangle;
-                      return true;
-                    });
+  forEachTriangleNear(a, b, b_in_a, 0.0, [&](std::uint32_t triangle) {
+    const auto contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, 0.0);
+    if (!contact || contact->distance > 0.0) return false;
+    hit = triangle;
+    return true;
+  });
   return hit;
 }
 

@@ -16,31 +16,34 @@ void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Po
                     std::vector<Contact>& found) {
   const LocalPose pose(a, b, b_in_a);
   const float limit = pose.limit(threshold);
-  traversePairs(a, b, pose, NodePair(), threshold, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
-    const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    const TriangleLanes triangles_of_b(leaves);
-    const auto reach = [&] { return limit + 2.0f * leaves.coordinateRounding(); };
-    return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
-      near = triangles_of_b.within(limit, i, near);
-      if (near == 0) return false;
-      const auto [meet, open] = triangles_of_b.meet(i, near);
-      unsigned apart = near & ~(meet | open);
-      if (apart != 0) apart &= threshold > 0.0 ? TriangleDistances(leaves).from(i).within(limit) : 0u;
-      const Triangle triangle_a = a.mesh().triangle(leaves.triangleA(i));
-      for (unsigned left = meet | open | apart; left != 0; left &= left - 1) {
-        const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
-        const Triangle triangle_b = b_in_a * b.mesh().triangle(leaves.triangleB(j));
-        Contact contact = (meet >> j & 1u) != 0   ? meetingContact(triangle_a, triangle_b)
-                          : (open >> j & 1u) != 0 ? contactOf(triangle_a, triangle_b)
-                                                  : closestPoints(triangle_a, triangle_b);
-        if (contact.distance > threshold) continue;
-        contact.triangle_a = leaves.triangleA(i);
-        contact.triangle_b = leaves.triangleB(j);
-        found.push_back(contact);
-      }
-      return false;
-    });
-  });
+  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
+  walkPairs<TraversalStack>(
+      a, b, pose, NodePair(), gap, [&] { return limit; },
+      [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        const LeafPair leaves(a, b, pose, slot_a, slot_b);
+        const TriangleLanes triangles_of_b(leaves);
+        const auto reach = [&] { return limit + 2.0f * leaves.coordinateRounding(); };
+        return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
+          near = triangles_of_b.within(limit, i, near);
+          if (near == 0) return false;
+          const auto [meet, open] = triangles_of_b.meet(i, near);
+          unsigned apart = near & ~(meet | open);
+          if (apart != 0) apart &= threshold > 0.0 ? TriangleDistances(leaves).from(i).within(limit) : 0u;
+          const Triangle triangle_a = a.mesh().triangle(leaves.triangleA(i));
+          for (unsigned left = meet | open | apart; left != 0; left &= left - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+            const Triangle triangle_b = b_in_a * b.mesh().triangle(leaves.triangleB(j));
+            Contact contact = (meet >> j & 1u) != 0   ? meetingContact(triangle_a, triangle_b)
+                              : (open >> j & 1u) != 0 ? contactOf(triangle_a, triangle_b)
+                                                      : closestPoints(triangle_a, triangle_b);
+            if (contact.distance > threshold) continue;
+            contact.triangle_a = leaves.triangleA(i);
+            contact.triangle_b = leaves.triangleB(j);
+            found.push_back(contact);
+          }
+          return false;
+        });
+      });
 }
 
 }  // namespace octoblisk::HWY_NAMESPACE
@@ -50,7 +53,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 
 #include "octoblisk/triangle_convex.h"
-#include "octoblisk/triangles_in_box.h"
+#include "octoblisk/triangles_near_convex.h"
 
 namespace octoblisk {
 namespace {
@@ -73,20 +76,17 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found) {
   found.clear();
-  const Aabb bounds = b.bounds();
   const Pose a_in_b = b_in_a.inverse();
-  forEachTriangleIn(a, b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()}, threshold,
-                    [&](std::uint32_t triangle) {
-                      std::optional<Contact> contact =
-                          contactOf(a_in_b * a.mesh().triangle(triangle), b, threshold);
-                      if (!contact) return false;
-                      contact->point_on_a = b_in_a * contact->point_on_a;
-                      contact->point_on_b = b_in_a * contact->point_on_b;
-                      contact->normal = b_in_a.rotation * contact->normal;
-                      contact->triangle_a = triangle;
-                      found.push_back(*contact);
-                      return false;
-                    });
+  forEachTriangleNear(a, b, b_in_a, threshold, [&](std::uint32_t triangle) {
+    std::optional<Contact> contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, threshold);
+    if (!contact) return false;
+    contact->point_on_a = b_in_a * contact->point_on_a;
+    contact->point_on_b = b_in_a * contact->point_on_b;
+    contact->normal = b_in_a.rotation * contact->normal;
+    contact->triangle_a = triangle;
+    found.push_back(*contact);
+    return false;
+  });
   sortByTriangles(found);
 }
 

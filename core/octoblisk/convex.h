@@ -1,6 +1,7 @@
 // Convex bodies by their support function: all that GJK and EPA want to know of one.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "octoblisk/types.h"
@@ -19,14 +20,25 @@ class Convex {
   /// The error of support points, relative to their size: searches are not driven beyond it.
   virtual double precision() const { return 1e-12; }
 
-  /// The body's box along the axes of its frame, radius included.
-  Aabb bounds() const {
+  /// About the middle of the core: where searches begin.
+  virtual Vec3 middle() const { return Vec3::Zero(); }
+  /// Points whose hull is the core, where they are few: searches leave out more with them. Else none.
+  virtual std::span<const Vec3> points() const { return {}; }
+
+  /// The core's box along the axes of its frame.
+  Aabb coreBounds() const {
     Aabb box;
     for (int axis = 0; axis < 3; ++axis) {
-      box.max[axis] = support(Vec3::Unit(axis))[axis] + radius();
-      box.min[axis] = support(-Vec3::Unit(axis))[axis] - radius();
+      box.max[axis] = support(Vec3::Unit(axis))[axis];
+      box.min[axis] = support(-Vec3::Unit(axis))[axis];
     }
     return box;
+  }
+
+  /// The body's box along the axes of its frame, radius included.
+  Aabb bounds() const {
+    const Aabb core = coreBounds();
+    return {core.min.array() - radius(), core.max.array() + radius()};
   }
 };
 
@@ -38,6 +50,7 @@ class ConvexHull final : public Convex {
 
   Vec3 support(const Vec3& direction) const override;
   double radius() const override { return radius_; }
+  std::span<const Vec3> points() const override { return points_; }
 
  private:
   std::vector<Vec3> points_;
@@ -49,6 +62,7 @@ class ConvexBox final : public Convex {
  public:
   explicit ConvexBox(const Obb& box) : box_(box) {}
 
+  Vec3 middle() const override { return box_.center; }
   Vec3 support(const Vec3& direction) const override {
     const Vec3 local = box_.axes.transpose() * direction;
     return box_.center + box_.axes * (local.array() < 0.0).select(-box_.half_extents, box_.half_extents);

@@ -18,8 +18,8 @@ void searchConvex(const ClusteredOctree& a, const Obb& bounds_of_b, NearestToCon
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
   const auto limit = [&] { return squaredLimit(nearest.bound(), local.size); };
-  walkBox(a, local, bound, limit, [&](Child leaf) {
-    for (const std::uint32_t triangle : a.triangles(leaf)) {
+  walkBox(a, local, bound, limit, [&](Slot slot) {
+    for (const std::uint32_t triangle : a.triangles(a.child(slot))) {
       if (nearest.offer(triangle)) return true;
     }
     return false;

@@ -118,7 +118,9 @@ SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex,
 GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
   GjkResult result;
   Simplex& simplex = result.simplex;
-  simplex.point[0] = supportOfDifference(triangle, convex, Vec3::UnitX());
+  // Where it is not 0, the way from the middle of the triangle to that of the core is a good first guess.
+  const Vec3 way = convex.middle() - (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+  simplex.point[0] = supportOfDifference(triangle, convex, way.squaredNorm() > 0.0 ? way : Vec3::UnitX());
   simplex.count = 1;
   Closest closest = closestOnSimplex(simplex);
   // Only the core's support points are inexact, so the triangle's size must not widen the tolerance.

@@ -87,18 +87,7 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
   return false;
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes whose boxes, and all boxes
-/// between, may be within `reach` of each other, those that overlap most first. Returns true as soon as visit
-/// does, else false.
-template <typename Visit>
-bool traversePairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
-                   double reach, Visit&& visit) {
-  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
-  return walkPairs<TraversalStack>(
-      a, b, pose, below, gap, [limit = pose.limit(reach)] { return limit; }, visit);
-}
-
-/// The same for the leaves of one tree and a box in its local frame: visit(leaf).
+/// The same for the leaves of one tree and a box in its local frame: visit(slot_of_leaf).
 template <typename Gap, typename Limit, typename Visit>
 bool walkBox(const ClusteredOctree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, Visit&& visit) {
   struct Entry {
@@ -116,8 +105,9 @@ bool walkBox(const ClusteredOctree& tree, const LocalBox& local, Gap&& gap, Limi
     const Entry entry = stack.pop();
     if (entry.gap > limit()) continue;
     const Child child = tree.child(entry.slot);
+    if (child.isEmpty()) continue;  // of a box that is none, as all gaps are NaN
     if (child.isLeaf()) {
-      if (visit(child)) return true;
+      if (visit(entry.slot)) return true;
       continue;
     }
     const std::size_t first = stack.size();

@@ -14,8 +14,8 @@ bool trianglesIn(const ClusteredOctree& tree, const Obb& box_in_tree, double rea
   const LocalBox local(tree, box_in_tree);
   const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
-  return walkBox(tree, local, gap, limit, [&](Child leaf) {
-    for (const std::uint32_t triangle : tree.triangles(leaf)) {
+  return walkBox(tree, local, gap, limit, [&](Slot slot) {
+    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
       if (visit(user, triangle)) return true;
     }
     return false;

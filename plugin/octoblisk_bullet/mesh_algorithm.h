@@ -33,7 +33,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
  private:
   /// Replaces `found` by the contacts of mesh (A) and other (B) within `reach`, in the mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                            double reach, std::vector<Contact>& found) const = 0;
+                            double reach, std::vector<Contact>& found) = 0;
 
   const bool mesh_is_body1_;
   Manifolds manifolds_;

@@ -1,31 +1,78 @@
 #include "octoblisk_bullet/mesh_convex_algorithm.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <algorithm>
 
 #include "octoblisk/contacts.h"
+#include "octoblisk/corner_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 
 namespace octoblisk {
 namespace {
 
+/// The corners of a shape's core, if it is the hull of a few.
+void cornersOfCore(const btConvexShape& shape, std::vector<Vec3>& corners) {
+  corners.clear();
+  switch (shape.getShapeType()) {
+    case SPHERE_SHAPE_PROXYTYPE:
+      corners.push_back(Vec3::Zero());
+      break;
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      const Vec3 half = double(capsule.getHalfHeight()) * Vec3::Unit(capsule.getUpAxis());
+      corners.assign({-half, half});
+      break;
+    }
+    case BOX_SHAPE_PROXYTYPE: {
+      const Vec3 half = fromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          for (const double z : {-1.0, 1.0}) corners.push_back(half.cwiseProduct(Vec3(x, y, z)));
+        }
+      }
+      break;
+    }
+    case CONVEX_HULL_SHAPE_PROXYTYPE: {
+      const auto& hull = static_cast<const btConvexHullShape&>(shape);
+      const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
+      for (int i = 0; i < hull.getNumPoints(); ++i)
+        corners.push_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
+      break;
+    }
+    default:
+      break;
+  }
+}
+
 /// Bullet's convex shapes are a core and a margin round it, as ours are.
 class BulletConvex final : public Convex {
  public:
-  explicit BulletConvex(const btConvexShape& shape)
-      : shape_(shape), margin_(double(shape.getMarginNonVirtual())) {}
+  /// `corners` is room for those of the core.
+  BulletConvex(const btConvexShape& shape, std::vector<Vec3>& corners)
+      : shape_(shape), corners_(corners), margin_(double(shape.getMarginNonVirtual())) {
+    cornersOfCore(shape, corners);
+  }
 
   Vec3 support(const Vec3& direction) const override {
+    if (!corners_.empty())
+      return *std::ranges::max_element(corners_, {},
+                                       [&](const Vec3& corner) { return corner.dot(direction); });
     return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
   }
   double radius() const override { return margin_; }
-  double precision() const override { return std::max(16.0 * double(SIMD_EPSILON), 1e-9); }
+  double precision() const override {
+    return corners_.empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
+  }
+  std::span<const Vec3> points() const override { return corners_; }
 
  private:
   const btConvexShape& shape_;
+  const std::vector<Vec3>& corners_;
   const double margin_;
 };
 
@@ -33,12 +80,14 @@ class BulletConvex final : public Convex {
 
 void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                        const btCollisionObjectWrapper& other, double reach,
-                                       std::vector<Contact>& found) const {
+                                       std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()));
+  const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), corners_);
   const Pose convex_in_mesh =
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape.tree(), convex, convex_in_mesh, reach, found);
+  internal_edges_.removeFrom(found, shape.tree().mesh());
+  addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh, reach, found);
 }
 
 }  // namespace octoblisk

@@ -1,6 +1,7 @@
 // Our shape against a convex one.
 #pragma once
 
+#include "octoblisk/internal_edges.h"
 #include "octoblisk_bullet/mesh_algorithm.h"
 
 namespace octoblisk {
@@ -13,7 +14,10 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
 
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                    std::vector<Contact>& found) const override;
+                    std::vector<Contact>& found) override;
+
+  std::vector<Vec3> corners_;  // of the convex shape, as it is at this step
+  InternalEdges internal_edges_;
 };
 
 }  // namespace octoblisk

@@ -10,7 +10,7 @@ namespace octoblisk {
 
 void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                      const btCollisionObjectWrapper& other, double reach,
-                                     std::vector<Contact>& found) const {
+                                     std::vector<Contact>& found) {
   const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());

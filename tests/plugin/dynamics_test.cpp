@@ -35,6 +35,35 @@ TEST(Dynamics, convexBodiesRestOnAFlatMesh) {
   expectRest(lying, 0.3, 0.02);
 }
 
+/// Slides a body over a flat floor of small triangles and tells the highest speed upward.
+double bumpOf(btConvexShape& shape, double height) {
+  auto floor = shapeOf(testing::waveSheet(20, 0.0, 80));
+  BulletWorld world;
+  world.add(floor, 0, at(0, 0, 0)).setFriction(0);
+  btRigidBody& body = world.add(shape, 1, at(-8, 0.13, height));
+  body.setFriction(0);
+  world.step(240);  // comes to rest
+  body.setLinearVelocity(btVector3(5, btScalar(0.7), 0));
+  body.setActivationState(DISABLE_DEACTIVATION);
+  double bump = 0.0;
+  for (int step = 0; step < 480; ++step) {
+    world.step(1);
+    bump = std::max(bump, std::abs(double(body.getLinearVelocity().z())));
+  }
+  EXPECT_GT(double(body.getWorldTransform().getOrigin().x()), 1.0);  // it was not stopped
+  EXPECT_NEAR(double(body.getLinearVelocity().x()), 5.0, 0.05);
+  return bump;
+}
+
+TEST(Dynamics, nothingBumpsAgainstTheEdgesOfAFlatFloor) {
+  btSphereShape sphere(btScalar(0.5));
+  btBoxShape box(btVector3(btScalar(0.5), btScalar(0.4), btScalar(0.3)));
+  btCylinderShape wheel(btVector3(btScalar(0.5), btScalar(0.2), btScalar(0.5)));
+  EXPECT_LT(bumpOf(sphere, 0.5), 0.02);
+  EXPECT_LT(bumpOf(box, 0.3), 0.02);
+  EXPECT_LT(bumpOf(wheel, 0.5), 0.02);
+}
+
 TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
   auto floor = shapeOf(testing::waveSheet(10, 0.3, 60));
   auto torus = shapeOf(testing::torus(1.5, 0.4, 32, 16));

@@ -1,0 +1,106 @@
+// A convex body against the triangles of a leaf, eight at once: which of them are certainly too far. Read
+// once for each target (simd.h).
+#if defined(OCTOBLISK_CONVEX_CULL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_CONVEX_CULL_H
+#undef OCTOBLISK_CONVEX_CULL_H
+#else
+#define OCTOBLISK_CONVEX_CULL_H
+#endif
+
+#include <limits>
+#include <span>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/node_boxes.h"
+#include "octoblisk/rounding.h"
+#include "octoblisk/simd.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+/// The body is the hull of some points, which hold its core, and `reach` is what is asked for and its radius.
+/// All is computed in a frame round the middle of the points.
+class ConvexCull {
+ public:
+  ConvexCull(const ClusteredOctree& tree, std::span<const Vec3> points, const Aabb& bounds,
+             const Pose& convex_in_tree, double reach)
+      : points_(points),
+        center_(bounds.center()),
+        tree_in_center_{convex_in_tree.rotation.transpose(),
+                        convex_in_tree.rotation.transpose() * (tree.origin() - convex_in_tree * center_)},
+        half_extents_(bounds.halfExtents().cast<float>()),
+        size_(bounds.halfExtents().norm()),
+        reach_(reach + kDoubleRounding *
+                           (tree.origin().norm() + convex_in_tree.translation.norm() + center_.norm())) {}
+
+  /// A bit for each triangle of the leaf that may be within reach.
+  HWY_INLINE unsigned near(const ClusteredOctree& tree, Slot slot) const {
+    LeafVertices room;
+    Box8 box_room(Box8::Unset{});
+    const std::uint32_t count = tree.child(slot).count();
+    const float* rows = tree.leafVertices(slot, room);
+    const Box8& boxes = boxesAt(tree, slot, box_room);
+    Vec3 leaf_center;
+    Mat3 leaf_axes;
+    for (int i = 0; i < 3; ++i) {
+      leaf_center[i] = double(boxes.center[i][slot.lane]);
+      for (int j = 0; j < 3; ++j) leaf_axes(i, j) = double(boxes.axes[i][j][slot.lane]);
+    }
+    const Vec3 shift = tree_in_center_ * leaf_center;
+    const Eigen::Matrix3f turn = (tree_in_center_.rotation * leaf_axes).cast<float>();
+    Vec8 corner[3];
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      const float* x = rows + 3 * v * count;
+      const Vec8 local{Float8::load(x), Float8::load(x + count), Float8::load(x + 2 * count)};
+      const auto along = [&](int i) HWY_ATTR {
+        return Float8(turn(i, 0)) * local.x + Float8(turn(i, 1)) * local.y + Float8(turn(i, 2)) * local.z +
+               Float8(static_cast<float>(shift[i]));
+      };
+      corner[v] = {along(0), along(1), along(2)};
+    }
+    const double size = size_ + shift.norm() + 2.0 * double(boxes.largestHalfExtent(slot.lane));
+    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_)));
+    unsigned near = (1u << count) - 1u;
+    near &= ~beyondBounds(corner, reach);
+    if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
+    if (near != 0) near &= ~apartAlong(corner[0] + corner[1] + corner[2], corner, reach);
+    return near;
+  }
+
+ private:
+  /// Those that the box round the points does not reach.
+  HWY_INLINE unsigned beyondBounds(const Vec8 (&corner)[3], const Float8& reach) const {
+    const Vec8 low = min(corner[0], min(corner[1], corner[2])),
+               high = max(corner[0], max(corner[1], corner[2]));
+    const auto beyond = [&](int axis, const Float8& from, const Float8& to) HWY_ATTR {
+      const Float8 farthest = Float8(half_extents_[axis]) + reach;
+      return less(farthest, from) | less(to, Float8(0.0f) - farthest);
+    };
+    return beyond(0, low.x, high.x) | beyond(1, low.y, high.y) | beyond(2, low.z, high.z);
+  }
+
+  /// Those that are beyond the reach along an axis of any length.
+  HWY_INLINE unsigned apartAlong(const Vec8& axis, const Vec8 (&corner)[3], const Float8& reach) const {
+    const Float8 at[3] = {dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2])};
+    Float8 low(std::numeric_limits<float>::infinity()), high(-std::numeric_limits<float>::infinity());
+    for (const Vec3& point : points_) {
+      const auto from_center = [&](int k) { return Float8(static_cast<float>(point[k] - center_[k])); };
+      const Float8 along = dot(axis, Vec8(from_center(0), from_center(1), from_center(2)));
+      low = min(low, along);
+      high = max(high, along);
+    }
+    const Float8 gap = max(low - max(at[0], max(at[1], at[2])), min(at[0], min(at[1], at[2])) - high);
+    return less(reach * sqrt(dot(axis, axis)), gap);
+  }
+
+  const std::span<const Vec3> points_;
+  const Vec3 center_;
+  const Pose tree_in_center_;  // from the tree's local frame
+  const Eigen::Vector3f half_extents_;
+  const double size_, reach_;
+};
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,59 @@
+#include "octoblisk/triangles_near_convex.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "octoblisk/triangles_near_convex.cpp"
+#include <hwy/foreach_target.h>
+
+#include "octoblisk/convex_cull.h"
+#include "octoblisk/traversal.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::HWY_NAMESPACE {
+
+bool trianglesNear(const ClusteredOctree& tree, std::span<const Vec3> points, const Aabb& bounds,
+                   const Pose& convex_in_tree, double reach,
+                   bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
+  const ConvexCull cull(tree, points, bounds, convex_in_tree, reach);
+  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
+  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
+  return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
+    const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
+    for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
+      if (visit(user, triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+namespace {
+
+HWY_EXPORT(trianglesNear);
+
+std::array<Vec3, 8> cornersOf(const Aabb& box) {
+  std::array<Vec3, 8> corners;
+  for (std::size_t c = 0; c < 8; ++c) {
+    for (int axis = 0; axis < 3; ++axis)
+      corners[c][axis] = (c >> axis & 1u) != 0 ? box.max[axis] : box.min[axis];
+  }
+  return corners;
+}
+
+}  // namespace
+
+bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
+                         double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  const std::span<const Vec3> points = convex.points();
+  const Aabb core = convex.coreBounds();
+  const std::array<Vec3, 8> corners = cornersOf(core);
+  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points.empty() ? corners : points, core, convex_in_tree,
+                                             reach + convex.radius(), visit, user);
+}
+
+}  // namespace octoblisk
+#endif

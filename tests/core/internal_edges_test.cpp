@@ -1,0 +1,111 @@
+// What is left of a body's contacts with a surface cut into triangles.
+#include "octoblisk/internal_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "octoblisk/contacts.h"
+#include "octoblisk/corner_contacts.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::uniform;
+
+Obb boxAt(const Vec3& center, const Vec3& half_extents, double turn) {
+  return {center, Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix(), half_extents};
+}
+
+double deepest(const std::vector<Contact>& contacts) {
+  return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
+}
+
+TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
+  const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(3, 0.0, 60));
+  std::mt19937_64 random(93);
+  InternalEdges edges;
+  std::vector<Contact> found;
+  int askew = 0;
+  constexpr int kCases = 200;
+  for (int i = 0; i < kCases; ++i) {
+    const double depth = uniform(random, 0.001, 0.02);
+    const Obb box = boxAt({uniform(random, -2, 2), uniform(random, -2, 2), 0.3 - depth}, {0.5, 0.4, 0.3},
+                          uniform(random, 0, 3));
+    contacts(floor, ConvexBox(box), Pose(), 0.02, found);
+    const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.999; };
+    askew += std::ranges::any_of(found, isAskew);
+    const double before = deepest(found);
+    edges.removeFrom(found, floor.mesh());
+    ASSERT_FALSE(found.empty());
+    ASSERT_EQ(deepest(found), before);
+    ASSERT_NEAR(before, -depth, 1e-9);
+    for (const Contact& contact : found) ASSERT_NEAR(contact.normal.z(), -1.0, 1e-6) << "case " << i;
+  }
+  EXPECT_GT(askew, kCases / 2);  // else there would be nothing to remove
+}
+
+TEST(InternalEdges, aWallStaysWhereItMeetsTheFloor) {
+  const ClusteredOctree room = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  InternalEdges edges;
+  std::vector<Contact> found;
+  // Onto the top, deeper, and beyond the side at the same time.
+  contacts(room, ConvexHull({Vec3(1.0, 0.0, 1.0), Vec3(1.5, 0.0, 1.2), Vec3(1.2, 0.3, 1.5)}, 0.05), Pose(),
+           0.02, found);
+  ASSERT_FALSE(found.empty());
+  const double before = deepest(found);
+  edges.removeFrom(found, room.mesh());
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(deepest(found), before);
+}
+
+TEST(InternalEdges, bothSidesOfARidgeStay) {
+  // Two triangles that share an edge at the top, and a sphere that lies on it.
+  const auto roof =
+      std::make_shared<const TriangleMesh>(std::vector<Vec3>{{-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}},
+                                           std::vector<TriangleMesh::Indices>{{0, 1, 2}, {1, 0, 3}});
+  const ClusteredOctree tree = ClusteredOctree::build(roof);
+  InternalEdges edges;
+  std::vector<Contact> found;
+  contacts(tree, ConvexHull({Vec3(0.2, 0, 0.5)}, 0.5), Pose(), 0.01, found);
+  ASSERT_EQ(found.size(), 2u);
+  edges.removeFrom(found, tree.mesh());
+  EXPECT_EQ(found.size(), 2u);
+  // Leaning to one side, it touches that side alone.
+  contacts(tree, ConvexHull({Vec3(0.2, 0.1, 0.5)}, 0.52), Pose(), 0.05, found);
+  edges.removeFrom(found, tree.mesh());
+  EXPECT_EQ(found.size(), 1u);
+}
+
+TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
+  const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(10, 0.0, 1));
+  std::mt19937_64 random(94);
+  for (int i = 0; i < 100; ++i) {
+    const double depth = uniform(random, -0.01, 0.02);
+    const Obb box = boxAt({uniform(random, -5, 5), uniform(random, -5, 5), 0.3 - depth}, {0.5, 0.4, 0.3},
+                          uniform(random, 0, 3));
+    std::vector<Vec3> corners;
+    for (int c = 0; c < 8; ++c) {
+      corners.push_back(box.center + box.axes * box.half_extents.cwiseProduct(
+                                                    Vec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1)));
+    }
+    const ConvexHull hull(corners);
+    std::vector<Contact> found;
+    contacts(floor, hull, Pose(), 0.02, found);
+    addCornerContacts(floor.mesh(), hull, Pose(), 0.02, found);
+    for (const Vec3& corner : corners) {
+      if (corner.z() > 0.02) continue;
+      const auto same = std::ranges::find_if(
+          found, [&](const Contact& c) { return (c.point_on_b - corner).norm() < 1e-6; });
+      ASSERT_NE(same, found.end()) << "case " << i;
+      ASSERT_NEAR(same->distance, corner.z(), 1e-9);
+      ASSERT_NEAR(same->point_on_a.z(), 0.0, 1e-9);
+      ASSERT_NEAR(same->normal.z(), -1.0, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
