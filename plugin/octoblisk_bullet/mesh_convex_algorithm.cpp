@@ -33,7 +33,7 @@ class BulletConvex final : public Convex {
 
 void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                        const btCollisionObjectWrapper& other, double reach,
-                                       std::vector<Contact>& found) const {
+                                       std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()));
   const Pose convex_in_mesh =

@@ -13,7 +13,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
 
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                    std::vector<Contact>& found) const override;
+                    std::vector<Contact>& found) override;
 };
 
 }  // namespace octoblisk

@@ -10,11 +10,20 @@ namespace octoblisk {
 
 void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                      const btCollisionObjectWrapper& other, double reach,
-                                     std::vector<Contact>& found) const {
+                                     std::vector<Contact>& found) {
   const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
+}
+
+double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {
+  return double(other.getCollisionShape()->getMargin());
+}
+
+std::optional<SourceTriangle> MeshMeshAlgorithm::triangleOfOther(const btCollisionObjectWrapper& other,
+                                                                 const Contact& contact) const {
+  return triangleOf(static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape()), contact.triangle_b);
 }
 
 }  // namespace octoblisk

@@ -5,9 +5,16 @@ class btCollisionDispatcher;
 
 namespace octoblisk {
 
-/// Registers the algorithms of ClusteredOctreeShape with every convex shape and with itself, in both orders,
-/// for contacts and for closest points (contactTest, contactPairTest). Leaves all other pairs as they are.
-/// Compounds work through their children.
+/// Registers the algorithms of ClusteredOctreeShape for contacts and for closest points (contactTest,
+/// contactPairTest), in both orders, with every convex shape, with itself, and with Bullet's concave shapes:
+/// btBvhTriangleMeshShape, scaled or of many materials, btHeightfieldTerrainShape, btStaticPlaneShape,
+/// GImpact meshes, and whoever else's concave shape has the type FAST_CONCAVE_MESH_PROXYTYPE, which is ours.
+/// Leaves all other pairs as they are. Compounds work through their children, soft bodies through Bullet.
+///
+/// The last registration of a pair wins. btGImpactCollisionAlgorithm::registerAlgorithm takes every pair with
+/// GImpact: called after this, contacts of GImpact with our shape are its own; call it first. A GImpact shape
+/// needs updateBound() after each change, as ever, or it is empty; its parts' default margin of 0.01 counts
+/// only once setMargin was called on the shape. GImpact compounds are left to GImpact's algorithm.
 void registerAlgorithm(btCollisionDispatcher* dispatcher);
 
 }  // namespace octoblisk
