@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct Partner {
   std::function<Made()> make;  ///< a body of some few units
   /// A floor whose top is z = 0, not far below the origin; none for what nothing comes to rest on.
   std::function<Made()> floor = nullptr;
+
+  friend void PrintTo(const Partner& partner, std::ostream* out) { *out << partner.name; }
 };
 
 /// Bullet's concave shapes, and ours.
