@@ -67,16 +67,21 @@ Made bvh(const SharedMesh& mesh) {
   return made;
 }
 
-Made scaledBvh(const SharedMesh& mesh) {
-  Made made;
-  auto& child = made.keep<btBvhTriangleMeshShape>(&source(made, mesh), true);
-  made.is<btScaledBvhTriangleMeshShape>(&child, kScaling);
+/// Scales what the shape consists of; outward again, as the scaling mirrors.
+void scaleMesh(Made& made) {
   std::vector<Vec3> vertices;
   for (const Vec3& vertex : made.mesh->vertices())
     vertices.push_back(fromBullet(toBullet(vertex) * kScaling));
   std::vector<TriangleMesh::Indices> triangles = made.mesh->triangles();
-  for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);  // mirrored, outward
+  for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
   made.mesh = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+}
+
+Made scaledBvh(const SharedMesh& mesh) {
+  Made made;
+  auto& child = made.keep<btBvhTriangleMeshShape>(&source(made, mesh), true);
+  made.is<btScaledBvhTriangleMeshShape>(&child, kScaling);
+  scaleMesh(made);
   return made;
 }
 
@@ -89,6 +94,14 @@ Made multimaterial(const SharedMesh& mesh) {
 Made gimpact(const SharedMesh& mesh) {
   Made made;
   made.is<btGImpactMeshShape>(&source(made, mesh)).updateBound();
+  return made;
+}
+
+Made scaledGImpact(const SharedMesh& mesh) {
+  Made made = gimpact(mesh);
+  made.shape->setLocalScaling(kScaling);
+  static_cast<btGImpactMeshShape&>(*made.shape).updateBound();
+  scaleMesh(made);
   return made;
 }
 
@@ -253,6 +266,7 @@ std::vector<Partner> concavePartners() {
           of("scaledBvh", 3.5, scaledBvh),
           of("multimaterial", 3.3, multimaterial),
           of("gimpact", 3.3, gimpact),
+          of("gimpactScaled", 3.5, scaledGImpact),
           of("foreign", 3.3, foreign),
           {"heightfield", 4.5, [] { return heightfield(0.6); }, [] { return heightfield(0.0); }},
           {"plane", 5.0,

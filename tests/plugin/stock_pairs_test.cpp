@@ -61,10 +61,12 @@ Found found(btCollisionShape& mover, const Partner& partner) {
     world->contactPairTest(&other, &moving, swapped);
     EXPECT_EQ(report.points.empty(), swapped.points.empty());
     sum.by_pair_test += !report.points.empty();
-    for (btCollisionObject* object : {&moving, &other}) world->addCollisionObject(object, 1, -1);
+    btCollisionObject* objects[] = {&moving, &other};
+    if (i % 2) std::swap(objects[0], objects[1]);
+    for (btCollisionObject* object : objects) world->addCollisionObject(object, 1, -1);
     world->performDiscreteCollisionDetection();
     sum.in_world += contactsIn(world.dispatcher()) > 0;
-    for (btCollisionObject* object : {&moving, &other}) world->removeCollisionObject(object);
+    for (btCollisionObject* object : objects) world->removeCollisionObject(object);
   }
   EXPECT_GT(sum.touching, 5);
   return sum;
@@ -108,7 +110,7 @@ TEST_P(StockPairs, bvhFindsConvexBodiesAlone) {
     return;
   }
   EXPECT_EQ(sum.by_pair_test, 0);
-  if (GetParam().name == "gimpact") {
+  if (GetParam().name.starts_with("gimpact")) {
     EXPECT_GT(sum.in_world, 0);  // by GImpact's algorithm
   } else {
     EXPECT_EQ(sum.in_world, 0);
