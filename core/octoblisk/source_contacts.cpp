@@ -27,13 +27,13 @@ bool isFinite(const Triangle& triangle) {
   return triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite();
 }
 
-/// Whether the plane of `triangle` is farther than `reach` from all of `other`. `size` bounds all
-/// coordinates.
-bool planeParts(const Triangle& triangle, const Triangle& other, double reach, double size) {
+/// Whether the plane of `triangle` is farther than `reach` from all of `other`.
+bool planeParts(const Triangle& triangle, const Triangle& other, double reach) {
   const Vec3 normal = scaledNormal(triangle);
   const double longest =
       std::max((triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[0]).squaredNorm());
-  const double limit = reach * normal.norm() + 1e-14 * longest * size;
+  const double farthest = std::sqrt(longest) + (other[0] - triangle[0]).norm() + triangle[0].norm();
+  const double limit = reach * normal.norm() + 1e-14 * longest * farthest;
   const double first = normal.dot(other[0] - triangle[0]), second = normal.dot(other[1] - triangle[0]),
                third = normal.dot(other[2] - triangle[0]);
   return std::min({first, second, third}) > limit || std::max({first, second, third}) < -limit;
@@ -54,8 +54,8 @@ class SourceContacts::Query {
         std::vector<Contact>& contacts)
       : a(tree), b(triangles), b_in_a(pose), threshold(limit), found(contacts) {
     rotation_to_b_ = pose.rotation.inverse();  // exact where the rotation is so to single precision only
-    size_ = a.origin().norm() + a.radius() + pose.translation.norm() + threshold;
-    reach_ = (1.0 + kRoundingOfBoxes) * threshold + 1e-12 * size_;
+    const double size = a.origin().norm() + a.radius() + pose.translation.norm() + threshold;
+    reach_ = (1.0 + kRoundingOfBoxes) * threshold + 1e-12 * size;
     bounds_of_b_ = b.bounds();
     largest_of_b_ = bounds_of_b_.halfExtents().maxCoeff();
   }
@@ -91,7 +91,7 @@ class SourceContacts::Query {
     bounds.min.array() -= reach_;
     bounds.max.array() += reach_;
     if (!meet(bounds, boundsOf(of_b))) return false;
-    if (planeParts(of_a, of_b, reach_, size_) || planeParts(of_b, of_a, reach_, size_)) return false;
+    if (planeParts(of_a, of_b, reach_) || planeParts(of_b, of_a, reach_)) return false;
     Contact contact = contactOf(of_a, of_b);
     if (!(contact.distance <= threshold)) return false;
     contact.triangle_a = index_a;
@@ -108,7 +108,7 @@ class SourceContacts::Query {
 
  private:
   Mat3 rotation_to_b_;
-  double size_ = 0.0, reach_ = 0.0, largest_of_b_ = 0.0;
+  double reach_ = 0.0, largest_of_b_ = 0.0;
   Aabb bounds_of_b_;
 };
 

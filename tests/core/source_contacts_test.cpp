@@ -68,6 +68,27 @@ TEST(SourceContacts, aSmallMeshOnALargeOneAsksOnce) {
   EXPECT_EQ(source.queries, 1u);
 }
 
+TEST(SourceContacts, hugeTrianglesAreTouchedWhereTheyAreTouched) {
+  std::mt19937_64 random(44);
+  const testing::SharedMesh mesh = testing::torus(1, 0.3, 16, 8);
+  const ClusteredOctree ring = ClusteredOctree::build(mesh);
+  SourceContacts query;
+  std::vector<Contact> found;
+  int hits = 0;
+  constexpr int kPoses = 100;
+  for (int i = 0; i < kPoses; ++i) {
+    const TriangleMesh floor({Vec3(-3e6, -2e6, 0), Vec3(3e6, -2e6, 0), Vec3(0, 4e6, 0)}, {{0, 1, 2}});
+    const Pose pose = Pose{testing::randomRotation(random), Vec3::Zero()} *
+                      Pose{Mat3::Identity(), Vec3(0, 0, testing::uniform(random, -2.1, 2.1))};
+    const auto expected = testing::bruteForceContacts(*mesh, floor, pose, i % 2 ? 0.02 : 0.0);
+    query.find(ring, testing::MeshSource(floor), pose, i % 2 ? 0.02 : 0.0, found);
+    ASSERT_EQ(found.size(), expected.size()) << "pose " << i;
+    hits += !found.empty();
+  }
+  EXPECT_GE(hits, kPoses * 3 / 10);
+  EXPECT_LE(hits, kPoses * 7 / 10);
+}
+
 TEST(SourceContacts, whatIsNotFiniteTouchesNothing) {
   class Holes final : public TriangleSource {
    public:
