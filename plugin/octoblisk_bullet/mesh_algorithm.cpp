@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <span>
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -14,30 +15,29 @@
 namespace octoblisk {
 namespace {
 
-/// One body of a contact as Bullet wants to be told of it: where it is our shape, by part and triangle, with
-/// the triangle itself as the shape that gContactAddedCallback sees; else as it came, by its place in a
-/// compound, say.
+/// One body of a contact as Bullet wants to be told of it: a mesh by part and triangle, with the triangle
+/// itself as the shape that gContactAddedCallback sees; any other as it came, by its place in a compound,
+/// say.
 class ContactSide {
  public:
-  ContactSide(const btCollisionObjectWrapper& body, std::uint32_t triangle)
-      : body_(body), id_{body.m_partId, body.m_index} {
-    const auto* shape =
-        triangle == kNoTriangle ? nullptr : static_cast<const ClusteredOctreeShape*>(body.m_shape);
-    if (!shape) return;
-    id_ = shape->triangleId(triangle);
-    const Triangle corners = shape->tree().mesh().triangle(triangle);
-    triangle_.emplace(toBullet(corners[0]), toBullet(corners[1]), toBullet(corners[2]));
-    triangle_->setMargin(shape->getMargin());
-    wrap_.emplace(&body, &*triangle_, body.getCollisionObject(), body.getWorldTransform(), id_.part,
-                  id_.index);
+  ContactSide(const btCollisionObjectWrapper& body, const std::optional<SourceTriangle>& triangle)
+      : body_(body), part_(body.m_partId), index_(body.m_index) {
+    if (!triangle) return;
+    part_ = triangle->part;
+    index_ = triangle->index;
+    const auto& [first, second, third] = triangle->corners;
+    triangle_.emplace(toBullet(first), toBullet(second), toBullet(third));
+    triangle_->setMargin(body.m_shape->getMargin());
+    wrap_.emplace(&body, &*triangle_, body.getCollisionObject(), body.getWorldTransform(), part_, index_);
   }
 
-  const TriangleId& id() const { return id_; }
+  int part() const { return part_; }
+  int index() const { return index_; }
   const btCollisionObjectWrapper* wrap() const { return wrap_ ? &*wrap_ : &body_; }
 
  private:
   const btCollisionObjectWrapper& body_;
-  TriangleId id_;
+  int part_, index_;
   std::optional<btTriangleShape> triangle_;
   std::optional<btCollisionObjectWrapper> wrap_;
 };
@@ -51,8 +51,8 @@ class ShownSides {
       : result_(result), wrap0_(result.getBody0Wrap()), wrap1_(result.getBody1Wrap()) {
     const bool in_order = wrap0_->getCollisionObject() == body0;
     const ContactSide &first = in_order ? side0 : side1, &second = in_order ? side1 : side0;
-    result_.setShapeIdentifiersA(first.id().part, first.id().index);
-    result_.setShapeIdentifiersB(second.id().part, second.id().index);
+    result_.setShapeIdentifiersA(first.part(), first.index());
+    result_.setShapeIdentifiersB(second.part(), second.index());
     result_.setBody0Wrap(first.wrap());
     result_.setBody1Wrap(second.wrap());
   }
@@ -69,11 +69,6 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap1_;
 };
 
-/// The thickness that a shape has beyond its contacts: a concave shape's margin; a convex one's is in them.
-double marginBeyondSurface(const btCollisionObjectWrapper& body) {
-  return body.m_shape->isConcave() ? double(body.m_shape->getMargin()) : 0.0;
-}
-
 /// As Bullet computes it for a new manifold, from the root shapes, and no more than the mesh's own, which
 /// may be a compound's child.
 double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other) {
@@ -85,6 +80,11 @@ double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollision
 }
 
 }  // namespace
+
+SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle) {
+  const TriangleId id = shape.triangleId(triangle);
+  return {shape.tree().mesh().triangle(triangle), id.part, id.index};
+}
 
 MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                              const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
@@ -98,7 +98,8 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
                                      btManifoldResult* result) {
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
-  const double mesh_margin = marginBeyondSurface(mesh), other_margin = marginBeyondSurface(other);
+  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
+  const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
   const double reach =
       breaking + double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
@@ -109,11 +110,13 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     result->setPersistentManifold(manifolds_.of(p));
-    for (const Contact& contact : patches[p].points()) {
+    // The deepest last, as a point takes the place of one that is close to it.
+    for (const Contact& contact : std::views::reverse(patches[p].points())) {
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
-      const ContactSide mesh_side(mesh, contact.triangle_a), other_side(other, contact.triangle_b);
+      const ContactSide mesh_side(mesh, triangleOf(shape, contact.triangle_a));
+      const ContactSide other_side(other, triangleOfOther(other, contact));
       const ShownSides shown(*result, body0->getCollisionObject(), mesh_is_body1_ ? other_side : mesh_side,
                              mesh_is_body1_ ? mesh_side : other_side);
       // Bullet's normal is on body 1 and points to body 0.

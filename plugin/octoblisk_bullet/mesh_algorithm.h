@@ -3,14 +3,21 @@
 
 #include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
 
+#include <optional>
 #include <vector>
 
 #include "octoblisk/contact_patches.h"
+#include "octoblisk/triangle_source.h"
 #include "octoblisk_bullet/manifolds.h"
 
 struct btCollisionObjectWrapper;
 
 namespace octoblisk {
+
+class ClusteredOctreeShape;
+
+/// A triangle of our shape, in its frame, as Bullet numbers it.
+SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
 
 /// The algorithm of a pair of which one body, the mesh, has our shape.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
@@ -34,6 +41,15 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Replaces `found` by the contacts of mesh (A) and other (B) within `reach`, in the mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             double reach, std::vector<Contact>& found) = 0;
+
+  /// The thickness that the other body has beyond the surface of those contacts.
+  virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
+
+  /// The other's triangle, in its frame, in a contact that was found last: none where it is not of triangles.
+  virtual std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper&,
+                                                        const Contact&) const {
+    return std::nullopt;
+  }
 
   const bool mesh_is_body1_;
   Manifolds manifolds_;

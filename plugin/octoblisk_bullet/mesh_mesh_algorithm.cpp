@@ -17,4 +17,13 @@ void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   contacts(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
 }
 
+double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {
+  return double(other.getCollisionShape()->getMargin());
+}
+
+std::optional<SourceTriangle> MeshMeshAlgorithm::triangleOfOther(const btCollisionObjectWrapper& other,
+                                                                 const Contact& contact) const {
+  return triangleOf(static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape()), contact.triangle_b);
+}
+
 }  // namespace octoblisk

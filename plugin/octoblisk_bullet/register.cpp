@@ -5,12 +5,18 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include <new>
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/mesh_concave_algorithm.h"
 #include "octoblisk_bullet/mesh_convex_algorithm.h"
 #include "octoblisk_bullet/mesh_mesh_algorithm.h"
+#include "octoblisk_bullet/mesh_plane_algorithm.h"
 
 namespace octoblisk {
 namespace {
@@ -22,9 +28,12 @@ btCollisionAlgorithm* make(const Arguments&... arguments) {
   return new (memory) Algorithm(arguments...);
 }
 
-bool hasOurShape(const btCollisionObjectWrapper* body) {
-  return dynamic_cast<const ClusteredOctreeShape*>(body->getCollisionShape()) != nullptr;
+template <typename Shape>
+bool has(const btCollisionObjectWrapper* body) {
+  return dynamic_cast<const Shape*>(body->getCollisionShape()) != nullptr;
 }
+
+bool hasOurShape(const btCollisionObjectWrapper* body) { return has<ClusteredOctreeShape>(body); }
 
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
@@ -40,12 +49,51 @@ struct CreateMeshConvex final : btCollisionAlgorithmCreateFunc {
   }
 };
 
+/// Against the types of Bullet's meshes.
+struct CreateMeshConcave final : btCollisionAlgorithmCreateFunc {
+  explicit CreateMeshConcave(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
+  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
+                                                 const Wrapper* body1) override {
+    const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
+    if (!hasOurShape(mesh) || !has<btConcaveShape>(other)) return make<btEmptyAlgorithm>(info);
+    return make<MeshConcaveAlgorithm>(info, body0, body1, m_swapped);
+  }
+};
+
+/// Of GImpact, what is no mesh is left to GImpact, which asks our shape for triangles.
+struct CreateMeshGImpact final : btCollisionAlgorithmCreateFunc {
+  explicit CreateMeshGImpact(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
+  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
+                                                 const Wrapper* body1) override {
+    const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
+    if (!hasOurShape(mesh) || (!has<btGImpactMeshShape>(other) && !has<btGImpactMeshShapePart>(other))) {
+      return make<btGImpactCollisionAlgorithm>(info, body0, body1);
+    }
+    return make<MeshConcaveAlgorithm>(info, body0, body1, m_swapped);
+  }
+};
+
+struct CreateMeshPlane final : btCollisionAlgorithmCreateFunc {
+  explicit CreateMeshPlane(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
+  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
+                                                 const Wrapper* body1) override {
+    const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
+    if (!hasOurShape(mesh) || !has<btStaticPlaneShape>(other)) return make<btEmptyAlgorithm>(info);
+    return make<MeshPlaneAlgorithm>(info, body0, body1, m_swapped);
+  }
+};
+
+/// Both of our type, and one or both of our shape.
 struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
   btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
                                                  const Wrapper* body1) override {
-    if (!hasOurShape(body0) || !hasOurShape(body1)) return make<btEmptyAlgorithm>(info);
-    return make<MeshMeshAlgorithm>(info, body0, body1);
+    if (hasOurShape(body0) && hasOurShape(body1)) return make<MeshMeshAlgorithm>(info, body0, body1);
+    if (hasOurShape(body0)) return mesh_concave_.CreateCollisionAlgorithm(info, body0, body1);
+    return concave_mesh_.CreateCollisionAlgorithm(info, body0, body1);
   }
+
+ private:
+  CreateMeshConcave mesh_concave_{false}, concave_mesh_{true};
 };
 
 }  // namespace
@@ -53,15 +101,28 @@ struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
 void registerAlgorithm(btCollisionDispatcher* dispatcher) {
   // Without state, so all dispatchers share them; they outlive every dispatcher.
   static CreateMeshConvex mesh_convex(false), convex_mesh(true);
+  static CreateMeshConcave mesh_concave(false), concave_mesh(true);
+  static CreateMeshGImpact mesh_gimpact(false), gimpact_mesh(true);
+  static CreateMeshPlane mesh_plane(false), plane_mesh(true);
   static CreateMeshMesh mesh_mesh;
   const auto registerPair = [&](int type0, int type1, btCollisionAlgorithmCreateFunc* create) {
     dispatcher->registerCollisionCreateFunc(type0, type1, create);
     dispatcher->registerClosestPointsCreateFunc(type0, type1, create);
   };
+  const auto registerBothOrders = [&](int other, btCollisionAlgorithmCreateFunc* mesh_first,
+                                      btCollisionAlgorithmCreateFunc* other_first) {
+    registerPair(FAST_CONCAVE_MESH_PROXYTYPE, other, mesh_first);
+    registerPair(other, FAST_CONCAVE_MESH_PROXYTYPE, other_first);
+  };
   for (int convex = 0; convex < CONCAVE_SHAPES_START_HERE; ++convex) {
-    registerPair(FAST_CONCAVE_MESH_PROXYTYPE, convex, &mesh_convex);
-    registerPair(convex, FAST_CONCAVE_MESH_PROXYTYPE, &convex_mesh);
+    registerBothOrders(convex, &mesh_convex, &convex_mesh);
   }
+  for (const int concave : {TRIANGLE_MESH_SHAPE_PROXYTYPE, SCALED_TRIANGLE_MESH_SHAPE_PROXYTYPE,
+                            MULTIMATERIAL_TRIANGLE_MESH_PROXYTYPE, TERRAIN_SHAPE_PROXYTYPE}) {
+    registerBothOrders(concave, &mesh_concave, &concave_mesh);
+  }
+  registerBothOrders(GIMPACT_SHAPE_PROXYTYPE, &mesh_gimpact, &gimpact_mesh);
+  registerBothOrders(STATIC_PLANE_PROXYTYPE, &mesh_plane, &plane_mesh);
   registerPair(FAST_CONCAVE_MESH_PROXYTYPE, FAST_CONCAVE_MESH_PROXYTYPE, &mesh_mesh);
 }
 

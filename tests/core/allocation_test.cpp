@@ -11,9 +11,12 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/half_space_contacts.h"
 #include "octoblisk/path_query.h"
 #include "octoblisk/raycast.h"
+#include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
+#include "shared/mesh_source.h"
 #include "shared/meshes.h"
 
 namespace {
@@ -66,6 +69,29 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   queryAll();
   EXPECT_EQ(allocations, before);
   EXPECT_GT(hits, 50u);
+}
+
+TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
+  const testing::SharedMesh fan = testing::fan(9, 12);
+  const testing::MeshSource source(*fan);
+  SourceContacts query;
+  std::vector<Contact> found;
+  std::size_t hits = 0;
+  const auto queryAll = [&] {
+    std::mt19937_64 random(63);
+    for (int i = 0; i < 50; ++i) {
+      const Pose pose = testing::randomPose(random, 1.2);
+      query.find(ring, source, pose, 0.05, found);
+      hits += !found.empty();
+      contacts(ring, HalfSpace{pose.rotation.col(0), pose.translation.x()}, 0.05, found);
+    }
+  };
+  queryAll();
+  const std::size_t before = allocations;
+  queryAll();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hits, 10u);
 }
 
 TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {

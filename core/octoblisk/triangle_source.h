@@ -1,0 +1,41 @@
+// Triangles that someone else keeps, and hands out by boxes.
+#pragma once
+
+#include <type_traits>
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk {
+
+/// A triangle and how its keeper numbers it; two triangles may have the same numbers.
+struct SourceTriangle {
+  Triangle corners;
+  int part = 0;
+  int index = 0;
+};
+
+class TriangleSource {
+ public:
+  virtual ~TriangleSource() = default;
+
+  /// A box that holds all triangles, in the source's frame; it may be infinite.
+  virtual Aabb bounds() const = 0;
+
+  /// Calls visit(user, triangle) once for every triangle whose bounds meet the box, in the source's frame,
+  /// and maybe for others.
+  virtual void forEachTriangleIn(const Aabb& box, void (*visit)(void* user, const SourceTriangle& triangle),
+                                 void* user) const = 0;
+
+  /// The same for anything that can be called with a triangle.
+  template <typename Visit>
+  void forEachTriangleIn(const Aabb& box, Visit&& visit) const {
+    forEachTriangleIn(
+        box,
+        [](void* user, const SourceTriangle& triangle) {
+          (*static_cast<std::remove_reference_t<Visit>*>(user))(triangle);
+        },
+        &visit);
+  }
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,362 @@
+// Ours against every kind of shape: both orders, both tables, and worlds.
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "plugin/bullet_world.h"
+#include "plugin/partners.h"
+#include "shared/brute_force.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletMesh;
+using testing::BulletWorld;
+using testing::Made;
+using testing::PairReport;
+using testing::Partner;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoise = sizeof(btScalar) == 4 ? 1e-5 : 1e-12;  // of posed coordinates
+
+const testing::SharedMesh& torusMesh() {
+  static const testing::SharedMesh mesh = testing::rounded(*testing::torus(2, 0.7, 24, 12));
+  return mesh;
+}
+
+ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
+  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+}
+
+std::vector<Partner> allPartners() {
+  std::vector<Partner> all = testing::concavePartners();
+  for (Partner& convex : testing::convexPartners()) all.push_back(std::move(convex));
+  return all;
+}
+
+std::vector<Partner> floors() {
+  std::vector<Partner> all = allPartners();
+  std::erase_if(all, [](const Partner& partner) { return !partner.floor; });
+  return all;
+}
+
+const auto kName = [](const auto& partner) { return partner.param.name; };
+
+/// Our torus as body 0, and the partner.
+struct Pair {
+  explicit Pair(const Partner& partner) : made(partner.make()), random(71) {
+    torus_object.setCollisionShape(&torus);
+    other_object.setCollisionShape(made.shape.get());
+    spread = partner.spread;
+  }
+  void poseAtRandom() {
+    torus_object.setWorldTransform(toBullet(testing::randomPose(random, spread)));
+    other_object.setWorldTransform(toBullet(testing::randomPose(random, 1.0)));
+    world_torus = fromBullet(torus_object.getWorldTransform());
+    other_in_torus = world_torus.inverse() * fromBullet(other_object.getWorldTransform());
+  }
+
+  ClusteredOctreeShape torus = shapeOf(torusMesh());
+  Made made;
+  std::mt19937_64 random;
+  double spread;
+  btCollisionObject torus_object, other_object;
+  Pose world_torus, other_in_torus;
+};
+
+void expectMirrored(const PairReport& report, const PairReport& swapped) {
+  ASSERT_EQ(report.points.size(), swapped.points.size());
+  for (std::size_t p = 0; p < swapped.points.size(); ++p) {
+    const auto &a = report.points[p], &b = swapped.points[p];
+    ASSERT_EQ(a.distance, b.distance);
+    ASSERT_LT((a.normal + b.normal).norm(), kNoise);
+    ASSERT_LT((a.on_a - b.on_b).norm(), kNoise);
+    ASSERT_EQ(a.index0, b.index1);
+    ASSERT_EQ(a.part0, b.part1);
+    ASSERT_EQ(a.index1, b.index0);
+    ASSERT_EQ(a.part1, b.part0);
+  }
+}
+
+class ConcavePairs : public ::testing::TestWithParam<Partner> {};
+
+TEST_P(ConcavePairs, contacts_vs_bruteforce) {
+  Pair pair(GetParam());
+  BulletWorld world;
+  int hits = 0;
+  constexpr int kPoses = 200;
+  for (int i = 0; i < kPoses; ++i) {
+    pair.poseAtRandom();
+    // Margins on both; a plane's does not count, as for Bullet's convex shapes.
+    const double margin = i % 2 ? 0.05 : 0.0, other_margin = i % 2 ? 0.03 : 0.0;
+    pair.torus.setMargin(btScalar(margin));
+    pair.made.setMargin(other_margin);
+    const double margins = margin + (pair.made.half_space ? 0.0 : other_margin);
+    const double threshold = double(gContactBreakingThreshold) + margins;
+    std::vector<Contact> expected;
+    if (pair.made.mesh) {
+      expected = testing::bruteForceContacts(*torusMesh(), *pair.made.mesh, pair.other_in_torus, threshold);
+    } else {
+      const HalfSpace& plane = *pair.made.half_space;
+      const Pose torus_in_plane = pair.other_in_torus.inverse();
+      for (std::uint32_t t = 0; t < torusMesh()->triangleCount(); ++t) {
+        for (const Vec3& corner : torusMesh()->triangle(t)) {
+          const double height = plane.normal.dot(torus_in_plane * corner) - plane.offset;
+          const Vec3 normal = pair.other_in_torus.rotation * plane.normal;
+          if (height <= threshold) expected.push_back({corner, corner - height * normal, normal, height, t});
+        }
+      }
+    }
+    double deepest = kInfinity;
+    for (const Contact& contact : expected) deepest = std::min(deepest, contact.distance - margins);
+    if (std::abs(deepest - double(gContactBreakingThreshold)) < kNoise) continue;
+
+    PairReport report, swapped;
+    world->contactPairTest(&pair.torus_object, &pair.other_object, report);
+    world->contactPairTest(&pair.other_object, &pair.torus_object, swapped);
+    ASSERT_EQ(report.points.empty(), expected.empty()) << "pose " << i;
+    hits += !expected.empty();
+    if (expected.empty()) continue;
+    ASSERT_NEAR(report.deepest(), deepest, kNoise) << "pose " << i;
+    // Of two bodies of our shape the first is the one whose frame is taken.
+    if (GetParam().name != "ours") {
+      ASSERT_NO_FATAL_FAILURE(expectMirrored(report, swapped)) << "pose " << i;
+    }
+    ASSERT_NEAR(swapped.deepest(), deepest, kNoise);
+    for (const PairReport::Point& point : report.points) {
+      ASSERT_EQ(point.part0, 0);
+      const auto same = std::ranges::find_if(expected, [&](const Contact& c) {
+        if (int(c.triangle_a) != point.index0) return false;
+        if (std::abs(c.distance - margins - point.distance) > kNoise) return false;
+        if (!pair.made.mesh) return true;
+        const TriangleId& id = pair.made.ids[c.triangle_b];
+        return id.part == point.part1 && id.index == point.index1;
+      });
+      ASSERT_NE(same, expected.end()) << "pose " << i;
+      ASSERT_LT((point.normal - pair.world_torus.rotation * same->normal).norm(), 20 * kNoise);
+      ASSERT_NEAR((point.on_a - point.on_b).dot(point.normal), point.distance, kNoise);
+      if (!pair.made.mesh) {
+        ASSERT_EQ(point.index1, -1);
+        continue;
+      }
+      const Vec3 on_other = pair.world_torus * same->point_on_b + (i % 2 ? other_margin : 0.0) * point.normal;
+      ASSERT_LT((point.on_b - on_other).norm(), 20 * kNoise);
+    }
+  }
+  EXPECT_GE(hits, kPoses * 3 / 10);
+  EXPECT_LE(hits, kPoses * 7 / 10);
+}
+
+TEST_P(ConcavePairs, closestPointsReachAsFarAsAsked) {
+  if (!GetParam().floor) GTEST_SKIP();
+  const Made made = GetParam().floor();
+  auto box = shapeOf(testing::boxMesh({0.5, 0.5, 0.5}));
+  btCollisionObject a, b;
+  a.setCollisionShape(&box);
+  b.setCollisionShape(made.shape.get());
+  a.setWorldTransform(at(0.1, 0.2, 1.25));
+  BulletWorld world;
+  PairReport near, far;
+  near.m_closestDistanceThreshold = btScalar(0.7);
+  far.m_closestDistanceThreshold = btScalar(0.8);
+  world->contactPairTest(&a, &b, near);
+  world->contactPairTest(&b, &a, far);
+  EXPECT_TRUE(near.points.empty());
+  EXPECT_NEAR(far.deepest(), 0.75, 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(PairMatrix, ConcavePairs, ::testing::ValuesIn(testing::concavePartners()), kName);
+
+class ConvexPartners : public ::testing::TestWithParam<Partner> {};
+
+TEST_P(ConvexPartners, contacts_vs_bvh) {
+  Pair pair(GetParam());
+  BulletMesh source(*torusMesh());
+  btBvhTriangleMeshShape bvh(&source, true);
+  btCollisionObject bvh_object;
+  bvh_object.setCollisionShape(&bvh);
+  BulletWorld world;
+  int hits = 0;
+  constexpr int kPoses = 200;
+  for (int i = 0; i < kPoses; ++i) {
+    pair.poseAtRandom();
+    bvh_object.setWorldTransform(pair.torus_object.getWorldTransform());
+    PairReport report, swapped, of_bvh;
+    world->contactPairTest(&pair.torus_object, &pair.other_object, report);
+    world->contactPairTest(&pair.other_object, &pair.torus_object, swapped);
+    world->contactPairTest(&bvh_object, &pair.other_object, of_bvh);
+    const bool hit = report.deepest() <= 0.0;
+    hits += hit;
+    EXPECT_EQ(report.points.size(), swapped.points.size());
+    EXPECT_TRUE(report.points.empty() || report.deepest() == swapped.deepest());
+    if (std::min(std::abs(report.deepest()), std::abs(of_bvh.deepest())) < 1e-3) continue;
+    EXPECT_EQ(hit, of_bvh.deepest() <= 0.0)
+        << "pose " << i << ": " << report.deepest() << ", " << of_bvh.deepest();
+  }
+  EXPECT_GE(hits, kPoses * 3 / 10);
+  EXPECT_LE(hits, kPoses * 7 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(PairMatrix, ConvexPartners, ::testing::ValuesIn(testing::convexPartners()), kName);
+
+class AllPairs : public ::testing::TestWithParam<Partner> {};
+
+TEST_P(AllPairs, worldsFindWhatPairTestsFind) {
+  // The other table, and the broadphase; the order of a pair is that of being added.
+  Pair pair(GetParam());
+  int hits = 0;
+  constexpr int kPoses = 60;
+  for (int i = 0; i < kPoses; ++i) {
+    pair.poseAtRandom();
+    BulletWorld world;
+    PairReport expected;
+    world->contactPairTest(&pair.torus_object, &pair.other_object, expected);
+    hits += !expected.points.empty();
+    btCollisionObject* objects[] = {&pair.torus_object, &pair.other_object};
+    if (i % 2) std::swap(objects[0], objects[1]);
+    for (btCollisionObject* object : objects) world->addCollisionObject(object, 1, -1);
+    world->performDiscreteCollisionDetection();
+    double deepest = kInfinity;
+    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+      for (int c = 0; c < manifold.getNumContacts(); ++c) {
+        deepest = std::min(deepest, double(manifold.getContactPoint(c).getDistance()));
+      }
+    }
+    PairReport tested;
+    world->contactTest(objects[i / 2 % 2], tested);
+    for (btCollisionObject* object : objects) world->removeCollisionObject(object);
+    ASSERT_EQ(world.dispatcher().getNumManifolds(), 0);
+    ASSERT_EQ(deepest == kInfinity, expected.points.empty()) << "pose " << i;
+    ASSERT_EQ(tested.points.empty(), expected.points.empty()) << "pose " << i;
+    if (expected.points.empty()) continue;
+    ASSERT_NEAR(deepest, expected.deepest(), 10 * kNoise) << "pose " << i;
+    ASSERT_NEAR(tested.deepest(), expected.deepest(), 10 * kNoise) << "pose " << i;
+  }
+  EXPECT_GE(hits, kPoses * 3 / 10);
+  EXPECT_LE(hits, kPoses * 7 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(PairMatrix, AllPairs, ::testing::ValuesIn(allPartners()), kName);
+
+class Floors : public ::testing::TestWithParam<Partner> {};
+
+TEST_P(Floors, ourBodiesComeToRest) {
+  const Made floor = GetParam().floor();
+  auto box = shapeOf(testing::boxMesh({0.5, 0.4, 0.3}));
+  auto ring = shapeOf(testing::torus(0.6, 0.25, 24, 12));
+  BulletWorld world;
+  world.add(*floor.shape, 0, at(0, 0, 0));
+  const btTransform tilted(btQuaternion(btVector3(1, 0, 0), btScalar(0.3)), btVector3(-1, 0, 1));
+  btRigidBody& brick = world.add(box, 1, tilted);
+  btRigidBody& lying = world.add(ring, 1, at(1, 0.1, 0.7));
+  world.step(240 * 4);
+  const auto height = [](const btRigidBody& body) {
+    return double(body.getWorldTransform().getOrigin().z());
+  };
+  EXPECT_NEAR(height(brick), 0.3, 0.02);
+  EXPECT_NEAR(height(lying), 0.25, 0.02);
+  EXPECT_LT(double(brick.getLinearVelocity().length()), 0.05);
+  EXPECT_LT(double(lying.getLinearVelocity().length()), 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(PairMatrix, Floors, ::testing::ValuesIn(floors()), kName);
+
+TEST(Plane, deepBodiesComeOut) {
+  // However deep: a plane is a half-space.
+  auto box = shapeOf(testing::boxMesh({1, 1, 1}));
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  BulletWorld world;
+  world.add(plane, 0, at(0, 0, 0));
+  PairReport report;
+  btRigidBody& body = world.add(box, 1, at(0, 0, -50));
+  world->contactPairTest(&body, world->getCollisionObjectArray()[0], report);
+  EXPECT_NEAR(report.deepest(), -51.0, 1e-4);
+  world.step(240 * 10);
+  EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), 0.9);
+}
+
+/// The deepest contact of a torus of ours and a GImpact shape, in both orders, and in a world.
+struct GImpactContacts {
+  double first, second, in_world;
+};
+
+GImpactContacts gimpactContacts(BulletWorld& world, btGImpactShapeInterface& gimpact) {
+  auto torus = shapeOf(torusMesh());
+  gimpact.updateBound();
+  btCollisionObject a, b;
+  a.setCollisionShape(&torus);
+  b.setCollisionShape(&gimpact);
+  b.setWorldTransform(at(2, 0, 1));
+  PairReport first, second;
+  world->contactPairTest(&a, &b, first);
+  world->contactPairTest(&b, &a, second);
+  for (btCollisionObject* object : {&a, &b}) world->addCollisionObject(object, 1, -1);
+  world->performDiscreteCollisionDetection();
+  double in_world = kInfinity;
+  for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+    const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+    for (int c = 0; c < manifold.getNumContacts(); ++c) {
+      in_world = std::min(in_world, double(manifold.getContactPoint(c).getDistance()));
+    }
+  }
+  for (btCollisionObject* object : {&a, &b}) world->removeCollisionObject(object);
+  return {first.deepest(), second.deepest(), in_world};
+}
+
+TEST(GImpact, theLastRegistrationWins) {
+  BulletMesh source(*testing::boxMesh({0.5, 0.5, 0.5}));
+  btGImpactMeshShape box(&source);
+  BulletWorld without;
+  const GImpactContacts ours = gimpactContacts(without, box);
+  EXPECT_LT(ours.first, 0.0);
+  EXPECT_NEAR(ours.second, ours.first, kNoise);
+  EXPECT_NEAR(ours.in_world, ours.first, kNoise);
+
+  BulletWorld ours_last;
+  btGImpactCollisionAlgorithm::registerAlgorithm(&ours_last.dispatcher());
+  registerAlgorithm(&ours_last.dispatcher());
+  const GImpactContacts after = gimpactContacts(ours_last, box);
+  EXPECT_EQ(after.first, ours.first);
+  EXPECT_EQ(after.second, ours.second);
+  EXPECT_EQ(after.in_world, ours.in_world);
+
+  // GImpact takes the table of contacts, not that of closest points.
+  BulletWorld gimpact_last;
+  btGImpactCollisionAlgorithm::registerAlgorithm(&gimpact_last.dispatcher());
+  const GImpactContacts before = gimpactContacts(gimpact_last, box);
+  EXPECT_EQ(before.first, ours.first);
+  EXPECT_EQ(before.second, ours.second);
+  EXPECT_LT(before.in_world, 0.0);
+}
+
+TEST(GImpact, compoundsAreLeftToGImpact) {
+  btBoxShape box(toBullet(Vec3(0.5, 0.5, 0.5)));
+  btGImpactCompoundShape compound;
+  compound.addChildShape(btTransform::getIdentity(), &box);
+  BulletWorld world;
+  const GImpactContacts found = gimpactContacts(world, compound);
+  EXPECT_LT(found.first, 0.0);
+  EXPECT_LT(found.second, 0.0);
+  EXPECT_LT(found.in_world, 0.0);
+}
+
+TEST(GImpact, itsOwnPairsStayAsTheyAre) {
+  BulletMesh source(*testing::boxMesh({0.5, 0.5, 0.5}));
+  btGImpactMeshShape box(&source);
+  box.updateBound();
+  BulletWorld world;
+  btGImpactCollisionAlgorithm::registerAlgorithm(&world.dispatcher());
+  registerAlgorithm(&world.dispatcher());
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  world.add(plane, 0, at(0, 0, 0));
+  btRigidBody& body = world.add(box, 1, at(0, 0, 1));
+  world.step(480);
+  EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), 0.5, 0.05);
+}
+
+}  // namespace
+}  // namespace octoblisk

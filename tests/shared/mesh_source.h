@@ -1,0 +1,32 @@
+// A mesh as triangles that someone else keeps.
+#pragma once
+
+#include "octoblisk/triangle_source.h"
+
+namespace octoblisk::testing {
+
+/// Hands out no more than it is asked for; part 0.
+class MeshSource final : public TriangleSource {
+ public:
+  explicit MeshSource(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  Aabb bounds() const override { return mesh_.bounds(); }
+  void forEachTriangleIn(const Aabb& box, void (*visit)(void*, const SourceTriangle&),
+                         void* user) const override {
+    ++queries;
+    for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
+      Aabb bounds;
+      for (const Vec3& corner : mesh_.triangle(t)) bounds.extend(corner);
+      if ((bounds.min.array() > box.max.array()).any() || (box.min.array() > bounds.max.array()).any())
+        continue;
+      visit(user, {mesh_.triangle(t), 0, static_cast<int>(t)});
+    }
+  }
+
+  mutable std::size_t queries = 0;  ///< how often it was asked
+
+ private:
+  const TriangleMesh& mesh_;
+};
+
+}  // namespace octoblisk::testing
