@@ -55,7 +55,7 @@ bool isOrientedClosed(const TriangleMesh& mesh) {
   std::vector<std::uint64_t> hashes(mesh.vertices().size());
   std::ranges::transform(mesh.vertices(), hashes.begin(), hashOf);
   const auto edge = [&](std::uint32_t from, std::uint32_t to) {
-    return mixed(mixed(hashes[from]) + hashes[to]);
+    return mixed(hashes[from] + 3 * hashes[to]);  // other than that of the edge back
   };
   std::uint64_t balance = 0;
   for (const auto& [a, b, c] : mesh.triangles()) {

@@ -4,6 +4,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "octoblisk/triangles_along.h"
 #include "octoblisk_bullet/convert.h"
@@ -79,8 +80,8 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   // Bullet's time of impact is where the two are as near as this, world units.
   constexpr double kImpactDistance = 0.001;
   const double size = largest(from.translation) + largest(to.translation) + box.start.half_extents.norm();
-  box.start.half_extents.array() +=
-      2.0 * kImpactDistance + std::max(0.0, double(sweep.m_triangleCollisionMargin)) + kRounding * size;
+  box.start.half_extents.array() += 2.0 * kImpactDistance + std::abs(double(sweep.m_allowedPenetration)) +
+                                    std::max(0.0, double(sweep.m_triangleCollisionMargin)) + kRounding * size;
   return box;
 }
 
