@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "octoblisk/triangles_in_box.h"
+#include "octoblisk_bullet/cast_callbacks.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
 
@@ -32,34 +34,62 @@ const btStridingMeshInterface& notNull(const btStridingMeshInterface* mesh_inter
   return *mesh_interface;
 }
 
+std::shared_ptr<const ClusteredOctree> notNull(std::shared_ptr<const ClusteredOctree> tree) {
+  if (!tree) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
+  return tree;
+}
+
 }  // namespace
 
 ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                            const BuildOptions& options)
-    : ClusteredOctreeShape(notNull(mesh_interface), options) {}
+    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)), mesh_interface->getScaling(),
+                           options) {}
 
-ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface& mesh_interface,
+ClusteredOctreeShape::ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling,
                                            const BuildOptions& options)
-    : options_(options) {
+    : options_(options),
+      unscaled_(std::make_shared<const TriangleMesh>(std::move(source.mesh))),
+      parts_(std::move(source.part_begin), unscaled_->triangleCount()) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
-  InterfaceMesh source = readMeshInterface(mesh_interface);
-  part_begin_ = std::move(source.part_begin);
-  unscaled_ = std::make_shared<const TriangleMesh>(std::move(source.mesh));
-  setLocalScaling(mesh_interface.getScaling());
+  setLocalScaling(scaling);
 }
 
-ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree)
-    : tree_(std::move(tree)) {
-  if (!tree_) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
+ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree,
+                                           std::vector<std::uint32_t> part_begin)
+    : options_(notNull(tree)->options()),
+      unscaled_(tree->sharedMesh()),
+      parts_(std::move(part_begin), unscaled_->triangleCount()) {
   m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
-  options_ = tree_->options();
-  unscaled_ = tree_->sharedMesh();
+  use(std::move(tree));
 }
 
-TriangleId ClusteredOctreeShape::triangleId(std::uint32_t triangle) const {
-  const auto next_part = std::ranges::upper_bound(part_begin_, triangle);
-  const auto part = static_cast<int>(next_part - part_begin_.begin()) - 1;
-  return {part, static_cast<int>(triangle - *(next_part - 1))};
+void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
+  mass_properties_ = octoblisk::massProperties(tree->mesh());
+  tree_ = std::move(tree);
+  ++revision_;
+}
+
+void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) {
+  InterfaceMesh source = readMeshInterface(notNull(mesh_interface));
+  const TriangleParts parts(std::move(source.part_begin), source.mesh.triangleCount());
+  auto mesh = std::make_shared<const TriangleMesh>(std::move(source.mesh));
+  if (mesh->triangleCount() == unscaled_->triangleCount() && parts != parts_) {
+    throw std::invalid_argument("ClusteredOctreeShape: refit with triangles in other parts");
+  }
+  refit(std::move(mesh));
+}
+
+void ClusteredOctreeShape::refit(std::shared_ptr<const TriangleMesh> unscaled) {
+  if (!unscaled) throw std::invalid_argument("ClusteredOctreeShape: refit with a null mesh");
+  if (unscaled->triangleCount() != unscaled_->triangleCount()) {
+    throw std::invalid_argument("ClusteredOctreeShape: refit with " +
+                                std::to_string(unscaled->triangleCount()) + " triangles; the shape has " +
+                                std::to_string(unscaled_->triangleCount()));
+  }
+  use(std::make_shared<const ClusteredOctree>(
+      tree_->refitted(scaled(unscaled, fromBullet(scaling_)), options_.threads)));
+  unscaled_ = std::move(unscaled);
 }
 
 btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_factor) const {
@@ -80,16 +110,20 @@ void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {
     throw std::invalid_argument("ClusteredOctreeShape: a scaling must be finite and not 0");
   }
   if (tree_ && scaling == scaling_) return;
-  tree_ = std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(scaled(unscaled_, fromBullet(scaling)), options_));
+  use(std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(scaled(unscaled_, fromBullet(scaling)), options_)));
   scaling_ = scaling;
 }
 
 void ClusteredOctreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
-  const Vec3 edges = 2.0 * tree_->mesh().bounds().halfExtents();
-  const Vec3 squares = edges.cwiseAbs2();
-  inertia = toBullet(double(mass) / 12.0 *
-                     Vec3(squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y()));
+  inertia = toBullet(double(mass) * mass_properties_.inertiaAbout(Vec3::Zero()).diagonal());
+}
+
+void ClusteredOctreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform& principal,
+                                                           btVector3& inertia) const {
+  const PrincipalFrame frame = principalFrame(mass_properties_);
+  principal = toBullet(frame.in_mesh);
+  inertia = toBullet(double(mass) * frame.moments);
 }
 
 void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabb_min,
@@ -98,19 +132,14 @@ void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, con
   // Callers that want everything pass boxes of any size, infinite ones too.
   const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
                  fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
-  if ((box.min.array() > box.max.array()).any()) return;
-  forEachTriangleIn(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0, [&](std::uint32_t t) {
-    const Triangle triangle = mesh.triangle(t);
-    Aabb bounds;
-    for (const Vec3& corner : triangle) bounds.extend(corner);
-    if ((bounds.min.array() > box.max.array()).any() || (bounds.max.array() < box.min.array()).any()) {
-      return false;
-    }
-    btVector3 corners[3] = {toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2])};
-    const TriangleId id = triangleId(t);
-    callback->processTriangle(corners, id.part, id.index);
-    return false;
-  });
+  if (!(box.min.array() <= box.max.array()).all()) return;
+  TriangleHandover hand_over(*tree_, parts_, box);
+  if (castTriangles(*callback, hand_over)) return;
+  forEachTriangleIn(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0,
+                    [&](std::uint32_t triangle) {
+                      hand_over(*callback, triangle);
+                      return false;
+                    });
 }
 
 }  // namespace octoblisk

@@ -8,39 +8,57 @@
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/mass_properties.h"
+#include "octoblisk_bullet/triangle_parts.h"
 
 class btStridingMeshInterface;
 
 namespace octoblisk {
 
-/// Where a triangle of the shape comes from: the part of the mesh interface and the index within it, as
-/// Bullet's callbacks number them.
-struct TriangleId {
-  int part = 0;
-  int index = 0;
-};
+struct InterfaceMesh;
 
 /// A concave mesh that may be static, kinematic or dynamic. Needs registerAlgorithm (register.h) once for
-/// each dispatcher. The tree is immutable: shapes, bodies, worlds and threads may share it.
+/// each dispatcher. The tree is immutable: shapes, bodies, worlds and threads may share it; setLocalScaling
+/// and refit give this shape another. Queries are const and compute nothing lazily.
 ATTRIBUTE_ALIGNED16(class)
 ClusteredOctreeShape final : public btConcaveShape {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   /// Copies the triangles out of the interface, its scaling included, and builds the tree; the interface is
-  /// not needed afterwards. Throws std::invalid_argument for a null or unusable interface (mesh_interface.h)
-  /// and for what ClusteredOctree::build refuses.
+  /// not needed afterwards. Throws std::invalid_argument for a null or unusable interface (mesh_interface.h),
+  /// more parts or triangles than Bullet can number (triangle_parts.h), and for what ClusteredOctree::build
+  /// refuses.
   explicit ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                 const BuildOptions& options = {});
 
-  /// Shares a tree that is built. Throws std::invalid_argument for a null tree.
-  explicit ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree);
+  /// Shares a tree that is built, or mapped from a file (octoblisk/tree_blob.h): the mesh it is for, and the
+  /// first triangles of its parts, readMeshInterface gives. Throws std::invalid_argument for a null tree, and
+  /// as TriangleParts does.
+  explicit ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree,
+                                std::vector<std::uint32_t> part_begin = {0});
 
   const ClusteredOctree& tree() const { return *tree_; }
   const std::shared_ptr<const ClusteredOctree>& sharedTree() const { return tree_; }
 
   /// Part and index of a triangle of the tree's mesh.
-  TriangleId triangleId(std::uint32_t triangle) const;
+  TriangleId triangleId(std::uint32_t triangle) const { return parts_.id(triangle); }
+  const TriangleParts& parts() const { return parts_; }
+
+  /// The mesh before it was scaled.
+  const TriangleMesh& unscaledMesh() const { return *unscaled_; }
+
+  /// Fits the tree to vertices that have moved: those of the mesh that the shape was made of, with the same
+  /// parts and triangles; the shape's own scaling applies, the interface's does not. Several times faster
+  /// than a new shape. Only this shape changes, not others that share its tree. Not while a query runs. A
+  /// static or sleeping body is to be told as of any change: its bounds (updateSingleAabb), its activation.
+  /// Throws std::invalid_argument for null, for another number of triangles or parts, and as
+  /// ClusteredOctree::refitted does; the shape is then as it was.
+  void refit(const btStridingMeshInterface* mesh_interface);
+  void refit(std::shared_ptr<const TriangleMesh> unscaled);
+
+  /// Grows whenever triangles move in the shape's frame: contacts kept from before are no more worth.
+  std::uint32_t revision() const { return revision_; }
 
   /// Contacts are made, and kept, up to this distance, in world units; Bullet takes the smaller of two
   /// shapes'. Default: gContactBreakingThreshold (0.02), or a fiftieth of the shape's radius where that is
@@ -58,24 +76,46 @@ ClusteredOctreeShape final : public btConcaveShape {
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return scaling_; }
 
-  /// The inertia of the solid bounding box.
+  /// Of the solid within the mesh (octoblisk/mass_properties.h) about the shape's origin, where a body has
+  /// its centre of mass, exact; of the solid bounding box where the mesh is not closed. Bullet knows the
+  /// diagonal alone: products of inertia are dropped. calculatePrincipalAxisTransform tells where to put the
+  /// shape so that there are none.
   void calculateLocalInertia(btScalar mass, btVector3 & inertia) const override;
 
-  /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame.
+  /// As btCompoundShape's of the same name: the frame, in the shape's, of centre of mass and principal axes,
+  /// and the inertia of the mass in it. A body moves as the solid does whose shape is a compound with this
+  /// shape as its child at principal.inverse(), or a shape whose vertices were moved so.
+  void calculatePrincipalAxisTransform(btScalar mass, btTransform & principal, btVector3 & inertia) const;
+
+  /// In the shape's frame, scaled as it is.
+  const MassProperties& massProperties() const { return mass_properties_; }
+
+  /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame. The
+  /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone
+  /// (cast_callbacks.h).
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
+
+  /// Writes a btTriangleMeshShapeData of the unscaled mesh, its parts and the scaling: stock importers make a
+  /// btBvhTriangleMeshShape of it, whose mesh interface gives this shape again. Vertices are written as
+  /// doubles in either precision, so that a saved tree (octoblisk/tree_blob.h) goes with what is read back.
+  int calculateSerializeBufferSize() const override;
+  const char* serialize(void* buffer, btSerializer* serializer) const override;
 
   const char* getName() const override { return "ClusteredOctree"; }
 
  private:
-  ClusteredOctreeShape(const btStridingMeshInterface& mesh_interface, const BuildOptions& options);
+  ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling, const BuildOptions& options);
+  void use(std::shared_ptr<const ClusteredOctree> tree);
 
   BuildOptions options_;
   std::shared_ptr<const TriangleMesh> unscaled_;
-  std::vector<std::uint32_t> part_begin_ = {0};
+  TriangleParts parts_;
   btVector3 scaling_ = btVector3(1, 1, 1);
   btScalar contact_breaking_threshold_ = -1;  // below 0: the default
   std::shared_ptr<const ClusteredOctree> tree_;
+  MassProperties mass_properties_;
+  std::uint32_t revision_ = 0;
 };
 
 }  // namespace octoblisk

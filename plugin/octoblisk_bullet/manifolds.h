@@ -33,6 +33,11 @@ class Manifolds {
   /// One of them, made where there is none.
   btPersistentManifold* any();
 
+  /// Forgets all points, and the impulses with them.
+  void clear() {
+    for (btPersistentManifold* manifold : manifolds_) manifold->clearManifold();
+  }
+
   void appendTo(btManifoldArray& array) const {
     for (btPersistentManifold* manifold : manifolds_) array.push_back(manifold);
   }

@@ -79,6 +79,12 @@ double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollision
                    of(other.getCollisionObject()->getCollisionShape()), of(mesh.m_shape)});
 }
 
+/// 0 for shapes that have none.
+std::uint32_t revision(const btCollisionObjectWrapper& body) {
+  const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(body.m_shape);
+  return shape ? shape->revision() : 0;
+}
+
 }  // namespace
 
 SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle) {
@@ -105,6 +111,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
       breaking + double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
   findContacts(mesh, other, reach, contacts_);
 
+  const std::uint32_t revisions = revision(mesh) + revision(other);
+  if (revisions != revisions_) manifolds_.clear();  // their triangles have moved
+  revisions_ = revisions;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const std::span<const ContactPatch> patches = patches_.reduce(contacts_);
   manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));

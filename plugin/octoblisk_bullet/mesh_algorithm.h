@@ -53,6 +53,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
 
   const bool mesh_is_body1_;
   Manifolds manifolds_;
+  std::uint32_t revisions_ = 0;  // of the shapes that the manifolds' points are of, summed
   std::vector<Contact> contacts_;
   ContactPatches patches_;
 };

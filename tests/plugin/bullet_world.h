@@ -71,7 +71,7 @@ class BulletMesh {
     part.m_vertexStride = sizeof(btVector3);
     interface_.addIndexedMesh(part);
   }
-  btStridingMeshInterface* operator&() { return &interface_; }
+  btTriangleIndexVertexArray* operator&() { return &interface_; }
 
  private:
   std::vector<btVector3> vertices_;

@@ -1,0 +1,105 @@
+// Bad use ends in a clear exception at construction, or in no contact: never in worse.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "plugin/bullet_world.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::PairReport;
+
+std::string messageOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BadUse, moreThanBulletCanNumber) {
+  EXPECT_EQ(messageOf([] { TriangleParts(std::vector<std::uint32_t>(1024, 0), 5); }), "accepted");
+  EXPECT_EQ(messageOf([] { TriangleParts(std::vector<std::uint32_t>(1025, 0), 5); }),
+            "the mesh has 1025 parts; Bullet numbers at most 1024");
+  constexpr std::uint32_t kMost = 1u << 21;
+  EXPECT_EQ(messageOf([] { TriangleParts({0, kMost}, 2 * kMost); }), "accepted");
+  EXPECT_EQ(messageOf([] {
+              TriangleParts({0, 1}, kMost + 2);
+            }),
+            "part 1 of the mesh has 2097153 triangles; Bullet numbers at most 2097152 a part");
+  const TriangleParts most({0, kMost}, 2 * kMost);
+  EXPECT_EQ(most.id(2 * kMost - 1).part, 1);
+  EXPECT_EQ(most.id(2 * kMost - 1).index, int(kMost) - 1);
+}
+
+TEST(BadUse, partsThatAreNone) {
+  const auto tree =
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6)));
+  const auto with = [&](std::vector<std::uint32_t> begin) {
+    return messageOf([&] { const ClusteredOctreeShape shape(tree, std::move(begin)); });
+  };
+  EXPECT_EQ(with({0, 10, 144}), "accepted");  // parts may be empty
+  EXPECT_EQ(with({}), "the first part of a mesh begins with its triangle 0");
+  EXPECT_EQ(with({1}), "the first part of a mesh begins with its triangle 0");
+  EXPECT_EQ(with({0, 10, 9}), "part 1 of the mesh begins with triangle 10 and ends before 9");
+  EXPECT_EQ(with({0, 145}), "part 1 of the mesh begins with triangle 145 and ends before 144");
+}
+
+TEST(BadUse, tooManyPartsInAnInterface) {
+  testing::BulletMesh triangle(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  btTriangleIndexVertexArray many;
+  for (int part = 0; part < 1025; ++part) many.addIndexedMesh((&triangle)->getIndexedMeshArray()[0]);
+  EXPECT_EQ(messageOf([&] { const ClusteredOctreeShape shape(&many); }),
+            "the mesh has 1025 parts; Bullet numbers at most 1024");
+}
+
+TEST(BadUse, posesThatAreNoneTouchNothing) {
+  ClusteredOctreeShape torus(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  btSphereShape ball(btScalar(0.5));
+  testing::BulletWorld world;
+  btCollisionObject ring, other_ring, sphere;
+  ring.setCollisionShape(&torus);
+  other_ring.setCollisionShape(&torus);
+  sphere.setCollisionShape(&ball);
+  const auto contactsAt = [&](btCollisionObject& other, const btTransform& pose) {
+    other.setWorldTransform(pose);
+    PairReport report;
+    world->contactPairTest(&ring, &other, report);
+    return report.points.size();
+  };
+  const btTransform touching = testing::at(2, 0, 0.5);
+  EXPECT_GT(contactsAt(sphere, touching), 0u);
+  EXPECT_GT(contactsAt(other_ring, touching), 0u);
+  for (const btScalar bad :
+       {std::numeric_limits<btScalar>::quiet_NaN(), std::numeric_limits<btScalar>::infinity()}) {
+    btTransform moved = touching, turned = touching;
+    moved.getOrigin().setY(bad);
+    turned.getBasis()[1].setX(bad);
+    for (btCollisionObject* other : {&sphere, &other_ring}) {
+      EXPECT_EQ(contactsAt(*other, moved), 0u);
+      EXPECT_EQ(contactsAt(*other, turned), 0u);
+    }
+    btTransform from = testing::at(2, 0, 3), to = testing::at(2, 0, -3);
+    btCollisionWorld::ClosestRayResultCallback good(from.getOrigin(), to.getOrigin());
+    btCollisionWorld::rayTestSingle(from, to, &ring, &torus, ring.getWorldTransform(), good);
+    EXPECT_TRUE(good.hasHit());
+    to.getOrigin().setX(bad);
+    btCollisionWorld::ClosestRayResultCallback ray(from.getOrigin(), to.getOrigin());
+    btCollisionWorld::rayTestSingle(from, to, &ring, &torus, ring.getWorldTransform(), ray);
+    EXPECT_FALSE(ray.hasHit());
+    btCollisionWorld::ClosestConvexResultCallback sweep(from.getOrigin(), to.getOrigin());
+    btCollisionWorld::objectQuerySingle(&ball, from, to, &ring, &torus, ring.getWorldTransform(), sweep, 0);
+    EXPECT_FALSE(sweep.hasHit());
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk

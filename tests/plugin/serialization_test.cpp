@@ -1,0 +1,134 @@
+// The shape written as Bullet writes meshes, read back by Bullet's own importer; and its tree kept as a blob.
+#include <BulletCollision/CollisionDispatch/btCollisionWorldImporter.h>
+#include <LinearMath/btSerializer.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "octoblisk/tree_blob.h"
+#include "octoblisk_bullet/mesh_interface.h"
+#include "plugin/bullet_world.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::BulletMesh;
+
+/// Leaves pointers as they are: the importer reads from the chunks where they were written.
+struct InMemorySerializer final : btDefaultSerializer {
+  void* getUniquePointer(void* pointer) override { return pointer; }
+};
+
+struct Importer final : btCollisionWorldImporter {
+  Importer() : btCollisionWorldImporter(nullptr) {}
+  ~Importer() override { deleteAllData(); }
+  btCollisionShape* shapeOf(void* data) {
+    return convertCollisionShape(static_cast<btCollisionShapeData*>(data));
+  }
+};
+
+struct Collected final : btTriangleCallback {
+  std::map<std::pair<int, int>, Triangle> triangles;
+  void processTriangle(btVector3* t, int part, int index) override {
+    triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
+  }
+};
+
+std::map<std::pair<int, int>, Triangle> trianglesOf(const btConcaveShape& shape) {
+  Collected found;
+  const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
+  shape.processAllTriangles(&found, -far, far);
+  return found.triangles;
+}
+
+/// A torus and a sheet as two parts of one interface, scaled.
+struct TwoParts {
+  BulletMesh torus{*testing::torus(2, 0.7, 12, 6)}, sheet{*testing::waveSheet(2, 0.3, 5)};
+  btTriangleIndexVertexArray interface;
+
+  TwoParts() {
+    interface.addIndexedMesh((&torus)->getIndexedMeshArray()[0]);
+    interface.addIndexedMesh((&sheet)->getIndexedMeshArray()[0]);
+    interface.setScaling(btVector3(2, btScalar(0.5), 1));
+  }
+};
+
+TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
+  TwoParts source;
+  ClusteredOctreeShape shape(&source.interface);
+  shape.setMargin(btScalar(0.125));
+  InMemorySerializer serializer;
+  serializer.startSerialization();
+  std::vector<btVector3DoubleData> aligned(  // room for the data, aligned
+      std::size_t(shape.calculateSerializeBufferSize()) / sizeof(btVector3DoubleData) + 1);
+  EXPECT_STREQ(shape.serialize(aligned.data(), &serializer), "btTriangleMeshShapeData");
+  Importer importer;
+  const auto* loaded = dynamic_cast<btBvhTriangleMeshShape*>(importer.shapeOf(aligned.data()));
+  ASSERT_NE(loaded, nullptr);
+  EXPECT_EQ(loaded->getMargin(), btScalar(0.125));
+  EXPECT_EQ(loaded->getMeshInterface()->getNumSubParts(), 2);
+  const auto expected = trianglesOf(shape), found = trianglesOf(*loaded);
+  ASSERT_EQ(expected.size(), 12u * 6u * 2u + 5u * 5u * 2u);
+  ASSERT_EQ(found.size(), expected.size());
+  for (const auto& [id, triangle] : expected) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_LT((found.at(id)[k] - triangle[k]).norm(), 1e-6) << "part " << id.first << ", " << id.second;
+    }
+  }
+  // And the shape again, from what was read: the same mesh to the bit.
+  const ClusteredOctreeShape again(loaded->getMeshInterface());
+  EXPECT_EQ(again.getLocalScaling(), shape.getLocalScaling());
+  for (std::uint32_t t = 0; t < shape.tree().mesh().triangleCount(); ++t) {
+    ASSERT_EQ(again.tree().mesh().triangle(t), shape.tree().mesh().triangle(t));
+    ASSERT_EQ(again.triangleId(t).part, shape.triangleId(t).part);
+  }
+}
+
+TEST(Serialization, aWorldIsWrittenWithTheShape) {
+  ClusteredOctreeShape shape(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6))));
+  testing::BulletWorld world;
+  world.add(shape, 1, testing::at(1, 2, 3));
+  struct Keeping final : btDefaultSerializer {
+    void finishSerialization() override {}  // which lets go of the chunks
+  } serializer;
+  serializer.registerNameForPointer(&shape, "ring");
+  world->serialize(&serializer);
+  std::map<int, int> chunks;
+  for (int i = 0; i < serializer.getNumChunks(); ++i) ++chunks[serializer.getChunk(i)->m_chunkCode];
+  EXPECT_EQ(chunks[BT_SHAPE_CODE], 1);
+  EXPECT_EQ(chunks[BT_RIGIDBODY_CODE], 1);
+  EXPECT_GE(chunks[BT_ARRAY_CODE], 3);  // the part, its vertices, its indices
+  for (int i = 0; i < serializer.getNumChunks(); ++i) {
+    const btChunk* chunk = serializer.getChunk(i);
+    if (chunk->m_chunkCode != BT_SHAPE_CODE) continue;
+    EXPECT_EQ(chunk->m_length, int(sizeof(btTriangleMeshShapeData)));
+    const auto* data = reinterpret_cast<const btTriangleMeshShapeData*>(chunk + 1);
+    EXPECT_EQ(data->m_collisionShapeData.m_shapeType, TRIANGLE_MESH_SHAPE_PROXYTYPE);
+    EXPECT_NE(data->m_collisionShapeData.m_name, nullptr);
+    EXPECT_EQ(data->m_meshInterface.m_numMeshParts, 1);
+  }
+}
+
+TEST(Serialization, aTreeGoesThroughABlobWithItsParts) {
+  TwoParts source;
+  source.interface.setScaling(btVector3(1, 1, 1));
+  const ClusteredOctreeShape shape(&source.interface);
+  const std::vector<std::byte> blob = toBlob(shape.tree());
+  InterfaceMesh read = readMeshInterface(source.interface);
+  const auto mesh = std::make_shared<const TriangleMesh>(std::move(read.mesh));
+  const ClusteredOctreeShape loaded(std::make_shared<const ClusteredOctree>(fromBlob(blob, mesh)),
+                                    read.part_begin);
+  EXPECT_EQ(trianglesOf(loaded), trianglesOf(shape));
+  EXPECT_EQ(loaded.parts(), shape.parts());
+  EXPECT_EQ(loaded.triangleId(144).part, 1);
+  EXPECT_EQ(loaded.triangleId(144).index, 0);
+}
+
+}  // namespace
+}  // namespace octoblisk
