@@ -39,9 +39,6 @@ class Meeting {
   double first_ = 0.0, last_ = 1.0;
 };
 
-/// How far coordinates may be off by rounding, as a part of the sizes involved.
-inline constexpr double kDoubleRounding = 0x1p-46;
-
 /// The fractions between which a moving box is near a tree: single precision is not for the way there.
 struct NearPart {
   double first = 0.0, last = 1.0;
@@ -53,11 +50,11 @@ inline std::optional<NearPart> nearPart(const ClusteredOctree& tree, const Movin
   const double squared_speed = box.motion.squaredNorm();
   const double closest = squared_speed > 0.0 ? way.dot(box.motion) / squared_speed : 0.0;
   const double reach = (tree.radius() + box.start.half_extents.norm()) * (1.0 + 2.0 * box.rim) +
-                       kDoubleRounding * (way.norm() + box.start.center.norm());
+                       4.0 * kDoubleRounding * (way.norm() + box.start.center.norm());
   const double squared_half_chord = reach * reach - (way - closest * box.motion).squaredNorm();
   if (!(squared_half_chord >= 0.0)) return std::nullopt;
   if (squared_speed == 0.0) return NearPart();
-  const double half_part = std::sqrt(squared_half_chord / squared_speed) * (1.0 + kTraversalRounding);
+  const double half_part = std::sqrt(squared_half_chord / squared_speed) * (1.0 + kSingleRounding);
   const NearPart part{std::max(0.0, closest - half_part), std::min(1.0, closest + half_part)};
   if (!(part.first <= part.last)) return std::nullopt;
   return part;
@@ -152,15 +149,15 @@ void trianglesAlong(const ClusteredOctree& tree, const MovingBox& box, const Nea
   const double share = near.last - near.first;
   LocalBox local(tree, start);
   local.size += share * box.motion.norm();
-  const auto slack = static_cast<float>(kTraversalRounding * local.size);
+  const auto slack = static_cast<float>(kSingleRounding * local.size);
   const double slack_of_doubles =
-      kDoubleRounding * (box.start.center.norm() + box.motion.norm() + local.size);
+      4.0 * kDoubleRounding * (box.start.center.norm() + box.motion.norm() + local.size);
   double wanted = std::min(last_fraction, 1.0);
   const auto limit = [&] {  // of the near part
-    return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kTraversalRounding) : 1.0f;
+    return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kSingleRounding) : 1.0f;
   };
-  walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Child leaf) {
-    for (const std::uint32_t triangle : tree.triangles(leaf)) {
+  walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot slot) {
+    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
       const double first = firstMeeting(tree.mesh().triangle(triangle), box, slack_of_doubles);
       if (!(first <= wanted)) continue;
       wanted = std::min(wanted, visitor(user, triangle, first));
