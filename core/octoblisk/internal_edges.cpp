@@ -30,6 +30,18 @@ bool isSquare(const Triangle& triangle, const Vec3& normal) {
   return std::abs(facing.dot(normal)) >= kSameDirection * facing.norm();
 }
 
+/// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.
+bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
+  constexpr double kLean = 1e-3;
+  const Vec3 edge = to - from;
+  for (const Vec3& corner : triangle) {
+    Vec3 inward = corner - from;
+    if (edge.squaredNorm() > 0.0) inward -= edge * (edge.dot(inward) / edge.squaredNorm());
+    if (direction.dot(inward) > kLean * inward.norm()) return true;
+  }
+  return false;
+}
+
 auto byPosition(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }
 
 }  // namespace
@@ -62,6 +74,8 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     for (const Corner& other : around(triangle[first])) {
       if (!(contacts[other.contact].distance < contacts[c].distance - 1e-9 * size)) continue;
       if (second != first && !isAround(other.contact, triangle[second])) continue;
+      const Triangle shares = mesh.triangle(contacts[other.contact].triangle_a);
+      if (!leansOver(shares, triangle[first], triangle[second], -contacts[c].normal)) continue;
       is_internal_[c] = 1;
       break;
     }
