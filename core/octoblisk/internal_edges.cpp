@@ -30,6 +30,13 @@ bool isSquare(const Triangle& triangle, const Vec3& normal) {
   return std::abs(facing.dot(normal)) >= kSameDirection * facing.norm();
 }
 
+/// Whether a surface goes on from one triangle to the other without a ridge.
+bool areSmooth(const Triangle& a, const Triangle& b) {
+  constexpr double kSmooth = 0.94;  // the cosine of 20°
+  const Vec3 of_a = scaledNormal(a), of_b = scaledNormal(b);
+  return of_a.dot(of_b) >= kSmooth * of_a.norm() * of_b.norm();
+}
+
 /// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.
 bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
   constexpr double kLean = 1e-3;
@@ -75,6 +82,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
       if (!(contacts[other.contact].distance < contacts[c].distance - 1e-9 * size)) continue;
       if (second != first && !isAround(other.contact, triangle[second])) continue;
       const Triangle shares = mesh.triangle(contacts[other.contact].triangle_a);
+      if (!isSquare(shares, contacts[other.contact].normal) || !areSmooth(triangle, shares)) continue;
       if (!leansOver(shares, triangle[first], triangle[second], -contacts[c].normal)) continue;
       is_internal_[c] = 1;
       break;
