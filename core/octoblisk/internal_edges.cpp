@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -70,8 +71,11 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     return std::ranges::binary_search(corners, contact, {}, &Corner::contact);
   };
 
+  order_.resize(contacts.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
   is_internal_.assign(contacts.size(), 0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for (const std::uint32_t c : order_) {
     const Triangle triangle = mesh.triangle(contacts[c].triangle_a);
     const unsigned feature = featureOf(triangle, contacts[c].point_on_a);
     if (feature == 0b111u || feature == 0 || isSquare(triangle, contacts[c].normal)) continue;
@@ -82,7 +86,8 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
       if (!(contacts[other.contact].distance < contacts[c].distance - 1e-9 * size)) continue;
       if (second != first && !isAround(other.contact, triangle[second])) continue;
       const Triangle shares = mesh.triangle(contacts[other.contact].triangle_a);
-      if (!isSquare(shares, contacts[other.contact].normal) || !areSmooth(triangle, shares)) continue;
+      if (is_internal_[other.contact] == 0 && !isSquare(shares, contacts[other.contact].normal)) continue;
+      if (!areSmooth(triangle, shares)) continue;
       if (!leansOver(shares, triangle[first], triangle[second], -contacts[c].normal)) continue;
       is_internal_[c] = 1;
       break;
