@@ -126,6 +126,37 @@ TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
   }
 }
 
+TEST_F(ThinRing, doesNotMoveIntoOneThatIsPutBack) {
+  // One behind the other at the same speed: they would not meet but for the sheet.
+  MotionClamping clamping;
+  BulletWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  world.add(sheet_, 0, at(0, 0, 0));
+  btRigidBody &far = world.add(ring_, 1, at(5, 0, 0.9)), &low = world.add(ring_, 1, at(0, 0, 0.5)),
+              &high = world.add(ring_, 1, at(0, 0, 0.9));
+  for (btRigidBody* body : {&far, &low, &high}) {
+    body->setLinearVelocity(btVector3(0, 0, -200));
+    body->setCcdMotionThreshold(btScalar(kThreshold));
+  }
+  world->addAction(&clamping);
+  world.step(1);
+  const auto heightOf = [](const btRigidBody& body) {
+    return double(body.getWorldTransform().getOrigin().z());
+  };
+  EXPECT_NEAR(heightOf(high) - heightOf(low), 0.4, 1e-5);
+  EXPECT_NEAR(heightOf(low), kTube + 0.01, 0.002);
+  ASSERT_EQ(clamping.clamped().size(), 3u);
+  EXPECT_GT(clamping.clamped()[0].fraction,
+            clamping.clamped()[1].fraction);  // the far one, by the sheet alone
+  EXPECT_EQ(clamping.clamped()[1].fraction, clamping.clamped()[2].fraction);
+  for (int step = 0; step < 60; ++step) {
+    world.step(1);
+    ASSERT_GT(heightOf(low), -kTube);
+    ASSERT_GT(heightOf(high), heightOf(low));
+  }
+  world->removeAction(&clamping);
+}
+
 TEST_F(ThinRing, isPutWhereTheImpactIsAndKeepsItsVelocity) {
   Scene scene(sheet_, ring_, {.height = 0.5}, true);
   scene.world.step(1);
