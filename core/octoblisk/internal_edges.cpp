@@ -63,8 +63,11 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   std::ranges::sort(corners_, {},
                     [](const Corner& c) { return std::tuple(byPosition(c.position), c.contact); });
   const auto around = [&](const Vec3& position) {
-    return std::ranges::equal_range(corners_, byPosition(position), {},
-                                    [](const Corner& c) { return byPosition(c.position); });
+    const auto positionOf = [](const Corner& c) { return byPosition(c.position); };
+    const auto begin = std::ranges::lower_bound(corners_, byPosition(position), {}, positionOf),
+               end = std::ranges::upper_bound(corners_, byPosition(position), {}, positionOf);
+    return std::span<const Corner>(corners_).subspan(static_cast<std::size_t>(begin - corners_.begin()),
+                                                     static_cast<std::size_t>(end - begin));
   };
   const auto isAround = [&](std::uint32_t contact, const Vec3& position) {
     const auto corners = around(position);

@@ -210,8 +210,10 @@ void SourceContacts::numberTouched(std::vector<Contact>& found) {
 
   const auto triangles = [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; };
   std::ranges::sort(found, {}, triangles);
-  const auto repeated = std::ranges::unique(found, {}, triangles);
-  found.erase(repeated.begin(), repeated.end());
+  const auto same_triangles = [&](const Contact& c, const Contact& d) {
+    return triangles(c) == triangles(d);
+  };
+  found.erase(std::unique(found.begin(), found.end(), same_triangles), found.end());
 }
 
 }  // namespace octoblisk

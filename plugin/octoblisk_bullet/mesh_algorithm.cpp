@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <span>
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -120,7 +119,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   for (std::size_t p = 0; p < patches.size(); ++p) {
     result->setPersistentManifold(manifolds_.of(p));
     // The deepest last, as a point takes the place of one that is close to it.
-    for (const Contact& contact : std::views::reverse(patches[p].points())) {
+    const std::span<const Contact> points = patches[p].points();
+    for (auto point = points.rbegin(); point != points.rend(); ++point) {
+      const Contact& contact = *point;
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
