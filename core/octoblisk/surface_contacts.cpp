@@ -1,0 +1,108 @@
+#include "octoblisk/surface_contacts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "octoblisk/triangle_feature.h"
+
+namespace octoblisk {
+namespace {
+
+auto byPosition(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
+  while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
+  return contact;
+}
+
+}  // namespace
+
+void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
+  if (contacts.size() < 2) return;
+  removed_.assign(contacts.size(), 0);
+  markPast(contacts);
+  markInner(contacts, true);
+  markInner(contacts, false);
+  const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
+  removed_[static_cast<std::size_t>(deepest)] = 0;
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (removed_[c] == 0) contacts[kept++] = contacts[c];
+  }
+  contacts.resize(kept);
+}
+
+/// Those that are apart, on the back of one of the two triangles, and hang together with some that meet.
+void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
+  const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
+  if (std::ranges::all_of(contacts, isApart) || std::ranges::none_of(contacts, isApart)) return;
+  order_.resize(contacts.size());
+  parent_.resize(contacts.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::iota(parent_.begin(), parent_.end(), 0u);
+  for (const auto triangle : {&Contact::triangle_a, &Contact::triangle_b}) {
+    std::ranges::sort(order_, {}, [&](std::uint32_t c) { return contacts[c].*triangle; });
+    for (std::size_t i = 1; i < order_.size(); ++i) {
+      if (contacts[order_[i]].*triangle != contacts[order_[i - 1]].*triangle) continue;
+      std::uint32_t a = rootOf(parent_, order_[i - 1]), b = rootOf(parent_, order_[i]);
+      // A group's root is of those that meet, if any is.
+      if (isApart(contacts[a]) && !isApart(contacts[b])) std::swap(a, b);
+      parent_[b] = a;
+    }
+  }
+  constexpr double kPast = 1e-3;
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!isApart(contact) || isApart(contacts[rootOf(parent_, c)])) continue;
+    const Vec3 facing_a = scaledNormal(pairs_[c].a), facing_b = scaledNormal(pairs_[c].b);
+    if (contact.normal.dot(facing_a) > kPast * facing_a.norm() ||
+        contact.normal.dot(facing_b) < -kPast * facing_b.norm()) {
+      removed_[c] = 1;
+    }
+  }
+}
+
+/// Those askew at a feature of one body's triangle beyond which another, in contact with the same triangle of
+/// the other body, leans towards it.
+void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a) {
+  const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
+  const auto oppositeOf = [&](std::uint32_t c) {
+    return of_a ? contacts[c].triangle_b : contacts[c].triangle_a;
+  };
+  corners_.clear();
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    for (const Vec3& corner : ownOf(c)) corners_.push_back({oppositeOf(c), corner, c});
+  }
+  const auto key = [](const Corner& c) { return std::tuple(c.opposite, byPosition(c.position), c.contact); };
+  std::ranges::sort(corners_, {}, key);
+  const auto around = [&](std::uint32_t opposite, const Vec3& position) {
+    return std::ranges::equal_range(corners_, std::tuple(opposite, byPosition(position)), {},
+                                    [](const Corner& c) {
+                                      return std::tuple(c.opposite, byPosition(c.position));
+                                    });
+  };
+
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const Triangle& own = ownOf(c);
+    const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
+    if (removed_[c] != 0 || feature == 0b111u || feature == 0 || isSquare(own, contact.normal)) continue;
+    const auto [first, second] = endsOf(feature);
+    const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
+    const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
+    for (const Corner& corner : around(oppositeOf(c), own[first])) {
+      const Contact& other = contacts[corner.contact];
+      const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
+                                                    : other.distance <= 0.0;
+      if (corner.contact == c || !is_nearer) continue;
+      const Triangle& shares = ownOf(corner.contact);
+      if (std::ranges::find(shares, own[second]) == shares.end()) continue;
+      if (!leansOver(shares, own[first], own[second], towards)) continue;
+      removed_[c] = 1;
+      break;
+    }
+  }
+}
+
+}  // namespace octoblisk
