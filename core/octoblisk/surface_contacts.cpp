@@ -1,15 +1,22 @@
 #include "octoblisk/surface_contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
-#include <tuple>
 
 #include "octoblisk/triangle_feature.h"
 
 namespace octoblisk {
 namespace {
 
-auto byPosition(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }
+std::uint64_t hashOf(std::uint32_t triangle, const Vec3& position) {
+  std::uint64_t hash = triangle;
+  for (const double x : position) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u;  // -0 is 0
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
   while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
@@ -70,18 +77,14 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a)
   const auto oppositeOf = [&](std::uint32_t c) {
     return of_a ? contacts[c].triangle_b : contacts[c].triangle_a;
   };
+  const auto has = [](const Triangle& triangle, const Vec3& corner) {
+    return std::ranges::find(triangle, corner) != triangle.end();
+  };
   corners_.clear();
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    for (const Vec3& corner : ownOf(c)) corners_.push_back({oppositeOf(c), corner, c});
+    for (const Vec3& corner : ownOf(c)) corners_.push_back({hashOf(oppositeOf(c), corner), c});
   }
-  const auto key = [](const Corner& c) { return std::tuple(c.opposite, byPosition(c.position), c.contact); };
-  std::ranges::sort(corners_, {}, key);
-  const auto around = [&](std::uint32_t opposite, const Vec3& position) {
-    return std::ranges::equal_range(corners_, std::tuple(opposite, byPosition(position)), {},
-                                    [](const Corner& c) {
-                                      return std::tuple(c.opposite, byPosition(c.position));
-                                    });
-  };
+  std::ranges::sort(corners_);
 
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
@@ -91,13 +94,14 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a)
     const auto [first, second] = endsOf(feature);
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
-    for (const Corner& corner : around(oppositeOf(c), own[first])) {
+    const std::uint64_t hash = hashOf(oppositeOf(c), own[first]);
+    for (const Corner& corner : std::ranges::equal_range(corners_, hash, {}, &Corner::hash)) {
       const Contact& other = contacts[corner.contact];
-      const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
-                                                    : other.distance <= 0.0;
-      if (corner.contact == c || !is_nearer) continue;
+      const bool is_nearer =
+          contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size : other.distance <= 0.0;
+      if (corner.contact == c || !is_nearer || oppositeOf(corner.contact) != oppositeOf(c)) continue;
       const Triangle& shares = ownOf(corner.contact);
-      if (std::ranges::find(shares, own[second]) == shares.end()) continue;
+      if (!has(shares, own[first]) || !has(shares, own[second])) continue;
       if (!leansOver(shares, own[first], own[second], towards)) continue;
       removed_[c] = 1;
       break;

@@ -33,11 +33,11 @@ class SurfaceContacts {
   struct Pair {
     Triangle a, b;
   };
-  /// A corner of a contact's triangle, of one body, and the triangle of the other body.
+  /// A corner of a contact's triangle, of one body, opposite a triangle of the other body.
   struct Corner {
-    std::uint32_t opposite;
-    Vec3 position;
+    std::uint64_t hash;  // of its position and the triangle opposite
     std::uint32_t contact;
+    auto operator<=>(const Corner&) const = default;
   };
 
   void keepIn(std::vector<Contact>& contacts);

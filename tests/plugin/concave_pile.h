@@ -16,29 +16,29 @@
 namespace octoblisk::testing {
 
 /// Makes a shape of a mesh: ours, or another library's for comparison.
-using MakeShape = std::function<std::unique_ptr<btCollisionShape>(const SharedMesh& mesh, bool is_floor)>;
+using MakeShape = std::function<std::unique_ptr<btCollisionShape>(const SharedMesh& mesh)>;
 
-inline std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh, bool) {
-  return std::make_unique<ClusteredOctreeShape>(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-}
+std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh);
 
 /// Lengths in m, masses in kg. Bodies are dropped in layers of 4 x 4, each turned at random.
 class ConcavePile {
  public:
+  static constexpr btScalar kMargin = btScalar(0.01);  ///< of each shape
+  static constexpr double kTimeStep = 1.0 / 60.0;      ///< s
+
   struct Depths {
-    double in_floor = 0.0;  ///< of the deepest corner of a body below the floor's closed form
+    double in_floor = 0.0;   ///< of the deepest corner of a body below the floor's closed form
     double in_bodies = 0.0;  ///< of the deepest point of a body, or the floor, in another body
   };
 
   explicit ConcavePile(int bodies, unsigned seed, const MakeShape& make_shape = makeOurShape) {
     std::mt19937_64 random(seed);
-    const SharedMesh meshes[] = {torus(0.4, 0.15, 24, 12), gear(10, 0.4, 0.5, 0.2, 0.12),
-                                 uProfile(0.35, 0.3, 0.12, 0.4), bumpySphere(random, 0.4, 0.15, 20)};
+    const SharedMesh meshes[] = {torus(0.4, 0.15, 20, 10), gear(8, 0.4, 0.5, 0.2, 0.12),
+                                 uProfile(0.35, 0.3, 0.12, 0.4), bumpySphere(random, 0.4, 0.15, 16)};
     kinds_.reserve(std::size(meshes) + 1);
-    for (const SharedMesh& mesh : meshes) kinds_.emplace_back(mesh, make_shape(mesh, false));
+    for (const SharedMesh& mesh : meshes) kinds_.emplace_back(mesh, make_shape(mesh));
     const SharedMesh floor_mesh = tray(5.0, 40);
-    kinds_.emplace_back(floor_mesh, make_shape(floor_mesh, true));
+    kinds_.emplace_back(floor_mesh, make_shape(floor_mesh));
     world_.add(*kinds_.back().shape, 0, btTransform::getIdentity());
     for (int i = 0; i < bodies; ++i) {
       const std::size_t kind = static_cast<std::size_t>(i + i / 4) % std::size(meshes);
@@ -53,6 +53,7 @@ class ConcavePile {
   }
 
   BulletWorld& world() { return world_; }
+  void step() { world_.step(1, kTimeStep); }
   std::size_t size() const { return bodies_.size(); }
   btRigidBody& body(std::size_t i) { return *bodies_[i].body; }
 
@@ -60,7 +61,8 @@ class ConcavePile {
   double kineticEnergy() const {
     double energy = 0.0;
     for (const auto& [body, kind] : bodies_) {
-      const Vec3 spin = fromBullet(body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity());
+      const Vec3 spin =
+          fromBullet(body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity());
       energy += 0.5 / double(body->getInvMass()) * double(body->getLinearVelocity().length2()) +
                 0.5 * spin.cwiseAbs2().dot(fromBullet(body->getLocalInertia()));
     }
@@ -71,8 +73,7 @@ class ConcavePile {
   int fallen() const {
     return static_cast<int>(std::ranges::count_if(bodies_, [](const Body& b) {
       const btVector3& middle = b.body->getWorldTransform().getOrigin();
-      return double(middle.z()) < trayHeight(double(middle.x()), double(middle.y())) ||
-             middle.length() > 12;
+      return double(middle.z()) < trayHeight(double(middle.x()), double(middle.y())) || middle.length() > 12;
     }));
   }
 
@@ -94,8 +95,7 @@ class ConcavePile {
         const Pose other = pose.inverse() * fromBullet(bodies_[j].body->getWorldTransform());
         if (i == j || other.translation.norm() > 1.5) continue;
         const Surface& surface = *kinds_[bodies_[j].kind].surface;
-        found.in_bodies =
-            std::max(found.in_bodies, query.deepest(*kind.surface, surface, other, 1e-3).depth);
+        found.in_bodies = std::max(found.in_bodies, query.deepest(*kind.surface, surface, other, 1e-3).depth);
       }
     }
     return found;
@@ -123,5 +123,12 @@ class ConcavePile {
   BulletWorld world_;
   std::vector<Body> bodies_;
 };
+
+inline std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh) {
+  auto shape = std::make_unique<ClusteredOctreeShape>(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  shape->setMargin(ConcavePile::kMargin);
+  return shape;
+}
 
 }  // namespace octoblisk::testing
