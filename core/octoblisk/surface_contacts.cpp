@@ -27,15 +27,15 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) 
 
 void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
-  removed_.assign(contacts.size(), 0);
+  removed_.assign(contacts.size(), kKept);
   markPast(contacts);
   markInner(contacts, true);
   markInner(contacts, false);
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
-  removed_[static_cast<std::size_t>(deepest)] = 0;
+  removed_[static_cast<std::size_t>(deepest)] = kKept;
   std::size_t kept = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (removed_[c] == 0) contacts[kept++] = contacts[c];
+    if (removed_[c] == kKept) contacts[kept++] = contacts[c];
   }
   contacts.resize(kept);
 }
@@ -58,14 +58,14 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
       parent_[b] = a;
     }
   }
-  constexpr double kPast = 1e-3;
+  constexpr double kBehind = 1e-3;
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!isApart(contact) || isApart(contacts[rootOf(parent_, c)])) continue;
     const Vec3 facing_a = scaledNormal(pairs_[c].a), facing_b = scaledNormal(pairs_[c].b);
-    if (contact.normal.dot(facing_a) > kPast * facing_a.norm() ||
-        contact.normal.dot(facing_b) < -kPast * facing_b.norm()) {
-      removed_[c] = 1;
+    if (contact.normal.dot(facing_a) > kBehind * facing_a.norm() ||
+        contact.normal.dot(facing_b) < -kBehind * facing_b.norm()) {
+      removed_[c] = kPast;
     }
   }
 }
@@ -90,20 +90,22 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a)
     const Contact& contact = contacts[c];
     const Triangle& own = ownOf(c);
     const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
-    if (removed_[c] != 0 || feature == 0b111u || feature == 0 || isSquare(own, contact.normal)) continue;
+    if (removed_[c] != kKept || feature == 0b111u || feature == 0 || isSquare(own, contact.normal)) continue;
     const auto [first, second] = endsOf(feature);
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
     const std::uint64_t hash = hashOf(oppositeOf(c), own[first]);
     for (const Corner& corner : std::ranges::equal_range(corners_, hash, {}, &Corner::hash)) {
       const Contact& other = contacts[corner.contact];
-      const bool is_nearer =
-          contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size : other.distance <= 0.0;
+      // What is wholly past the face is deeper than what meets it.
+      const bool is_nearer = contact.distance > 0.0
+                                 ? other.distance < contact.distance - 1e-9 * size
+                                 : other.distance <= 0.0 || removed_[corner.contact] == kPast;
       if (corner.contact == c || !is_nearer || oppositeOf(corner.contact) != oppositeOf(c)) continue;
       const Triangle& shares = ownOf(corner.contact);
       if (!has(shares, own[first]) || !has(shares, own[second])) continue;
       if (!leansOver(shares, own[first], own[second], towards)) continue;
-      removed_[c] = 1;
+      removed_[c] = kInner;
       break;
     }
   }

@@ -46,7 +46,8 @@ class SurfaceContacts {
 
   std::vector<Pair> pairs_;  // of each contact
   std::vector<Corner> corners_;
-  std::vector<char> removed_;
+  enum Removed : std::uint8_t { kKept, kPast, kInner };
+  std::vector<Removed> removed_;
   std::vector<std::uint32_t> order_, parent_;
 };
 
