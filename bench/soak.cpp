@@ -41,7 +41,7 @@ struct Kind {
 /// Millimetres and seconds. The blisk lies on a floor within a ring of walls.
 class Soak {
  public:
-  static constexpr int kStepsASecond = 480;  ///< a body moves by less than its radius in a step
+  static constexpr int kStepsASecond = 960;  ///< a body moves by less than half its size in a step
 
   Soak() : blisk_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_))) {
     registerAlgorithm(&dispatcher_);
@@ -183,7 +183,7 @@ class Soak {
 };
 
 int run(double seconds) {
-  constexpr int kMostSteps = 2 * Soak::kStepsASecond;  // what rolls on is taken up after 2 s
+  constexpr int kMostSteps = 5 * Soak::kStepsASecond / 4;  // what rolls on is taken up
   constexpr std::size_t kGrowth = std::size_t{1} << 20;
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
@@ -198,7 +198,7 @@ int run(double seconds) {
     soak.drop(++drops);
     for (int step = 1; step <= kMostSteps && lost == 0 && elapsed() < seconds; ++step, ++steps) {
       soak.step();
-      if (step % 24 != 0) continue;
+      if (step % 48 != 0) continue;
       lost = soak.lost();
       if (!soak.allSleep()) continue;
       ++asleep;

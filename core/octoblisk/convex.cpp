@@ -1,6 +1,5 @@
 #include "octoblisk/convex.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace octoblisk {
@@ -11,8 +10,18 @@ ConvexHull::ConvexHull(std::vector<Vec3> points, double radius)
   if (!(radius_ >= 0.0)) throw std::invalid_argument("the radius of a convex hull must not be negative");
 }
 
-Vec3 ConvexHull::support(const Vec3& direction) const {
-  return *std::ranges::max_element(points_, {}, [&](const Vec3& point) { return point.dot(direction); });
+Vec3 ConvexHull::support(const Vec3& direction) const { return farthest(points_, direction); }
+
+const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction) {
+  const Vec3* found = points.data();
+  double most = found->dot(direction);
+  for (const Vec3& point : points.subspan(1)) {
+    const double along = point.dot(direction);
+    if (!(along > most)) continue;
+    most = along;
+    found = &point;
+  }
+  return *found;
 }
 
 }  // namespace octoblisk

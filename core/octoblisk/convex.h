@@ -42,6 +42,9 @@ class Convex {
   }
 };
 
+/// The first of the points that is farthest in a direction.
+const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
+
 /// The hull of some points, grown by a radius.
 class ConvexHull final : public Convex {
  public:

@@ -7,6 +7,7 @@
 #define OCTOBLISK_CONVEX_CULL_H
 #endif
 
+#include <array>
 #include <limits>
 #include <span>
 
@@ -22,16 +23,21 @@ namespace octoblisk::HWY_NAMESPACE {
 /// All is computed in a frame round the middle of the points.
 class ConvexCull {
  public:
+  static constexpr std::size_t kMostPoints = 64;
+
+  /// Of one point to kMostPoints.
   ConvexCull(const ClusteredOctree& tree, std::span<const Vec3> points, const Aabb& bounds,
              const Pose& convex_in_tree, double reach)
-      : points_(points),
-        center_(bounds.center()),
-        tree_in_center_{convex_in_tree.rotation.transpose(),
-                        convex_in_tree.rotation.transpose() * (tree.origin() - convex_in_tree * center_)},
+      : count_(points.size()),
         half_extents_(bounds.halfExtents().cast<float>()),
-        size_(bounds.halfExtents().norm()),
-        reach_(reach + kDoubleRounding *
-                           (tree.origin().norm() + convex_in_tree.translation.norm() + center_.norm())) {}
+        size_(bounds.halfExtents().norm()) {
+    const Vec3 center = bounds.center();
+    tree_in_center_.rotation = convex_in_tree.rotation.transpose();
+    tree_in_center_.translation = tree_in_center_.rotation * (tree.origin() - convex_in_tree * center);
+    reach_ =
+        reach + kDoubleRounding * (tree.origin().norm() + convex_in_tree.translation.norm() + center.norm());
+    for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
+  }
 
   /// A bit for each triangle of the leaf that may be within reach.
   HWY_INLINE unsigned near(const ClusteredOctree& tree, Slot slot) const {
@@ -83,9 +89,9 @@ class ConvexCull {
   HWY_INLINE unsigned apartAlong(const Vec8& axis, const Vec8 (&corner)[3], const Float8& reach) const {
     const Float8 at[3] = {dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2])};
     Float8 low(std::numeric_limits<float>::infinity()), high(-std::numeric_limits<float>::infinity());
-    for (const Vec3& point : points_) {
-      const auto from_center = [&](int k) { return Float8(static_cast<float>(point[k] - center_[k])); };
-      const Float8 along = dot(axis, Vec8(from_center(0), from_center(1), from_center(2)));
+    for (std::size_t p = 0; p < count_; ++p) {
+      const Eigen::Vector3f& point = points_[p];
+      const Float8 along = dot(axis, Vec8(Float8(point[0]), Float8(point[1]), Float8(point[2])));
       low = min(low, along);
       high = max(high, along);
     }
@@ -93,11 +99,11 @@ class ConvexCull {
     return less(reach * sqrt(dot(axis, axis)), gap);
   }
 
-  const std::span<const Vec3> points_;
-  const Vec3 center_;
-  const Pose tree_in_center_;  // from the tree's local frame
-  const Eigen::Vector3f half_extents_;
-  const double size_, reach_;
+  std::array<Eigen::Vector3f, kMostPoints> points_;  // from their middle
+  std::size_t count_;
+  Pose tree_in_center_;  // from the tree's local frame
+  Eigen::Vector3f half_extents_;
+  double size_, reach_;
 };
 
 }  // namespace octoblisk::HWY_NAMESPACE

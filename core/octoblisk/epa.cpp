@@ -113,14 +113,19 @@ class Polytope {
     return true;
   }
 
-  bool addFace(int i, int j, int k) {
-    if (face_count_ == kMaxFaces) return false;
-    const Vec3 scaled = (point(j) - point(i)).cross(point(k) - point(i));
+  /// None where it would have no area.
+  std::optional<Face> faceOf(int i, int j, int k) const {
+    const Vec3 scaled = areaOf(i, j, k);
     const double length = scaled.norm();
-    if (!(length > 0.0)) return false;
+    if (!(length > 0.0)) return std::nullopt;
     const Vec3 normal = scaled / length;
-    faces_[static_cast<std::size_t>(face_count_++)] = {{i, j, k}, normal, normal.dot(point(i))};
-    return true;
+    return Face{{i, j, k}, normal, normal.dot(point(i))};
+  }
+
+  bool addFace(int i, int j, int k) {
+    const std::optional<Face> face = faceOf(i, j, k);
+    if (face) faces_[static_cast<std::size_t>(face_count_++)] = *face;
+    return face.has_value();
   }
 
   /// The edges of faces taken away so far that have no twin among them.
@@ -173,26 +178,23 @@ class Polytope {
         spreads = true;
       }
     }
-    std::array<Face, kMaxFaces> kept;
-    int kept_count = 0;
-    for (int f = 0; f < face_count_; ++f) {
-      if (seen[static_cast<std::size_t>(f)]) continue;
-      kept[static_cast<std::size_t>(kept_count++)] = faces_[static_cast<std::size_t>(f)];
-    }
-    if (kept_count + rim.count > kMaxFaces || rim.count < 3) return false;
-    const auto before = faces_;
-    const int before_count = face_count_;
-    vertices_[static_cast<std::size_t>(count_++)] = vertex;
-    faces_ = kept;
-    face_count_ = kept_count;
+    const auto seen_count = static_cast<int>(std::ranges::count(seen, true));
+    if (face_count_ - seen_count + rim.count > kMaxFaces || rim.count < 3) return false;
+    vertices_[static_cast<std::size_t>(count_)] = vertex;
+    std::array<Face, kMaxFaces> added;
     for (int e = 0; e < rim.count; ++e) {
       const Edge& edge = rim.edge[static_cast<std::size_t>(e)];
-      if (addFace(edge.from, edge.to, count_ - 1)) continue;
-      faces_ = before;
-      face_count_ = before_count;
-      --count_;
-      return false;
+      const std::optional<Face> face = faceOf(edge.from, edge.to, count_);
+      if (!face) return false;
+      added[static_cast<std::size_t>(e)] = *face;
     }
+    ++count_;
+    auto end = faces_.begin();
+    for (int f = 0; f < face_count_; ++f) {
+      if (!seen[static_cast<std::size_t>(f)]) *end++ = faces_[static_cast<std::size_t>(f)];
+    }
+    end = std::copy_n(added.begin(), rim.count, end);
+    face_count_ = static_cast<int>(end - faces_.begin());
     return true;
   }
 

@@ -14,10 +14,10 @@ namespace octoblisk {
 /// since on the triangle that shares the edge the body is deeper.
 class InternalEdges {
  public:
-  /// Removes the contacts of a mesh (A) and a convex body (B) that push askew to their triangle from an edge
-  /// or a corner of it, and lean over a triangle that shares it (by its ends' positions) and has a deeper
-  /// contact. The deepest of all stays, and what is pushed by a ridge; the order is kept. Contacts and mesh
-  /// are in one frame. Once warm, allocates nothing.
+  /// Removes the contacts of a mesh (A) and a convex body (B) that push askew to their triangle, from an edge
+  /// or a corner of it, over a triangle that shares it (by its ends' positions), goes on smoothly from it,
+  /// and has a deeper contact, square to itself or removed as well. The deepest of all stays, and what is
+  /// pushed by a ridge; the order is kept. Contacts and mesh are in one frame. Once warm, allocates nothing.
   void removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh);
 
  private:
@@ -27,7 +27,8 @@ class InternalEdges {
     std::uint32_t contact;
   };
 
-  std::vector<Corner> corners_;  // by position, those of each contact's triangle
+  std::vector<Corner> corners_;       // by position, those of each contact's triangle
+  std::vector<std::uint32_t> order_;  // of the contacts, the deepest first
   std::vector<char> is_internal_;
 };
 

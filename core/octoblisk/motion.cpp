@@ -9,6 +9,14 @@ namespace {
 /// The part of the radius by which a box in single precision may be off.
 constexpr double kBoxRounding = 1e-6;
 
+/// How long the way of a body's points is where it turns as in the motion and its centre goes as far as the
+/// advance: |advance along the axis, and across it + angle · radius|.
+double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) {
+  const double radius = hold.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
+  const double along = advance.dot(motion.axis()), across = (advance - along * motion.axis()).norm();
+  return std::hypot(along, across + motion.angle() * radius);
+}
+
 }  // namespace
 
 Motion::Motion(const Pose& from, const Pose& to, const Vec3& center_in_b)
@@ -35,10 +43,25 @@ Pose Motion::at(double fraction) const {
   return {rotation, from_.translation + (fraction * advance_ + swing)};
 }
 
-double Motion::lengthBound(const ClusteredOctree& b) const {
-  const double radius = Hold(b).distanceFromAxis(from_.rotation, center_in_b_, axis_);
-  const double along = advance_.dot(axis_), across = (advance_ - along * axis_).norm();
-  return std::hypot(along, across + angle_ * radius);
+double Motion::lengthBound(const ClusteredOctree& b) const { return lengthOfWay(Hold(b), *this, advance_); }
+
+double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
+                           const Motion& b_in_world) {
+  const Hold hold_a(a), hold_b(b);
+  const Vec3 way = b_in_world.advance() - a_in_world.advance();  // of B's centre from A's
+  const double with_center_a =
+      lengthOfWay(hold_a, a_in_world, Vec3::Zero()) + lengthOfWay(hold_b, b_in_world, way);
+  const double with_center_b =
+      lengthOfWay(hold_b, b_in_world, Vec3::Zero()) + lengthOfWay(hold_a, a_in_world, -way);
+  const Vec3 turn_a = a_in_world.angle() * a_in_world.axis(), turn_b = b_in_world.angle() * b_in_world.axis();
+  const Vec3 arm = a_in_world.from() * a_in_world.centerInB() - b_in_world.from() * b_in_world.centerInB();
+  const auto inFrameThatTurns = [&](const Vec3& turn, double distance_from_center) {
+    const double at_start = (way + turn.cross(arm)).norm(), at_end = (way + turn.cross(arm - way)).norm();
+    return std::max(at_start, at_end) + (turn_b - turn_a).norm() * distance_from_center;
+  };
+  const double in_a = inFrameThatTurns(turn_a, hold_b.distanceFromPoint(b_in_world.centerInB()));
+  const double in_b = inFrameThatTurns(turn_b, hold_a.distanceFromPoint(a_in_world.centerInB()));
+  return std::min({with_center_a, with_center_b, in_a, in_b});
 }
 
 Hold::Hold(const ClusteredOctree& tree) : center_(tree.origin()), radius_(tree.radius()) {
@@ -49,13 +72,19 @@ Hold::Hold(const ClusteredOctree& tree) : center_(tree.origin()), radius_(tree.r
   }
 }
 
-// Both distances are convex functions of the point, so that none in the box exceeds the corners' largest.
+// All distances are convex functions of the point, so that none in the box exceeds the corners' largest.
 
 double Hold::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
   const auto fromAxis = [&](const Vec3& point) { return (rotation * (point - center)).cross(axis).norm(); };
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, fromAxis(corner));
   return std::min(of_box, fromAxis(center_) + radius_) + kBoxRounding * radius_;
+}
+
+double Hold::distanceFromPoint(const Vec3& point) const {
+  double of_box = 0.0;
+  for (const Vec3& corner : corners_) of_box = std::max(of_box, (corner - point).norm());
+  return std::min(of_box, (center_ - point).norm() + radius_) + kBoxRounding * radius_;
 }
 
 double Hold::displacement(const Pose& from, const Pose& to) const {

@@ -43,6 +43,21 @@ class Motion {
   double angle_ = 0.0;
 };
 
+/// A length in mesh units for two bodies that move at once: over a part of the motions, the distance of a
+/// point of A and one of B, and so that of the bodies, changes by no more than the same part of this. What
+/// the two motions have in common does not count, as long as one frame can follow it. The least of three
+/// bounds on the speed of the two points to each other, for centres' ways v, turns ω, greatest distances r
+/// from the axes, R from the centres and the arm c from B's centre to A's:
+/// - in a frame that keeps its axes and goes along with A's centre: |ω_A| r_A + the lengthBound of B's way
+/// less
+///   A's, and the same with A and B changed;
+/// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with c at the start or the end, whichever
+/// gives
+///   more, as it changes linearly;
+/// - in B's own frame, likewise.
+double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
+                           const Motion& b_in_world);
+
 /// A box and a ball that both hold a body, for bounds on its motion. They are as valid where rotations are
 /// orthonormal to single precision only.
 class Hold {
@@ -52,6 +67,9 @@ class Hold {
   /// No point of the body, so turned, is farther than this from the line along `axis`, of unit length,
   /// through the body's `center`.
   double distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const;
+
+  /// No point of the body is farther than this from a point in its frame.
+  double distanceFromPoint(const Vec3& point) const;
 
   /// No point of the body is farther than this from itself between the two poses.
   double displacement(const Pose& from, const Pose& to) const;

@@ -42,4 +42,11 @@ struct TimeOfImpact {
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b, const Motion& b_in_a,
                                   double tolerance, const SweepOptions& options = {});
 
+/// The same for two bodies that move at once over the same fractions: two screws to each other are no screw,
+/// so the steps go by relativeLengthBound (motion.h), which takes lengthBound's place in all that is said
+/// above. The clearance is in A's frame at the fraction.
+std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b,
+                                  const Motion& a_in_world, const Motion& b_in_world, double tolerance,
+                                  const SweepOptions& options = {});
+
 }  // namespace octoblisk

@@ -48,11 +48,12 @@ std::array<Vec3, 8> cornersOf(const Aabb& box) {
 
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
-  const std::span<const Vec3> points = convex.points();
   const Aabb core = convex.coreBounds();
   const std::array<Vec3, 8> corners = cornersOf(core);
-  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points.empty() ? corners : points, core, convex_in_tree,
-                                             reach + convex.radius(), visit, user);
+  std::span<const Vec3> points = convex.points();
+  if (points.empty() || points.size() > HWY_NAMESPACE::ConvexCull::kMostPoints) points = corners;
+  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points, core, convex_in_tree, reach + convex.radius(),
+                                             visit, user);
 }
 
 }  // namespace octoblisk

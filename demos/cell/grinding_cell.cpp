@@ -5,6 +5,7 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "octoblisk_bullet/kinematic_body.h"
 #include "octoblisk_bullet/register.h"
 
 namespace octoblisk::demos {
@@ -42,15 +43,10 @@ class GrindingCell::World {
   World(std::shared_ptr<const ClusteredOctree> blisk, const std::vector<ToolPart>& parts)
       : world_(&dispatcher_, &broadphase_, &solver_, &configuration_), blisk_(std::move(blisk)) {
     registerAlgorithm(&dispatcher_);
-    // Kinematic bodies meet static ones only in a group and mask of the caller's own.
-    constexpr int kGroup = 1, kMask = -1;
-    world_.addRigidBody(&blisk_.body, kGroup, kMask);
+    world_.addRigidBody(&blisk_.body);
     for (const ToolPart& part : parts) {
       parts_.push_back(std::make_unique<Body>(part.tree));
-      btRigidBody& body = parts_.back()->body;
-      body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-      body.setActivationState(DISABLE_DEACTIVATION);
-      world_.addRigidBody(&body, kGroup, kMask);
+      addKinematicBody(world_, parts_.back()->body);
     }
   }
 

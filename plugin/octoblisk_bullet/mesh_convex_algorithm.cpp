@@ -59,9 +59,7 @@ class BulletConvex final : public Convex {
   }
 
   Vec3 support(const Vec3& direction) const override {
-    if (!corners_.empty())
-      return *std::ranges::max_element(corners_, {},
-                                       [&](const Vec3& corner) { return corner.dot(direction); });
+    if (!corners_.empty()) return farthest(corners_, direction);
     return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
   }
   double radius() const override { return margin_; }

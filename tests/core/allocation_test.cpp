@@ -16,6 +16,7 @@
 #include "octoblisk/raycast.h"
 #include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
+#include "octoblisk/triangles_along.h"
 #include "shared/mesh_source.h"
 #include "shared/meshes.h"
 
@@ -41,7 +42,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   ContactPatches patches;
   std::vector<Contact> found;
   std::vector<RayHit> ray_hits;
-  std::size_t hits = 0;
+  std::size_t hits = 0, along = 0;
   const auto queryAll = [&] {
     std::mt19937_64 random(61);
     for (int i = 0; i < 50; ++i) {
@@ -61,6 +62,12 @@ TEST(Allocation, warmQueriesAllocateNothing) {
       const Ray ray{.origin = pose.translation, .direction = pose.rotation.col(0)};
       allHits(ring, ray, ray_hits);
       hits += anyHit(fan, ray) + closestHit(ring, ray).has_value();
+      const MovingBox moving{.start = {pose.translation, pose.rotation, Vec3::Constant(0.1)},
+                             .motion = pose.rotation.col(0)};
+      forEachTriangleAlong(fan, moving, 1.0, [&](std::uint32_t, double) {
+        ++along;
+        return 1.0;
+      });
     }
   };
   queryAll();
@@ -69,6 +76,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   queryAll();
   EXPECT_EQ(allocations, before);
   EXPECT_GT(hits, 50u);
+  EXPECT_GT(along, 50u);
 }
 
 TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "octoblisk/raycast.h"
+#include "octoblisk/triangles_along.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -52,6 +53,12 @@ Answers answers(const testing::SharedMesh& mesh, BuildQuality quality) {
     const auto hit = closestHit(tree, ray);
     all.hits += hit.has_value();
     all.t.push_back(hit ? hit->t : -1.0);
+    const MovingBox box{.start = {ray.origin, Mat3::Identity(), Vec3::Constant(0.05)},
+                        .motion = ray.direction};
+    forEachTriangleAlong(tree, box, 1.0, [&](std::uint32_t triangle, double first) {  // in the order visited
+      all.t.insert(all.t.end(), {double(triangle), first});
+      return 1.0;
+    });
   }
   return all;
 }

@@ -82,5 +82,64 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
   EXPECT_GT(tight_displacements, cases * 8 / 10);
 }
 
+/// How much the distance of a vertex of A and one of B changes at most.
+double mostChange(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, const Pose& next) {
+  double most = 0.0;
+  for (const Vec3& on_a : a.vertices()) {
+    for (const Vec3& on_b : b.vertices()) {
+      most = std::max(most, std::abs((next * on_b - on_a).norm() - (b_in_a * on_b - on_a).norm()));
+    }
+  }
+  return most;
+}
+
+TEST(RelativeMotion, noDistanceChangesByMoreThanTheBound) {
+  std::mt19937_64 random(73);
+  const auto mesh_a = testing::boxMesh({3, 0.1, 0.2}), mesh_b = testing::torus(1, 0.3, 8, 4);
+  const ClusteredOctree a = ClusteredOctree::build(mesh_a), b = ClusteredOctree::build(mesh_b);
+  int tight = 0;
+  constexpr int kCases = 800;
+  for (int i = 0; i < kCases; ++i) {
+    // One still, one that only turns, both turning, both going fast with little between them.
+    const Vec3 common = i % 4 == 3 ? testing::randomPoint(random, 500.0) : Vec3(Vec3::Zero());
+    const auto screw = [&](bool still, bool turns) {
+      const Vec3 turn = testing::randomPoint(random, turns ? 2.0 : 0.0);
+      const Vec3 way = testing::randomPoint(random, still ? 0.0 : 3.0);
+      return Motion::about(testing::randomPose(random, 4.0), testing::randomPoint(random, 5.0), turn,
+                           way + common);
+    };
+    const Motion motion_a = screw(i % 4 < 2, i % 4 == 2), motion_b = screw(i % 4 == 1, i % 4 > 0);
+    const double bound = relativeLengthBound(a, motion_a, b, motion_b);
+    ASSERT_NEAR(bound, relativeLengthBound(b, motion_b, a, motion_a), 1e-9 * (1.0 + bound));
+    const auto poseAt = [&](double fraction) {
+      return motion_a.at(fraction).inverse() * motion_b.at(fraction);
+    };
+    double fastest = 0.0;
+    for (int part = 0; part < 5; ++part) {
+      const double start = testing::uniform(random, 0.0, 0.999);
+      const double change = mostChange(*mesh_a, *mesh_b, poseAt(start), poseAt(start + 1e-3));
+      ASSERT_LE(change, 1e-3 * bound * (1.0 + 1e-7) + 1e-11) << i;
+      fastest = std::max(fastest, change);
+    }
+    tight += fastest > 0.4e-3 * bound;
+  }
+  EXPECT_GT(tight, kCases * 7 / 10);
+}
+
+TEST(RelativeMotion, whatTwoBodiesDoTogetherIsNoMotion) {
+  const ClusteredOctree body = ClusteredOctree::build(testing::boxMesh({3, 0.1, 0.2}));
+  std::mt19937_64 random(74);
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose_a = testing::randomPose(random, 4.0), pose_b = testing::randomPose(random, 4.0);
+    const Vec3 turn = testing::randomPoint(random, 3.0), way = testing::randomPoint(random, 100.0);
+    const Vec3 center = testing::randomPoint(random, 4.0);  // of both: they turn as one body
+    EXPECT_LT(relativeLengthBound(body, Motion::about(pose_a, center, turn, way), body,
+                                  Motion::about(pose_b, center, turn, way)),
+              1e-10);
+    const Motion still(pose_a, pose_a), moving = Motion::about(pose_b, center, turn, way);
+    EXPECT_LE(relativeLengthBound(body, still, body, moving), moving.lengthBound(body));
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk

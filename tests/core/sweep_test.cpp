@@ -158,6 +158,76 @@ TEST(Sweep, curvedMotions_vs_denseSampling) {
   EXPECT_GT(met, hits * 8 / 10);  // most impacts are no mere near misses
 }
 
+TEST(Sweep, twoMovingBodies_vs_denseSampling) {
+  const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.4, 0.1, 20, 12));
+  std::mt19937_64 random(84);
+  int hits = 0, met = 0, cases = 0;
+  while (cases < 150) {
+    const Vec3 common = testing::randomPoint(random, 50.0);
+    const auto screw = [&](double turn) {
+      return Motion::about(testing::randomPose(random, 1.6), testing::randomPoint(random, 1.0),
+                           testing::randomPoint(random, turn), common + testing::randomPoint(random, 1.0));
+    };
+    const Motion fan_in_world = screw(4.0), ring_in_world = screw(9.0);
+    const auto poseAt = [&](double fraction) {
+      return fan_in_world.at(fraction).inverse() * ring_in_world.at(fraction);
+    };
+    if (collide(fan, ring, poseAt(0.0))) continue;
+    ++cases;
+    const auto impact = sweep(fan, ring, fan_in_world, ring_in_world, kTolerance);
+    hits += impact.has_value();
+    if (impact) {
+      ASSERT_TRUE(impact->converged);
+      const Clearance here = distance(fan, ring, poseAt(impact->fraction));
+      ASSERT_EQ(here.distance, impact->clearance.distance);
+      ASSERT_LE(here.distance, (1.0 + kSlack) * kTolerance + 1e-9);
+    }
+    constexpr int kSamples = 500;
+    bool any = false;
+    for (int sample = 0; sample <= kSamples; ++sample) {
+      const double fraction = static_cast<double>(sample) / kSamples;
+      if (impact && fraction >= impact->fraction) {
+        any |= collide(fan, ring, poseAt(fraction)).has_value();
+        continue;
+      }
+      ASSERT_FALSE(collide(fan, ring, poseAt(fraction))) << cases << ", at " << fraction;
+      if (sample % 10 == 0) {
+        ASSERT_GT(distance(fan, ring, poseAt(fraction)).distance, kTolerance);
+      }
+    }
+    met += any;
+  }
+  EXPECT_GT(hits, cases * 3 / 10);
+  EXPECT_LT(hits, cases * 7 / 10);
+  EXPECT_GT(met, hits * 8 / 10);
+}
+
+TEST(Sweep, twoMovingBodies_vs_oneOfThem) {
+  // A still body A, or one that goes as B does less its way, gives B's own sweep.
+  const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.4, 0.1, 20, 12));
+  std::mt19937_64 random(85);
+  int hits = 0;
+  constexpr int kCases = 100;
+  for (int i = 0; i < kCases; ++i) {
+    const Pose a = testing::randomPose(random, 5.0), from = testing::randomPose(random, 2.0);
+    const Vec3 way = testing::randomPoint(random, 3.0), common = testing::randomPoint(random, 40.0);
+    const Motion b_in_a(from, {from.rotation, from.translation + way});
+    const auto alone = sweep(fan, ring, b_in_a, kTolerance);
+    const Pose b = a * from;
+    const auto both = sweep(fan, ring, Motion(a, {a.rotation, a.translation + common}),
+                            Motion(b, {b.rotation, b.translation + common + a.rotation * way}), kTolerance);
+    ASSERT_EQ(alone.has_value(), both.has_value());
+    if (!alone) continue;
+    ++hits;
+    ASSERT_NEAR(alone->fraction, both->fraction, 1e-6);
+    ASSERT_NEAR(alone->clearance.distance, both->clearance.distance, 1e-6);
+  }
+  EXPECT_GT(hits, kCases * 3 / 10);
+  EXPECT_LT(hits, kCases * 8 / 10);
+}
+
 TEST(Sweep, oneThatTouchesAtTheStartMeetsThere) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
   const Pose touching{Mat3::Identity(), Vec3(2, 0, 0)}, away{Mat3::Identity(), Vec3(9, 0, 0)};

@@ -323,25 +323,5 @@ TEST(Pairs, contactAddedCallbackSeesTriangles) {
   EXPECT_TRUE(all_triangles);
 }
 
-TEST(Pairs, kinematicAgainstStaticIsReportedWithTheRightFilter) {
-  ClusteredOctreeShape torus(treeOf(testing::torus(2, 0.7, 24, 12)));
-  BulletWorld world;
-  btRigidBody fixed(0, nullptr, &torus), moving(0, nullptr, &torus);
-  moving.setCollisionFlags(moving.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-  moving.setActivationState(DISABLE_DEACTIVATION);
-  world->addRigidBody(&fixed, 1, -1);
-  world->addRigidBody(&moving, 1, -1);
-  moving.setWorldTransform(at(1, 0, 0));
-  world->performDiscreteCollisionDetection();
-  int contacts = 0;
-  for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-    contacts += world.dispatcher().getManifoldByIndexInternal(m)->getNumContacts();
-  }
-  EXPECT_GT(contacts, 0);
-  world->removeRigidBody(&moving);
-  world->removeRigidBody(&fixed);
-  EXPECT_EQ(world.dispatcher().getNumManifolds(), 0);
-}
-
 }  // namespace
 }  // namespace octoblisk

@@ -21,6 +21,7 @@ using testing::BulletMesh;
 
 /// Leaves pointers as they are: the importer reads from the chunks where they were written.
 struct InMemorySerializer final : btDefaultSerializer {
+  ~InMemorySerializer() override { btDefaultSerializer::finishSerialization(); }  // frees the chunks
   void* getUniquePointer(void* pointer) override { return pointer; }
 };
 
@@ -95,7 +96,8 @@ TEST(Serialization, aWorldIsWrittenWithTheShape) {
   testing::BulletWorld world;
   world.add(shape, 1, testing::at(1, 2, 3));
   struct Keeping final : btDefaultSerializer {
-    void finishSerialization() override {}  // which lets go of the chunks
+    void finishSerialization() override {}  // which frees the chunks
+    ~Keeping() override { btDefaultSerializer::finishSerialization(); }
   } serializer;
   serializer.registerNameForPointer(&shape, "ring");
   world->serialize(&serializer);

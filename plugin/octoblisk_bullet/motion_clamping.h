@@ -1,0 +1,76 @@
+// Keeps fast concave bodies from getting through others within a step of a Bullet world.
+#pragma once
+
+#include <BulletDynamics/Dynamics/btActionInterface.h>
+
+#include <vector>
+
+#include "octoblisk/motion.h"
+
+class btRigidBody;
+
+namespace octoblisk {
+
+class ClusteredOctreeShape;
+
+/// What Bullet's own motion clamping does for convex bodies by an embedded sphere, done by the meshes: a body
+/// that would come upon another within a step is put back to where it comes near it, and keeps its velocity.
+/// There the next step's detection makes contacts, and the solver bounces or stops it. An action, as it is
+/// called right after a world has moved its bodies by what the solver made of their velocities:
+///
+///     octoblisk::MotionClamping clamping;
+///     world.addAction(&clamping);         // before other actions that move bodies or change velocities
+///     body->setCcdMotionThreshold(0.05);  // half the body's thickness, in world units
+///
+/// Looked at are pairs of bodies with ClusteredOctreeShape that their filters let collide, one or both with
+/// a motion threshold (default: 0, none), the smaller of which their motion to each other in the step exceeds
+/// (relativeLengthBound). A pair farther apart than its tolerance (sweepTolerance) at the step's start is not
+/// let nearer than that within the step, however thin and fast. A pair that is nearer goes on by no more than
+/// the threshold: its contacts are the solver's to keep, and by half the thickness at a time the next
+/// contacts still push it back out of the side from which it came.
+///
+/// What is lost: the rest of the step. A body put back has been slower than its velocity says, once for each
+/// impact, and all along while it slides, rolls or spins in contact by more than the threshold a step. The
+/// dynamic bodies with our shape whose ways in the step come near each other share one fraction, so that none
+/// moves into where another should have gone.
+///
+/// What is not seen: convex and all other shapes, compounds of ours too, which are neither stopped nor
+/// stopped at; kinematic bodies, which Bullet moves between steps, not in them, are stopped at where they
+/// are; what the solver's split impulses shift.
+class MotionClamping final : public btActionInterface {
+ public:
+  /// A body that was put back in the last step, and how much of the step it has moved.
+  struct Clamped {
+    const btRigidBody* body = nullptr;
+    btScalar fraction = 1;
+  };
+
+  void updateAction(btCollisionWorld* world, btScalar dt) override;
+  void debugDraw(btIDebugDraw*) override {}
+
+  /// In the last step, in the world's order of bodies.
+  const std::vector<Clamped>& clamped() const { return clamped_; }
+
+ private:
+  /// A body with our shape, and what it did in the step.
+  struct Mover {
+    btCollisionObject* object;
+    const ClusteredOctreeShape* shape;
+    btRigidBody* moved;  // null where Bullet did not move it
+    Motion motion;
+    Aabb swept;
+    std::size_t island;  // the index of a mover in it, or its own
+    double fraction;     // of its island, where it is the first
+  };
+
+  void collect(btCollisionWorld& world, btScalar dt);
+  void join(std::size_t first, std::size_t second);
+  std::size_t islandOf(std::size_t mover) const;
+  double freeFraction(const Mover& first, const Mover& second) const;
+
+  std::vector<Mover> movers_;
+  std::vector<std::size_t> by_start_;  // movers by the least x of their ways
+  std::vector<Clamped> clamped_;
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,207 @@
+// A kinematic tool at a static part: what is reported, with the part's blades.
+#include "octoblisk_bullet/contact_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "octoblisk_bullet/kinematic_body.h"
+#include "plugin/bullet_world.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletWorld;
+
+constexpr int kBlades = 5, kSegments = 8;
+
+ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, std::vector<std::uint32_t> part_begin = {0}) {
+  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
+                              std::move(part_begin));
+}
+
+/// A body of mass 0 in a world, as long as it lives.
+struct Added {
+  Added(BulletWorld& to, btCollisionShape& shape, bool kinematic) : world(to), body(0, nullptr, &shape) {
+    if (kinematic) {
+      addKinematicBody(*world, body);
+    } else {
+      world->addRigidBody(&body);
+    }
+  }
+  ~Added() { world->removeRigidBody(&body); }
+  Added(const Added&) = delete;
+  Added& operator=(const Added&) = delete;
+
+  BulletWorld& world;
+  btRigidBody body;
+};
+
+std::vector<ReportedContact> report(BulletWorld& world, std::span<const BladeTable> blades = {},
+                                    btScalar up_to = btScalar(BT_LARGE_FLOAT)) {
+  world->performDiscreteCollisionDetection();
+  std::vector<ReportedContact> found(3);  // is replaced
+  reportContacts(world.dispatcher(), found, blades, up_to);
+  return found;
+}
+
+TEST(KinematicBody, meetsStaticAndDynamicBodiesButNotItsLike) {
+  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  BulletWorld world;
+  Added fixed(world, torus, false), tool(world, torus, true), other_tool(world, torus, true);
+  btRigidBody& falling = world.add(torus, 1, at(0, 0, 1));
+  tool.body.setWorldTransform(at(1, 0, 0));
+  other_tool.body.setWorldTransform(at(1.2, 0.3, 0));
+  std::vector<std::pair<const btCollisionObject*, const btCollisionObject*>> pairs;
+  for (const ReportedContact& contact : report(world)) pairs.emplace_back(contact.a.object, contact.b.object);
+  const auto met = [&](const btRigidBody& a, const btRigidBody& b) {
+    return std::ranges::count(pairs, std::pair<const btCollisionObject*, const btCollisionObject*>(&a, &b)) >
+           0;
+  };
+  EXPECT_TRUE(met(fixed.body, tool.body));
+  EXPECT_TRUE(met(fixed.body, other_tool.body));
+  EXPECT_TRUE(met(fixed.body, falling));
+  EXPECT_TRUE(met(tool.body, falling));
+  EXPECT_FALSE(met(tool.body, other_tool.body));
+  EXPECT_TRUE(std::ranges::is_sorted(pairs, {}, [](const auto& pair) {
+    return std::pair(pair.first->getBroadphaseHandle()->getUid(),
+                     pair.second->getBroadphaseHandle()->getUid());
+  }));
+  world.step(3);
+  EXPECT_EQ(tool.body.getWorldTransform().getOrigin().x(), 1);  // no solver moves it
+}
+
+TEST(KinematicBody, byTheWorldsOwnWayHasNoContactWithAStaticOne) {
+  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  BulletWorld world;
+  Added fixed(world, torus, false);
+  btRigidBody tool(0, nullptr, &torus);
+  tool.setCollisionFlags(tool.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  tool.setActivationState(DISABLE_DEACTIVATION);
+  tool.setWorldTransform(at(1, 0, 0));
+  world->addRigidBody(&tool);
+  EXPECT_TRUE(report(world).empty());
+  world->removeRigidBody(&tool);
+  addKinematicBody(*world, tool);
+  EXPECT_FALSE(report(world).empty());
+  world->removeRigidBody(&tool);
+  EXPECT_EQ(world.dispatcher().getNumManifolds(), 0);
+}
+
+TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
+  // A fan whose blades are parts of two each, and one that is alone.
+  const auto fan = testing::fan(kBlades, kSegments);
+  const auto triangles = static_cast<std::uint32_t>(fan->triangleCount() / kBlades);
+  ASSERT_EQ(triangles * kBlades, fan->triangleCount());
+  std::vector<int> blade_of_triangle;
+  for (std::uint32_t i = 0; i < fan->triangleCount(); ++i)
+    blade_of_triangle.push_back(1 + int(i / triangles));
+  const std::vector<std::uint32_t> part_begin{0, 2 * triangles, 4 * triangles};
+  ClusteredOctreeShape blisk = shapeOf(fan, part_begin), tool = shapeOf(testing::torus(0.6, 0.2, 16, 8));
+  btCompoundShape compound;  // Bullet puts it first in its manifolds, wherever it was added
+  compound.addChildShape(btTransform::getIdentity(), &tool);
+  std::mt19937_64 random(95);
+  int touching = 0, several_blades = 0;
+  constexpr int kPoses = 120;
+  for (int i = 0; i < kPoses; ++i) {
+    BulletWorld world;
+    const bool tool_first = i % 2;
+    btCollisionShape& tool_shape = i % 3 ? static_cast<btCollisionShape&>(tool) : compound;
+    btCollisionShape &first_shape = tool_first ? tool_shape : blisk,
+                     &second_shape = tool_first ? blisk : tool_shape;
+    Added first(world, first_shape, tool_first), second(world, second_shape, !tool_first);
+    btRigidBody &blisk_body = tool_first ? second.body : first.body,
+                &tool_body = tool_first ? first.body : second.body;
+    tool_body.setWorldTransform(toBullet(testing::randomPose(random, 1.7)));
+    const BladeTable tables[] = {{&blisk_body, blade_of_triangle}};
+    const std::vector<ReportedContact> found = report(world, tables, 0);
+    const std::vector<Contact> expected =
+        testing::bruteForceContacts(*fan, tool.tree().mesh(), fromBullet(tool_body.getWorldTransform()), 0.0);
+    ASSERT_EQ(found.empty(), expected.empty()) << i;
+    if (found.empty()) continue;
+    ++touching;
+    double deepest = 0.0;
+    for (const ReportedContact& contact : found) {
+      ASSERT_EQ(contact.a.object, &first.body);
+      ASSERT_EQ(contact.b.object, &second.body);
+      const ContactBody &on_blisk = tool_first ? contact.b : contact.a,
+                        &on_tool = tool_first ? contact.a : contact.b;
+      const std::uint32_t triangle = part_begin[static_cast<std::size_t>(on_blisk.triangle.part)] +
+                                     std::uint32_t(on_blisk.triangle.index);
+      const auto same = std::ranges::find_if(expected, [&](const Contact& c) {
+        return c.triangle_a == triangle && int(c.triangle_b) == on_tool.triangle.index;
+      });
+      ASSERT_NE(same, expected.end());
+      ASSERT_EQ(on_blisk.blade, int(triangle / triangles) + 1);
+      ASSERT_EQ(on_tool.blade, 0);
+      ASSERT_NEAR(contact.distance, same->distance, 1e-5);
+      ASSERT_TRUE(fromBullet(contact.normal).isApprox(tool_first ? Vec3(-same->normal) : same->normal, 1e-4));
+      ASSERT_TRUE(fromBullet(on_blisk.point).isApprox(same->point_on_a, 1e-4));
+      ASSERT_TRUE(fromBullet(on_tool.point).isApprox(same->point_on_b, 1e-4));
+      deepest = std::min(deepest, double(contact.distance));
+      several_blades += on_blisk.blade != (tool_first ? found[0].b : found[0].a).blade;
+    }
+    ASSERT_NEAR(deepest, std::ranges::min_element(expected, {}, &Contact::distance)->distance, 1e-5);
+  }
+  EXPECT_GT(touching, kPoses * 3 / 10);
+  EXPECT_LT(touching, kPoses * 7 / 10);
+  EXPECT_GT(several_blades, 0);
+}
+
+TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
+  // Tools come to the part all at once, or one by one and the last first.
+  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  btSphereShape ball(btScalar(0.9));
+  const auto numbers = [&](bool one_by_one) {
+    BulletWorld world;
+    std::vector<std::unique_ptr<Added>> bodies;
+    for (int i = 0; i <= 6; ++i) {
+      btCollisionShape& shape = i % 2 ? static_cast<btCollisionShape&>(ball) : torus;
+      bodies.push_back(std::make_unique<Added>(world, shape, i > 0));
+      if (i > 0) bodies.back()->body.setWorldTransform(at(100.0 * i, 0, 0));
+    }
+    world->performDiscreteCollisionDetection();
+    EXPECT_TRUE(report(world).empty());
+    for (std::size_t i = bodies.size() - 1; i > 0; --i) {
+      bodies[i]->body.setWorldTransform(at(1.0 + 0.2 * double(i), 0, 0));
+      if (one_by_one) world->performDiscreteCollisionDetection();
+    }
+    std::vector<std::tuple<std::ptrdiff_t, int, int, int, btScalar, btScalar>> all;
+    for (const ReportedContact& c : report(world)) {
+      const auto body = std::ranges::find_if(bodies, [&](const auto& b) { return &b->body == c.b.object; });
+      all.emplace_back(body - bodies.begin(), c.a.triangle.index, c.b.triangle.part, c.b.triangle.index,
+                       c.distance, c.b.point.x());
+      EXPECT_EQ(c.a.object, &bodies[0]->body);
+    }
+    return all;
+  };
+  const auto expected = numbers(false);
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_EQ(numbers(true), expected);
+}
+
+TEST(ContactReport, refusesTablesOfOthers) {
+  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  btSphereShape ball(1);
+  btCollisionObject mesh, convex;
+  mesh.setCollisionShape(&torus);
+  convex.setCollisionShape(&ball);
+  BulletWorld world;
+  std::vector<ReportedContact> found;
+  const std::vector<int> right(torus.tree().mesh().triangleCount()), wrong(7);
+  const auto with = [&](const btCollisionObject* object, std::span<const int> blades) {
+    const BladeTable tables[] = {{object, blades}};
+    reportContacts(world.dispatcher(), found, tables);
+  };
+  EXPECT_NO_THROW(with(&mesh, right));
+  EXPECT_THROW(with(&mesh, wrong), std::invalid_argument);
+  EXPECT_THROW(with(&convex, right), std::invalid_argument);
+  EXPECT_THROW(with(nullptr, right), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace octoblisk
