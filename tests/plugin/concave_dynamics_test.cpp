@@ -22,9 +22,10 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
       fastest = std::max(fastest, pile.kineticEnergy());
     }
     ASSERT_EQ(pile.fallen(), 0) << "after " << second << " s";
-    const ConcavePile::Depths depths = pile.depths();  // also while they fall on each other
-    EXPECT_LT(depths.in_floor, 0.06) << "after " << second << " s";
-    EXPECT_LT(depths.in_bodies, 0.06) << "after " << second << " s";
+    // While they fall on each other, what a step of 6 m/s leads in: contacts are found at its end.
+    const ConcavePile::Depths depths = pile.depths();
+    EXPECT_LT(depths.in_floor, 0.1) << "after " << second << " s";
+    EXPECT_LT(depths.in_bodies, 0.1) << "after " << second << " s";
   }
   EXPECT_GT(fastest, 100.0);
   std::vector<Vec3> middles;
