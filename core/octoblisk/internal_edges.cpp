@@ -1,53 +1,19 @@
 #include "octoblisk/internal_edges.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <numeric>
-#include <span>
 #include <tuple>
+
+#include "octoblisk/triangle_feature.h"
 
 namespace octoblisk {
 namespace {
-
-/// The corners of the edge that a point of a triangle is on, or the one corner that it is at: bit v for
-/// corner v. All three for a point inside.
-unsigned featureOf(const Triangle& triangle, const Vec3& point) {
-  constexpr double kOn = 1e-6;  // of the triangle's size
-  unsigned feature = 0;
-  const Vec3 normal = scaledNormal(triangle);
-  for (std::size_t v = 0; v < 3; ++v) {
-    const Vec3 &from = triangle[(v + 1) % 3], &to = triangle[(v + 2) % 3];
-    const double weight = normal.dot((to - from).cross(point - from));
-    if (weight > kOn * normal.squaredNorm()) feature |= 1u << v;
-  }
-  return feature;
-}
-
-/// Whether the contact pushes square to the triangle's own face.
-bool isSquare(const Triangle& triangle, const Vec3& normal) {
-  constexpr double kSameDirection = 1.0 - 1e-6;
-  const Vec3 facing = scaledNormal(triangle);
-  return std::abs(facing.dot(normal)) >= kSameDirection * facing.norm();
-}
 
 /// Whether a surface goes on from one triangle to the other without a ridge.
 bool areSmooth(const Triangle& a, const Triangle& b) {
   constexpr double kSmooth = 0.94;  // the cosine of 20°
   const Vec3 of_a = scaledNormal(a), of_b = scaledNormal(b);
   return of_a.dot(of_b) >= kSmooth * of_a.norm() * of_b.norm();
-}
-
-/// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.
-bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
-  constexpr double kLean = 1e-3;
-  const Vec3 edge = to - from;
-  for (const Vec3& corner : triangle) {
-    Vec3 inward = corner - from;
-    if (edge.squaredNorm() > 0.0) inward -= edge * (edge.dot(inward) / edge.squaredNorm());
-    if (direction.dot(inward) > kLean * inward.norm()) return true;
-  }
-  return false;
 }
 
 auto byPosition(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }
@@ -82,8 +48,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     const Triangle triangle = mesh.triangle(contacts[c].triangle_a);
     const unsigned feature = featureOf(triangle, contacts[c].point_on_a);
     if (feature == 0b111u || feature == 0 || isSquare(triangle, contacts[c].normal)) continue;
-    const auto first = static_cast<std::size_t>(std::countr_zero(feature));
-    const auto second = static_cast<std::size_t>(31 - std::countl_zero(feature));
+    const auto [first, second] = endsOf(feature);
     const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
     for (const Corner& other : around(triangle[first])) {
       if (!(contacts[other.contact].distance < contacts[c].distance - 1e-9 * size)) continue;

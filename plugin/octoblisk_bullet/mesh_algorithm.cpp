@@ -118,6 +118,8 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     result->setPersistentManifold(manifolds_.of(p));
+    // Points that have slid away go first: in a full manifold they would take the place of new ones.
+    result->refreshContactPoints();
     // The deepest last, as a point takes the place of one that is close to it.
     const std::span<const Contact> points = patches[p].points();
     for (auto point = points.rbegin(); point != points.rend(); ++point) {

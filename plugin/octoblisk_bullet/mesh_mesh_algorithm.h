@@ -1,6 +1,7 @@
 // Our shape against our shape: moving concave against concave.
 #pragma once
 
+#include "octoblisk/surface_contacts.h"
 #include "octoblisk_bullet/mesh_algorithm.h"
 
 namespace octoblisk {
@@ -17,6 +18,8 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;
+
+  SurfaceContacts surface_contacts_;
 };
 
 }  // namespace octoblisk

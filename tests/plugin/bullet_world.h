@@ -35,8 +35,9 @@ class BulletWorld {
     return *bodies_.back();
   }
 
-  void step(int steps) {
-    for (int i = 0; i < steps; ++i) world_.stepSimulation(btScalar(1.0 / 240.0), 0);
+  /// `time_step`: s.
+  void step(int steps, double time_step = 1.0 / 240.0) {
+    for (int i = 0; i < steps; ++i) world_.stepSimulation(btScalar(time_step), 0);
   }
 
   btDiscreteDynamicsWorld& operator*() { return world_; }

@@ -1,0 +1,54 @@
+// Contacts of two surfaces, without those that they have only because they are cut into triangles.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "octoblisk/contact.h"
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk {
+
+/// Two triangles know nothing of the surfaces that they are of. Of two bodies that meet, the contacts of
+/// their triangles hold such as neither body means:
+/// - of triangles that are past each other's faces, inside the other body, a hair's breadth apart: they would
+///   keep the bodies in one another;
+/// - that push askew from an edge or corner beyond which the surface goes on, nearer or deeper: the bodies
+///   would bump against edges between triangles that lie flat.
+class SurfaceContacts {
+ public:
+  /// Removes those from contacts of A and B; the order is kept, and so is the deepest of all. Triangles face
+  /// outward. What is apart stays whichever way it faces, where it hangs together with nothing that meets:
+  /// thin sheets have two sides. `triangle_a(contact)` and `triangle_b(contact)` tell the triangles in the
+  /// contacts' frame, triangles that share a corner to the last bit. Once warm, allocates nothing.
+  template <typename TriangleA, typename TriangleB>
+  void keepIn(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
+    pairs_.clear();
+    for (const Contact& contact : contacts) pairs_.push_back({triangle_a(contact), triangle_b(contact)});
+    keepIn(contacts);
+  }
+
+ private:
+  struct Pair {
+    Triangle a, b;
+  };
+  /// A corner of a contact's triangle, of one body, opposite a triangle of the other body.
+  struct Corner {
+    std::uint64_t hash;  // of its position and the triangle opposite
+    std::uint32_t contact;
+    auto operator<=>(const Corner&) const = default;
+  };
+
+  void keepIn(std::vector<Contact>& contacts);
+  void markPast(const std::vector<Contact>& contacts);
+  void markInner(const std::vector<Contact>& contacts, bool of_a);
+
+  std::vector<Pair> pairs_;  // of each contact
+  std::vector<Corner> corners_;
+  enum Removed : std::uint8_t { kKept, kPast, kInner };
+  std::vector<Removed> removed_;
+  std::vector<std::uint32_t> order_, parent_;
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,99 @@
+// What is left of the contacts of two surfaces cut into triangles.
+#include "octoblisk/surface_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "octoblisk/contacts.h"
+#include "shared/meshes.h"
+#include "shared/solids.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::uniform;
+
+/// The contacts of two meshes before and after.
+struct Found {
+  std::vector<Contact> all, kept;
+
+  Found(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold) {
+    contacts(a, b, b_in_a, threshold, all);
+    kept = all;
+    SurfaceContacts surfaces;
+    surfaces.keepIn(
+        kept, [&](const Contact& c) { return a.mesh().triangle(c.triangle_a); },
+        [&](const Contact& c) { return b_in_a * b.mesh().triangle(c.triangle_b); });
+  }
+};
+
+double deepest(const std::vector<Contact>& contacts) {
+  return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
+}
+
+TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
+  const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(3, 0.0, 60));
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.5, 0.4, 0.3}));
+  std::mt19937_64 random(97);
+  int askew = 0;
+  constexpr int kCases = 300;
+  for (int i = 0; i < kCases; ++i) {
+    const double height = 0.3 + uniform(random, -0.008, 0.008), tilt = uniform(random, -0.002, 0.002);
+    const Pose pose{Eigen::AngleAxisd(uniform(random, 0, 3), Vec3::UnitZ()).toRotationMatrix() *
+                        Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix(),
+                    Vec3(uniform(random, -2, 2), uniform(random, -2, 2), height)};
+    const Found found(floor, box, pose, 0.02);
+    const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.99; };
+    askew += std::ranges::any_of(found.all, isAskew);
+    ASSERT_FALSE(found.kept.empty());
+    ASSERT_EQ(deepest(found.kept), deepest(found.all));
+    for (const Contact& contact : found.kept) ASSERT_LT(contact.normal.z(), -0.99) << "case " << i;
+  }
+  EXPECT_GT(askew, kCases / 2);  // else there would be nothing to remove
+}
+
+TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
+  std::mt19937_64 random(98);
+  const auto mesh = testing::bumpySphere(random, 1.0, 0.2, 24);
+  const ClusteredOctree tree = ClusteredOctree::build(mesh);
+  int inside_before = 0, inside_after = 0;
+  constexpr int kCases = 60;
+  for (int i = 0; i < kCases; ++i) {
+    Pose pose = testing::randomPose(random, 0.0);
+    pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.75, 1.95);
+    const Found found(tree, tree, pose, 0.04);
+    if (found.all.empty() || deepest(found.all) > 0.0) continue;
+    // A point midway between two surfaces that are past each other is in both solids.
+    const auto isInside = [&](const Contact& c) {
+      const Vec3 middle = 0.5 * (c.point_on_a + c.point_on_b);
+      return c.distance > 1e-6 && testing::windingNumber(*mesh, middle) > 0.5;
+    };
+    const bool was_inside = std::ranges::any_of(found.all, isInside);
+    inside_before += was_inside;
+    inside_after += std::ranges::any_of(found.kept, isInside);
+    ASSERT_EQ(deepest(found.kept), deepest(found.all));
+  }
+  EXPECT_GT(inside_before, kCases / 3);
+  EXPECT_EQ(inside_after, 0);
+}
+
+TEST(SurfaceContacts, sheetsHaveTwoSides) {
+  const ClusteredOctree sheet = ClusteredOctree::build(testing::waveSheet(2, 0.0, 12));
+  for (const double gap : {-0.01, 0.01}) {
+    for (const double turn : {0.0, std::numbers::pi}) {
+      const Pose pose{Eigen::AngleAxisd(turn, Vec3::UnitX()).toRotationMatrix(), Vec3(0, 0, gap)};
+      const Found found(sheet, sheet, pose, 0.02);
+      ASSERT_FALSE(found.kept.empty());
+      for (const Contact& contact : found.kept) {
+        ASSERT_NEAR(contact.distance, 0.01, 1e-12);
+        ASSERT_NEAR(contact.normal.z(), gap > 0 ? -1.0 : 1.0, 1e-9);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk

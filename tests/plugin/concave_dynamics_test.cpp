@@ -1,0 +1,164 @@
+// Moving concave bodies against one another: piles, chains, thin sheets.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plugin/concave_pile.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletWorld;
+using testing::ConcavePile;
+
+TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
+  ConcavePile pile(64, 1);
+  for (std::size_t i = 0; i < pile.size(); ++i) pile.body(i).setActivationState(DISABLE_DEACTIVATION);
+  double fastest = 0.0;
+  for (int second = 1; second <= 6; ++second) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      for (int step = 0; step < 15; ++step) pile.step();
+      fastest = std::max(fastest, pile.kineticEnergy());
+    }
+    ASSERT_EQ(pile.fallen(), 0) << "after " << second << " s";
+    // While they fall on each other, what a step of 6 m/s leads in: contacts are found at its end.
+    const ConcavePile::Depths depths = pile.depths();
+    EXPECT_LT(depths.in_floor, 0.1) << "after " << second << " s";
+    EXPECT_LT(depths.in_bodies, 0.1) << "after " << second << " s";
+  }
+  EXPECT_GT(fastest, 100.0);
+  std::vector<Vec3> middles;
+  for (std::size_t i = 0; i < pile.size(); ++i)
+    middles.push_back(fromBullet(pile.body(i).getWorldTransform().getOrigin()));
+  double energy = 0.0;
+  for (int step = 0; step < 60; ++step) {
+    pile.step();
+    energy += pile.kineticEnergy() / 60.0;
+  }
+  EXPECT_LT(energy, 1.0);  // of 64 kg: what a hop of 1.6 mm costs
+  EXPECT_EQ(pile.fallen(), 0);
+  EXPECT_LT(pile.depths().in_floor, 0.002);
+  EXPECT_LT(pile.depths().in_bodies, 0.002);
+  int moved = 0, lifted = 0;
+  for (std::size_t i = 0; i < pile.size(); ++i) {
+    const Vec3 middle = fromBullet(pile.body(i).getWorldTransform().getOrigin());
+    moved += (middle - middles[i]).norm() > 0.1;
+    lifted += middle.z() > testing::trayHeight(middle.x(), middle.y()) + 0.6;
+  }
+  EXPECT_LE(moved, 2);    // a torus may still roll
+  EXPECT_GT(lifted, 10);  // they lie on one another, not side by side
+}
+
+/// Whether two rings of a radius, each round the z axis of its pose, go through each other: of the two points
+/// where one meets the other's plane just one is within the other.
+bool areLinked(const Pose& a, const Pose& b, double radius) {
+  const Pose b_in_a = a.inverse() * b;
+  const Vec3 &center = b_in_a.translation, x = b_in_a.rotation.col(0), y = b_in_a.rotation.col(1);
+  const double slope = std::hypot(x.z(), y.z()) * radius;
+  if (!(slope > std::abs(center.z()))) return false;
+  const double middle = std::atan2(y.z(), x.z()), half = std::acos(-center.z() / slope);
+  int within = 0;
+  for (const double angle : {middle - half, middle + half}) {
+    const Vec3 point = center + radius * (std::cos(angle) * x + std::sin(angle) * y);
+    within += point.head<2>().norm() < radius;
+  }
+  return within == 1;
+}
+
+TEST(ConcaveDynamics, aChainOfTwelveHangsFromASwingingTorusForAMinute) {
+  constexpr double kRadius = 0.5, kTube = 0.12, kTimeStep = 1.0 / 60.0;
+  constexpr int kLinks = 12;
+  const auto shape = testing::makeOurShape(testing::torus(kRadius, kTube, 20, 10));
+  BulletWorld world;
+  std::vector<btRigidBody*> rings;
+  const btQuaternion upright(btVector3(1, 0, 0), SIMD_HALF_PI), across(btVector3(0, 0, 1), SIMD_HALF_PI);
+  for (int i = 0; i <= kLinks; ++i) {
+    const btTransform pose(i % 2 == 0 ? upright : across * upright,
+                           btVector3(0, 0, btScalar(-1.96 * (kRadius - kTube) * i)));
+    rings.push_back(&world.add(*shape, btScalar(i > 0), pose));
+    rings.back()->setActivationState(DISABLE_DEACTIVATION);
+    rings.back()->setDamping(btScalar(0.05), btScalar(0.05));
+  }
+  rings[0]->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+
+  const auto pose = [&](int i) { return fromBullet(rings[std::size_t(i)]->getWorldTransform()); };
+  double energy = 0.0, farthest = 0.0;
+  for (int step = 0; step < 3600; ++step) {
+    const double time = step * kTimeStep;  // swings for 20 s
+    if (time < 20.0) {
+      btTransform swung = rings[0]->getWorldTransform();
+      swung.setOrigin(btVector3(btScalar(0.3 * std::sin(2.0 * time) * (1.0 - time / 20.0)), 0, 0));
+      rings[0]->setWorldTransform(swung);
+    }
+    world.step(1, kTimeStep);
+    double now = 0.0;
+    for (int i = 1; i <= kLinks; ++i) {
+      ASSERT_TRUE(areLinked(pose(i - 1), pose(i), kRadius)) << "link " << i << " at " << time << " s";
+      farthest = std::max(farthest, (pose(i).translation - pose(i - 1).translation).norm());
+      now += 0.5 * double(rings[std::size_t(i)]->getLinearVelocity().length2());
+    }
+    if (time >= 50.0) energy += now / 600.0;
+  }
+  // Round tubes touch at 2 (R - r), less two margins; these have flat sides, and sway.
+  EXPECT_LT(farthest, 2.0 * (kRadius - kTube) + 0.03);
+  EXPECT_GT(farthest, 2.0 * (kRadius - kTube) - 0.03);
+  EXPECT_LT(energy, 2.0);  // of 12 kg
+}
+
+/// What becomes of a sheet that floats over another, for a second.
+struct Floating {
+  int contacts = 0;  ///< the most at a time
+  double least_distance = std::numeric_limits<double>::infinity();
+  double moved = 0.0;
+};
+
+Floating floatOver(const testing::SharedMesh& sheet, const btTransform& above) {
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(sheet)));
+  BulletWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  world.add(shape, 0, btTransform::getIdentity());
+  btRigidBody& upper = world.add(shape, 1, above);
+  upper.setActivationState(DISABLE_DEACTIVATION);
+  Floating floating;
+  for (int step = 0; step < 60; ++step) {
+    world.step(1, 1.0 / 60.0);
+    int contacts = 0;
+    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+      contacts += manifold.getNumContacts();
+      for (int i = 0; i < manifold.getNumContacts(); ++i)
+        floating.least_distance =
+            std::min(floating.least_distance, double(manifold.getContactPoint(i).getDistance()));
+    }
+    floating.contacts = std::max(floating.contacts, contacts);
+  }
+  const btTransform& now = upper.getWorldTransform();
+  floating.moved = double((now.getOrigin() - above.getOrigin()).length()) +
+                   double((now.getBasis()[0] - above.getBasis()[0]).length());
+  return floating;
+}
+
+TEST(ConcaveDynamics, sheetsThatDoNotTouchDoNotPush) {
+  const btQuaternion flipped(btVector3(1, 0, 0), SIMD_PI), turned(btVector3(0, 0, 1), btScalar(0.4));
+  for (const double waves : {0.0, 0.2}) {
+    const auto sheet = testing::waveSheet(2, waves, 12);
+    // Waves run in one another where the sheet is shifted or flipped, so only flat ones are.
+    for (const btQuaternion& turn : {btQuaternion::getIdentity(), flipped, turned}) {
+      if (waves > 0.0 && turn != btQuaternion::getIdentity()) continue;
+      const auto apart = [&](double gap) {
+        return floatOver(sheet, btTransform(turn, btVector3(0, 0, btScalar(gap))));
+      };
+      // Of wavy sheets the nearest points are not one above the other.
+      const Floating clear = apart(0.025), near = apart(0.01);
+      EXPECT_EQ(clear.contacts, 0);
+      EXPECT_LT(clear.moved, 1e-6);
+      EXPECT_GT(near.contacts, 0);
+      EXPECT_GT(near.least_distance, waves > 0.0 ? 0.008 : 0.0099);
+      EXPECT_LT(near.moved, 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
