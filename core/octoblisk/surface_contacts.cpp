@@ -95,14 +95,15 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a)
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
     const std::uint64_t hash = hashOf(oppositeOf(c), own[first]);
-    for (const Corner& corner : std::ranges::equal_range(corners_, hash, {}, &Corner::hash)) {
-      const Contact& other = contacts[corner.contact];
+    for (auto corner = std::ranges::lower_bound(corners_, hash, {}, &Corner::hash);
+         corner != corners_.end() && corner->hash == hash; ++corner) {
+      const std::uint32_t o = corner->contact;
+      const Contact& other = contacts[o];
       // What is wholly past the face is deeper than what meets it.
-      const bool is_nearer = contact.distance > 0.0
-                                 ? other.distance < contact.distance - 1e-9 * size
-                                 : other.distance <= 0.0 || removed_[corner.contact] == kPast;
-      if (corner.contact == c || !is_nearer || oppositeOf(corner.contact) != oppositeOf(c)) continue;
-      const Triangle& shares = ownOf(corner.contact);
+      const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
+                                                    : other.distance <= 0.0 || removed_[o] == kPast;
+      if (o == c || !is_nearer || oppositeOf(o) != oppositeOf(c)) continue;
+      const Triangle& shares = ownOf(o);
       if (!has(shares, own[first]) || !has(shares, own[second])) continue;
       if (!leansOver(shares, own[first], own[second], towards)) continue;
       removed_[c] = kInner;
