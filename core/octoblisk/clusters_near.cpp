@@ -11,8 +11,8 @@ namespace octoblisk::HWY_NAMESPACE {
 
 /// A box of a tree, and how far below the root's.
 struct Cluster {
-  Slot slot = ClusteredOctree::kRoot;
-  int depth = 0;
+  Slot slot;
+  int depth;
 
   Cluster below(std::uint32_t node, std::uint32_t lane) const { return {{node, lane}, depth + 1}; }
 };
@@ -62,7 +62,7 @@ bool clustersNearClusters(const ClusteredOctree& a, const ClusteredOctree& b, co
   Box8 room(Box8::Unset{}), room_of_one(Box8::Unset{});
   const BoxF root_of_b = posed(pose.b_to_a, boxesAt(b, ClusteredOctree::kRoot, room_of_one), 0);
   forEachWithin(widestGap(boxesOf(a, 0, room), root_of_b), limit, [&](std::uint32_t lane, float gap) {
-    to_do.pushSorted(0, {{{0, lane}, 0}, {}, gap});
+    to_do.pushSorted(0, {{{0, lane}, 0}, {ClusteredOctree::kRoot, 0}, gap});
   });
   while (!to_do.empty()) {
     const Entry pair = to_do.pop();

@@ -29,8 +29,9 @@ struct BroadphaseStatistics {
 /// there yet. Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
-  /// Eight boxes to a level of the tree at most: some hundreds, of which few are ever looked at.
-  static constexpr int kDefaultDepth = 3;
+  /// Some thousands of boxes at most, of which few are ever looked at. Of a belt grinder's four parts at a
+  /// blisk of 50,000 triangles it leaves 0.74 pairs a step of 2.8; no depth leaves fewer than 0.67.
+  static constexpr int kDefaultDepth = 4;
 
   /// `depth`: how far below the root's box, which is 0, the clusters lie that stand for a shape: the deeper
   /// the tighter, and the costlier for bodies that are close; octoblisk/clusters_near.h.
