@@ -1,6 +1,7 @@
 #include "octoblisk/internal_edges.h"
 
 #include <algorithm>
+#include <span>
 #include <numeric>
 #include <tuple>
 
