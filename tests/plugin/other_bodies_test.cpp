@@ -11,6 +11,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <gtest/gtest.h>
 
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 
@@ -30,12 +31,13 @@ void settle(World& world, int steps) {
   for (int i = 0; i < steps; ++i) world.stepSimulation(btScalar(1.0 / 240.0), 0);
 }
 
-TEST(OtherBodies, clothRestsOnOurs) {
+template <typename Broadphase>
+void clothRestsOnOurs() {
   auto floor = shapeOf(testing::waveSheet(4, 0.0, 16));
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   registerAlgorithm(&dispatcher);
-  btDbvtBroadphase broadphase;
+  Broadphase broadphase;
   btSequentialImpulseConstraintSolver solver;
   btSoftRigidDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
   world.setGravity(btVector3(0, 0, btScalar(-9.81)));
@@ -57,6 +59,9 @@ TEST(OtherBodies, clothRestsOnOurs) {
   delete cloth;
   world.removeRigidBody(&ground);
 }
+
+TEST(OtherBodies, clothRestsOnOurs) { clothRestsOnOurs<btDbvtBroadphase>(); }
+TEST(OtherBodies, clothRestsOnOursInOurBroadphase) { clothRestsOnOurs<ClusteredOctreeBroadphase>(); }
 
 TEST(OtherBodies, ghostsSeeOurs) {
   auto torus = shapeOf(testing::torus(2, 0.7, 24, 12));
@@ -85,7 +90,8 @@ TEST(OtherBodies, ghostsSeeOurs) {
   world->removeCollisionObject(&ghost);
 }
 
-TEST(OtherBodies, aMultibodyRestsOnOurs) {
+template <typename Broadphase>
+void aMultibodyRestsOnOurs() {
   auto floor = shapeOf(testing::waveSheet(4, 0.0, 16));
   auto torus = shapeOf(testing::torus(0.6, 0.25, 24, 12));
   btBoxShape box(toBullet(Vec3(0.4, 0.3, 0.2)));
@@ -94,7 +100,7 @@ TEST(OtherBodies, aMultibodyRestsOnOurs) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
     registerAlgorithm(&dispatcher);
-    btDbvtBroadphase broadphase;
+    Broadphase broadphase;
     btMultiBodyConstraintSolver solver;
     btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
     world.setGravity(btVector3(0, 0, btScalar(-9.81)));
@@ -117,6 +123,11 @@ TEST(OtherBodies, aMultibodyRestsOnOurs) {
     world.removeMultiBody(&body);
     world.removeRigidBody(&ground);
   }
+}
+
+TEST(OtherBodies, aMultibodyRestsOnOurs) { aMultibodyRestsOnOurs<btDbvtBroadphase>(); }
+TEST(OtherBodies, aMultibodyRestsOnOursInOurBroadphase) {
+  aMultibodyRestsOnOurs<ClusteredOctreeBroadphase>();
 }
 
 TEST(OtherBodies, raysAndSweepsHitOurs) {
