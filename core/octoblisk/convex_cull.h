@@ -33,7 +33,8 @@ class ConvexCull {
         size_(bounds.halfExtents().norm()) {
     const Vec3 center = bounds.center();
     tree_in_center_.rotation = convex_in_tree.rotation.transpose();
-    tree_in_center_.translation = tree_in_center_.rotation * (tree.origin() - convex_in_tree * center);
+    tree_in_center_.translation =
+        tree_in_center_.rotation * (tree.origin() - convex_in_tree.translation) - center;
     reach_ =
         reach + kDoubleRounding * (tree.origin().norm() + convex_in_tree.translation.norm() + center.norm());
     for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
@@ -96,7 +97,9 @@ class ConvexCull {
       high = max(high, along);
     }
     const Float8 gap = max(low - max(at[0], max(at[1], at[2])), min(at[0], min(at[1], at[2])) - high);
-    return less(reach * sqrt(dot(axis, axis)), gap);
+    // No less than the axis's length, however short: its square may vanish.
+    const Float8 length = sqrt(dot(axis, axis) + Float8(std::numeric_limits<float>::min()));
+    return less(reach * length, gap);
   }
 
   std::array<Eigen::Vector3f, kMostPoints> points_;  // from their middle

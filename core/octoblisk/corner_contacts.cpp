@@ -1,6 +1,6 @@
 #include "octoblisk/corner_contacts.h"
 
-#include <cmath>
+#include "octoblisk/triangle_feature.h"
 
 namespace octoblisk {
 namespace {
@@ -17,14 +17,12 @@ bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
 void addCornerContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                        double threshold, std::vector<Contact>& contacts) {
   if (convex.points().size() < 3) return;
-  constexpr double kSameDirection = 1.0 - 1e-6;
   const std::size_t count = contacts.size();
   for (std::size_t c = 0; c < count; ++c) {
     const Contact deepest = contacts[c];
     const Triangle triangle = mesh.triangle(deepest.triangle_a);
     const Vec3 facing = scaledNormal(triangle);
-    const double along = facing.dot(deepest.normal);
-    if (!(std::abs(along) > kSameDirection * facing.norm())) continue;
+    if (!isSquare(triangle, deepest.normal)) continue;
     for (const Vec3& point : convex.points()) {
       const Vec3 corner = convex_in_mesh * point;
       const double height = (triangle[0] - corner).dot(deepest.normal), distance = height - convex.radius();

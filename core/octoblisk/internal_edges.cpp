@@ -1,8 +1,8 @@
 #include "octoblisk/internal_edges.h"
 
 #include <algorithm>
-#include <span>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "octoblisk/triangle_feature.h"
@@ -14,7 +14,7 @@ namespace {
 bool areSmooth(const Triangle& a, const Triangle& b) {
   constexpr double kSmooth = 0.94;  // the cosine of 20°
   const Vec3 of_a = scaledNormal(a), of_b = scaledNormal(b);
-  return of_a.dot(of_b) >= kSmooth * of_a.norm() * of_b.norm();
+  return of_a.dot(of_b) > kSmooth * of_a.norm() * of_b.norm();
 }
 
 auto byPosition(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }

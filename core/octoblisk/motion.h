@@ -49,11 +49,9 @@ class Motion {
 /// bounds on the speed of the two points to each other, for centres' ways v, turns ω, greatest distances r
 /// from the axes, R from the centres and the arm c from B's centre to A's:
 /// - in a frame that keeps its axes and goes along with A's centre: |ω_A| r_A + the lengthBound of B's way
-/// less
-///   A's, and the same with A and B changed;
+///   less A's, and the same with A and B changed;
 /// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with c at the start or the end, whichever
-/// gives
-///   more, as it changes linearly;
+///   gives more, as it changes linearly;
 /// - in B's own frame, likewise.
 double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
                            const Motion& b_in_world);

@@ -28,11 +28,11 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) 
 void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
   removed_.assign(contacts.size(), kKept);
+  join(contacts);
   markPast(contacts);
   markInner(contacts, true);
   markInner(contacts, false);
-  const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
-  removed_[static_cast<std::size_t>(deepest)] = kKept;
+  keepDeepest(contacts);
   std::size_t kept = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (removed_[c] == kKept) contacts[kept++] = contacts[c];
@@ -40,10 +40,8 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   contacts.resize(kept);
 }
 
-/// Those that are apart, on the back of one of the two triangles, and hang together with some that meet.
-void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
-  const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
-  if (std::ranges::all_of(contacts, isApart) || std::ranges::none_of(contacts, isApart)) return;
+/// Groups those that hang together by triangles. The root of a group is its deepest.
+void SurfaceContacts::join(const std::vector<Contact>& contacts) {
   order_.resize(contacts.size());
   parent_.resize(contacts.size());
   std::iota(order_.begin(), order_.end(), 0u);
@@ -53,11 +51,28 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
     for (std::size_t i = 1; i < order_.size(); ++i) {
       if (contacts[order_[i]].*triangle != contacts[order_[i - 1]].*triangle) continue;
       std::uint32_t a = rootOf(parent_, order_[i - 1]), b = rootOf(parent_, order_[i]);
-      // A group's root is of those that meet, if any is.
-      if (isApart(contacts[a]) && !isApart(contacts[b])) std::swap(a, b);
+      if (contacts[b].distance < contacts[a].distance) std::swap(a, b);
       parent_[b] = a;
     }
   }
+}
+
+/// Gives its deepest contact back to a group of which all were removed, and the deepest of all.
+void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
+  const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
+  removed_[static_cast<std::size_t>(deepest)] = kKept;
+  order_.assign(parent_.size(), 0);  // of a root: whether something of its group stays
+  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
+    if (removed_[c] == kKept) order_[rootOf(parent_, c)] = 1;
+  }
+  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
+    if (parent_[c] == c && order_[c] == 0) removed_[c] = kKept;
+  }
+}
+
+/// Those that are apart, on the back of one of the two triangles, and hang together with some that meet.
+void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
+  const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
   constexpr double kBehind = 1e-3;
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];

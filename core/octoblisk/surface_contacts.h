@@ -18,10 +18,11 @@ namespace octoblisk {
 ///   would bump against edges between triangles that lie flat.
 class SurfaceContacts {
  public:
-  /// Removes those from contacts of A and B; the order is kept, and so is the deepest of all. Triangles face
-  /// outward. What is apart stays whichever way it faces, where it hangs together with nothing that meets:
-  /// thin sheets have two sides. `triangle_a(contact)` and `triangle_b(contact)` tell the triangles in the
-  /// contacts' frame, triangles that share a corner to the last bit. Once warm, allocates nothing.
+  /// Removes those from contacts of A and B; the order is kept, and so are the deepest of all and one of
+  /// those that hang together. Triangles face outward. What is apart stays whichever way it faces, where it
+  /// hangs together with nothing that meets: thin sheets have two sides. `triangle_a(contact)` and
+  /// `triangle_b(contact)` tell the triangles in the contacts' frame, triangles that share a corner to the
+  /// last bit. Once warm, allocates nothing.
   template <typename TriangleA, typename TriangleB>
   void keepIn(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
     pairs_.clear();
@@ -41,6 +42,8 @@ class SurfaceContacts {
   };
 
   void keepIn(std::vector<Contact>& contacts);
+  void join(const std::vector<Contact>& contacts);
+  void keepDeepest(const std::vector<Contact>& contacts);
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts, bool of_a);
 

@@ -29,11 +29,11 @@ inline std::array<std::size_t, 2> endsOf(unsigned feature) {
           static_cast<std::size_t>(31 - std::countl_zero(feature))};
 }
 
-/// Whether a direction is square to the triangle's own face, either way.
+/// Whether a direction is square to the triangle's own face, either way; never for one without area.
 inline bool isSquare(const Triangle& triangle, const Vec3& direction) {
   constexpr double kSameDirection = 1.0 - 1e-6;
   const Vec3 facing = scaledNormal(triangle);
-  return std::abs(facing.dot(direction)) >= kSameDirection * facing.norm();
+  return std::abs(facing.dot(direction)) > kSameDirection * facing.norm();
 }
 
 /// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.

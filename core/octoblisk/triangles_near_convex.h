@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"

@@ -21,7 +21,7 @@ struct BroadphaseStatistics {
 /// Reports a pair with a ClusteredOctreeShape only where one of its clusters, or of a compound's child that
 /// is ours, meets the other's box or clusters, grown so that no contact is lost: a body in the middle of a
 /// ring, or between two blades, makes no pair, no algorithm and no island with it. All other pairs are
-/// exactly those of btDbvtBroadphase, in the same order; ghosts and soft bodies meet our shape by their
+/// those of btDbvtBroadphase, in worlds without our shape in the same order; ghosts and soft bodies meet our shape by their
 /// boxes, as ever.
 ///
 /// Pairs with our shape are found anew, at the transforms that the bodies have, in each

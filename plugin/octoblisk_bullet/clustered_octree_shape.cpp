@@ -43,8 +43,8 @@ std::shared_ptr<const ClusteredOctree> notNull(std::shared_ptr<const ClusteredOc
 
 ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                            const BuildOptions& options)
-    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)), mesh_interface->getScaling(),
-                           options) {}
+    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)),
+                           notNull(mesh_interface).getScaling(), options) {}
 
 ClusteredOctreeShape::ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling,
                                            const BuildOptions& options)

@@ -72,7 +72,7 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// Builds a tree over the scaled triangles for this shape alone; negative factors turn the triangles, so
   /// that they keep facing outward. Throws std::invalid_argument for a factor that is 0 or not
-  /// finite.
+  /// finite, and as ClusteredOctree::build does; the shape is then as it was.
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return scaling_; }
 

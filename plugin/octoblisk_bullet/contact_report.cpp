@@ -26,12 +26,15 @@ void check(const BladeTable& table, std::size_t number) {
                               " numbers for " + std::to_string(triangles) + " triangles");
 }
 
+/// 0 where the point is of another shape, or numbered by someone else.
 int bladeOf(const btCollisionObject* object, TriangleId triangle, std::span<const BladeTable> blades) {
   const auto table = std::ranges::find(blades, object, &BladeTable::object);
   if (table == blades.end()) return 0;
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*object->getCollisionShape());
-  const std::size_t first = shape.parts().begin(static_cast<std::size_t>(triangle.part));
-  return table->blade_of_triangle[first + static_cast<std::size_t>(triangle.index)];
+  const auto part = static_cast<std::size_t>(triangle.part);
+  if (triangle.part < 0 || triangle.index < 0 || part >= shape.parts().count()) return 0;
+  const std::size_t number = shape.parts().begin(part) + static_cast<std::size_t>(triangle.index);
+  return number < table->blade_of_triangle.size() ? table->blade_of_triangle[number] : 0;
 }
 
 /// Grows from body to body that is added to a world.
