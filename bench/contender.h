@@ -49,6 +49,8 @@ class WorldContactsQuery : public PoseQuery {
 /// A Bullet world in which bodies fall onto the blisk.
 class WorldStepQuery {
  public:
+  static constexpr double kFloor = -30.0;  ///< its height, mm
+
   virtual ~WorldStepQuery() = default;
   /// Lifts all bodies to where they start.
   virtual void restart() = 0;

@@ -103,7 +103,6 @@ class HullsOnBlisk : public WorldStepQuery {
   };
   static constexpr std::size_t kHulls = 200;
   static constexpr int kWalls = 24;
-  static constexpr double kFloor = -30.0;
 
   static btTransform at(const btQuaternion& rotation, const Vec3& place) {
     return btTransform(rotation, toBullet(place));

@@ -8,7 +8,6 @@ namespace octoblisk::bench {
 namespace {
 
 constexpr std::size_t kSteps = 360;
-constexpr double kFloor = -30.0;
 
 Trial prepare(const Scene& scene, const Contender& contender) {
   const std::shared_ptr<WorldStepQuery> query = contender.world_step(scene);
@@ -25,7 +24,7 @@ Trial prepare(const Scene& scene, const Contender& contender) {
   double height = 0.0;
   const std::vector<Vec3> positions = query->positions();
   for (const Vec3& position : positions) {
-    lost += position.z() < kFloor || locate(blisk, position, Pose()) == PointLocation::inside;
+    lost += position.z() < WorldStepQuery::kFloor || locate(blisk, position, Pose()) == PointLocation::inside;
     height += position.z() / static_cast<double>(positions.size());
   }
   return {.questions = kSteps,

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "octoblisk/triangle_bounds.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {
@@ -15,12 +16,6 @@ constexpr double kRoundingOfBoxes = 1e-5;  // their axes are orthonormal to sing
 
 bool meet(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
-Aabb boundsOf(const Triangle& triangle) {
-  Aabb bounds;
-  for (const Vec3& corner : triangle) bounds.extend(corner);
-  return bounds;
 }
 
 bool isFinite(const Triangle& triangle) {

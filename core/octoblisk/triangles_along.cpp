@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 
 #include "octoblisk/traversal.h"
+#include "octoblisk/triangle_bounds.h"
 
 #ifndef OCTOBLISK_TRIANGLES_ALONG_ONCE
 #define OCTOBLISK_TRIANGLES_ALONG_ONCE
@@ -63,9 +64,7 @@ inline std::optional<NearPart> nearPart(const ClusteredOctree& tree, const Movin
 /// Where a triangle is first met at the earliest: by the axes of the box, the triangle's normal, and those
 /// square to the motion and an edge.
 inline double firstMeeting(const Triangle& triangle, const MovingBox& box, double slack) {
-  Aabb bounds;
-  for (const Vec3& corner : triangle) bounds.extend(corner);
-  const double reach = slack + box.rim * bounds.halfExtents().norm();
+  const double reach = slack + box.rim * boundsOf(triangle).halfExtents().norm();
   Meeting meeting;
   const auto narrow = [&](const Vec3& axis) {
     const double a = axis.dot(triangle[0] - box.start.center), b = axis.dot(triangle[1] - box.start.center),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "octoblisk/triangle_bounds.h"
 #include "octoblisk/triangles_along.h"
 #include "octoblisk_bullet/convert.h"
 
@@ -98,8 +99,7 @@ void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& han
 
 void TriangleHandover::operator()(btTriangleCallback& callback, std::uint32_t triangle) const {
   const Triangle exact = tree_.mesh().triangle(triangle);
-  Aabb bounds;
-  for (const Vec3& corner : exact) bounds.extend(corner);
+  const Aabb bounds = boundsOf(exact);
   if ((bounds.min.array() > box_.max.array()).any() || (bounds.max.array() < box_.min.array()).any()) return;
   btVector3 corners[3] = {toBullet(exact[0]), toBullet(exact[1]), toBullet(exact[2])};
   const TriangleId id = parts_.id(triangle);

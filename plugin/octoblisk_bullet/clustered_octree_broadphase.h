@@ -29,8 +29,7 @@ struct BroadphaseStatistics {
 /// there yet. Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
-  /// Some thousands of boxes at most, of which few are ever looked at. Of a belt grinder's four parts at a
-  /// blisk of 50,000 triangles it leaves 0.74 pairs a step of 2.8; no depth leaves fewer than 0.67.
+  /// Some thousands of boxes at most, of which few are ever looked at.
   static constexpr int kDefaultDepth = 4;
 
   /// `depth`: how far below the root's box, which is 0, the clusters lie that stand for a shape: the deeper

@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionDispatch/btConvexConcaveCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btEmptyCollisionAlgorithm.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
@@ -38,50 +39,43 @@ bool hasOurShape(const btCollisionObjectWrapper* body) { return has<ClusteredOct
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-struct CreateMeshConvex final : btCollisionAlgorithmCreateFunc {
-  explicit CreateMeshConvex(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
-  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
-                                                 const Wrapper* body1) override {
-    if (!hasOurShape(m_swapped ? body1 : body0)) {  // someone else's shape of the same type
-      return make<btConvexConcaveCollisionAlgorithm>(info, body0, body1, !m_swapped);
-    }
-    return make<MeshConvexAlgorithm>(info, body0, body1, m_swapped);
-  }
-};
+// What a pair of a type of ours gets that is none of ours.
+using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
-/// Against the types of Bullet's meshes.
-struct CreateMeshConcave final : btCollisionAlgorithmCreateFunc {
-  explicit CreateMeshConcave(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
-  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
-                                                 const Wrapper* body1) override {
-    const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
-    if (!hasOurShape(mesh) || !has<btConcaveShape>(other)) return make<btEmptyAlgorithm>(info);
-    return make<MeshConcaveAlgorithm>(info, body0, body1, m_swapped);
-  }
-};
+btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {
+  return make<btEmptyAlgorithm>(info);
+}
+
+/// Someone else's concave shape of our type.
+btCollisionAlgorithm* convexConcave(CreateInfo& info, const Wrapper* body0, const Wrapper* body1,
+                                    bool mesh_is_body1) {
+  return make<btConvexConcaveCollisionAlgorithm>(info, body0, body1, !mesh_is_body1);
+}
 
 /// Of GImpact, what is no mesh is left to GImpact, which asks our shape for triangles.
-struct CreateMeshGImpact final : btCollisionAlgorithmCreateFunc {
-  explicit CreateMeshGImpact(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
+btCollisionAlgorithm* gimpact(CreateInfo& info, const Wrapper* body0, const Wrapper* body1, bool) {
+  return make<btGImpactCollisionAlgorithm>(info, body0, body1);
+}
+
+/// The algorithm for our shape and one of the others'.
+template <typename Algorithm, Otherwise* otherwise, typename... Others>
+struct CreateMesh final : btCollisionAlgorithmCreateFunc {
+  explicit CreateMesh(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
   btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
                                                  const Wrapper* body1) override {
     const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
-    if (!hasOurShape(mesh) || (!has<btGImpactMeshShape>(other) && !has<btGImpactMeshShapePart>(other))) {
-      return make<btGImpactCollisionAlgorithm>(info, body0, body1);
+    if (hasOurShape(mesh) && (has<Others>(other) || ...)) {
+      return make<Algorithm>(info, body0, body1, m_swapped);
     }
-    return make<MeshConcaveAlgorithm>(info, body0, body1, m_swapped);
+    return otherwise(info, body0, body1, m_swapped);
   }
 };
 
-struct CreateMeshPlane final : btCollisionAlgorithmCreateFunc {
-  explicit CreateMeshPlane(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
-  btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
-                                                 const Wrapper* body1) override {
-    const Wrapper *mesh = m_swapped ? body1 : body0, *other = m_swapped ? body0 : body1;
-    if (!hasOurShape(mesh) || !has<btStaticPlaneShape>(other)) return make<btEmptyAlgorithm>(info);
-    return make<MeshPlaneAlgorithm>(info, body0, body1, m_swapped);
-  }
-};
+using CreateMeshConvex = CreateMesh<MeshConvexAlgorithm, convexConcave, btConvexShape>;
+using CreateMeshConcave = CreateMesh<MeshConcaveAlgorithm, nothing, btConcaveShape>;
+using CreateMeshGImpact =
+    CreateMesh<MeshConcaveAlgorithm, gimpact, btGImpactMeshShape, btGImpactMeshShapePart>;
+using CreateMeshPlane = CreateMesh<MeshPlaneAlgorithm, nothing, btStaticPlaneShape>;
 
 /// Both of our type, and one or both of our shape.
 struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {

@@ -8,21 +8,14 @@
 #include <vector>
 
 #include "plugin/bullet_world.h"
+#include "plugin/message_of.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
 namespace {
 
+using testing::messageOf;
 using testing::PairReport;
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(BadUse, moreThanBulletCanNumber) {
   EXPECT_EQ(messageOf([] { TriangleParts(std::vector<std::uint32_t>(1024, 0), 5); }), "accepted");

@@ -65,6 +65,27 @@ Hit hitOf(const Result& result) {
           normal.z()};
 }
 
+/// What a callback of Bullet's is told: all hits, or the closest.
+struct Hits {
+  bool all;
+  std::vector<Hit> found = {};
+
+  /// The fraction that hits matter up to from now on.
+  template <typename Result>
+  btScalar gather(const Result& result, btScalar& closest) {
+    if (!all) {
+      closest = result.m_hitFraction;
+      found.clear();
+    }
+    found.push_back(hitOf(result));
+    return closest;
+  }
+  std::vector<Hit> sorted() {
+    std::ranges::sort(found);
+    return found;
+  }
+};
+
 struct Scene {
   const char* name;
   SharedMesh mesh;

@@ -16,7 +16,7 @@ namespace {
 using testing::BulletMesh;
 using testing::Generic;
 using testing::Hit;
-using testing::hitOf;
+using testing::Hits;
 using testing::Object;
 using testing::Scene;
 using testing::scenes;
@@ -25,23 +25,12 @@ using testing::Way;
 using RayCallback = btTriangleRaycastCallback;
 
 /// All hits, or the closest.
-struct RayHits final : btCollisionWorld::RayResultCallback {
-  RayHits(bool all_hits, unsigned flags) : all(all_hits) { m_flags = flags; }
+struct RayHits final : btCollisionWorld::RayResultCallback, Hits {
+  RayHits(bool all_hits, unsigned flags) : Hits{all_hits} { m_flags = flags; }
   btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool) override {
     m_collisionObject = result.m_collisionObject;
-    if (!all) {
-      m_closestHitFraction = result.m_hitFraction;
-      hits.clear();
-    }
-    hits.push_back(hitOf(result));
-    return m_closestHitFraction;
+    return gather(result, m_closestHitFraction);
   }
-  std::vector<Hit> sorted() {
-    std::ranges::sort(hits);
-    return hits;
-  }
-  bool all;
-  std::vector<Hit> hits;
 };
 
 class Rays : public ::testing::TestWithParam<Scene> {};
@@ -68,11 +57,11 @@ TEST_P(Rays, closestAndAll_vs_genericPath) {
       ours.ray(way, closest);
       oracle.ray(way, expected_closest);
       ASSERT_EQ(all.sorted(), expected_all.sorted()) << "ray " << i << ", flags " << flags;
-      ASSERT_EQ(closest.hits.size(), expected_closest.hits.size());
+      ASSERT_EQ(closest.found.size(), expected_closest.found.size());
       // Of two at the same fraction either may be the closest.
       ASSERT_EQ(closest.m_closestHitFraction, expected_closest.m_closestHitFraction) << "ray " << i;
       if (flags == 0) hits += closest.hasHit();
-      all_hits += all.hits.size();
+      all_hits += all.found.size();
     }
   }
   EXPECT_GT(hits, kRays * 3 / 10);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "plugin/bullet_world.h"
+#include "plugin/message_of.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using testing::at;
 using testing::BulletMesh;
+using testing::messageOf;
 using testing::SharedMesh;
 
 SharedMesh deformed(const TriangleMesh& mesh, const std::function<Vec3(const Vec3&)>& moved) {
@@ -30,15 +32,6 @@ struct Collected final : btTriangleCallback {
     triangles[index] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
   }
 };
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
   std::mt19937_64 random(81);

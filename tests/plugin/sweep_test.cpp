@@ -13,28 +13,17 @@ namespace {
 using testing::BulletMesh;
 using testing::Generic;
 using testing::Hit;
-using testing::hitOf;
+using testing::Hits;
 using testing::Object;
 using testing::Scene;
 using testing::scenes;
 using testing::Way;
 
-struct SweepHits final : btCollisionWorld::ConvexResultCallback {
-  explicit SweepHits(bool all_hits) : all(all_hits) {}
+struct SweepHits final : btCollisionWorld::ConvexResultCallback, Hits {
+  explicit SweepHits(bool all_hits) : Hits{all_hits} {}
   btScalar addSingleResult(btCollisionWorld::LocalConvexResult& result, bool) override {
-    if (!all) {
-      m_closestHitFraction = result.m_hitFraction;
-      hits.clear();
-    }
-    hits.push_back(hitOf(result));
-    return m_closestHitFraction;
+    return gather(result, m_closestHitFraction);
   }
-  std::vector<Hit> sorted() {
-    std::ranges::sort(hits);
-    return hits;
-  }
-  bool all;
-  std::vector<Hit> hits;
 };
 
 /// Counts the triangles it is cast at: for each, Bullet asks once how far it reaches from its origin.
@@ -90,7 +79,7 @@ TEST_P(Sweeps, closestAndAll_vs_genericPath) {
     ASSERT_EQ(closest.m_closestHitFraction, expected_closest.m_closestHitFraction) << "sweep " << i;
     ASSERT_EQ(all.sorted(), expected_all.sorted()) << "sweep " << i;
     hits += closest.hasHit();
-    all_hits += all.hits.size();
+    all_hits += all.found.size();
   }
   EXPECT_GT(hits, kSweeps * 3 / 10);
   EXPECT_LT(hits, kSweeps * 7 / 10);
