@@ -67,6 +67,8 @@ class RayQuery {
   virtual ~RayQuery() = default;
   /// The part of the way, 0 to 1, that is gone when a triangle is met; 1 where none is.
   virtual double firstHit(const Segment& way) = 0;
+  /// As PoseQuery's.
+  virtual std::map<std::string, double> cost(const Segment&) const { return {}; }
 };
 
 /// How far apart they are.

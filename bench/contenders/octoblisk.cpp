@@ -16,13 +16,13 @@
 namespace octoblisk::bench {
 namespace {
 
-std::map<std::string, double> named(const QueryCost& cost, const ClusteredOctree& a,
-                                    const ClusteredOctree& b) {
+template <typename... Trees>
+std::map<std::string, double> named(const QueryCost& cost, const Trees&... trees) {
   return {{"box_tests", static_cast<double>(cost.box_tests)},
           {"leaf_pairs", static_cast<double>(cost.leaf_pairs)},
           {"triangle_tests", static_cast<double>(cost.triangle_tests)},
           {"exact_tests", static_cast<double>(cost.exact_tests)},
-          {"bytes", static_cast<double>(cost.bytes(a, b))}};
+          {"bytes", static_cast<double>(cost.bytes(trees...))}};
 }
 
 /// The two trees that all questions are about.
@@ -124,15 +124,22 @@ class OctoBliskRays final : public RayQuery {
       : blisk_(ClusteredOctree::build(scene.blisk, options)) {}
 
   double firstHit(const Segment& way) override {
+    const std::optional<RayHit> hit = closestHit(blisk_, along(way));
+    return hit ? hit->t : 1.0;
+  }
+  std::map<std::string, double> cost(const Segment& way) const override {
+    return named(costOfClosestHit(blisk_, along(way)), blisk_);
+  }
+
+ private:
+  static Ray along(const Segment& way) {
     Ray ray;
     ray.origin = way.from;
     ray.direction = way.to - way.from;
     ray.t_max = 1.0;
-    const std::optional<RayHit> hit = closestHit(blisk_, ray);
-    return hit ? hit->t : 1.0;
+    return ray;
   }
 
- private:
   ClusteredOctree blisk_;
 };
 

@@ -9,12 +9,13 @@
 
 namespace octoblisk::bench {
 
-/// The contender's own counts, over the poses; empty where it does not tell.
-inline std::map<std::string, double> meanCost(const PoseQuery& query, const std::vector<Pose>& poses) {
+/// The contender's own counts, over the questions: poses, or ways; empty where it does not tell.
+template <typename Query, typename Question>
+std::map<std::string, double> meanCost(const Query& query, const std::vector<Question>& questions) {
   std::map<std::string, double> mean;
-  for (const Pose& pose : poses) {
-    for (const auto& [name, count] : query.cost(pose))
-      mean[name] += count / static_cast<double>(poses.size());
+  for (const Question& question : questions) {
+    for (const auto& [name, count] : query.cost(question))
+      mean[name] += count / static_cast<double>(questions.size());
   }
   return mean;
 }

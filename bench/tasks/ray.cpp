@@ -5,8 +5,11 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "reference.h"
+#include "tasks/mean_cost.h"
 #include "timed_task.h"
 
 namespace octoblisk::bench {
@@ -37,11 +40,13 @@ Trial prepare(const Scene& scene, const Contender& contender) {
       benchmark::DoNotOptimize(query->firstHit(scene.ways[k]));
     }
   };
+  std::map<std::string, double> counters = meanCost(*query, scene.ways);
+  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(truth.size());
   return {.questions = scene.ways.size() / kBundle,
           .asked_at_once = kBundle,
           .ask = ask,
           .differences = differences,
-          .counters = {{"hit_rate", static_cast<double>(hits) / static_cast<double>(truth.size())}}};
+          .counters = std::move(counters)};
 }
 
 }  // namespace

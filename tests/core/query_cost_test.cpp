@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
+#include "octoblisk/raycast.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -58,6 +61,41 @@ TEST_F(QueryCostTest, distanceMeasuresAtLeastThePairItNames) {
   EXPECT_GE(cost.triangle_tests, 1u);
   EXPECT_GE(cost.exact_tests, 1u);
   EXPECT_LT(cost.triangle_tests, fan.stats().triangles * ring.stats().triangles / 100);
+}
+
+TEST_F(QueryCostTest, rayThatPassesByCostsNothing) {
+  Ray ray;
+  ray.origin = Vec3(0, 0, 100);
+  ray.direction = Vec3(1, 0, 0);
+  const QueryCost cost = costOfClosestHit(ring, ray);
+  EXPECT_EQ(cost.box_tests, 0u);
+  EXPECT_EQ(cost.bytes(ring), 0u);
+}
+
+TEST_F(QueryCostTest, rayMeasuresTheTriangleItNamesAndFewOthers) {
+  std::mt19937_64 random(78);
+  std::normal_distribution<double> somewhere(0.0, 0.3);
+  const auto point = [&] { return Vec3(somewhere(random), somewhere(random), somewhere(random)); };
+  std::size_t hits = 0, exact_tests = 0;
+  constexpr int kRays = 500;
+  for (int i = 0; i < kRays; ++i) {
+    Ray ray;
+    ray.origin = point();
+    ray.direction = point();
+    const QueryCost cost = costOfClosestHit(ring, ray);
+    const bool hit = closestHit(ring, ray).has_value();
+    hits += hit;
+    exact_tests += cost.exact_tests;
+    EXPECT_EQ(cost.triangle_tests, cost.leaf_pairs);
+    EXPECT_GE(cost.box_tests, cost.leaf_pairs > 0 ? 1u : 0u);
+    if (!hit) continue;
+    EXPECT_GE(cost.leaf_pairs, 1u);
+    EXPECT_GE(cost.exact_tests, 1u);
+    EXPECT_GE(cost.bytes(ring), sizeof(Box8));
+  }
+  EXPECT_GT(hits, kRays * 3 / 10u);
+  EXPECT_LT(hits, kRays * 7 / 10u);
+  EXPECT_LT(exact_tests, hits * 3);  // of 480 triangles
 }
 
 }  // namespace
