@@ -73,11 +73,15 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
   sortByTriangles(found);
 }
 
-void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
-              std::vector<Contact>& found) {
+namespace {
+
+/// forEachTriangle(visit) calls it for every triangle that may be near, as long as it returns false.
+template <typename ForEach>
+void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
+                        std::vector<Contact>& found, ForEach&& forEachTriangle) {
   found.clear();
   const Pose a_in_b = b_in_a.inverse();
-  forEachTriangleNear(a, b, b_in_a, threshold, [&](std::uint32_t triangle) {
+  forEachTriangle([&](std::uint32_t triangle) {
     std::optional<Contact> contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, threshold);
     if (!contact) return false;
     contact->point_on_a = b_in_a * contact->point_on_a;
@@ -88,6 +92,21 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
     return false;
   });
   sortByTriangles(found);
+}
+
+}  // namespace
+
+void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
+              std::vector<Contact>& found) {
+  findConvexContacts(a, b, b_in_a, threshold, found,
+                     [&](auto&& visit) { forEachTriangleNear(a, b, b_in_a, threshold, visit); });
+}
+
+void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
+              NearTriangles& near, std::vector<Contact>& found) {
+  findConvexContacts(a, b, b_in_a, threshold, found, [&](auto&& visit) {
+    for (const std::uint32_t triangle : near.find(a, b, b_in_a, threshold)) visit(triangle);
+  });
 }
 
 }  // namespace octoblisk

@@ -6,6 +6,7 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/convex.h"
+#include "octoblisk/near_triangles.h"
 
 namespace octoblisk {
 
@@ -17,5 +18,9 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
 /// The same for every triangle of A and the convex body B.
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
+
+/// The same, faster, of a body that has moved little since it was asked about with the same `near`.
+void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
+              NearTriangles& near, std::vector<Contact>& found);
 
 }  // namespace octoblisk

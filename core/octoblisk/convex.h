@@ -1,6 +1,7 @@
 // Convex bodies by their support function: all that GJK and EPA want to know of one.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,10 @@ class Convex {
 
 /// The first of the points that is farthest in a direction.
 const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
+
+/// A few points whose hull holds a body's core: its own, or in `room` the corners of its box.
+std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room);
+inline constexpr std::size_t kMostPointsRoundCore = 64;
 
 /// The hull of some points, grown by a radius.
 class ConvexHull final : public Convex {

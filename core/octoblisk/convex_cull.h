@@ -12,6 +12,7 @@
 #include <span>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/convex.h"
 #include "octoblisk/node_boxes.h"
 #include "octoblisk/rounding.h"
 #include "octoblisk/simd.h"
@@ -23,20 +24,16 @@ namespace octoblisk::HWY_NAMESPACE {
 /// All is computed in a frame round the middle of the points.
 class ConvexCull {
  public:
-  static constexpr std::size_t kMostPoints = 64;
-
-  /// Of one point to kMostPoints.
-  ConvexCull(const ClusteredOctree& tree, std::span<const Vec3> points, const Aabb& bounds,
-             const Pose& convex_in_tree, double reach)
+  /// Of one point to kMostPointsRoundCore; boxes will be relative to `origin`.
+  ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree,
+             double reach)
       : count_(points.size()),
         half_extents_(bounds.halfExtents().cast<float>()),
         size_(bounds.halfExtents().norm()) {
     const Vec3 center = bounds.center();
     tree_in_center_.rotation = convex_in_tree.rotation.transpose();
-    tree_in_center_.translation =
-        tree_in_center_.rotation * (tree.origin() - convex_in_tree.translation) - center;
-    reach_ =
-        reach + kDoubleRounding * (tree.origin().norm() + convex_in_tree.translation.norm() + center.norm());
+    tree_in_center_.translation = tree_in_center_.rotation * (origin - convex_in_tree.translation) - center;
+    reach_ = reach + kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + center.norm());
     for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
   }
 
@@ -44,17 +41,14 @@ class ConvexCull {
   HWY_INLINE unsigned near(const ClusteredOctree& tree, Slot slot) const {
     LeafVertices room;
     Box8 box_room(Box8::Unset{});
-    const std::uint32_t count = tree.child(slot).count();
-    const float* rows = tree.leafVertices(slot, room);
-    const Box8& boxes = boxesAt(tree, slot, box_room);
-    Vec3 leaf_center;
-    Mat3 leaf_axes;
-    for (int i = 0; i < 3; ++i) {
-      leaf_center[i] = double(boxes.center[i][slot.lane]);
-      for (int j = 0; j < 3; ++j) leaf_axes(i, j) = double(boxes.axes[i][j][slot.lane]);
-    }
-    const Vec3 shift = tree_in_center_ * leaf_center;
-    const Eigen::Matrix3f turn = (tree_in_center_.rotation * leaf_axes).cast<float>();
+    return near(boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane)), tree.leafVertices(slot, room),
+                tree.child(slot).count());
+  }
+
+  /// The same for any triangles whose corners are in rows (leaf_vertices.h) in the frame of a box.
+  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
+    const Vec3 shift = tree_in_center_ * box.center.cast<double>();
+    const Eigen::Matrix3f turn = (tree_in_center_.rotation * box.axes.cast<double>()).cast<float>();
     Vec8 corner[3];
     for (std::uint32_t v = 0; v < 3; ++v) {
       const float* x = rows + 3 * v * count;
@@ -65,13 +59,12 @@ class ConvexCull {
       };
       corner[v] = {along(0), along(1), along(2)};
     }
-    const double size = size_ + shift.norm() + 2.0 * double(boxes.largestHalfExtent(slot.lane));
+    const double size = size_ + shift.norm() + 2.0 * double(box.half_extents.maxCoeff());
     const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_)));
     unsigned near = (1u << count) - 1u;
     near &= ~beyondBounds(corner, reach);
     if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
-    if (near != 0) near &= ~apartAlong(corner[0] + corner[1] + corner[2], corner, reach);
-    return near;
+    return notParted(near, corner, reach);
   }
 
  private:
@@ -102,7 +95,43 @@ class ConvexCull {
     return less(reach * length, gap);
   }
 
-  std::array<Eigen::Vector3f, kMostPoints> points_;  // from their middle
+  /// Where a < b `yes`, else `no`.
+  static HWY_INLINE Vec8 either(const Float8& a, const Float8& b, const Vec8& yes, const Vec8& no) {
+    return {select(a, b, yes.x, no.x), select(a, b, yes.y, no.y), select(a, b, yes.z, no.z)};
+  }
+
+  /// What is left of `near` after a search for a plane between each triangle and the body: a few steps of the
+  /// conditional gradient on the difference of the two (M. Frank, P. Wolfe, 1956).
+  HWY_INLINE unsigned notParted(unsigned near, const Vec8 (&corner)[3], const Float8& reach) const {
+    constexpr int kSteps = 8;
+    const Float8 zero(0.0f), one(1.0f), tiny(std::numeric_limits<float>::min());
+    Vec8 apart = (corner[0] + corner[1] + corner[2]) * Float8(1.0f / 3.0f);  // a point of the difference
+    for (int step = 0; near != 0 && step < kSteps; ++step) {
+      Float8 low = dot(apart, corner[0]);
+      Vec8 on_triangle = corner[0];
+      for (int c = 1; c < 3; ++c) {
+        const Float8 along = dot(apart, corner[c]);
+        on_triangle = either(along, low, corner[c], on_triangle);
+        low = min(low, along);
+      }
+      Float8 high(-std::numeric_limits<float>::infinity());
+      Vec8 on_body(zero, zero, zero);
+      for (std::size_t p = 0; p < count_; ++p) {
+        const Vec8 point(Float8(points_[p][0]), Float8(points_[p][1]), Float8(points_[p][2]));
+        const Float8 along = dot(apart, point);
+        on_body = either(high, along, point, on_body);
+        high = max(high, along);
+      }
+      // No less than the length, however short: its square may vanish.
+      near &= ~less(reach * sqrt(dot(apart, apart) + tiny), low - high);
+      const Vec8 way = (on_triangle - on_body) - apart;
+      const Float8 part = min(one, max(zero, (zero - dot(apart, way)) / (dot(way, way) + tiny)));
+      apart = apart + way * part;
+    }
+    return near;
+  }
+
+  std::array<Eigen::Vector3f, kMostPointsRoundCore> points_;  // from their middle
   std::size_t count_;
   Pose tree_in_center_;  // from the tree's local frame
   Eigen::Vector3f half_extents_;

@@ -14,7 +14,7 @@ bool trianglesNear(const ClusteredOctree& tree, std::span<const Vec3> points, co
                    const Pose& convex_in_tree, double reach,
                    bool (*visit)(void* user, std::uint32_t triangle), void* user) {
   const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
-  const ConvexCull cull(tree, points, bounds, convex_in_tree, reach);
+  const ConvexCull cull(tree.origin(), points, bounds, convex_in_tree, reach);
   const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
   return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
@@ -31,28 +31,15 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace octoblisk {
-namespace {
-
 HWY_EXPORT(trianglesNear);
-
-std::array<Vec3, 8> cornersOf(const Aabb& box) {
-  std::array<Vec3, 8> corners;
-  for (std::size_t c = 0; c < 8; ++c) {
-    for (int axis = 0; axis < 3; ++axis)
-      corners[c][axis] = (c >> axis & 1u) != 0 ? box.max[axis] : box.min[axis];
-  }
-  return corners;
-}
-
-}  // namespace
 
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
-  const Aabb core = convex.coreBounds();
-  const std::array<Vec3, 8> corners = cornersOf(core);
-  std::span<const Vec3> points = convex.points();
-  if (points.empty() || points.size() > HWY_NAMESPACE::ConvexCull::kMostPoints) points = corners;
-  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points, core, convex_in_tree, reach + convex.radius(),
+  std::array<Vec3, 8> room;
+  const std::span<const Vec3> points = pointsRoundCore(convex, room);
+  Aabb bounds;
+  for (const Vec3& point : points) bounds.extend(point);
+  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points, bounds, convex_in_tree, reach + convex.radius(),
                                              visit, user);
 }
 

@@ -108,11 +108,14 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double breaking = breakingThreshold(mesh, other);
   const double reach =
       breaking + double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
+  const std::uint32_t revisions = revision(mesh) + revision(other);
+  if (revisions != revisions_) {
+    manifolds_.clear();
+    trianglesHaveMoved();
+  }
+  revisions_ = revisions;
   findContacts(mesh, other, reach, contacts_);
 
-  const std::uint32_t revisions = revision(mesh) + revision(other);
-  if (revisions != revisions_) manifolds_.clear();  // their triangles have moved
-  revisions_ = revisions;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const std::span<const ContactPatch> patches = patches_.reduce(contacts_);
   manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));

@@ -42,6 +42,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             double reach, std::vector<Contact>& found) = 0;
 
+  /// Nothing that is known of the shapes' triangles holds any more.
+  virtual void trianglesHaveMoved() {}
+
   /// The thickness that the other body has beyond the surface of those contacts.
   virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
 

@@ -83,7 +83,7 @@ void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), corners_);
   const Pose convex_in_mesh =
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  contacts(shape.tree(), convex, convex_in_mesh, reach, found);
+  contacts(shape.tree(), convex, convex_in_mesh, reach, near_, found);
   internal_edges_.removeFrom(found, shape.tree().mesh());
   addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh, reach, found);
 }

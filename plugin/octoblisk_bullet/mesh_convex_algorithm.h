@@ -2,6 +2,7 @@
 #pragma once
 
 #include "octoblisk/internal_edges.h"
+#include "octoblisk/near_triangles.h"
 #include "octoblisk_bullet/mesh_algorithm.h"
 
 namespace octoblisk {
@@ -15,8 +16,10 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  void trianglesHaveMoved() override { near_.forget(); }
 
   std::vector<Vec3> corners_;  // of the convex shape, as it is at this step
+  NearTriangles near_;
   InternalEdges internal_edges_;
 };
 
