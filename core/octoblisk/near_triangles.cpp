@@ -28,7 +28,6 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-
 #include "octoblisk/triangles_near_convex.h"
 
 namespace octoblisk {
@@ -76,7 +75,7 @@ void NearTriangles::gather(const ClusteredOctree& tree, const Convex& convex, co
     const std::size_t begin = b * kLanes, count = std::min<std::size_t>(kLanes, found_.size() - begin);
     fill(kept_[b], tree, std::span(found_).subspan(begin, count), convex_in_tree * bounds_.center());
   }
-  kept_reach_ = reach + more;
+  kept_reach_ = reach + more + convex.radius();
   kept_at_ = convex_in_tree;
 }
 
@@ -92,13 +91,14 @@ std::span<const std::uint32_t> NearTriangles::find(const ClusteredOctree& tree, 
     forget();
   }
   const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
-  if (!(reach + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
+  const double of_core = reach + convex.radius();
+  if (!(of_core + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
     gather(tree, convex, convex_in_tree, reach);
   }
   last_at_ = convex_in_tree;
   found_.clear();
-  HWY_DYNAMIC_DISPATCH(sift)
-  (kept_, tree.origin(), core_, bounds_, convex_in_tree, reach + convex.radius(), found_);
+  const auto siftAll = HWY_DYNAMIC_DISPATCH(sift);
+  siftAll(kept_, tree.origin(), core_, bounds_, convex_in_tree, of_core, found_);
   return found_;
 }
 

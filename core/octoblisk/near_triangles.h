@@ -39,9 +39,9 @@ class NearTriangles {
   void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach);
 
   const ClusteredOctree* tree_ = nullptr;
-  std::vector<Vec3> core_;  ///< points whose hull holds the body's core
-  Aabb bounds_;             ///< of them
-  double kept_reach_ = kNothing;
+  std::vector<Vec3> core_;        ///< points whose hull holds the body's core
+  Aabb bounds_;                   ///< of them
+  double kept_reach_ = kNothing;  ///< from the core
   Pose kept_at_, last_at_;
   std::vector<TriangleBundle> kept_;
   std::vector<std::uint32_t> found_;

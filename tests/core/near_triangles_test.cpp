@@ -102,6 +102,24 @@ TEST(NearTriangles, followAnotherTree) {
   }
 }
 
+TEST(NearTriangles, followARadiusThatGrows) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::torus(2, 0.7, 64, 32));
+  std::mt19937_64 random(135);
+  const ConvexHull hull = randomHull(random, 12);
+  NearTriangles near;
+  std::vector<Contact> found, expected;
+  std::size_t before = 0;
+  for (const double radius : {0.0, 0.0, 0.3, 0.5}) {
+    const ConvexHull grown({hull.points().begin(), hull.points().end()}, radius);
+    contacts(tree, grown, {Mat3::Identity(), Vec3(2.0, 0.0, 0.7)}, 0.01, near, found);
+    contacts(tree, grown, {Mat3::Identity(), Vec3(2.0, 0.0, 0.7)}, 0.01, expected);
+    expectEqual(found, expected);
+    EXPECT_GE(found.size(), before);
+    before = found.size();
+  }
+  EXPECT_GT(before, 10u);
+}
+
 TEST(NearTriangles, forgetTrianglesThatHaveMoved) {
   const testing::SharedMesh mesh = testing::torus(2, 0.7, 24, 12);
   ClusteredOctree tree = ClusteredOctree::build(mesh);
