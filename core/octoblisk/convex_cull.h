@@ -117,7 +117,7 @@ class ConvexCull {
       Float8 high(-std::numeric_limits<float>::infinity());
       Vec8 on_body(zero, zero, zero);
       for (std::size_t p = 0; p < count_; ++p) {
-        const Vec8 point(Float8(points_[p][0]), Float8(points_[p][1]), Float8(points_[p][2]));
+        const Vec8 point{Float8(points_[p][0]), Float8(points_[p][1]), Float8(points_[p][2])};
         const Float8 along = dot(apart, point);
         on_body = either(high, along, point, on_body);
         high = max(high, along);
