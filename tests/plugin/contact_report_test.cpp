@@ -184,6 +184,35 @@ TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
   EXPECT_EQ(numbers(true), expected);
 }
 
+TEST(ContactReport, numbersOfSomeoneElseHaveNoBlade) {
+  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  BulletWorld world;
+  Added fixed(world, torus, false), tool(world, torus, true);
+  tool.body.setWorldTransform(at(1, 0, 0));
+  world->performDiscreteCollisionDetection();
+  const std::vector<int> blades(torus.tree().mesh().triangleCount(), 3);
+  const BladeTable tables[] = {{&fixed.body, blades}};
+  std::vector<ReportedContact> found;
+  const auto bladesAreAll = [&](int blade) {
+    reportContacts(world.dispatcher(), found, tables);
+    return !found.empty() &&
+           std::ranges::all_of(found, [blade](const auto& c) { return c.a.blade == blade; });
+  };
+  EXPECT_TRUE(bladesAreAll(3));
+  using Number = std::pair<int, int>;
+  for (const auto& [part, index] : {Number(0, 1'000'000), Number(7, 0), Number(-1, 0), Number(0, -1)}) {
+    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+      btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+      for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        btManifoldPoint& point = manifold.getContactPoint(p);
+        point.m_partId0 = point.m_partId1 = part;
+        point.m_index0 = point.m_index1 = index;
+      }
+    }
+    EXPECT_TRUE(bladesAreAll(0)) << part << ' ' << index;
+  }
+}
+
 TEST(ContactReport, refusesTablesOfOthers) {
   ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
   btSphereShape ball(1);
