@@ -1,7 +1,9 @@
 #include "octoblisk/tree_blob.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -95,6 +97,8 @@ Header checkedHeader(std::span<const std::byte> blob, const TriangleMesh& mesh) 
          std::to_string(header.bytes));
   }
   if (header.checksum != checksumOf(blob)) fail("is damaged: its checksum is wrong");
+  if (std::ranges::count(header.zeros, 0u) != std::ssize(header.zeros))
+    fail("has reserved words that are not 0");
   if (header.mesh_triangles != mesh.triangleCount() || header.mesh_vertices != mesh.vertices().size() ||
       header.mesh_checksum != checksumOf(mesh)) {
     fail("belongs to another mesh, of " + std::to_string(header.mesh_triangles) + " triangles and " +

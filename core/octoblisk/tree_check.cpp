@@ -1,6 +1,7 @@
 #include "octoblisk/tree_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -121,6 +122,13 @@ bool isEmptyBox(const BoxF& box, float largest) {
          box.center.allFinite() && box.center.cwiseAbs().maxCoeff() <= largest;
 }
 
+void checkLeafVertices(std::span<const float> coordinates, float largest) {
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (!(std::abs(coordinates[i]) <= largest))
+      fail("coordinate " + std::to_string(i) + " in the leaves is not one of this mesh");
+  }
+}
+
 }  // namespace
 
 void checkTree(const TreeArrays& tree, const TriangleMesh& mesh) {
@@ -129,6 +137,7 @@ void checkTree(const TreeArrays& tree, const TriangleMesh& mesh) {
   const Walk walk(tree);
   const double radius = mesh.bounds().halfExtents().norm();
   const auto largest = static_cast<float>(4.0 * (radius + double(boxPadding(radius))));
+  checkLeafVertices(tree.leaf_vertices, largest);
   for (std::uint32_t n = 0; n < tree.nodeCount(); ++n) {
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       const Slot slot{n, lane};

@@ -258,6 +258,7 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
   };
   ASSERT_GT(fast.nodeCount(), 3u);
   ASSERT_FALSE(fast.child({1, 0}).isLeaf());
+  expect(patched(blob, 124, std::uint32_t{1}), "reserved words");
   expect(patched(blob, childAt(0, 0), std::uint32_t{0}), "node 0 is empty");
   expect(patched(blob, childAt(0, 1), Child::leaf(0, 1)), "more than one box");
   expect(patched(blob, childAt(1, 0), std::uint32_t{1}), "not the next node");  // a cycle
@@ -276,6 +277,9 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
     for (std::size_t place = 0; place < 15 * kLanes; place += kLanes)
       expect(patched(blob, floatAt(1, place), bad), "box 0 of node 1 ");
+    const std::size_t leaf_vertices = (order + mesh->triangleCount() * sizeof(std::uint32_t) + 63) / 64 * 64;
+    expect(patched(blob, leaf_vertices, bad), "coordinate 0 in the leaves");
+    expect(patched(blob, leaf_vertices + 1000 * sizeof(float), -bad), "coordinate 1000 in the leaves");
   }
   expect(patched(blob, floatAt(0, 3 * kLanes + 5), 1.0f), "box 5 of node 0 ");  // an empty one must stay so
   for (std::size_t k = 0; k < 3; ++k) {
