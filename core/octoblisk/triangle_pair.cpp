@@ -244,7 +244,9 @@ Contact meetingContact(const Triangle& a, const Triangle& b) {
             below_b->normal,  -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
-  Contact touch = closestPoints(a, b);  // two degenerate triangles
+  // Two degenerate triangles: where they meet is known to their width.
+  Contact touch = closestPoints(a, b);
+  touch.point_on_a = touch.point_on_b = 0.5 * (touch.point_on_a + touch.point_on_b);
   touch.distance = -0.0;
   return touch;
 }

@@ -112,5 +112,16 @@ TEST(TrianglePair, degenerateTrianglesThatMeetTouch) {
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-12);
 }
 
+TEST(TrianglePair, needlesThatMeetShareAPoint) {
+  constexpr double kWidth = 0x1.d3d343d3d3d3ep-44;  // of some 10 in length
+  const Triangle a = {Vec3(10, kWidth, kWidth), Vec3(0, kWidth, 0), Vec3(kWidth, 5e-324, 1e-323)};
+  const Triangle b = {Vec3(1e-323, kWidth, kWidth), Vec3(10, 1.5e-323, 5e-324),
+                      Vec3(kWidth, 2e-323, 0x1.d3d343d3d3d3fp-44)};
+  ASSERT_TRUE(intersects(a, b));
+  const Contact contact = contactOf(a, b);
+  EXPECT_EQ(contact.distance, 0.0);
+  EXPECT_EQ(contact.point_on_a, contact.point_on_b);
+}
+
 }  // namespace
 }  // namespace octoblisk
