@@ -39,16 +39,16 @@ struct BladeStrip {
 
   SectionGrid grid;
   std::size_t trailing_edge = 0;  ///< station; the leading edge is 0
-  std::vector<Shares> shares;     ///< one a station
-  std::vector<std::size_t> measured_rows;
-  std::array<std::vector<std::size_t>, kBladeAreas.size()> measured_stations;  ///< wholly of their area
+  std::vector<Shares> shares{};   ///< one a station
+  std::vector<std::size_t> measured_rows{};
+  std::array<std::vector<std::size_t>, kBladeAreas.size()> measured_stations{};  ///< wholly of their area
 
   /// The part of the way round the section at a station, 0..1, of the middle row.
   double partRound(std::size_t station) const;
 };
 
-/// Throws std::invalid_argument in one line: what BladeCutter refuses, an option out of its range, a strip that
-/// does not fit between root and tip.
+/// Throws std::invalid_argument in one line: what BladeCutter refuses, an option out of its range, a strip
+/// that does not fit between root and tip.
 BladeStrip makeBladeStrip(const TriangleMesh& blisk, const BladesFound& blades, int blade,
                           const BladeStripOptions& options = {});
 

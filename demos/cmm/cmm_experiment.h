@@ -49,12 +49,12 @@ struct PassSummary {
 
 struct CmmExperiment {
   BladeStrip strip;
-  std::vector<double> stock;          ///< error of each point of the strip's grid before, mm
-  std::vector<double> ground;         ///< and after
-  std::vector<MeasuredPoint> points;  ///< section by section, from the leading edge round
-  AreaStatistics stock_at_points;     ///< of the stock itself, without the CMM: exactly those asked for
-  AreaStatistics before, after;       ///< as measured
-  PassSummary pass;
+  std::vector<double> stock{};          ///< error of each point of the strip's grid before, mm
+  std::vector<double> ground{};         ///< and after
+  std::vector<MeasuredPoint> points{};  ///< section by section, from the leading edge round
+  AreaStatistics stock_at_points{};     ///< of the stock itself, without the CMM: exactly those asked for
+  AreaStatistics before{}, after{};     ///< as measured
+  PassSummary pass{};
 };
 
 /// Makes a stock on a blade of any blisk, measures it, plans a pass from what was measured, grinds, and

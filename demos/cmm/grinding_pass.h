@@ -1,4 +1,5 @@
-// A pass of the belt over a strip of a blade: what it removes, and how long to dwell to remove what is wanted.
+// A pass of the belt over a strip of a blade: what it removes, and how long to dwell to remove what is
+// wanted.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ struct GrindingProcess {
   /// K_p of dh = K_p p v dt (F. W. Preston, 1927), mm²/N; assumed: 20 N then remove 1 mm³/s. A planned pass
   /// divides it out again, but for its error and the limits of the feed.
   double preston = 5e-6;
-  double step_over = 1.5;     ///< mm between strokes, at most; assumed
-  double least_feed = 1.0;    ///< mm/s along the section; assumed
+  double step_over = 1.5;        ///< mm between strokes, at most; assumed
+  double least_feed = 1.0;       ///< mm/s along the section; assumed
   double greatest_feed = 200.0;  ///< mm/s; assumed
 };
 
@@ -59,7 +60,8 @@ class GrindingPass {
 
   /// Dwells (s) that remove about the wanted depths (mm; below 0 counts as 0) by the model, within the limits
   /// of the feed: the least squares over dwells >= 0, by multiplication with (Hᵀ wanted) / (Hᵀ H dwells) time
-  /// and again (M. E. Daube-Witherspoon, G. Muehllehner, 1986), for H the removals of one second at each pose.
+  /// and again (M. E. Daube-Witherspoon, G. Muehllehner, 1986), for H the removals of one second at each
+  /// pose.
   std::vector<double> plan(std::span<const double> wanted, int rounds = 30) const;
 
   /// The removal as it turns out.

@@ -19,7 +19,8 @@ struct ContactWheel {
   double blade_modulus = 114e3;           ///< MPa: Ti-6Al-4V, a blisk's usual alloy; the paper names none
   double blade_poissons_ratio = 0.34;
 
-  double contactModulus() const;  ///< E* of cover and blade, MPa (hertz.h); the belt's own stiffness is left out
+  double contactModulus()
+      const;  ///< E* of cover and blade, MPa (hertz.h); the belt's own stiffness is left out
 };
 
 /// How deep a force (N) presses the wheel into a flat: d = 4F / (πE*L), for L the width (mm).
@@ -35,13 +36,13 @@ struct ContactSlice {
 
 /// Pressed along the normal of a station so that it is `indentation` (mm) deep where it first touches.
 ///
-/// At x along the section's tangent there, let g be the depth of the surface under the tangent and φ the angle
-/// of its normal. Each slice of the wheel is a line contact pressed in by d(x) = (indentation - g + least g)
-/// cos φ, with a force per length q = πE*d/4, hence b = √(Rd) and p₀ = (E*/2) √(d/R) (V. L. Popov, Contact
-/// Mechanics and Friction, 2010, the method of dimensionality reduction for cylinders). On a flat this is
-/// Hertz's line contact, exactly; a slice does not feel its neighbours, and the rims press no harder. So it
-/// holds on flat, concave, convex and sharply rounded places, and where the wheel overhangs an edge. The
-/// surface is taken as straight across the section, where the wheel is far rounder.
+/// At x along the section's tangent there, let g be the depth of the surface under the tangent and φ the
+/// angle of its normal. Each slice of the wheel is a line contact pressed in by d(x) = (indentation - g +
+/// least g) cos φ, with a force per length q = πE*d/4, hence b = √(Rd) and p₀ = (E*/2) √(d/R) (V. L. Popov,
+/// Contact Mechanics and Friction, 2010, the method of dimensionality reduction for cylinders). On a flat
+/// this is Hertz's line contact, exactly; a slice does not feel its neighbours, and the rims press no harder.
+/// So it holds on flat, concave, convex and sharply rounded places, and where the wheel overhangs an edge.
+/// The surface is taken as straight across the section, where the wheel is far rounder.
 ///
 /// Replaces `slices`, whose memory is used again; by ascending distance in either direction.
 void findContact(const SectionGrid& grid, std::size_t row, std::size_t station, const ContactWheel& wheel,
