@@ -40,6 +40,17 @@ void forEachBelow(const ClusteredOctree& tree, Slot slot, const Visit& visit) {
   }
 }
 
+/// The same in a clustered octree, where the leaves' boxes hold whole triangles.
+template <typename Keep, typename Visit>
+bool descend(const ClusteredOctree& tree, Slot slot, const Keep& keep, const Visit& visit) {
+  const Obb box = tree.box(slot);
+  if (!keep(box)) return false;
+  if (tree.child(slot).isLeaf()) return visit(box);
+  bool stop = false;
+  forEachBelow(tree, slot, [&](Slot below) { stop = stop || descend(tree, below, keep, visit); });
+  return stop;
+}
+
 /// A box of the body, in the blisk's frame.
 struct BodyBox {
   Slot slot;
@@ -120,22 +131,23 @@ bool anyLeafMeets(const Segmentation& blisk, const ClusteredOctree& body, const 
   return descend(blisk, meets, [](const Obb&) { return true; });
 }
 
+bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
+  const Pose blisk_in_body = body_in_blisk.inverse();
+  const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
+  return descend(blisk, ClusteredOctree::kRoot, meets, [](const Obb&) { return true; });
+}
+
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
   BoxesLeft left;
-  std::vector<Slot> open = {ClusteredOctree::kRoot};
-  while (!open.empty()) {
-    const Slot slot = open.back();
-    open.pop_back();
-    const Obb here = blisk.box(slot);
+  const auto near = [&](const Obb& here) {
     ++left.tested;
-    if (!overlaps(box, here)) continue;
-    if (blisk.child(slot).isLeaf()) {
-      ++left.leaves;
-      left.volume += here.volume();
-      continue;
-    }
-    forEachBelow(blisk, slot, [&](Slot below) { open.push_back(below); });
-  }
+    return overlaps(box, here);
+  };
+  descend(blisk, ClusteredOctree::kRoot, near, [&](const Obb& leaf) {
+    ++left.leaves;
+    left.volume += leaf.volume();
+    return false;
+  });
   return left;
 }
 

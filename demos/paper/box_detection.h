@@ -29,6 +29,9 @@ bool anyLeafNear(const Segmentation& blisk, const Obb& box);
 /// Whether a triangle of the body meets any leaf cell with points, as a solid.
 bool anyLeafMeets(const Segmentation& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);
 
+/// Whether a triangle of the body meets any leaf box, as a solid; the triangles in the boxes are not asked.
+bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);
+
 /// The leaf boxes of the clustered octree, which hold whole triangles, that overlap the box.
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box);
 
