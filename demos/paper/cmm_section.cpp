@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +43,8 @@ void addCells(std::vector<std::string>& row, const ErrorStatistics& statistics) 
 Table tableOf(std::string name, std::string caption, const CmmExperiment& experiment) {
   Table table{.name = std::move(name),
               .caption = std::move(caption),
-              .columns = {"", "area", "min", "max", "mean", "std", "paper: min", "max", "mean", "std"},
+              .columns = {"", "area", "min", "max", "mean", "std", "paper: min", "paper: max", "paper: mean",
+                          "paper: std"},
               .rows = {}};
   const auto add = [&](const std::string& when, const AreaStatistics& ours, const AreaStatistics& papers) {
     for (std::size_t area = 0; area < kBladeAreas.size(); ++area) {
@@ -296,50 +295,62 @@ std::string spreadText(const AreaStatistics& before, const AreaStatistics& after
          fixedText(1000.0 * meanOverAreas(after, &ErrorStatistics::deviation), 2) + " µm";
 }
 
+/// Mean of the two edges' mean errors less that of the two sides', µm.
+double edgesAboveSides(const AreaStatistics& statistics) {
+  const auto [leading, convex, trailing, concave] = statistics;
+  return 500.0 * (leading.mean + trailing.mean - convex.mean - concave.mean);
+}
+
+std::string whatAgrees(const CmmExperiment& planned) {
+  std::size_t falling = 0;
+  for (std::size_t area = 0; area < kBladeAreas.size(); ++area) {
+    falling += std::abs(planned.after[area].mean) < std::abs(planned.before[area].mean) ? 1 : 0;
+  }
+  const auto outside = std::count_if(planned.points.begin(), planned.points.end(),
+                                     [](const auto& point) { return std::abs(point.after) > kTolerance; });
+  return "The mean error falls in " + std::to_string(falling) + " of the four areas, in the paper in all; " +
+         (outside == 0 ? std::string("no point ends") : countedText(outside, "point ends", "points end")) +
+         " outside the tolerance of ±0.05 mm. ";
+}
+
 std::vector<std::string> verdict(const CmmExperiment& planned, const CmmExperiment& even,
                                  const CmmExperimentOptions& options) {
-  const double below =
+  const double lowest =
       std::min_element(planned.points.begin(), planned.points.end(), [](const auto& a, const auto& b) {
         return a.after < b.after;
       })->after;
-  const auto outside = std::count_if(planned.points.begin(), planned.points.end(),
-                                     [](const auto& point) { return std::abs(point.after) > kTolerance; });
   return {
       "What is put in: the errors before. At the measured points the stock has exactly the minimum, maximum, "
       "mean and standard deviation of the paper's Table 5 in each area: a smooth random field is bent by an "
-      "increasing function until it does. The CMM then adds its noise, so that the table shows them to some "
-      "0.1 µm in the mean, and to a few times the noise in the extremes.",
+      "increasing function until it does. The CMM then adds its noise, " +
+          fixedText(1000.0 * options.cmm.noise, 1) + " µm, to each point.",
       "What comes out: the errors after. The dwell at each pose is planned from the errors measured before, "
       "to "
-      "take off all of them; the belt then cuts as Hertz's pressure and Preston's removal say, with a "
-      "coefficient " +
-          fixedText(100.0 * (1.0 - options.errors.preston_factor), 0) +
-          " % below the planned one, and a force that is biased and noisy. No number of the paper's rows "
-          "'after' enters.",
-      "What agrees: all errors fall, and " +
-          (outside == 0 ? std::string("every point ends") : std::to_string(outside) + " points do not end") +
-          " within ±0.05 mm. What does not: by how much. The paper's pass took off " +
+      "take off all of them; the belt then cuts as Hertz's pressure and Preston's removal say, with " +
+          fixedText(options.errors.preston_factor, 2) +
+          " times the coefficient planned with, and a force that is biased and noisy. No number of the "
+          "paper's rows \"after\" enters.",
+      whatAgrees(planned) + "What does not agree is by how much it falls. The paper's pass took off " +
           removedShare(kPaperBefore, kPaperAfter) + " of the mean error of an area, ours takes off " +
           removedShare(planned.before, planned.after) +
-          ". A pass that was to take off the whole error misses by the share by which the belt cuts "
-          "otherwise "
-          "than planned; for the paper's it would have to cut a quarter to a third of what was planned. So "
-          "either the paper's pass was not to reach the nominal surface, or its errors before were not known "
-          "to it; the paper does not say.",
+          ". A pass that is to take off the whole error misses by the share by which the belt cuts otherwise "
+          "than planned: for the paper's numbers it would have cut a quarter to a third of what was planned. "
+          "Either that pass was not to reach the nominal surface, or it was not planned from these errors; "
+          "the "
+          "paper does not say.",
       "The standard deviation tells more. In the paper it goes from " +
           spreadText(kPaperBefore, kPaperAfter) +
-          " (mean of the areas): the grinding did not even the errors out. Planned from the errors it goes "
-          "from " +
-          spreadText(planned.before, planned.after) +
-          " here; with one even feed, not planned, and set to take off the mean error, from " +
+          " (mean of the areas): the grinding did not even the errors out. Here it goes from " +
+          spreadText(planned.before, planned.after) + " by the planned pass, and from " +
           spreadText(even.before, even.after) +
-          " (next table). By this the paper's pass was of an even depth. The even pass also shows what a "
-          "plan is "
-          "for at the edges, where the wheel presses on less blade.",
-      "The lowest point lies " + mm(below) +
-          " mm from the nominal surface, and below 0 is into the blade: a pass that is planned to the "
-          "nominal surface cuts below it somewhere, by noise, by its step-over and by what the wheel is too "
-          "wide for. A careful pass would leave a margin.",
+          " by one of an even feed that is not planned point by point and is to take off the mean error "
+          "(second "
+          "table). By an even feed the edges A and C end " +
+          fixedText(edgesAboveSides(even.after), 1) + " µm above the sides B and D, by the planned pass " +
+          fixedText(edgesAboveSides(planned.after), 1) + " µm, in the paper " +
+          fixedText(edgesAboveSides(kPaperAfter), 1) + " µm.",
+      "The lowest point after lies at " + mm(lowest) +
+          " mm; below 0 is cut into the nominal blade. A careful pass would be planned with a margin.",
       "Left out: the belt's wear along the pass, its own stiffness and tension, heat, the bending of the "
       "blade "
       "under the force (which for a thin blade may exceed the errors), and how errors change the pressure."};

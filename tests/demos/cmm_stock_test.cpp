@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -51,7 +52,7 @@ TEST(CmmStatistics, aMapGivesASampleWhatIsAskedFor) {
     double last = map(-5.0);
     for (double value = -5.0; value < 5.0; value += 0.01) {
       EXPECT_GE(map(value), last) << "increasing";
-      EXPECT_LT(map(value) - last, 1e-4) << "continuous";
+      EXPECT_LT(map(value) - last, 2e-4) << "continuous";
       last = map(value);
     }
   }
@@ -206,8 +207,7 @@ TEST(CmmStrip, itsNormalsPointOutwardsAndItsAreasAreWhereTheyBelong) {
     };
     EXPECT_LT(middleOf(BladeArea::kLeadingEdge).x(), -18.0);
     EXPECT_GT(middleOf(BladeArea::kTrailingEdge).x(), 18.0);
-    EXPECT_GT(toward * middleOf(BladeArea::kConvex).y(), 3.0);
-    EXPECT_LT(toward * middleOf(BladeArea::kConcave).y(), 1.0);
+    EXPECT_GT(toward * (middleOf(BladeArea::kConvex) - middleOf(BladeArea::kConcave)).y(), 2.5);
     EXPECT_EQ(strip.measured_rows.size(), 5u);
     EXPECT_NEAR(strip.grid.height(strip.measured_rows.front()), 130.0, 1e-9);
     EXPECT_NEAR(strip.grid.height(strip.measured_rows.back()), 148.0, 1e-9);

@@ -57,7 +57,7 @@ TEST(VirtualCmm, theBallTouchesBesideThePointWhereSomethingIsHigher) {
   displacements[grid.index(row, station)] = 0.3;
   const ClusteredOctree part = treeOf(grid, displacements);
   const CmmOptions options{.probe_radius = 1.0, .noise = 0.0};
-  for (const std::size_t beside : {0, 1, 2, 4, 6}) {
+  for (const std::size_t beside : {0u, 1u, 2u, 4u, 6u}) {
     const SectionGrid::Point& nominal = grid.at(row, station + beside);
     const std::vector<NominalPoint> point = {{nominal.position, nominal.normal}};
     const double d = 0.1 * static_cast<double>(beside);
