@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -11,8 +10,6 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr int kHalvings = 100;
-
-double normalDistribution(double value) { return 0.5 * std::erfc(-value / std::numbers::sqrt2); }
 
 double spreadOut(double u, double spread) {
   return u - spread * std::sin(2.0 * std::numbers::pi * u) / (2.0 * std::numbers::pi);
@@ -33,15 +30,12 @@ double bisect(double low, double high, const TooLow& tooLow) {
 }  // namespace
 
 StatisticsMap::StatisticsMap(std::span<const double> sample, const ErrorStatistics& wanted)
-    : least_(std::numeric_limits<double>::infinity()), greatest_(-least_), wanted_(wanted) {
+    : sample_(sample.begin(), sample.end()), wanted_(wanted) {
+  std::sort(sample_.begin(), sample_.end());
+  sample_.erase(std::unique(sample_.begin(), sample_.end()), sample_.end());
+  if (sample_.size() < 2) throw std::invalid_argument("the sample has fewer than two different values");
   std::vector<double> uniform;
-  for (const double value : sample) uniform.push_back(normalDistribution(value));
-  for (const double u : uniform) {
-    least_ = std::min(least_, u);
-    greatest_ = std::max(greatest_, u);
-  }
-  if (!(least_ < greatest_)) throw std::invalid_argument("the sample has fewer than two different values");
-  for (double& u : uniform) u = (u - least_) / (greatest_ - least_);
+  for (const double value : sample) uniform.push_back(partBelow(value));
 
   const auto statistics = [&](double spread, double skew) {
     std::vector<double> errors;
@@ -61,16 +55,23 @@ StatisticsMap::StatisticsMap(std::span<const double> sample, const ErrorStatisti
   });
   skew_ = skewFor(spread_);
   const ErrorStatistics reached = statistics(spread_, skew_);
-  const double off = std::max(std::abs(reached.mean - wanted.mean),
-                              std::abs(reached.deviation - wanted.deviation));
+  const double off =
+      std::max(std::abs(reached.mean - wanted.mean), std::abs(reached.deviation - wanted.deviation));
   if (!(off <= 1e-9 * (wanted.max - wanted.min))) {
     throw std::invalid_argument("no stock has the minimum, maximum, mean and deviation asked for");
   }
 }
 
+double StatisticsMap::partBelow(double value) const {
+  if (value <= sample_.front()) return 0.0;
+  if (value >= sample_.back()) return 1.0;
+  const auto above = std::upper_bound(sample_.begin(), sample_.end(), value);
+  const double part = (value - *(above - 1)) / (*above - *(above - 1));
+  return (static_cast<double>(above - 1 - sample_.begin()) + part) / static_cast<double>(sample_.size() - 1);
+}
+
 double StatisticsMap::operator()(double value) const {
-  const double u = std::clamp((normalDistribution(value) - least_) / (greatest_ - least_), 0.0, 1.0);
-  return std::lerp(wanted_.min, wanted_.max, skewed(spreadOut(u, spread_), skew_));
+  return std::lerp(wanted_.min, wanted_.max, skewed(spreadOut(partBelow(value), spread_), skew_));
 }
 
 }  // namespace octoblisk::demos
