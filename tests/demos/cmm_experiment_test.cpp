@@ -45,11 +45,15 @@ TEST(CmmExperiment, withoutNoiseTheCmmMeasuresTheStock) {
   CmmExperimentOptions options;
   options.cmm.noise = 0.0;
   const CmmExperiment result = run(options);
+  // In the hollow between two facets of the blade's mesh the ball rests beside the point, 0.2 µm too high.
+  double sum = 0.0;
   for (const MeasuredPoint& point : result.points) {
     const std::size_t index = result.strip.grid.index(point.row, point.station);
-    EXPECT_NEAR(point.before, result.stock[index], 1e-4);
-    EXPECT_NEAR(point.after, result.ground[index], 1e-4);
+    EXPECT_NEAR(point.before, result.stock[index], 3e-4);
+    EXPECT_NEAR(point.after, result.ground[index], 3e-4);
+    sum += point.before - result.stock[index];
   }
+  EXPECT_NEAR(sum / static_cast<double>(result.points.size()), 0.0, 5e-5);
 }
 
 TEST(CmmExperiment, isDeterministic) {
