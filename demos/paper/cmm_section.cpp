@@ -16,7 +16,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kTolerance = 0.05;       // mm to either side: the profile tolerance of blades
-constexpr double kMagnification = 150.0;  // of deviations in the profile plots
+constexpr double kMagnification = 100.0;  // of deviations in the profile plots
 
 std::string mm(double value) { return fixedText(value, 4); }
 
@@ -229,11 +229,9 @@ Plot profilePlot(const CmmExperiment& experiment, double MeasuredPoint::*deviati
   measured.y.push_back(measured.y.front());
   return {.title = when + ", deviations magnified " + fixedText(kMagnification, 0) + " times",
           .x_label = "along the chord, mm",
-          .y_label = "mm",
-          .equal_aspect = true,
+          .y_label = "across it, stretched, mm",
           .series = {curveAt(strip, row, 0.0, "nominal", SeriesStyle::kLine), std::move(measured),
-                     curveAt(strip, row, kTolerance, "+0.05 mm", SeriesStyle::kDashedLine),
-                     curveAt(strip, row, -kTolerance, "-0.05 mm", SeriesStyle::kDashedLine)}};
+                     curveAt(strip, row, kTolerance, "tolerance +0.05 mm", SeriesStyle::kDashedLine)}};
 }
 
 /// The errors of an area of the middle section over the way along the section; the leading edge's from its
@@ -332,8 +330,7 @@ std::vector<std::string> verdict(const CmmExperiment& planned, const CmmExperime
       "increasing function until it does. The CMM then adds its noise, " +
           fixedText(1000.0 * options.cmm.noise, 1) + " µm, to each point.",
       "What comes out: the errors after. The dwell at each pose is planned from the errors measured before, "
-      "to "
-      "take off all of them; the belt then cuts as Hertz's pressure and Preston's removal say, with " +
+      "to take off all of them; the belt then cuts as Hertz's pressure and Preston's removal say, with " +
           fixedText(options.errors.preston_factor, 2) +
           " times the coefficient planned with, and a force that is biased and noisy. No number of the "
           "paper's rows \"after\" enters.",
@@ -343,24 +340,24 @@ std::vector<std::string> verdict(const CmmExperiment& planned, const CmmExperime
           ". A pass that is to take off the whole error misses by the share by which the belt cuts otherwise "
           "than planned: for the paper's numbers it would have cut a quarter to a third of what was planned. "
           "Either that pass was not to reach the nominal surface, or it was not planned from these errors; "
-          "the "
-          "paper does not say.",
+          "the paper does not say.",
       "The standard deviation tells more. In the paper it goes from " +
           spreadText(kPaperBefore, kPaperAfter) +
           " (mean of the areas): the grinding did not even the errors out. Here it goes from " +
           spreadText(planned.before, planned.after) + " by the planned pass, and from " +
           spreadText(even.before, even.after) +
           " by one of an even feed that is not planned point by point and is to take off the mean error "
-          "(second "
-          "table). By an even feed the edges A and C end " +
-          fixedText(edgesAboveSides(even.after), 1) + " µm above the sides B and D, by the planned pass " +
-          fixedText(edgesAboveSides(planned.after), 1) + " µm, in the paper " +
-          fixedText(edgesAboveSides(kPaperAfter), 1) + " µm.",
+          "(second table); on the sides B and D alone by an even feed from " +
+          sidesText(even.before) + " to " + sidesText(even.after) + " µm, in the paper from " +
+          sidesText(kPaperBefore) + " to " + sidesText(kPaperAfter) +
+          " µm. By an even feed the edges A and C end " + fixedText(edgesAboveSides(even.after), 1) +
+          " µm above the sides B and D, by the planned pass " + fixedText(edgesAboveSides(planned.after), 1) +
+          " µm, in the paper " + fixedText(edgesAboveSides(kPaperAfter), 1) + " µm.",
       "The lowest point after lies at " + mm(lowest) +
           " mm; below 0 is cut into the nominal blade. A careful pass would be planned with a margin.",
       "Left out: the belt's wear along the pass, its own stiffness and tension, heat, the bending of the "
-      "blade "
-      "under the force (which for a thin blade may exceed the errors), and how errors change the pressure."};
+      "blade under the force (which for a thin blade may exceed the errors), and how errors change the "
+      "pressure."};
 }
 
 }  // namespace
@@ -391,7 +388,8 @@ Section cmmSection(const TriangleMesh& blisk, const BladesFound& blades, const s
     section.figures.push_back({file, caption});
   };
   add("fig13a_profile_before.svg", profilePlot(planned, &MeasuredPoint::before, "Before"),
-      "Fig. 13a: the middle section before grinding, simulated");
+      "Fig. 13a: the middle section before grinding, simulated. So magnified, the tolerance of -0.05 mm "
+      "would lie beyond the blade's other side");
   add("fig13b_profile_after.svg", profilePlot(planned, &MeasuredPoint::after, "After"),
       "Fig. 13b: and after");
   for (const BladeArea area : kBladeAreas) {
