@@ -76,7 +76,7 @@ Table holesTable(const DetectionResult& result) {
       .caption =
           "Contacts that leaf boxes do not cover (erratum 14): poses at which the belt's triangles touch "
           "the blisk's, but meet no leaf box",
-      .columns = {"leaf boxes of", "missed"},
+      .columns = {"boxes", "missed"},
       .rows = {}};
   for (const HolesRow& row : result.holes)
     table.rows.push_back({row.method, ofPoses(row.missed, row.touching)});

@@ -34,7 +34,7 @@ TEST(BoxDetection, cellsLeft_vs_everyCell) {
     const Segmentation segmentation(clustersOf(cloud, 3, 1), 4, frame);
     const std::vector<Obb> cells = segmentation.leafCells();
     for (int i = 0; i < kPoses; ++i) {
-      const Obb there = testing::randomPose(random, 1.8) * box;
+      const Obb there = testing::randomPose(random, 1.5) * box;
       BoxesLeft expected;
       for (const Obb& cell : cells) {
         if (!overlaps(there, cell)) continue;
@@ -64,7 +64,7 @@ TEST(BoxDetection, leafBoxesLeft_vs_everyPair) {
   int hits = 0;
   constexpr int kPoses = 100;
   for (int i = 0; i < kPoses; ++i) {
-    const Pose pose = testing::randomPose(random, 1.6);
+    const Pose pose = testing::randomPose(random, 1.0);
     BoxesLeft against_box, against_boxes;
     for (const Obb& leaf : leaves) {
       if (overlaps(leaf, pose * belt_box)) {
@@ -95,18 +95,22 @@ TEST(BoxDetection, cellsThatTrianglesMeet_vs_everyTriangle) {
   const ClusteredOctree blisk = fanTree(), belt = ringTree();
   const std::vector<Obb> leaves = leafBoxes(blisk);
   const auto meetsAny = [&](const std::vector<Obb>& boxes, const Pose& pose) {
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < belt.mesh().triangleCount(); ++t) {
+      triangles.push_back(pose * belt.mesh().triangle(t));
+    }
     for (const Obb& box : boxes) {
-      for (std::size_t t = 0; t < belt.mesh().triangleCount(); ++t) {
-        if (testing::boxTriangleOverlap(box, pose * belt.mesh().triangle(t)) >= 0.0) return true;
+      for (const Triangle& triangle : triangles) {
+        if (testing::boxTriangleOverlap(box, triangle) >= 0.0) return true;
       }
     }
     return false;
   };
   std::mt19937_64 random(73);
   int hits = 0;
-  constexpr int kPoses = 60;
+  constexpr int kPoses = 40;
   for (int i = 0; i < kPoses; ++i) {
-    const Pose pose = testing::randomPose(random, 1.6);
+    const Pose pose = testing::randomPose(random, 1.2);
     const bool expected = meetsAny(cells, pose);
     ASSERT_EQ(anyLeafMeets(segmentation, belt, pose), expected) << "pose " << i;
     ASSERT_EQ(anyLeafMeets(blisk, belt, pose), meetsAny(leaves, pose)) << "pose " << i;
@@ -158,7 +162,7 @@ TEST(Alarms, countsWhatIsFalseAndWhatIsMissed) {
 struct SmallDetection {
   ClusteredOctree blisk = fanTree(), belt = ringTree();
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
-  std::vector<BeltPose> poses = posesAbout(blisk, belt, 80, 0.3, 2);
+  std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.4, 2);
   DetectionResult result = runDetectionExperiment(blisk, belt, parts, poses, poses,
                                                   {.fnop = 2, .clusters = 2, .runs = 1}, kSilent);
 };
