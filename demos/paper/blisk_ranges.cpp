@@ -78,27 +78,28 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   const auto axis_aligned = &BliskRange::axis_aligned, principal = &BliskRange::principal;
   const double one = ranges.whole.axis_aligned;
   const BliskRange& paper_choice = ranges.by_parts[1];
-  return {.title = "The whole blisk: parts first, or clusters at once",
-          .paragraphs =
-              {"The paper divides the blisk into its blades, and each of these into clusters. k-means "
-               "over the whole "
-               "blisk at once makes something else. Its boxes together are larger than the one box along "
-               "the axes for " +
-                   countLarger(ranges.at_once, one, axis_aligned) + " k along the axes, and for " +
-                   countLarger(ranges.at_once, one, principal) +
-                   " in principal frames; at best the range changes by " +
-                   changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
-                   changeText(one, best(ranges.at_once, principal)) + ". Divided first into its " +
-                   countedText(blades, "blade", "blades") + " and the hub, each in one box, it changes by " +
-                   changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
-                   changeText(one, ranges.by_parts[0].principal) + "; with k = 2 clusters of each part by " +
-                   changeText(one, paper_choice.axis_aligned) + " and " +
-                   changeText(one, paper_choice.principal) + ", with the best k by " +
-                   changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
-                   changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
-                   changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
-               "Volumes are sums: where boxes overlap, what they share counts for each."},
-          .tables = {std::move(table)}};
+  return {
+      .title = "The whole blisk: parts first, or clusters at once",
+      .paragraphs = {"The paper divides the blisk into its blades, and each of these into clusters. k-means "
+                     "over the whole blisk at "
+                     "once makes boxes that are together larger than the one box along the axes for " +
+                         countLarger(ranges.at_once, one, axis_aligned) + " k along the axes, and for " +
+                         countLarger(ranges.at_once, one, principal) +
+                         " in principal frames; at best the range changes by " +
+                         changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
+                         changeText(one, best(ranges.at_once, principal)) + ". Divided first into its " +
+                         countedText(blades, "blade", "blades") +
+                         " and the hub, each in one box, it changes by " +
+                         changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
+                         changeText(one, ranges.by_parts[0].principal) +
+                         "; with k = 2 clusters of each part by " +
+                         changeText(one, paper_choice.axis_aligned) + " and " +
+                         changeText(one, paper_choice.principal) + ", with the best k by " +
+                         changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
+                         changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
+                         changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
+                     "Volumes are sums: where boxes overlap, what they share counts for each."},
+      .tables = {std::move(table)}};
 }
 
 }  // namespace octoblisk::demos
