@@ -1,0 +1,121 @@
+// The paper's experiment on a robot (Table 4), run again in a Bullet world: an arm follows a grinding path,
+// and at every tick of its control the belt is compared with the blisk by several methods.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cell/grinding_cell.h"
+#include "models/blade_finder.h"
+#include "robot/cell_layout.h"
+#include "robot/robot_cell.h"
+
+namespace octoblisk::demos {
+
+/// What an arm's sensors get wrong. Each drawn from a normal distribution of the given standard deviation.
+struct NoiseOptions {
+  double encoder = 1e-5;  ///< of each joint at each tick, rad; assumed
+  /// Of the tool's place and direction, along and about each axis, for a whole run (mm, rad): the
+  /// unidirectional repeatability of an ABB IRB 1600 as M. Slamani, A. Nubiola and I. Bonev measured it
+  /// (Industrial Robot 39 (1), 2012), taken as three standard deviations.
+  double position = 0.037 / 3.0;
+  double direction = 87e-6 / 3.0;
+  std::uint64_t seed = 1;
+};
+
+struct RobotRunOptions {
+  double control_period = 0.004;  ///< s: what ABB's Externally Guided Motion offers
+  double speed = 20.0;            ///< of the contact wheel's centre along the path, mm/s; assumed
+  double turn_rate = 0.5;         ///< at most, rad/s; assumed
+  int steps_a_tick = 4;           ///< of the Bullet world
+  double margin = 0.2;            ///< mm: the second exact method tells of everything as near as this
+  int ground_blade = 1;           ///< that the belt may touch
+  std::size_t clusters = 2;       ///< of each blade, in the paper's method (k)
+  std::size_t leaf_capacity = 2;  ///< in the paper's octrees (FNOP)
+  NoiseOptions noise;
+};
+
+/// The methods that are compared, all on the pose that is measured.
+enum class Method {
+  traditional,  ///< one octree over the blisk's points, one box of the belt's
+  improved,     ///< the paper's: an octree for each cluster of each blade
+  exact,        ///< triangles, by Bullet with our shape and broadphase
+  margin,       ///< the same, with a margin for what the arm does not know
+};
+inline constexpr std::size_t kMethods = 4;
+
+/// How often a method spoke up, and how often wrongly.
+struct Alarms {
+  std::size_t alarms = 0;
+  std::size_t missed = 0;        ///< ticks at which there was something and it kept silent
+  std::size_t false_alarms = 0;  ///< ticks at which there was nothing
+  void count(bool alarm, bool truth);
+};
+
+struct MethodResult {
+  double range = 0.0;  ///< volume of the boxes that are to be examined, mm³
+  double mean_seconds = 0.0, worst_seconds = 0.0;
+  double worst_processor_seconds = 0.0;  ///< without what other work took
+  std::size_t late_ticks = 0;            ///< that took longer than the control period
+  Alarms touch;                          ///< the belt touches the blisk
+  /// Something touches that must not: the belt another blade or the hub, another part anything. The boxes of
+  /// one belt cannot tell that: none.
+  std::vector<Alarms> forbidden;
+};
+
+struct RobotTick {
+  double time = 0.0;             ///< s
+  double position_error = 0.0;   ///< of the contact wheel's centre from where it is to be, mm
+  double direction_error = 0.0;  ///< rad
+  double sensing_error = 0.0;    ///< of the centre as it is measured from where it is, mm
+  std::array<float, kMethods> seconds{};
+  std::array<bool, kMethods> alarm{};  ///< of the belt
+  bool touch = false;                  ///< the belt truly touches the blisk
+  bool forbidden = false;              ///< something truly touches that must not
+};
+
+/// The arm's own bodies against the blisk.
+struct ArmCollisions {
+  std::size_t ticks = 0;           ///< at which Bullet finds one, at the measured joints
+  std::size_t true_ticks = 0;      ///< by exact queries at the joints as they are
+  std::vector<std::string> links;  ///< that were found
+};
+
+struct RobotRun {
+  RobotRunOptions options;
+  CellLayout layout;
+  double duration = 0.0;  ///< of the path, s
+  std::vector<RobotTick> ticks;
+  std::array<MethodResult, kMethods> methods;
+  double mean_position_error = 0.0, worst_position_error = 0.0;  ///< mm
+  double worst_direction_error = 0.0;                            ///< rad
+  double mean_sensing_error = 0.0, worst_sensing_error = 0.0;    ///< mm
+  std::size_t touching_ticks = 0, forbidden_ticks = 0;           ///< in truth
+  std::size_t unreached_ticks = 0;      ///< at which the arm waits where it is, as the pose is out of reach
+  double least_margin_to_limits = 0.0;  ///< of the joints as they were, rad
+  ArmCollisions arm;
+  const MethodResult& of(Method method) const { return methods[static_cast<std::size_t>(method)]; }
+};
+
+/// What the cell is made of. The blades are those of the blisk's mesh; the belt is the tool's first part.
+struct RobotScene {
+  std::shared_ptr<const ClusteredOctree> blisk;
+  BladesFound blades;
+  std::vector<ToolPart> tool;
+  std::vector<Pose> path;  ///< the tool in the blisk's frame, mm
+};
+
+/// Follows the path in the given layout. What is true is found by exact queries on the triangles at the poses
+/// as they are. Deterministic but for the times. `progress`, if any, is told of the ticks done and of all.
+///
+/// Throws std::invalid_argument for an option out of its range, for blades of another mesh, and as RobotCell
+/// and TimedPath do.
+RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options = {},
+                  const SixAxisArm& arm = {}, const ServoOptions& servo = {},
+                  const std::function<void(std::size_t, std::size_t)>& progress = {});
+
+}  // namespace octoblisk::demos
