@@ -5,8 +5,11 @@
 
 namespace octoblisk::demos {
 
-Joints jointsOfDegrees(const std::array<double, 6>& degrees) {
-  return Eigen::Map<const Joints>(degrees.data()) * (std::numbers::pi / 180.0);
+Joints jointsOfDegrees(double joint1, double joint2, double joint3, double joint4, double joint5,
+                       double joint6) {
+  Joints degrees;
+  degrees << joint1, joint2, joint3, joint4, joint5, joint6;
+  return degrees * (std::numbers::pi / 180.0);
 }
 
 std::array<DhRow, 6> dhRows(const SixAxisArm& arm) {

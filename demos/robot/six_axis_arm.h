@@ -12,7 +12,8 @@ namespace octoblisk::demos {
 using Joints = Eigen::Matrix<double, 6, 1>;
 
 /// The same from degrees.
-Joints jointsOfDegrees(const std::array<double, 6>& degrees);
+Joints jointsOfDegrees(double joint1, double joint2, double joint3, double joint4, double joint5,
+                       double joint6);
 
 /// The arm's dimensions. All are assumed: round numbers of the size of an industrial arm for some 60 kg with
 /// 2 m of reach; the paper names no robot. At joints of zero the upper arm is upright, and forearm and tool
@@ -24,8 +25,8 @@ struct SixAxisArm {
   double elbow_offset = 175.0;     ///< of axis 4 from axis 3
   double forearm = 960.0;          ///< from axis 3 to the wrist's centre, along axis 4
   double flange = 135.0;           ///< from the wrist's centre, along axis 6
-  Joints least = jointsOfDegrees({-180.0, -90.0, -180.0, -200.0, -125.0, -400.0});
-  Joints greatest = jointsOfDegrees({180.0, 150.0, 75.0, 200.0, 125.0, 400.0});
+  Joints least = jointsOfDegrees(-180.0, -90.0, -180.0, -200.0, -125.0, -400.0);
+  Joints greatest = jointsOfDegrees(180.0, 150.0, 75.0, 200.0, 125.0, 400.0);
 };
 
 /// A joint after J. Denavit and R. S. Hartenberg (1955), in the standard form: frame i follows from frame
