@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <stdexcept>
 
+#include "octoblisk/collide.h"
 #include "octoblisk/obb.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "robot/point_boxes.h"
@@ -105,6 +107,8 @@ class Methods {
         return askBoxes(traditional_, belief);
       case Method::improved:
         return askBoxes(improved_, belief);
+      case Method::yes_or_no:
+        return askTriangles(belief);
       case Method::exact:
         return askBullet(belief, 0.0);
       default:
@@ -117,6 +121,14 @@ class Methods {
     const StopWatch watch;
     Answer answer;
     answer.touch = boxes.leavesMet(cell_.toolInBlisk(belief) * belt_) > 0;
+    answer.taken = watch.taken();
+    return answer;
+  }
+
+  Answer askTriangles(const Belief& belief) const {
+    const StopWatch watch;
+    Answer answer;
+    answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(belief)).has_value();
     answer.taken = watch.taken();
     return answer;
   }

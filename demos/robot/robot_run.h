@@ -43,10 +43,11 @@ struct RobotRunOptions {
 enum class Method {
   traditional,  ///< one octree over the blisk's points, one box of the belt's
   improved,     ///< the paper's: an octree for each cluster of each blade
-  exact,        ///< triangles, by Bullet with our shape and broadphase
+  yes_or_no,    ///< triangles, exactly, of belt and blisk alone, to the first two that meet
+  exact,        ///< all contacts of tool and arm, exactly, by Bullet with our shape and broadphase
   margin,       ///< the same, with a margin for what the arm does not know
 };
-inline constexpr std::size_t kMethods = 4;
+inline constexpr std::size_t kMethods = 5;
 
 /// How often a method spoke up, and how often wrongly.
 struct Alarms {
@@ -62,8 +63,8 @@ struct MethodResult {
   double worst_processor_seconds = 0.0;  ///< without what other work took
   std::size_t late_ticks = 0;            ///< that took longer than the control period
   Alarms touch;                          ///< the belt touches the blisk
-  /// Something touches that must not: the belt another blade or the hub, another part anything. The boxes of
-  /// one belt cannot tell that: none.
+  /// Something touches that must not: the belt another blade or the hub, another part anything. None of
+  /// methods that ask of the belt alone, and not where.
   std::vector<Alarms> forbidden;
 };
 

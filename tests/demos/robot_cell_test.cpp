@@ -195,29 +195,30 @@ TEST(RobotCell, detects_whatExactQueriesSay_whereTheToolIsThoughtToBe) {
 }
 
 TEST(RobotCell, detects_theArmsOwnLinks) {
-  RobotCell cell(smallSetup());
-  const RobotCellSetup& setup = cell.setup();
-  std::array<std::unique_ptr<ConvexHull>, 6> hulls;
-  for (std::size_t link = 0; link < 6; ++link) {
-    hulls[link] = std::make_unique<ConvexHull>(meshOf(linkBodies(setup.arm)[link]).vertices());
-  }
+  RobotCellSetup setup = smallSetup();
+  const Pose wrist = linkFrames(setup.arm, readyJoints())[4];
+  setup.blisk_in_base.translation = wrist.translation + Vec3(0.0, 0.0, 60.0);
+  RobotCell cell(setup);
+  std::vector<ConvexHull> hulls;
+  for (const LinkBody& body : linkBodies(setup.arm)) hulls.emplace_back(meshOf(body).vertices());
   std::mt19937_64 random(73);
   int asked = 0, touching = 0;
   for (int i = 0; i < 150; ++i) {
     Joints joints = readyJoints();
-    for (const Eigen::Index j : {0, 1, 2, 3, 4}) joints[j] += testing::uniform(random, -0.3, 0.9);
+    for (double& joint : joints) joint += testing::uniform(random, -0.3, 0.3);
     const std::array<Pose, 6> frames = linkFrames(setup.arm, joints);
     const std::span<const CellContact> found = cell.detect(Belief{joints, {}}, 0.0);
-    for (std::size_t link = 3; link < 6; ++link) {
+    for (std::size_t link = 0; link < 6; ++link) {
       const bool expected =
-          collide(*setup.blisk, *hulls[link], setup.blisk_in_base.inverse() * frames[link]).has_value();
+          collide(*setup.blisk, hulls[link], setup.blisk_in_base.inverse() * frames[link]).has_value();
       const bool says = std::ranges::any_of(found, [&](const CellContact& c) { return c.body == link; });
       ASSERT_EQ(says, expected) << joints.transpose() << ", link " << link;
+      if (link < 3) continue;  // far away
       ++asked;
       touching += expected;
     }
   }
-  EXPECT_GT(touching, asked / 10);
+  EXPECT_GT(touching, asked * 3 / 10);
   EXPECT_LT(touching, asked * 7 / 10);
   EXPECT_EQ(cell.nameOfBody(0), "link 1");
   EXPECT_EQ(cell.nameOfBody(7), "cross bar");

@@ -228,6 +228,7 @@ TEST(RobotRun, withoutNoise_exactDetectionIsTheTruth) {
   EXPECT_EQ(exact.forbidden.front().missed + exact.forbidden.front().false_alarms, 0u);
   EXPECT_EQ(exact.touch.alarms, run.touching_ticks);
   EXPECT_EQ(run.of(Method::margin).touch.missed, 0u);
+  EXPECT_EQ(run.of(Method::yes_or_no).touch.missed + run.of(Method::yes_or_no).touch.false_alarms, 0u);
   EXPECT_EQ(run.arm.ticks, run.arm.true_ticks);
   EXPECT_GT(run.touching_ticks, 0u);
 }
