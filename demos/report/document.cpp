@@ -161,7 +161,8 @@ constexpr std::string_view kStyle =
     "caption{text-align:left;font-weight:bold;padding:.3rem 0}"
     "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:right}"
     "th{background:#eef1f4}td:first-child,th:first-child{text-align:left}"
-    "figure{margin:1.5rem 0}img{max-width:100%}figcaption{color:#5c6675}";
+    ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(24rem,1fr));gap:1rem}"
+    "figure{margin:.5rem 0}img{max-width:100%}figcaption{color:#5c6675}";
 
 }  // namespace
 
@@ -196,7 +197,9 @@ std::string htmlOf(const Document& document, const std::filesystem::path& folder
     text += element("h2", section.title) + "\n";
     for (const std::string& paragraph : section.paragraphs) text += element("p", paragraph) + "\n";
     for (const Table& table : section.tables) text += htmlTable(table);
+    text += "<div class=\"figures\">\n";
     for (const Figure& figure : section.figures) text += htmlFigure(figure, folder);
+    text += "</div>\n";
   }
   return text + "</body>\n</html>\n";
 }
