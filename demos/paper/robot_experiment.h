@@ -4,13 +4,14 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cell/grinding_cell.h"
 #include "models/blade_finder.h"
+#include "paper/paper_model.h"
+#include "paper/progress.h"
 #include "robot/cell_layout.h"
 #include "robot/robot_cell.h"
 
@@ -40,32 +41,32 @@ struct RobotRunOptions {
 };
 
 /// The methods that are compared, all on the pose that is measured.
-enum class Method {
-  traditional,  ///< one octree over the blisk's points, one box of the belt's
-  improved,     ///< the paper's: an octree for each cluster of each blade
+enum class RobotMethod {
+  traditional,  ///< the belt's one box against one octree over the blisk's points, by 15 separating axes
+  improved,     ///< the paper's: against an octree for each cluster of each blade
   yes_or_no,    ///< triangles, exactly, of belt and blisk alone, to the first two that meet
   exact,        ///< all contacts of tool and arm, exactly, by Bullet with our shape and broadphase
   margin,       ///< the same, with a margin for what the arm does not know
 };
-inline constexpr std::size_t kMethods = 5;
+inline constexpr std::size_t kRobotMethods = 5;
 
 /// How often a method spoke up, and how often wrongly.
-struct Alarms {
+struct RobotAlarms {
   std::size_t alarms = 0;
   std::size_t missed = 0;        ///< ticks at which there was something and it kept silent
   std::size_t false_alarms = 0;  ///< ticks at which there was nothing
   void count(bool alarm, bool truth);
 };
 
-struct MethodResult {
+struct RobotMethodResult {
   double range = 0.0;  ///< volume of the boxes that are to be examined, mm³
   double mean_seconds = 0.0, worst_seconds = 0.0;
   double worst_processor_seconds = 0.0;  ///< without what other work took
   std::size_t late_ticks = 0;            ///< that took longer than the control period
-  Alarms touch;                          ///< the belt touches the blisk
+  RobotAlarms touch;                     ///< the belt touches the blisk
   /// Something touches that must not: the belt another blade or the hub, another part anything. None of
   /// methods that ask of the belt alone, and not where.
-  std::vector<Alarms> forbidden;
+  std::vector<RobotAlarms> forbidden;
 };
 
 struct RobotTick {
@@ -73,10 +74,10 @@ struct RobotTick {
   double position_error = 0.0;   ///< of the contact wheel's centre from where it is to be, mm
   double direction_error = 0.0;  ///< rad
   double sensing_error = 0.0;    ///< of the centre as it is measured from where it is, mm
-  std::array<float, kMethods> seconds{};
-  std::array<bool, kMethods> alarm{};  ///< of the belt
-  bool touch = false;                  ///< the belt truly touches the blisk
-  bool forbidden = false;              ///< something truly touches that must not
+  std::array<float, kRobotMethods> seconds{};
+  std::array<bool, kRobotMethods> alarm{};  ///< of the belt
+  bool touch = false;                       ///< the belt truly touches the blisk
+  bool forbidden = false;                   ///< something truly touches that must not
 };
 
 /// The arm's own bodies against the blisk.
@@ -90,8 +91,9 @@ struct RobotRun {
   RobotRunOptions options;
   CellLayout layout;
   double duration = 0.0;  ///< of the path, s
+  Joints joints_half_way = Joints::Zero();
   std::vector<RobotTick> ticks;
-  std::array<MethodResult, kMethods> methods;
+  std::array<RobotMethodResult, kRobotMethods> methods;
   double mean_position_error = 0.0, worst_position_error = 0.0;  ///< mm
   double worst_direction_error = 0.0;                            ///< rad
   double mean_sensing_error = 0.0, worst_sensing_error = 0.0;    ///< mm
@@ -99,7 +101,7 @@ struct RobotRun {
   std::size_t unreached_ticks = 0;      ///< at which the arm waits where it is, as the pose is out of reach
   double least_margin_to_limits = 0.0;  ///< of the joints as they were, rad
   ArmCollisions arm;
-  const MethodResult& of(Method method) const { return methods[static_cast<std::size_t>(method)]; }
+  const RobotMethodResult& of(RobotMethod method) const { return methods[static_cast<std::size_t>(method)]; }
 };
 
 /// What the cell is made of. The blades are those of the blisk's mesh; the belt is the tool's first part.
@@ -107,16 +109,16 @@ struct RobotScene {
   std::shared_ptr<const ClusteredOctree> blisk;
   BladesFound blades;
   std::vector<ToolPart> tool;
-  std::vector<Pose> path;  ///< the tool in the blisk's frame, mm
+  std::vector<Points> clouds;  ///< of the blisk's parts, for the methods of the paper: see partClouds
+  std::vector<Pose> path;      ///< the tool in the blisk's frame, mm
 };
 
 /// Follows the path in the given layout. What is true is found by exact queries on the triangles at the poses
-/// as they are. Deterministic but for the times. `progress`, if any, is told of the ticks done and of all.
+/// as they are. Deterministic but for the times.
 ///
-/// Throws std::invalid_argument for an option out of its range, for blades of another mesh, and as RobotCell
-/// and TimedPath do.
+/// Throws std::invalid_argument for an option out of its range, for blades of another mesh, for clouds that
+/// are missing or have fewer points than clusters, and as RobotCell and TimedPath do.
 RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options = {},
-                  const SixAxisArm& arm = {}, const ServoOptions& servo = {},
-                  const std::function<void(std::size_t, std::size_t)>& progress = {});
+                  const SixAxisArm& arm = {}, const ServoOptions& servo = {}, const Progress& progress = {});
 
 }  // namespace octoblisk::demos

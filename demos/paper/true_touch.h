@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "octoblisk/convex.h"
-#include "robot/robot_run.h"
+#include "paper/robot_experiment.h"
 
 namespace octoblisk::demos {
 

@@ -1,4 +1,4 @@
-#include "robot/true_touch.h"
+#include "paper/true_touch.h"
 
 #include <algorithm>
 

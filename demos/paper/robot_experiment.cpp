@@ -1,4 +1,4 @@
-#include "robot/robot_run.h"
+#include "paper/robot_experiment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,16 @@
 #include "octoblisk/collide.h"
 #include "octoblisk/obb.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
-#include "robot/point_boxes.h"
-#include "robot/stop_watch.h"
+#include "paper/box_detection.h"
+#include "paper/segmentation.h"
+#include "paper/stop_watch.h"
+#include "paper/true_touch.h"
 #include "robot/timed_path.h"
-#include "robot/true_touch.h"
 
 namespace octoblisk::demos {
 namespace {
+
+constexpr std::uint64_t kClusterSeed = 1;  // of k-means
 
 void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   const auto require = [](bool holds, const char* message) {
@@ -24,6 +27,7 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   };
   require(scene.blisk != nullptr, "a robot's run needs a blisk");
   require(!scene.tool.empty(), "a robot's run needs a tool");
+  require(!scene.clouds.empty(), "a robot's run needs clouds of the blisk's parts");
   require(scene.blades.blade_of_triangle.size() == scene.blisk->mesh().triangleCount(),
           "the blades are not those of this blisk");
   require(options.control_period > 0.0, "the control period must be above 0 s");
@@ -66,6 +70,22 @@ class Noise {
   Pose tool_error_;
 };
 
+Segmentation traditionalOf(const RobotScene& scene, const RobotRunOptions& options) {
+  Points whole;
+  for (const Points& part : scene.clouds) whole.insert(whole.end(), part.begin(), part.end());
+  return Segmentation(std::span(&whole, 1), options.leaf_capacity, CellFrame::box);
+}
+
+Segmentation improvedOf(const RobotScene& scene, const RobotRunOptions& options) {
+  std::vector<Points> clusters;
+  for (const Points& part : scene.clouds) {
+    for (Points& cluster : clustersOf(part, options.clusters, kClusterSeed)) {
+      clusters.push_back(std::move(cluster));
+    }
+  }
+  return Segmentation(clusters, options.leaf_capacity, CellFrame::box);
+}
+
 double boxVolume(const ClusteredOctree& tree) {
   double volume = 0.0;
   for (const Obb& box : tree.boxes(ClusteredOctreeBroadphase::kDefaultDepth)) volume += box.volume();
@@ -80,16 +100,15 @@ class Methods {
         options_(options),
         cell_(cell),
         belt_(principalBox(scene.tool.front().tree->mesh().vertices())),
-        traditional_(PointBoxes::traditional(scene.blisk->mesh(), options.leaf_capacity)),
-        improved_(PointBoxes::improved(scene.blisk->mesh(), scene.blades, options.clusters,
-                                       options.leaf_capacity)) {}
+        traditional_(traditionalOf(scene, options)),
+        improved_(improvedOf(scene, options)) {}
 
-  double range(Method method) const {
+  double range(RobotMethod method) const {
     switch (method) {
-      case Method::traditional:
-        return traditional_.range();
-      case Method::improved:
-        return improved_.range();
+      case RobotMethod::traditional:
+        return traditional_.rootVolume();
+      case RobotMethod::improved:
+        return improved_.rootVolume();
       default:
         return boxVolume(*scene_.blisk);
     }
@@ -101,15 +120,15 @@ class Methods {
     TimeTaken taken;
   };
 
-  Answer ask(Method method, const Belief& belief) const {
+  Answer ask(RobotMethod method, const Belief& belief) const {
     switch (method) {
-      case Method::traditional:
+      case RobotMethod::traditional:
         return askBoxes(traditional_, belief);
-      case Method::improved:
+      case RobotMethod::improved:
         return askBoxes(improved_, belief);
-      case Method::yes_or_no:
+      case RobotMethod::yes_or_no:
         return askTriangles(belief);
-      case Method::exact:
+      case RobotMethod::exact:
         return askBullet(belief, 0.0);
       default:
         return askBullet(belief, options_.margin);
@@ -117,10 +136,11 @@ class Methods {
   }
 
  private:
-  Answer askBoxes(const PointBoxes& boxes, const Belief& belief) const {
+  Answer askBoxes(const Segmentation& boxes, const Belief& belief) const {
     const StopWatch watch;
     Answer answer;
-    answer.touch = boxes.leavesMet(cell_.toolInBlisk(belief) * belt_) > 0;
+    answer.touch =
+        leavesNear(boxes, cell_.toolInBlisk(belief) * belt_, SeparatingAxes::exact15).isColliding();
     answer.taken = watch.taken();
     return answer;
   }
@@ -155,13 +175,13 @@ class Methods {
   const RobotRunOptions& options_;
   RobotCell& cell_;
   Obb belt_;  // in the belt's frame
-  PointBoxes traditional_, improved_;
+  Segmentation traditional_, improved_;
 };
 
 /// Sums what each tick says of a method.
 class Tally {
  public:
-  Tally(MethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
+  Tally(RobotMethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
     if (tells_forbidden) result_.forbidden.emplace_back();
   }
 
@@ -172,13 +192,13 @@ class Tally {
     result_.worst_processor_seconds = std::max(result_.worst_processor_seconds, processor);
     result_.late_ticks += clock > period_;
     result_.touch.count(answer.touch, truth.belt);
-    for (Alarms& forbidden : result_.forbidden) forbidden.count(answer.forbidden, truth.forbidden);
+    for (RobotAlarms& forbidden : result_.forbidden) forbidden.count(answer.forbidden, truth.forbidden);
   }
 
   void finish(std::size_t ticks) { result_.mean_seconds /= static_cast<double>(ticks); }
 
  private:
-  MethodResult& result_;
+  RobotMethodResult& result_;
   double period_;
 };
 
@@ -219,15 +239,14 @@ void summarize(RobotRun& run) {
 
 }  // namespace
 
-void Alarms::count(bool alarm, bool truth) {
+void RobotAlarms::count(bool alarm, bool truth) {
   alarms += alarm;
   missed += truth && !alarm;
   false_alarms += alarm && !truth;
 }
 
 RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
-                  const SixAxisArm& arm, const ServoOptions& servo,
-                  const std::function<void(std::size_t, std::size_t)>& progress) {
+                  const SixAxisArm& arm, const ServoOptions& servo, const Progress& progress) {
   requireUsable(scene, options);
   const TimedPath path(scene.path, options.speed, options.turn_rate);
   RobotCell cell(setupOf(scene, layout, arm, servo));
@@ -241,18 +260,17 @@ RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const Robot
   run.duration = path.duration();
   run.least_margin_to_limits = std::numeric_limits<double>::infinity();
   std::vector<Tally> tallies;
-  for (std::size_t m = 0; m < kMethods; ++m) {
-    run.methods[m].range = methods.range(static_cast<Method>(m));
+  for (std::size_t m = 0; m < kRobotMethods; ++m) {
+    run.methods[m].range = methods.range(static_cast<RobotMethod>(m));
     tallies.emplace_back(run.methods[m], options.control_period,
-                         m >= static_cast<std::size_t>(Method::exact));
+                         m >= static_cast<std::size_t>(RobotMethod::exact));
   }
   std::set<std::size_t> links_hit;
 
   const Pose flange_in_tool = layout.tool_in_flange.inverse();
   const auto tick_count = static_cast<std::size_t>(std::ceil(path.duration() / options.control_period)) + 1;
   Joints commanded = layout.start;
-  Joints encoder_error = noise.encoderError();
-  cell.place(commanded);
+  Joints encoder_error = Joints::Zero();
   for (std::size_t k = 0; k < tick_count; ++k) {
     RobotTick tick;
     tick.time = static_cast<double>(k) * options.control_period;
@@ -260,10 +278,15 @@ RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const Robot
     const Posture posture = inverseKinematics(arm, layout.blisk_in_base * wanted * flange_in_tool, commanded);
     const Joints next = posture.reach == Reach::reached ? posture.joints : commanded;
     run.unreached_ticks += posture.reach != Reach::reached;
-    if (k > 0) cell.drive(commanded, next, options.control_period, options.steps_a_tick, encoder_error);
+    if (k == 0) {
+      cell.place(next);
+    } else {
+      cell.drive(commanded, next, options.control_period, options.steps_a_tick, encoder_error);
+    }
     commanded = next;
 
     const Joints joints = cell.joints();
+    if (k == tick_count / 2) run.joints_half_way = joints;
     const Pose tool_in_blisk = cell.toolInBlisk();
     encoder_error = noise.encoderError();
     const Belief belief{joints + encoder_error, noise.toolError()};
@@ -277,18 +300,18 @@ RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const Robot
     tick.touch = touches.belt;
     tick.forbidden = touches.forbidden;
     run.arm.true_ticks += truth.ofArm(linksInBlisk(cell));
-    for (std::size_t m = 0; m < kMethods; ++m) {
-      const auto method = static_cast<Method>(m);
+    for (std::size_t m = 0; m < kRobotMethods; ++m) {
+      const auto method = static_cast<RobotMethod>(m);
       const Methods::Answer answer = methods.ask(method, belief);
       tallies[m].add(answer, touches);
       tick.seconds[m] = static_cast<float>(answer.taken.clock);
       tick.alarm[m] = answer.touch;
-      if (method != Method::exact) continue;
+      if (method != RobotMethod::exact) continue;
       run.arm.ticks += !answer.links.empty();
       links_hit.insert(answer.links.begin(), answer.links.end());
     }
     run.ticks.push_back(tick);
-    if (progress) progress(k + 1, tick_count);
+    if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(tick_count));
   }
   for (Tally& tally : tallies) tally.finish(tick_count);
   for (const std::size_t link : links_hit) run.arm.links.push_back(cell.nameOfBody(link));

@@ -1,5 +1,5 @@
 // The experiment on a robot: its layout, its path in time, the paper's boxes, and the run itself.
-#include "robot/robot_run.h"
+#include "paper/robot_experiment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,6 @@
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/octree.h"
-#include "octoblisk/separating_axis.h"
-#include "robot/point_boxes.h"
 #include "robot/timed_path.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
@@ -39,6 +36,11 @@ const RobotScene& coarseScene() {
                  {"contact wheel", treeOf(makeContactWheel(belt))},
                  {"drive wheel", treeOf(makeDriveWheel(belt))},
                  {"arm", treeOf(makeArm(belt))}};
+    made.clouds.resize(static_cast<std::size_t>(made.blades.count) + 1);  // hub and blades: their centroids
+    for (std::size_t t = 0; t < made.blisk->mesh().triangleCount(); ++t) {
+      const auto [a, b, c] = made.blisk->mesh().triangle(t);
+      made.clouds[static_cast<std::size_t>(made.blades.blade_of_triangle[t])].push_back((a + b + c) / 3.0);
+    }
     return made;
   }();
   return scene;
@@ -143,44 +145,6 @@ TEST(CellLayout, theToolsArm_pointsToTheFlange) {
   EXPECT_TRUE((tool * Vec3(380.0, 0.0, 0.0)).isZero(1e-12));
 }
 
-TEST(PointBoxes, traditional_isTheBoxOfAllPoints) {
-  const PointBoxes boxes = PointBoxes::traditional(coarseScene().blisk->mesh(), 2);
-  EXPECT_NEAR(boxes.range(), 480.0 * 480.0 * 200.0, 1e-3 * boxes.range());  // the paper's 4608e4 mm³
-  EXPECT_EQ(boxes.nodes() % 8, 1u);
-}
-
-TEST(PointBoxes, improved_isAsManyTreesAsClusters_andSmaller) {
-  const RobotScene& scene = coarseScene();
-  for (const std::size_t clusters : {1u, 2u, 3u}) {
-    const PointBoxes boxes = PointBoxes::improved(scene.blisk->mesh(), scene.blades, clusters, 2);
-    EXPECT_EQ((boxes.nodes() - 25 * clusters) % 8, 0u);  // 24 blades and the hub: k + 8 · splits
-    EXPECT_LT(boxes.range(), 480.0 * 480.0 * 200.0);
-  }
-}
-
-TEST(PointBoxes, leavesMet_vs_allLeaves) {
-  const TriangleMesh& mesh = coarseScene().blisk->mesh();
-  OctreeOptions options;
-  options.leaf_capacity = 4;
-  const Octree octree = Octree::build(mesh.vertices(), options);
-  const PointBoxes boxes = PointBoxes::traditional(mesh, 4);
-  std::mt19937_64 random(81);
-  int met = 0;
-  constexpr int kBoxes = 60;
-  for (int i = 0; i < kBoxes; ++i) {
-    const Obb box =
-        testing::randomPose(random, 260.0) * Obb{Vec3::Zero(), Mat3::Identity(), {60.0, 20.0, 5.0}};
-    std::size_t expected = 0;
-    for (const Octree::Node& node : octree.nodes()) {
-      expected += node.isLeaf() && node.count() > 0 && overlaps(box, octree.cell(node));
-    }
-    ASSERT_EQ(boxes.leavesMet(box), expected) << "box " << i;
-    met += expected > 0;
-  }
-  EXPECT_GT(met, kBoxes * 3 / 10);
-  EXPECT_LT(met, kBoxes * 7 / 10);
-}
-
 TEST(RobotRun, onASlowPath_theToolStaysNearIt_andNoTickIsLost) {
   const RobotScene scene = sceneOfShortPath(0.02);
   RobotRunOptions options = quickOptions();
@@ -207,13 +171,13 @@ TEST(RobotRun, aForcedCollision_isDetectedInTheLoop) {
   EXPECT_GT(run.forbidden_ticks, ticks / 2);  // the wheel in the blade
   EXPECT_GT(run.touching_ticks, ticks / 2);
   EXPECT_LT(run.touching_ticks, ticks);
-  for (const Method method : {Method::exact, Method::margin}) {
+  for (const RobotMethod method : {RobotMethod::exact, RobotMethod::margin}) {
     ASSERT_EQ(run.of(method).forbidden.size(), 1u);
-    const Alarms& forbidden = run.of(method).forbidden.front();
-    EXPECT_LE(forbidden.missed, method == Method::margin ? 0u : 2u);
+    const RobotAlarms& forbidden = run.of(method).forbidden.front();
+    EXPECT_LE(forbidden.missed, method == RobotMethod::margin ? 0u : 2u);
     EXPECT_EQ(forbidden.alarms, run.forbidden_ticks + forbidden.false_alarms - forbidden.missed);
   }
-  EXPECT_EQ(run.of(Method::traditional).forbidden.size(), 0u);
+  EXPECT_EQ(run.of(RobotMethod::traditional).forbidden.size(), 0u);
 }
 
 TEST(RobotRun, withoutNoise_exactDetectionIsTheTruth) {
@@ -223,12 +187,13 @@ TEST(RobotRun, withoutNoise_exactDetectionIsTheTruth) {
   options.margin = 0.5;
   const RobotRun run = runRobot(scene, layoutOf(scene), options);
   EXPECT_LT(run.worst_sensing_error, 1e-6);
-  const MethodResult& exact = run.of(Method::exact);
+  const RobotMethodResult& exact = run.of(RobotMethod::exact);
   EXPECT_EQ(exact.touch.missed + exact.touch.false_alarms, 0u);
   EXPECT_EQ(exact.forbidden.front().missed + exact.forbidden.front().false_alarms, 0u);
   EXPECT_EQ(exact.touch.alarms, run.touching_ticks);
-  EXPECT_EQ(run.of(Method::margin).touch.missed, 0u);
-  EXPECT_EQ(run.of(Method::yes_or_no).touch.missed + run.of(Method::yes_or_no).touch.false_alarms, 0u);
+  EXPECT_EQ(run.of(RobotMethod::margin).touch.missed, 0u);
+  EXPECT_EQ(run.of(RobotMethod::yes_or_no).touch.missed + run.of(RobotMethod::yes_or_no).touch.false_alarms,
+            0u);
   EXPECT_EQ(run.arm.ticks, run.arm.true_ticks);
   EXPECT_GT(run.touching_ticks, 0u);
 }
@@ -275,12 +240,15 @@ TEST(RobotRun, refusesBladesOfAnotherMesh_andOptionsOutOfRange) {
   options = {};
   options.steps_a_tick = 0;
   EXPECT_THROW(runRobot(scene, layout, options), std::invalid_argument);
+  RobotScene without_clouds = scene;
+  without_clouds.clouds.clear();
+  EXPECT_THROW(runRobot(without_clouds, layout), std::invalid_argument);
   scene.blades.blade_of_triangle.pop_back();
   EXPECT_THROW(runRobot(scene, layout), std::invalid_argument);
 }
 
-TEST(Alarms, count) {
-  Alarms alarms;
+TEST(RobotAlarms, count) {
+  RobotAlarms alarms;
   alarms.count(true, true);
   alarms.count(true, false);
   alarms.count(true, false);
