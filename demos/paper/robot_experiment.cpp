@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <span>
 #include <stdexcept>
 
 #include "octoblisk/collide.h"

@@ -4,7 +4,9 @@
 #include <array>
 #include <numbers>
 #include <numeric>
+#include <span>
 
+#include "models/embedded_assets.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 #include "robot/arm_bodies.h"
@@ -325,6 +327,19 @@ std::string armVerdict(const RobotReport& report) {
 }
 
 }  // namespace
+
+RobotScene robotScene(const PaperModel& blisk, std::vector<Points> clouds, std::vector<Pose> path) {
+  RobotScene scene;
+  scene.blisk = treeOf(blisk.mesh);
+  scene.blades = blisk.blades;
+  for (EmbeddedPart& part : embeddedBeltGrinder()) {
+    scene.tool.push_back(
+        {std::move(part.name), treeOf(std::make_shared<const TriangleMesh>(std::move(part.mesh)))});
+  }
+  scene.clouds = std::move(clouds);
+  scene.path = std::move(path);
+  return scene;
+}
 
 RobotReport runRobotExperiment(const RobotScene& scene, std::string blisk_name,
                                const std::vector<Pose>& lifted_path, double lift,

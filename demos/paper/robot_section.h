@@ -22,6 +22,9 @@ struct RobotReport {
   RobotRun lifted;
 };
 
+/// The blisk with the built-in belt grinder. `clouds`: of its parts, see partClouds.
+RobotScene robotScene(const PaperModel& blisk, std::vector<Points> clouds, std::vector<Pose> path);
+
 /// Chooses the layout for the scene's path and makes the runs, their seeds counted on from the options'. The
 /// lifted path is to begin near the scene's. Throws as chooseLayout and runRobot.
 RobotReport runRobotExperiment(const RobotScene& scene, std::string blisk_name,
