@@ -42,15 +42,21 @@ std::string csvLine(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
-/// One line of text that Markdown leaves as it is, also where it begins a line.
+/// Text within a line that Markdown leaves as it is.
 std::string markdownText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     if (std::string_view("\\`*_[]<&|~").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c == '\n' || c == '\r' ? ' ' : c;
   }
+  return escaped;
+}
+
+/// The same where it begins a line: no title, list or quotation either.
+std::string markdownParagraph(const std::string& text) {
+  std::string escaped = markdownText(text);
   const std::size_t digits = escaped.find_first_not_of("0123456789");
-  if (digits == std::string::npos || digits > 9) return escaped;
+  if (digits == std::string::npos) return escaped;
   const bool begins_list = digits > 0 && (escaped[digits] == '.' || escaped[digits] == ')');
   const bool begins_block =
       digits == 0 && std::string_view("#+->=").find(escaped[0]) != std::string_view::npos;
@@ -175,10 +181,10 @@ void writeCsv(const Table& table, const std::filesystem::path& folder) {
 
 std::string markdownOf(const Document& document) {
   std::string text = "# " + markdownText(document.title) + "\n\n";
-  for (const std::string& paragraph : document.paragraphs) text += markdownText(paragraph) + "\n\n";
+  for (const std::string& paragraph : document.paragraphs) text += markdownParagraph(paragraph) + "\n\n";
   for (const Section& section : document.sections) {
     text += "## " + markdownText(section.title) + "\n\n";
-    for (const std::string& paragraph : section.paragraphs) text += markdownText(paragraph) + "\n\n";
+    for (const std::string& paragraph : section.paragraphs) text += markdownParagraph(paragraph) + "\n\n";
     for (const Table& table : section.tables) text += markdownTable(table);
     for (const Figure& figure : section.figures) {
       const std::string caption = markdownText(figure.caption);

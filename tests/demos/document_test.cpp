@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "command.h"
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
 #include "report/plot.h"
-#include "scratch_folder.h"
 
 namespace octoblisk::demos {
 namespace {
