@@ -59,25 +59,25 @@ struct RobotAlarms {
 };
 
 struct RobotMethodResult {
-  double range = 0.0;  ///< volume of the boxes that are to be examined, mm³
-  double mean_seconds = 0.0, worst_seconds = 0.0;
-  double worst_processor_seconds = 0.0;  ///< without what other work took
-  std::size_t late_ticks = 0;            ///< that took longer than the control period
-  RobotAlarms touch;                     ///< the belt touches the blisk
+  double range = 0.0;                              ///< volume of the boxes that are to be examined, mm³
+  double mean_seconds = 0.0, worst_seconds = 0.0;  ///< of a tick, in the processor's time
+  double worst_clock_seconds = 0.0;                ///< what other work took from this thread included
+  std::size_t late_ticks = 0;                      ///< that took longer than the control period, by the clock
+  RobotAlarms touch;                               ///< the belt touches the blisk
   /// Something touches that must not: the belt another blade or the hub, another part anything. None of
   /// methods that ask of the belt alone, and not where.
   std::vector<RobotAlarms> forbidden;
 };
 
 struct RobotTick {
-  double time = 0.0;             ///< s
-  double position_error = 0.0;   ///< of the contact wheel's centre from where it is to be, mm
-  double direction_error = 0.0;  ///< rad
-  double sensing_error = 0.0;    ///< of the centre as it is measured from where it is, mm
-  std::array<float, kRobotMethods> seconds{};
-  std::array<bool, kRobotMethods> alarm{};  ///< of the belt
-  bool touch = false;                       ///< the belt truly touches the blisk
-  bool forbidden = false;                   ///< something truly touches that must not
+  double time = 0.0;                           ///< s
+  double position_error = 0.0;                 ///< of the contact wheel's centre from where it is to be, mm
+  double direction_error = 0.0;                ///< rad
+  double sensing_error = 0.0;                  ///< of the centre as it is measured from where it is, mm
+  std::array<float, kRobotMethods> seconds{};  ///< the processor's
+  std::array<bool, kRobotMethods> alarm{};     ///< of the belt
+  bool touch = false;                          ///< the belt truly touches the blisk
+  bool forbidden = false;                      ///< something truly touches that must not
 };
 
 /// The arm's own bodies against the blisk.

@@ -103,7 +103,7 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   const std::string stretches = " of the first run: the greatest of each of at most " +
                                 std::to_string(kMostPoints) + " stretches of time.";
   return {{"table4_errors.svg", "Tracking and sensing errors" + stretches},
-          {"table4_times.svg", "Detection times by the clock" + stretches},
+          {"table4_times.svg", "Detection times, the processor's," + stretches},
           {"table4_cell.png", "The cell in Bullet: arm, grinder and blisk (fig. 11b of the paper)."}};
 }
 

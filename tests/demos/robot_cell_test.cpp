@@ -197,7 +197,8 @@ TEST(RobotCell, detects_whatExactQueriesSay_whereTheToolIsThoughtToBe) {
 TEST(RobotCell, detects_theArmsOwnLinks) {
   RobotCellSetup setup = smallSetup();
   const Pose wrist = linkFrames(setup.arm, readyJoints())[4];
-  setup.blisk_in_base.translation = wrist.translation + Vec3(0.0, 0.0, 60.0);
+  setup.blisk = treeOf(testing::torus(160.0, 65.0, 40, 24));
+  setup.blisk_in_base.translation = wrist.translation + Vec3(0.0, 0.0, 30.0);
   RobotCell cell(setup);
   std::vector<ConvexHull> hulls;
   for (const LinkBody& body : linkBodies(setup.arm)) hulls.emplace_back(meshOf(body).vertices());
