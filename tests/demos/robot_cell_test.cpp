@@ -206,7 +206,7 @@ TEST(RobotCell, detects_theArmsOwnLinks) {
   int asked = 0, touching = 0;
   for (int i = 0; i < 150; ++i) {
     Joints joints = readyJoints();
-    for (double& joint : joints) joint += testing::uniform(random, -0.3, 0.3);
+    for (double& joint : joints) joint += testing::uniform(random, -0.15, 0.15);
     const std::array<Pose, 6> frames = linkFrames(setup.arm, joints);
     const std::span<const CellContact> found = cell.detect(Belief{joints, {}}, 0.0);
     for (std::size_t link = 0; link < 6; ++link) {
