@@ -225,7 +225,16 @@ std::array<Pose, 6> linksInBlisk(const RobotCell& cell) {
   return links;
 }
 
+/// Which 99.9 % of the ticks do not exceed.
+double usualSeconds(const RobotRun& run, std::size_t method) {
+  std::vector<float> seconds;
+  for (const RobotTick& tick : run.ticks) seconds.push_back(tick.seconds[method]);
+  std::ranges::sort(seconds);
+  return static_cast<double>(seconds[(seconds.size() - 1) * 999 / 1000]);
+}
+
 void summarize(RobotRun& run) {
+  for (std::size_t m = 0; m < kRobotMethods; ++m) run.methods[m].usual_seconds = usualSeconds(run, m);
   const auto ticks = static_cast<double>(run.ticks.size());
   for (const RobotTick& tick : run.ticks) {
     run.mean_position_error += tick.position_error / ticks;

@@ -61,6 +61,7 @@ struct RobotAlarms {
 struct RobotMethodResult {
   double range = 0.0;                              ///< volume of the boxes that are to be examined, mm³
   double mean_seconds = 0.0, worst_seconds = 0.0;  ///< of a tick, in the processor's time
+  double usual_seconds = 0.0;                      ///< that 99.9 % of the ticks do not exceed
   double worst_clock_seconds = 0.0;                ///< what other work took from this thread included
   std::size_t late_ticks = 0;                      ///< that took longer than the control period, by the clock
   RobotAlarms touch;                               ///< the belt touches the blisk

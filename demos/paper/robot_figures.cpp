@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostPoints = 600;  // of a line: more would blur
+constexpr std::size_t kMostPoints = 250;  // of a line: more would blur
 constexpr int kWidth = 1600, kHeight = 1200;
 
 using ValueOf = std::function<double(const RobotTick&)>;
@@ -34,10 +34,8 @@ Plot errorPlot(const RobotRun& run) {
   return {.title = "Errors of the simulated robot along the path",
           .x_label = "time (s)",
           .y_label = "error of the contact wheel's centre (mm)",
-          .series = {greatest(run, "tracking: from where it is to be",
-                              [](const RobotTick& tick) { return tick.position_error; }),
-                     greatest(run, "sensing: measured from where it is",
-                              [](const RobotTick& tick) { return tick.sensing_error; })}};
+          .series = {greatest(run, "tracking", [](const RobotTick& tick) { return tick.position_error; }),
+                     greatest(run, "sensing", [](const RobotTick& tick) { return tick.sensing_error; })}};
 }
 
 Plot timePlot(const RobotRun& run) {
@@ -55,11 +53,11 @@ Plot timePlot(const RobotRun& run) {
                       .x = {0.0, run.ticks.back().time},
                       .y = {period, period},
                       .style = SeriesStyle::kDashedLine},
-                     greatest(run, "traditional octree", seconds(RobotMethod::traditional)),
-                     greatest(run, "paper's improved", seconds(RobotMethod::improved)),
-                     greatest(run, "exact: yes or no", seconds(RobotMethod::yes_or_no)),
-                     greatest(run, "exact: all contacts in Bullet", seconds(RobotMethod::exact)),
-                     greatest(run, "exact: all contacts within the margin", seconds(RobotMethod::margin))}};
+                     greatest(run, "traditional", seconds(RobotMethod::traditional)),
+                     greatest(run, "improved", seconds(RobotMethod::improved)),
+                     greatest(run, "exact, yes or no", seconds(RobotMethod::yes_or_no)),
+                     greatest(run, "exact, contacts", seconds(RobotMethod::exact)),
+                     greatest(run, "with margin", seconds(RobotMethod::margin))}};
 }
 
 Picture cellPicture(const RobotReport& report, const RobotScene& scene) {
@@ -102,8 +100,11 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   writePng(cellPicture(report, scene), (folder / "table4_cell.png").string(), kWidth, kHeight);
   const std::string stretches = " of the first run: the greatest of each of at most " +
                                 std::to_string(kMostPoints) + " stretches of time.";
-  return {{"table4_errors.svg", "Tracking and sensing errors" + stretches},
-          {"table4_times.svg", "Detection times, the processor's," + stretches},
+  return {{"table4_errors.svg",
+           "The wheel's centre from where it is to be (tracking) and measured from where it is (sensing)," +
+               stretches},
+          {"table4_times.svg",
+           "Detection times, the processor's, all contacts being those in Bullet," + stretches},
           {"table4_cell.png", "The cell in Bullet: arm, grinder and blisk (fig. 11b of the paper)."}};
 }
 

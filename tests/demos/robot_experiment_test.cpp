@@ -11,6 +11,7 @@
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "octoblisk/collide.h"
+#include "paper/robot_section.h"
 #include "robot/timed_path.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
@@ -19,6 +20,7 @@ namespace octoblisk::demos {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
   return std::make_shared<const ClusteredOctree>(
@@ -245,6 +247,48 @@ TEST(RobotRun, refusesBladesOfAnotherMesh_andOptionsOutOfRange) {
   EXPECT_THROW(runRobot(without_clouds, layout), std::invalid_argument);
   scene.blades.blade_of_triangle.pop_back();
   EXPECT_THROW(runRobot(scene, layout), std::invalid_argument);
+}
+
+TEST(RobotSection, showsTheRunsBesideThePaper) {
+  const RobotScene scene = sceneOfShortPath(0.02);
+  const std::vector<Pose> lifted = sceneOfShortPath(-1.0).path;
+  RobotRunOptions options = quickOptions();
+  options.control_period = 0.1;
+  double done = 0.0;
+  const RobotReport report =
+      runRobotExperiment(scene, "a coarse blisk", lifted, 1.0, options, [&](double part) {
+        EXPECT_GE(part, done);
+        done = part;
+      });
+  EXPECT_EQ(done, 1.0);
+  ASSERT_EQ(report.runs.size(), 3u);
+  EXPECT_NE(report.runs[0].mean_sensing_error, report.runs[1].mean_sensing_error);
+  EXPECT_LT(report.lifted.touching_ticks, report.runs[0].touching_ticks);
+
+  const Section section = robotSection(report);
+  ASSERT_EQ(section.tables.size(), 5u);
+  const Table& paper = section.tables[0];
+  ASSERT_EQ(paper.rows.size(), 5u);  // range, three runs, their average
+  EXPECT_EQ(paper.rows[0][5], "4608.00");
+  EXPECT_EQ(paper.rows[0][6], "2534.40");
+  EXPECT_EQ(paper.rows[1][7], "-18.39 %");
+  EXPECT_EQ(paper.rows[4][5], "475.88");
+  EXPECT_EQ(paper.rows[4][7], "-18.44 %");
+  const Table& alarms = section.tables[2];
+  ASSERT_EQ(alarms.rows.size(), 2 * kRobotMethods);
+  const RobotRun& last = report.lifted;
+  EXPECT_THAT(alarms.rows[kRobotMethods][3],
+              StartsWith(std::to_string(last.of(RobotMethod::traditional).touch.false_alarms) + " of " +
+                         std::to_string(last.ticks.size() - last.touching_ticks)));
+  for (const Table& table : section.tables) {
+    for (const std::vector<std::string>& row : table.rows) {
+      ASSERT_EQ(row.size(), table.columns.size()) << table.name;
+    }
+  }
+  for (const RobotMethodResult& method : report.runs[0].methods) {
+    EXPECT_LE(method.usual_seconds, method.worst_seconds + 1e-9);
+    EXPECT_GT(method.mean_seconds, 0.0);
+  }
 }
 
 TEST(RobotAlarms, count) {
