@@ -45,6 +45,16 @@ struct HolesRow {
   std::size_t missed = 0;    ///< of these, the belt's triangles meet no leaf box
 };
 
+/// The rows of these.
+enum HoleKind : std::size_t {
+  kCellsTraditional,
+  kCellsImproved,
+  kFittedTraditional,  ///< the box of a leaf's points, in the cell's frame: what erratum 14 is about
+  kFittedImproved,
+  kWholeTriangles,
+  kHoleKinds
+};
+
 struct DetectionResult {
   std::size_t path_poses = 0, cloud_points = 0;
   DetectionOptions options{};

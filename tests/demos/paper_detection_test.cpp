@@ -193,20 +193,40 @@ TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
   EXPECT_LE(rows[kTraditional].ground.false_positives, rows[kTraditionalOneAxis].ground.false_positives);
 }
 
-TEST(DetectionExperiment, holesAreContactsThatNoCellCovers) {
+/// Whether a triangle of the body meets the box of any leaf's points, by looking at all of both.
+bool meetsAnyFittedBox(const Points& cloud, const Segmentation& segmentation, const TriangleMesh& body,
+                       const Pose& pose) {
+  const Octree& octree = segmentation.octrees().front();
+  for (const Octree::Node& node : octree.nodes()) {
+    if (!node.isLeaf() || node.count() == 0) continue;
+    Points points;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) points.push_back(cloud[octree.order()[i]]);
+    const Obb box = boundingBox(points, Mat3::Identity());
+    for (std::size_t t = 0; t < body.triangleCount(); ++t) {
+      if (testing::boxTriangleOverlap(box, pose * body.triangle(t)) >= 0.0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(DetectionExperiment, holesAreContactsThatNoBoxCovers) {
   const SmallDetection small;
   const std::vector<HolesRow>& holes = small.result.holes;
-  ASSERT_EQ(holes.size(), 4u);
+  ASSERT_EQ(holes.size(), std::size_t{kHoleKinds});
   const Points& cloud = small.parts[0];
   const Segmentation traditional(std::span(&cloud, 1), 2, CellFrame::box);
-  std::size_t missed = 0, touching = 0;
+  std::size_t missed_by_cells = 0, missed_by_fitted = 0, touching = 0;
   for (const BeltPose& pose : small.poses) {
-    touching += pose.touches;
-    missed += pose.touches && !anyLeafMeets(traditional, small.belt, pose.belt_in_mesh);
+    if (!pose.touches) continue;
+    ++touching;
+    missed_by_cells += !anyLeafMeets(traditional, small.belt, pose.belt_in_mesh);
+    missed_by_fitted += !meetsAnyFittedBox(cloud, traditional, small.belt.mesh(), pose.belt_in_mesh);
   }
-  EXPECT_EQ(holes[0].touching, 2 * touching) << "both paths";
-  EXPECT_EQ(holes[0].missed, 2 * missed);
-  EXPECT_EQ(holes[3].missed, 0u) << "boxes of whole triangles";
+  EXPECT_EQ(holes[kCellsTraditional].touching, 2 * touching) << "both paths";
+  EXPECT_EQ(holes[kCellsTraditional].missed, 2 * missed_by_cells);
+  EXPECT_EQ(holes[kFittedTraditional].missed, 2 * missed_by_fitted);
+  EXPECT_GT(missed_by_fitted, 0u) << "erratum 14";
+  EXPECT_EQ(holes[kWholeTriangles].missed, 0u);
 }
 
 TEST(SurfacePoints, lieEvenlyOnTheSurfaceAndAreTheSameForTheSameSeed) {
