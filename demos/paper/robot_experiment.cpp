@@ -1,6 +1,7 @@
 #include "paper/robot_experiment.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -13,7 +14,7 @@
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "paper/box_detection.h"
 #include "paper/segmentation.h"
-#include "paper/stop_watch.h"
+#include "paper/stopwatch.h"
 #include "paper/true_touch.h"
 #include "robot/timed_path.h"
 
@@ -39,6 +40,23 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   require(options.noise.encoder >= 0.0 && options.noise.position >= 0.0 && options.noise.direction >= 0.0,
           "standard deviations of noise must be at least 0");
 }
+
+/// In seconds: by the clock, and of this thread's processor time.
+struct TimeTaken {
+  double clock = 0.0, processor = 0.0;
+};
+
+class TickWatch {
+ public:
+  TimeTaken taken() const {
+    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - start_;
+    return {clock.count(), processor_.seconds()};
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch processor_;
+};
 
 class Noise {
  public:
@@ -138,7 +156,7 @@ class Methods {
 
  private:
   Answer askBoxes(const Segmentation& boxes, const Belief& belief) const {
-    const StopWatch watch;
+    const TickWatch watch;
     Answer answer;
     answer.touch =
         leavesNear(boxes, cell_.toolInBlisk(belief) * belt_, SeparatingAxes::exact15).isColliding();
@@ -147,7 +165,7 @@ class Methods {
   }
 
   Answer askTriangles(const Belief& belief) const {
-    const StopWatch watch;
+    const TickWatch watch;
     Answer answer;
     answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(belief)).has_value();
     answer.taken = watch.taken();
@@ -155,7 +173,7 @@ class Methods {
   }
 
   Answer askBullet(const Belief& belief, double reach) const {
-    const StopWatch watch;
+    const TickWatch watch;
     const std::span<const CellContact> contacts = cell_.detect(belief, reach);
     Answer answer;
     answer.taken = watch.taken();
