@@ -7,7 +7,7 @@
 #include "octoblisk/obb.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"
-#include "paper/stop_watch.h"
+#include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -36,9 +36,9 @@ DetectionRow judgedRow(const Detector& detector, const std::vector<BeltPose>& gr
 }
 
 double secondsOf(const Detector& detector, const std::vector<BeltPose>& path) {
-  const StopWatch watch;
+  const Stopwatch watch;
   for (const BeltPose& pose : path) detector.detect(pose.belt_in_mesh);
-  return watch.taken().processor;
+  return watch.seconds();
 }
 
 Points joined(const std::vector<Points>& parts) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "paper/box_detection.h"
-#include "paper/stop_watch.h"
+#include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -38,10 +38,10 @@ void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, Spl
     for (std::size_t column = 0; column < kFnops; ++column) {
       for (std::size_t method = 0; method < kMethods; ++method) {
         for (const bool principal : {false, true}) {
-          const StopWatch watch;
+          const Stopwatch watch;
           const Segmentation segmentation(clusters[method], fnopOf(column),
                                           principal ? CellFrame::principal_box : CellFrame::cube);
-          times[method][column][principal].push_back(1e3 * watch.taken().processor);
+          times[method][column][principal].push_back(1e3 * watch.seconds());
         }
       }
     }
@@ -66,9 +66,9 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
   for (std::size_t method = 0; method < kMethods; ++method) {
     std::vector<double> times;
     for (int repeat = 0; repeat < std::min(options.repeats, 3); ++repeat) {
-      const StopWatch watch;
+      const Stopwatch watch;
       clusters[method] = clustersOf(cloud, clustersOfMethod(method), options.seed);
-      times.push_back(1e3 * watch.taken().processor);
+      times.push_back(1e3 * watch.seconds());
     }
     if (method > 0) result.cluster_ms[method] = median(times);
   }
