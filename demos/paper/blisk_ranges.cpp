@@ -81,9 +81,8 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   return {
       .title = "The whole blisk: parts first, or clusters at once",
       .paragraphs = {"The paper divides the blisk into its blades, and each of these into clusters. k-means "
-                     "over the whole "
-                     "blisk at once is no substitute. Its boxes together are larger than the one box along "
-                     "the axes for " +
+                     "over the whole blisk at "
+                     "once makes boxes that are together larger than the one box along the axes for " +
                          countLarger(ranges.at_once, one, axis_aligned) + " k along the axes, and for " +
                          countLarger(ranges.at_once, one, principal) +
                          " in principal frames; at best the range changes by " +

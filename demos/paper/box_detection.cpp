@@ -5,18 +5,19 @@
 
 #include "octoblisk/collide.h"
 #include "octoblisk/convex.h"
+#include "octoblisk/obb.h"
 
 namespace octoblisk::demos {
 namespace {
 
-/// Goes down from the root to the leaf cells with points for which every cell on the way is kept, until
-/// visit(cell) says true; then returns true.
+/// Goes down from the root to the leaves with points for which every cell on the way is kept, until
+/// visit(cell, leaf) says true; then returns true.
 template <typename Keep, typename Visit>
 bool descend(const Octree& octree, const Octree::Node& node, const Keep& keep, const Visit& visit) {
   if (node.count() == 0) return false;
   const Obb cell = octree.cell(node);
   if (!keep(cell)) return false;
-  if (node.isLeaf()) return visit(cell);
+  if (node.isLeaf()) return visit(cell, node);
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
     if (descend(octree, octree.nodes()[node.first_child + octant], keep, visit)) return true;
   }
@@ -26,7 +27,8 @@ bool descend(const Octree& octree, const Octree::Node& node, const Keep& keep, c
 template <typename Keep, typename Visit>
 bool descend(const Segmentation& blisk, const Keep& keep, const Visit& visit) {
   for (const Octree& octree : blisk.octrees()) {
-    if (descend(octree, octree.nodes().front(), keep, visit)) return true;
+    const auto visitCell = [&](const Obb& cell, const Octree::Node&) { return visit(cell); };
+    if (descend(octree, octree.nodes().front(), keep, visitCell)) return true;
   }
   return false;
 }
@@ -129,6 +131,22 @@ bool anyLeafMeets(const Segmentation& blisk, const ClusteredOctree& body, const 
     return collide(body, ConvexBox(cell), blisk_in_body).has_value();
   };
   return descend(blisk, meets, [](const Obb&) { return true; });
+}
+
+bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& blisk,
+                       const ClusteredOctree& body, const Pose& body_in_blisk) {
+  const Pose blisk_in_body = body_in_blisk.inverse();
+  const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const Octree& octree = blisk.octrees()[c];
+    const auto fittedMeets = [&](const Obb& cell, const Octree::Node& leaf) {
+      Points points;
+      for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) points.push_back(clusters[c][octree.order()[i]]);
+      return meets(boundingBox(points, cell.axes));
+    };
+    if (descend(octree, octree.nodes().front(), meets, fittedMeets)) return true;
+  }
+  return false;
 }
 
 bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/separating_axis.h"
@@ -28,6 +29,11 @@ bool anyLeafNear(const Segmentation& blisk, const Obb& box);
 
 /// Whether a triangle of the body meets any leaf cell with points, as a solid.
 bool anyLeafMeets(const Segmentation& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);
+
+/// Whether a triangle of the body meets the box round the points of any leaf, in the frame of its cell. The
+/// clusters are those that the segmentation was made of.
+bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& blisk,
+                       const ClusteredOctree& body, const Pose& body_in_blisk);
 
 /// Whether a triangle of the body meets any leaf box, as a solid; the triangles in the boxes are not asked.
 bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);

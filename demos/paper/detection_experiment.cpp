@@ -1,18 +1,16 @@
 #include "paper/detection_experiment.h"
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 
 #include "octoblisk/collide.h"
 #include "octoblisk/obb.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"
+#include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// One way to detect: what is left at a pose of the belt.
 struct Detector {
@@ -38,9 +36,9 @@ DetectionRow judgedRow(const Detector& detector, const std::vector<BeltPose>& gr
 }
 
 double secondsOf(const Detector& detector, const std::vector<BeltPose>& path) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   for (const BeltPose& pose : path) detector.detect(pose.belt_in_mesh);
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return watch.seconds();
 }
 
 Points joined(const std::vector<Points>& parts) {
@@ -124,7 +122,7 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
   DetectionResult result{.path_poses = ground.size(), .cloud_points = whole.size(), .options = options};
   for (const Detector& detector : detectors) {
     result.rows.push_back(judgedRow(detector, ground, lifted));
-    progress(0.3 * static_cast<double>(result.rows.size()) / kDetectionMethods);
+    progress(0.3 * static_cast<double>(result.rows.size()) / static_cast<double>(detectors.size()));
   }
   for (int k = 0; k < options.runs; ++k) {  // all methods in turn: what disturbs the machine disturbs all
     for (std::size_t method = 0; method < kDetectionMethods; ++method) {
@@ -133,7 +131,12 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
     progress(0.3 + 0.4 * (k + 1) / options.runs);
   }
 
-  result.holes = {{"traditional octree"}, {"paper's improved"}, {"improved in principal frames"}, {"ours"}};
+  result.holes.resize(kHoleKinds);
+  result.holes[kCellsTraditional].method = "cells of the traditional octree";
+  result.holes[kCellsImproved].method = "cells of the paper's improved one";
+  result.holes[kFittedTraditional].method = "boxes round the points of the traditional cells";
+  result.holes[kFittedImproved].method = "boxes round the points of the improved cells";
+  result.holes[kWholeTriangles].method = "boxes of whole triangles, ours";
   std::size_t done = 0;
   for (const std::vector<BeltPose>* poses : {&ground, &lifted}) {
     for (const BeltPose& pose : *poses) {
@@ -141,10 +144,12 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
       if (!pose.touches) continue;
       const Pose& at = pose.belt_in_mesh;
       for (HolesRow& row : result.holes) ++row.touching;
-      result.holes[0].missed += !anyLeafMeets(traditional, belt, at);
-      result.holes[1].missed += !anyLeafMeets(improved, belt, at);
-      result.holes[2].missed += !anyLeafMeets(improved_principal, belt, at);
-      result.holes[3].missed += !anyLeafMeets(blisk, belt, at);
+      result.holes[kCellsTraditional].missed += !anyLeafMeets(traditional, belt, at);
+      result.holes[kCellsImproved].missed += !anyLeafMeets(improved, belt, at);
+      result.holes[kFittedTraditional].missed +=
+          !anyFittedBoxMeets(std::span(&whole, 1), traditional, belt, at);
+      result.holes[kFittedImproved].missed += !anyFittedBoxMeets(clusters, improved, belt, at);
+      result.holes[kWholeTriangles].missed += !anyLeafMeets(blisk, belt, at);
     }
   }
   return result;

@@ -29,13 +29,13 @@ struct Alarms {
 
 struct DetectionRow {
   std::string method;
-  double range = 0.0;               ///< of the boxes that it begins with, mm³
-  double volume_left = 0.0;         ///< of the leaf boxes that overlap, the mean of all poses, mm³
-  double boxes_tested = 0.0;        ///< pairs of boxes a pose, the mean; 0 where not counted
-  std::vector<double> run_seconds;  ///< of each run over the ground path
-  Alarms ground;                    ///< over the path as it is ground
-  Alarms lifted;                    ///< over the path held off the blade
-  bool is_exact = false;            ///< asks the triangles
+  double range = 0.0;                 ///< of the boxes that it begins with, mm³
+  double volume_left = 0.0;           ///< of the leaf boxes that overlap, the mean of all poses, mm³
+  double boxes_tested = 0.0;          ///< pairs of boxes a pose, the mean; 0 where not counted
+  std::vector<double> run_seconds{};  ///< of each run over the ground path
+  Alarms ground{};                    ///< over the path as it is ground
+  Alarms lifted{};                    ///< over the path held off the blade
+  bool is_exact = false;              ///< asks the triangles
 };
 
 /// Whether leaf boxes cover what the belt's triangles touch: without the belt's box, which is larger than it.
@@ -45,11 +45,21 @@ struct HolesRow {
   std::size_t missed = 0;    ///< of these, the belt's triangles meet no leaf box
 };
 
+/// The rows of these.
+enum HoleKind : std::size_t {
+  kCellsTraditional,
+  kCellsImproved,
+  kFittedTraditional,  ///< the box of a leaf's points, in the cell's frame: what erratum 14 is about
+  kFittedImproved,
+  kWholeTriangles,
+  kHoleKinds
+};
+
 struct DetectionResult {
   std::size_t path_poses = 0, cloud_points = 0;
-  DetectionOptions options;
-  std::vector<DetectionRow> rows;  ///< in the order of the enumeration below
-  std::vector<HolesRow> holes;
+  DetectionOptions options{};
+  std::vector<DetectionRow> rows{};  ///< in the order of the enumeration below
+  std::vector<HolesRow> holes{};
 };
 
 /// The rows.

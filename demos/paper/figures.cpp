@@ -16,14 +16,18 @@ constexpr std::array<Color, 8> kClusterColors = {palette::kBlue,   palette::kVer
                                                  palette::kYellow, palette::kPurple,    palette::kSky,
                                                  palette::kInk,    palette::kOrange};
 
+constexpr double kRoomForCells =
+    1.5;  // about the blade, the same in all pictures, so that they can be compared
+
 /// Looks at the blade's broad side, a little from above and from one edge, with its tip up.
-Camera bladeCamera(const PaperModel& model, const Points& cloud, const Scene& scene) {
+Camera bladeCamera(const PaperModel& model, const Points& cloud, double margin) {
   const Obb box = principalBox(cloud);
   const Vec3 outward(box.center.x(), box.center.y(), 0.0);
   const Vec3 up =
       model.isBlisk() && outward.norm() > 0.0 ? Vec3(outward.normalized()) : Vec3(box.axes.col(0));
   const Vec3 broadside = box.axes.col(2);
-  return frame(scene.points(), -broadside + 0.45 * up.cross(broadside) - 0.3 * up, up);
+  return frame(cloud, -broadside + 0.45 * up.cross(broadside) - 0.3 * up, up, Projection::kOrthographic,
+               margin);
 }
 
 Picture bladePicture(const PaperModel& model) {
@@ -59,7 +63,7 @@ NamedPicture segmentationPicture(const PaperModel& model, const Points& cloud,
   }
   picture.annotation.title = title;
   picture.annotation.subtitle = cellsText(all, count);
-  picture.camera = bladeCamera(model, cloud, picture.scene);
+  picture.camera = bladeCamera(model, cloud, kRoomForCells);
   std::string caption = title + ": " + picture.annotation.subtitle;
   return {std::move(file), std::move(caption), std::move(picture)};
 }
@@ -122,7 +126,7 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
     const char letter = static_cast<char>('a' + (k - 2));
     const std::string title = std::string("Figure 8 (") + letter + "): k = " + std::to_string(k);
     picture.annotation.title = title;
-    picture.camera = bladeCamera(model, cloud, picture.scene);
+    picture.camera = bladeCamera(model, cloud, 1.06);
     pictures.push_back({std::string("fig8") + letter + ".png", title, std::move(picture)});
   }
   return pictures;
@@ -143,8 +147,7 @@ std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh&
                     cellPictures(model, cloud)});
   groups.push_back(
       {"Figure 5: traditional beside improved",
-       "The same blade at FNOP 10. Along the axes, clusters leave the cells as loose as they were; in a "
-       "principal frame of its own each cluster's cells lie along the blade.",
+       "The same blade at FNOP 10, seen from the same place; the volumes are those of the cells drawn.",
        comparisonPictures(model, cloud, seed)});
   groups.push_back({"Figure 8: clusters of the blade",
                     "Clusters of the blade's points, in mm; the colours mean no more than which is which.",

@@ -1,16 +1,13 @@
 #include "paper/split_experiment.h"
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "paper/box_detection.h"
+#include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-using Milliseconds = std::chrono::duration<double, std::milli>;
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
@@ -41,10 +38,10 @@ void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, Spl
     for (std::size_t column = 0; column < kFnops; ++column) {
       for (std::size_t method = 0; method < kMethods; ++method) {
         for (const bool principal : {false, true}) {
-          const auto start = Clock::now();
+          const Stopwatch watch;
           const Segmentation segmentation(clusters[method], fnopOf(column),
                                           principal ? CellFrame::principal_box : CellFrame::cube);
-          times[method][column][principal].push_back(Milliseconds(Clock::now() - start).count());
+          times[method][column][principal].push_back(1e3 * watch.seconds());
         }
       }
     }
@@ -69,9 +66,9 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
   for (std::size_t method = 0; method < kMethods; ++method) {
     std::vector<double> times;
     for (int repeat = 0; repeat < std::min(options.repeats, 3); ++repeat) {
-      const auto start = Clock::now();
+      const Stopwatch watch;
       clusters[method] = clustersOf(cloud, clustersOfMethod(method), options.seed);
-      times.push_back(Milliseconds(Clock::now() - start).count());
+      times.push_back(1e3 * watch.seconds());
     }
     if (method > 0) result.cluster_ms[method] = median(times);
   }

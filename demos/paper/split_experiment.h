@@ -20,7 +20,7 @@ struct SplitOptions {
 /// What a method does at an FNOP.
 struct SplitCell {
   std::size_t nodes = 0;            ///< TNON
-  double split_ms = 0.0;            ///< to build the octrees of given clusters
+  double split_ms = 0.0;            ///< processor time to build the octrees of given clusters
   double leaf_volume = 0.0;         ///< of the leaf cells with points, mm³
   std::size_t false_positives = 0;  ///< clear poses at which the belt's box overlaps a leaf cell
   std::size_t false_negatives = 0;  ///< touching poses at which it overlaps none

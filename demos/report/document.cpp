@@ -1,5 +1,6 @@
 #include "report/document.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -29,6 +30,17 @@ void write(const std::filesystem::path& file, std::string_view text) {
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
+/// Whether all cells of a column begin like numbers: these are set to the right, words to the left.
+bool isNumeric(const Table& table, std::size_t column) {
+  const auto isNumber = [&](const auto& row) {
+    const std::string& cell = row[column];
+    const std::size_t digit = cell.find_first_not_of("+-");
+    return cell.empty() || cell == "–" ||
+           (digit != std::string::npos && std::isdigit(static_cast<unsigned char>(cell[digit])) != 0);
+  };
+  return std::ranges::all_of(table.rows, isNumber);
+}
+
 std::string csvCell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -42,15 +54,21 @@ std::string csvLine(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
-/// One line of text that Markdown leaves as it is, also where it begins a line.
+/// Text within a line that Markdown leaves as it is.
 std::string markdownText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     if (std::string_view("\\`*_[]<&|~").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c == '\n' || c == '\r' ? ' ' : c;
   }
+  return escaped;
+}
+
+/// The same where it begins a line: no title, list or quotation either.
+std::string markdownParagraph(const std::string& text) {
+  std::string escaped = markdownText(text);
   const std::size_t digits = escaped.find_first_not_of("0123456789");
-  if (digits == std::string::npos || digits > 9) return escaped;
+  if (digits == std::string::npos) return escaped;
   const bool begins_list = digits > 0 && (escaped[digits] == '.' || escaped[digits] == ')');
   const bool begins_block =
       digits == 0 && std::string_view("#+->=").find(escaped[0]) != std::string_view::npos;
@@ -68,7 +86,7 @@ std::string markdownTable(const Table& table) {
   requireRectangular(table);
   std::string text = "**" + markdownText(table.caption) + "**\n\n" + markdownRow(table.columns);
   text += '|';
-  for (std::size_t i = 0; i < table.columns.size(); ++i) text += i == 0 ? " --- |" : " ---: |";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) text += isNumeric(table, i) ? " ---: |" : " --- |";
   text += '\n';
   for (const auto& row : table.rows) text += markdownRow(row);
   return text + '\n';
@@ -135,11 +153,15 @@ std::string base64(std::string_view bytes) {
 std::string htmlTable(const Table& table) {
   requireRectangular(table);
   std::string text = "<div class=\"wide\"><table>\n" + element("caption", table.caption) + "\n<thead><tr>";
-  for (const std::string& column : table.columns) text += element("th", column);
+  std::vector<std::string> cell_start;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    cell_start.push_back(isNumeric(table, i) ? " class=\"n\">" : ">");
+    text += "<th" + cell_start.back() + htmlText(table.columns[i]) + "</th>";
+  }
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
-    for (const std::string& cell : row) text += element("td", cell);
+    for (std::size_t i = 0; i < row.size(); ++i) text += "<td" + cell_start[i] + htmlText(row[i]) + "</td>";
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";
@@ -159,8 +181,8 @@ constexpr std::string_view kStyle =
     "body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#21262e}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;margin:1rem 0;font-size:.85rem}"
     "caption{text-align:left;font-weight:bold;padding:.3rem 0}"
-    "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:right}"
-    "th{background:#eef1f4}td:first-child,th:first-child{text-align:left}"
+    "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:left;vertical-align:top}"
+    "th{background:#eef1f4}td.n,th.n{text-align:right}"
     ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(24rem,1fr));gap:1rem}"
     "figure{margin:.5rem 0}img{max-width:100%}figcaption{color:#5c6675}";
 
@@ -175,10 +197,10 @@ void writeCsv(const Table& table, const std::filesystem::path& folder) {
 
 std::string markdownOf(const Document& document) {
   std::string text = "# " + markdownText(document.title) + "\n\n";
-  for (const std::string& paragraph : document.paragraphs) text += markdownText(paragraph) + "\n\n";
+  for (const std::string& paragraph : document.paragraphs) text += markdownParagraph(paragraph) + "\n\n";
   for (const Section& section : document.sections) {
     text += "## " + markdownText(section.title) + "\n\n";
-    for (const std::string& paragraph : section.paragraphs) text += markdownText(paragraph) + "\n\n";
+    for (const std::string& paragraph : section.paragraphs) text += markdownParagraph(paragraph) + "\n\n";
     for (const Table& table : section.tables) text += markdownTable(table);
     for (const Figure& figure : section.figures) {
       const std::string caption = markdownText(figure.caption);

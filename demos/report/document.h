@@ -14,9 +14,9 @@ namespace octoblisk::demos {
 
 struct Table {
   std::string name;  ///< of its file, without ".csv"
-  std::string caption;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< a cell a column
+  std::string caption{};
+  std::vector<std::string> columns{};
+  std::vector<std::vector<std::string>> rows{};  ///< a cell a column
 };
 
 struct Figure {

@@ -11,20 +11,20 @@ enum class SeriesStyle { kLine, kDashedLine, kPoints, kLineAndPoints };
 
 struct Series {
   std::string name;  ///< in the key; empty: not in the key
-  std::vector<double> x;
-  std::vector<double> y;  ///< as many; a NaN breaks the line
+  std::vector<double> x{};
+  std::vector<double> y{};  ///< as many; a NaN breaks the line
   SeriesStyle style = SeriesStyle::kLineAndPoints;
 };
 
 /// All text is plain UTF-8.
 struct Plot {
   std::string title;
-  std::string x_label;  ///< with its unit
-  std::string y_label;
+  std::string x_label{};  ///< with its unit
+  std::string y_label{};
   bool x_log = false;
   bool y_log = false;
   bool equal_aspect = false;  ///< a unit is as long along x as along y
-  std::vector<Series> series;
+  std::vector<Series> series{};
 };
 
 /// The script that makes gnuplot draw the plot into a file. Throws std::invalid_argument naming a series

@@ -36,7 +36,7 @@ TEST(Document, markdownLeavesTheTextAsItIs) {
                                        .sections = {{"S", {}, {kAwkward}}}});
   EXPECT_EQ(text,
             "# T\\_1\n\n1\\. no list\n\n\\# no title\n\n2 \\< 3\n\n## S\n\n**a\\|b**\n\n"
-            "| k | a,b | say \"x\" |\n| --- | ---: | ---: |\n| 1 | two lines | \\<b>\\&\\| |\n"
+            "| k | a,b | say \"x\" |\n| --- | --- | --- |\n| 1 | two lines | \\<b>\\&\\| |\n"
             "| \\*2\\* |  | 3 |\n\n");
 }
 

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "octoblisk/obb.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"
@@ -31,7 +34,7 @@ TEST(BoxDetection, cellsLeft_vs_everyCell) {
     const Segmentation segmentation(clustersOf(cloud, 3, 1), 4, frame);
     const std::vector<Obb> cells = segmentation.leafCells();
     for (int i = 0; i < kPoses; ++i) {
-      const Obb there = testing::randomPose(random, 1.8) * box;
+      const Obb there = testing::randomPose(random, 1.5) * box;
       BoxesLeft expected;
       for (const Obb& cell : cells) {
         if (!overlaps(there, cell)) continue;
@@ -61,7 +64,7 @@ TEST(BoxDetection, leafBoxesLeft_vs_everyPair) {
   int hits = 0;
   constexpr int kPoses = 100;
   for (int i = 0; i < kPoses; ++i) {
-    const Pose pose = testing::randomPose(random, 1.6);
+    const Pose pose = testing::randomPose(random, 1.0);
     BoxesLeft against_box, against_boxes;
     for (const Obb& leaf : leaves) {
       if (overlaps(leaf, pose * belt_box)) {
@@ -92,18 +95,22 @@ TEST(BoxDetection, cellsThatTrianglesMeet_vs_everyTriangle) {
   const ClusteredOctree blisk = fanTree(), belt = ringTree();
   const std::vector<Obb> leaves = leafBoxes(blisk);
   const auto meetsAny = [&](const std::vector<Obb>& boxes, const Pose& pose) {
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < belt.mesh().triangleCount(); ++t) {
+      triangles.push_back(pose * belt.mesh().triangle(t));
+    }
     for (const Obb& box : boxes) {
-      for (std::size_t t = 0; t < belt.mesh().triangleCount(); ++t) {
-        if (testing::boxTriangleOverlap(box, pose * belt.mesh().triangle(t)) >= 0.0) return true;
+      for (const Triangle& triangle : triangles) {
+        if (testing::boxTriangleOverlap(box, triangle) >= 0.0) return true;
       }
     }
     return false;
   };
   std::mt19937_64 random(73);
   int hits = 0;
-  constexpr int kPoses = 60;
+  constexpr int kPoses = 40;
   for (int i = 0; i < kPoses; ++i) {
-    const Pose pose = testing::randomPose(random, 1.6);
+    const Pose pose = testing::randomPose(random, 1.2);
     const bool expected = meetsAny(cells, pose);
     ASSERT_EQ(anyLeafMeets(segmentation, belt, pose), expected) << "pose " << i;
     ASSERT_EQ(anyLeafMeets(blisk, belt, pose), meetsAny(leaves, pose)) << "pose " << i;
@@ -155,7 +162,7 @@ TEST(Alarms, countsWhatIsFalseAndWhatIsMissed) {
 struct SmallDetection {
   ClusteredOctree blisk = fanTree(), belt = ringTree();
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
-  std::vector<BeltPose> poses = posesAbout(blisk, belt, 80, 0.3, 2);
+  std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.4, 2);
   DetectionResult result = runDetectionExperiment(blisk, belt, parts, poses, poses,
                                                   {.fnop = 2, .clusters = 2, .runs = 1}, kSilent);
 };
@@ -190,20 +197,40 @@ TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
   EXPECT_LE(rows[kTraditional].ground.false_positives, rows[kTraditionalOneAxis].ground.false_positives);
 }
 
-TEST(DetectionExperiment, holesAreContactsThatNoCellCovers) {
+/// Whether a triangle of the body meets the box of any leaf's points, by looking at all of both.
+bool meetsAnyFittedBox(const Points& cloud, const Segmentation& segmentation, const TriangleMesh& body,
+                       const Pose& pose) {
+  const Octree& octree = segmentation.octrees().front();
+  for (const Octree::Node& node : octree.nodes()) {
+    if (!node.isLeaf() || node.count() == 0) continue;
+    Points points;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) points.push_back(cloud[octree.order()[i]]);
+    const Obb box = boundingBox(points, Mat3::Identity());
+    for (std::size_t t = 0; t < body.triangleCount(); ++t) {
+      if (testing::boxTriangleOverlap(box, pose * body.triangle(t)) >= 0.0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(DetectionExperiment, holesAreContactsThatNoBoxCovers) {
   const SmallDetection small;
   const std::vector<HolesRow>& holes = small.result.holes;
-  ASSERT_EQ(holes.size(), 4u);
+  ASSERT_EQ(holes.size(), std::size_t{kHoleKinds});
   const Points& cloud = small.parts[0];
   const Segmentation traditional(std::span(&cloud, 1), 2, CellFrame::box);
-  std::size_t missed = 0, touching = 0;
+  std::size_t missed_by_cells = 0, missed_by_fitted = 0, touching = 0;
   for (const BeltPose& pose : small.poses) {
-    touching += pose.touches;
-    missed += pose.touches && !anyLeafMeets(traditional, small.belt, pose.belt_in_mesh);
+    if (!pose.touches) continue;
+    ++touching;
+    missed_by_cells += !anyLeafMeets(traditional, small.belt, pose.belt_in_mesh);
+    missed_by_fitted += !meetsAnyFittedBox(cloud, traditional, small.belt.mesh(), pose.belt_in_mesh);
   }
-  EXPECT_EQ(holes[0].touching, 2 * touching) << "both paths";
-  EXPECT_EQ(holes[0].missed, 2 * missed);
-  EXPECT_EQ(holes[3].missed, 0u) << "boxes of whole triangles";
+  EXPECT_EQ(holes[kCellsTraditional].touching, 2 * touching) << "both paths";
+  EXPECT_EQ(holes[kCellsTraditional].missed, 2 * missed_by_cells);
+  EXPECT_EQ(holes[kFittedTraditional].missed, 2 * missed_by_fitted);
+  EXPECT_GT(missed_by_fitted, 0u) << "erratum 14";
+  EXPECT_EQ(holes[kWholeTriangles].missed, 0u);
 }
 
 TEST(SurfacePoints, lieEvenlyOnTheSurfaceAndAreTheSameForTheSameSeed) {
@@ -221,20 +248,20 @@ TEST(SurfacePoints, lieEvenlyOnTheSurfaceAndAreTheSameForTheSameSeed) {
   // Evenly packed, 200 points on an area of 24 are 0.37 apart at most; random ones come within 0.02.
   EXPECT_GT(nearest, 0.2);
   for (const int count : on_face) EXPECT_NEAR(count, 200 / 6, 9);
-  EXPECT_EQ(points, evenPoints(box, 200, 3));
-  EXPECT_NE(points, evenPoints(box, 200, 4));
+  EXPECT_TRUE(points == evenPoints(box, 200, 3));
+  EXPECT_FALSE(points == evenPoints(box, 200, 4));
   EXPECT_DOUBLE_EQ(surfaceArea(box), 24.0);
 }
 
 TEST(SurfacePoints, refuseNoPointsNoAreaAndNoPart) {
   const TriangleMesh box = *testing::boxMesh({1.0, 1.0, 1.0});
   EXPECT_THROW(evenPoints(box, 0, 1), std::invalid_argument);
-  const TriangleMesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
+  const TriangleMesh flat({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}});
   EXPECT_THROW(evenPoints(flat, 5, 1), std::invalid_argument);
   const std::vector<int> numbers = {1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2};
   const TriangleMesh part = partOf(box, numbers, 1);
   EXPECT_EQ(part.triangleCount(), 2u);
-  EXPECT_EQ(part.triangle(1), box.triangle(1));
+  EXPECT_TRUE(part.triangle(1) == box.triangle(1));
   EXPECT_LE(part.vertices().size(), 6u);
   EXPECT_THROW(partOf(box, numbers, 3), std::invalid_argument);
   EXPECT_THROW(partOf(box, std::span(numbers).first(3), 1), std::invalid_argument);

@@ -7,6 +7,7 @@
 
 #include "octoblisk/k_opt.h"
 #include "octoblisk/obb.h"
+#include "octoblisk/separating_axis.h"
 #include "paper/belt_poses.h"
 #include "paper/published.h"
 #include "paper/segmentation.h"
