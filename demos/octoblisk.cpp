@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   octoblisk::demos::addGrindCommand(app, exit_code);
   octoblisk::demos::addMakeCommand(app, exit_code);
   octoblisk::demos::addCheckCommand(app, exit_code);
+  octoblisk::demos::addPaperCommand(app, exit_code);
 
   try {
     octoblisk::demos::requireKnownSubcommands(app, argc, argv);

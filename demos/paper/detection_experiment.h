@@ -1,0 +1,88 @@
+// The experiment of Table 3: detection over a grinding path, by the paper's methods and ours.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "paper/belt_poses.h"
+#include "paper/progress.h"
+#include "paper/segmentation.h"
+
+namespace octoblisk::demos {
+
+struct DetectionOptions {
+  std::size_t fnop = 2;      ///< the paper's optimum
+  std::size_t clusters = 2;  ///< of each part; the paper's optimum
+  std::uint64_t seed = 1;
+  int runs = 3;  ///< over the path, as in the paper
+};
+
+/// What a method calls colliding, against the exact triangles.
+struct Alarms {
+  std::size_t touching = 0, clear = 0;  ///< poses, by the triangles
+  std::size_t false_positives = 0;      ///< clear poses called colliding
+  std::size_t false_negatives = 0;      ///< touching poses called clear
+
+  void count(const BeltPose& pose, bool called_colliding);
+};
+
+struct DetectionRow {
+  std::string method;
+  double range = 0.0;                 ///< of the boxes that it begins with, mm³
+  double volume_left = 0.0;           ///< of the leaf boxes that overlap, the mean of all poses, mm³
+  double boxes_tested = 0.0;          ///< pairs of boxes a pose, the mean; 0 where not counted
+  std::vector<double> run_seconds{};  ///< of each run over the ground path
+  Alarms ground{};                    ///< over the path as it is ground
+  Alarms lifted{};                    ///< over the path held off the blade
+  bool is_exact = false;              ///< asks the triangles
+};
+
+/// Whether leaf boxes cover what the belt's triangles touch: without the belt's box, which is larger than it.
+struct HolesRow {
+  std::string method;
+  std::size_t touching = 0;  ///< poses of both paths
+  std::size_t missed = 0;    ///< of these, the belt's triangles meet no leaf box
+};
+
+/// The rows of these.
+enum HoleKind : std::size_t {
+  kCellsTraditional,
+  kCellsImproved,
+  kFittedTraditional,  ///< the box of a leaf's points, in the cell's frame: what erratum 14 is about
+  kFittedImproved,
+  kWholeTriangles,
+  kHoleKinds
+};
+
+struct DetectionResult {
+  std::size_t path_poses = 0, cloud_points = 0;
+  DetectionOptions options{};
+  std::vector<DetectionRow> rows{};  ///< in the order of the enumeration below
+  std::vector<HolesRow> holes{};
+};
+
+/// The rows.
+enum DetectionMethod : std::size_t {
+  kOneAabb,
+  kOneObb,
+  kTraditionalOneAxis,
+  kTraditional,
+  kImprovedOneAxis,
+  kImproved,
+  kImprovedPrincipal,
+  kOursBoxes,      ///< leaf boxes of whole triangles against the belt's one box
+  kOursBothBoxes,  ///< and against the belt's leaf boxes
+  kOursPairs,      ///< all pairs of triangles that touch
+  kOursVerdict,    ///< touching or not, each pose from the last
+  kDetectionMethods
+};
+
+/// Runs every method over the poses of the ground path and over those held off the blade, both judged by the
+/// exact triangles. `parts` are clouds of the blisk's parts.
+DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const ClusteredOctree& belt,
+                                       const std::vector<Points>& parts, const std::vector<BeltPose>& ground,
+                                       const std::vector<BeltPose>& lifted, const DetectionOptions& options,
+                                       const Progress& progress);
+
+}  // namespace octoblisk::demos

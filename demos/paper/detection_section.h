@@ -1,0 +1,14 @@
+// What the report says of Table 3.
+#pragma once
+
+#include <string>
+
+#include "paper/detection_experiment.h"
+#include "report/document.h"
+
+namespace octoblisk::demos {
+
+/// `lift` is how far off the blade the second path is held, mm.
+Section detectionSection(const DetectionResult& result, const std::string& blisk_name, double lift);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,171 @@
+#include "paper/figures.h"
+
+#include <array>
+#include <utility>
+
+#include "octoblisk/obb.h"
+#include "paper/number_text.h"
+#include "paper/segmentation.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr int kWidth = 1000, kHeight = 800;  // pixels
+
+constexpr std::array<Color, 8> kClusterColors = {palette::kBlue,   palette::kVermilion, palette::kGreen,
+                                                 palette::kYellow, palette::kPurple,    palette::kSky,
+                                                 palette::kInk,    palette::kOrange};
+
+constexpr double kRoomForCells =
+    1.5;  // about the blade, the same in all pictures, so that they can be compared
+
+/// Looks at the blade's broad side, a little from above and from one edge, with its tip up.
+Camera bladeCamera(const PaperModel& model, const Points& cloud, double margin) {
+  const Obb box = principalBox(cloud);
+  const Vec3 outward(box.center.x(), box.center.y(), 0.0);
+  const Vec3 up =
+      model.isBlisk() && outward.norm() > 0.0 ? Vec3(outward.normalized()) : Vec3(box.axes.col(0));
+  const Vec3 broadside = box.axes.col(2);
+  return frame(cloud, -broadside + 0.45 * up.cross(broadside) - 0.3 * up, up, Projection::kOrthographic,
+               margin);
+}
+
+Picture bladePicture(const PaperModel& model) {
+  Picture picture;
+  picture.scene.addMesh(*model.blade, {}, palette::kSteel);
+  picture.annotation.legend = {{palette::kSteel, "blade"}};
+  picture.annotation.length_unit = "mm";
+  return picture;
+}
+
+void addCells(const std::vector<Obb>& cells, Color color, const std::string& name, Picture& picture) {
+  picture.scene.addBoxes(cells, {.color = color, .width = 1.4f, .hidden_opacity = 0.12f});
+  picture.annotation.legend.push_back({color, name, LegendSymbol::kLine});
+}
+
+std::string cellsText(const Segmentation& segmentation, std::size_t cells) {
+  return std::to_string(segmentation.totalNodes()) + " nodes, " + std::to_string(cells) +
+         " cells with points, together " + fixedText(1e-3 * segmentation.leafVolume(), 1) + " · 10³ mm³";
+}
+
+NamedPicture segmentationPicture(const PaperModel& model, const Points& cloud,
+                                 const std::vector<Points>& clusters, std::size_t fnop, CellFrame cells_frame,
+                                 std::string file, const std::string& title) {
+  const Segmentation all(clusters, fnop, cells_frame);
+  Picture picture = bladePicture(model);
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const std::vector<Obb> cells = Segmentation(std::span(&clusters[c], 1), fnop, cells_frame).leafCells();
+    count += cells.size();
+    const std::string name =
+        clusters.size() == 1 ? "cells with points" : "cells of cluster " + std::to_string(c + 1);
+    addCells(cells, kClusterColors[c % kClusterColors.size()], name, picture);
+  }
+  picture.annotation.title = title;
+  picture.annotation.subtitle = cellsText(all, count);
+  picture.camera = bladeCamera(model, cloud, kRoomForCells);
+  std::string caption = title + ": " + picture.annotation.subtitle;
+  return {std::move(file), std::move(caption), std::move(picture)};
+}
+
+}  // namespace
+
+NamedPicture beltBoxPicture(const TriangleMesh& belt) {
+  const Obb box = principalBox(belt.vertices());
+  Picture picture;
+  picture.scene.addPoints(belt.vertices(), {.color = palette::kOrange, .width = 2.2f});
+  picture.scene.addBoxes(std::span(&box, 1),
+                         {.color = palette::kBlue, .width = 3.0f, .hidden_opacity = 0.4f});
+  picture.camera = frame(picture.scene.points(), {0.25, -0.55, -0.8}, Vec3::UnitY());
+  const Vec3 size = 2.0 * box.half_extents;
+  const std::string points = std::to_string(belt.vertices().size()) + " points";
+  picture.annotation = {.title = "Box of the belt along its principal axes",
+                        .subtitle = points + "; " + fixedText(size.x(), 1) + " × " + fixedText(size.y(), 1) +
+                                    " × " + fixedText(size.z(), 1) + " mm",
+                        .legend = {{palette::kOrange, points + " of the belt", LegendSymbol::kPoint},
+                                   {palette::kBlue, "its box", LegendSymbol::kLine}},
+                        .length_unit = "mm"};
+  return {"fig2.png", "Figure 2: the belt's " + points + " in their box along the principal axes",
+          std::move(picture)};
+}
+
+std::vector<NamedPicture> cellPictures(const PaperModel& model, const Points& cloud) {
+  std::vector<NamedPicture> pictures;
+  const std::array<std::pair<std::size_t, char>, 3> cases = {{{2, 'a'}, {10, 'b'}, {50, 'c'}}};
+  for (const auto& [fnop, letter] : cases) {
+    pictures.push_back(segmentationPicture(
+        model, cloud, {cloud}, fnop, CellFrame::cube, std::string("fig4") + letter + ".png",
+        std::string("Figure 4 (") + letter + "): FNOP " + std::to_string(fnop)));
+  }
+  return pictures;
+}
+
+std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Points& cloud,
+                                             std::uint64_t seed) {
+  constexpr std::size_t kFnop = 10;
+  const std::vector<Points> clusters = clustersOf(cloud, 2, seed);
+  return {segmentationPicture(model, cloud, {cloud}, kFnop, CellFrame::cube, "fig5a.png",
+                              "Figure 5 (a): traditional"),
+          segmentationPicture(model, cloud, clusters, kFnop, CellFrame::cube, "fig5b.png",
+                              "Figure 5 (b): improved, k = 2"),
+          segmentationPicture(model, cloud, clusters, kFnop, CellFrame::principal_box, "fig5c.png",
+                              "Not in the paper: k = 2, principal frames")};
+}
+
+std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points& cloud, std::uint64_t seed) {
+  std::vector<NamedPicture> pictures;
+  for (std::size_t k = 2; k <= 8; ++k) {
+    Picture picture = bladePicture(model);
+    const std::vector<Points> clusters = clustersOf(cloud, k, seed);
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+      const Color color = kClusterColors[c % kClusterColors.size()];
+      picture.scene.addPoints(clusters[c], {.color = color, .width = 9.0f});
+      picture.annotation.legend.push_back(
+          {color, std::to_string(clusters[c].size()) + " points", LegendSymbol::kPoint});
+    }
+    const char letter = static_cast<char>('a' + (k - 2));
+    const std::string title = std::string("Figure 8 (") + letter + "): k = " + std::to_string(k);
+    picture.annotation.title = title;
+    picture.camera = bladeCamera(model, cloud, 1.06);
+    pictures.push_back({std::string("fig8") + letter + ".png", title, std::move(picture)});
+  }
+  return pictures;
+}
+
+std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
+                                    std::uint64_t seed, const std::filesystem::path& folder,
+                                    const Progress& progress) {
+  struct Group {
+    std::string title, text;
+    std::vector<NamedPicture> pictures;
+  };
+  std::vector<Group> groups;
+  groups.push_back({"Figure 2: the belt's box", "", {}});
+  groups.back().pictures.push_back(beltBoxPicture(belt));
+  groups.push_back({"Figure 4: cells of the traditional octree",
+                    "Cubes along the axes; cells without points, which the paper counts too, are not drawn.",
+                    cellPictures(model, cloud)});
+  groups.push_back(
+      {"Figure 5: traditional beside improved",
+       "The same blade at FNOP 10, seen from the same place; the volumes are those of the cells drawn.",
+       comparisonPictures(model, cloud, seed)});
+  groups.push_back({"Figure 8: clusters of the blade",
+                    "Clusters of the blade's points, in mm; the colours mean no more than which is which.",
+                    clusterPictures(model, cloud, seed)});
+  std::size_t count = 0, done = 0;
+  for (const Group& group : groups) count += group.pictures.size();
+  std::vector<Section> sections;
+  for (const Group& group : groups) {
+    Section section{.title = group.title};
+    if (!group.text.empty()) section.paragraphs.push_back(group.text);
+    for (const NamedPicture& named : group.pictures) {
+      writePng(named.picture, (folder / named.file).string(), kWidth, kHeight);
+      section.figures.push_back({named.file, named.caption});
+      progress(static_cast<double>(++done) / static_cast<double>(count));
+    }
+    sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+}  // namespace octoblisk::demos

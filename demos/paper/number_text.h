@@ -1,0 +1,36 @@
+// Numbers as the tables of a report show them.
+#pragma once
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+namespace octoblisk::demos {
+
+/// With so many digits after the point.
+inline std::string fixedText(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// "+3.2 %": how much more the second is than the first, which is not 0.
+inline std::string changeText(double from, double to, int digits = 1) {
+  const std::string text = fixedText(100.0 * (to / from - 1.0), digits);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  if (is_zero) return fixedText(0.0, digits) + " %";
+  return (text.front() == '-' ? "" : "+") + text + " %";
+}
+
+/// "37.5 %" of a whole that is not 0.
+inline std::string shareText(double part, double whole, int digits = 1) {
+  return fixedText(100.0 * part / whole, digits) + " %";
+}
+
+/// "1 pose", "3 poses".
+inline std::string countedText(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+}  // namespace octoblisk::demos

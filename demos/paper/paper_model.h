@@ -1,0 +1,37 @@
+// The blisk or blade that the paper's experiments run on.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/blade_finder.h"
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk::demos {
+
+using Points = std::vector<Vec3>;
+
+/// Lengths in mm.
+struct PaperModel {
+  std::string name;
+  std::shared_ptr<const TriangleMesh> mesh;   ///< the blisk, or the blade alone
+  BladesFound blades;                         ///< of the mesh; none where it is a blade alone
+  std::shared_ptr<const TriangleMesh> blade;  ///< the blisk's blade 1, or the whole mesh
+
+  bool isBlisk() const { return blades.count > 0; }
+};
+
+/// Of a mesh in which blades are found, that is a blisk; any other is a blade.
+PaperModel paperModel(std::string name, TriangleMesh mesh);
+
+/// Clouds of the blisk's parts: of each blade `count` points; of hub and shroud, which come last, as many as
+/// their area asks for, but no more than four times as many. Of a blade alone, its one cloud.
+std::vector<Points> partClouds(const PaperModel& model, std::size_t count, std::uint64_t seed);
+
+/// The built-in belt.
+std::shared_ptr<const TriangleMesh> paperBelt();
+
+std::shared_ptr<const ClusteredOctree> treeOf(const std::shared_ptr<const TriangleMesh>& mesh);
+
+}  // namespace octoblisk::demos

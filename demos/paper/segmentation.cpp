@@ -1,0 +1,56 @@
+#include "paper/segmentation.h"
+
+#include "octoblisk/k_means.h"
+#include "octoblisk/obb.h"
+
+namespace octoblisk::demos {
+
+std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed) {
+  if (k == 0) return {points};
+  const Clustering clustering = kMeans(points, {.k = k, .seed = seed, .paper_start = true});
+  std::vector<Points> clusters(k);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    clusters[clustering.cluster_of_point[i]].push_back(points[i]);
+  }
+  std::erase_if(clusters, [](const Points& cluster) { return cluster.empty(); });
+  return clusters;
+}
+
+Segmentation::Segmentation(std::span<const Points> clusters, std::size_t fnop, CellFrame frame) {
+  octrees_.reserve(clusters.size());
+  for (const Points& cluster : clusters) {
+    OctreeOptions options{.leaf_capacity = fnop, .cubic = frame == CellFrame::cube};
+    if (frame == CellFrame::principal_box) options.axes = principalAxes(covariance(cluster));
+    octrees_.push_back(Octree::build(cluster, options));
+  }
+}
+
+std::size_t Segmentation::totalNodes() const {
+  std::size_t sum = 0;
+  for (const Octree& octree : octrees_) sum += octree.stats().total_nodes;
+  return sum;
+}
+
+double Segmentation::rootVolume() const {
+  double sum = 0.0;
+  for (const Octree& octree : octrees_) sum += octree.stats().root_volume;
+  return sum;
+}
+
+double Segmentation::leafVolume() const {
+  double sum = 0.0;
+  for (const Octree& octree : octrees_) sum += octree.stats().leaf_volume;
+  return sum;
+}
+
+std::vector<Obb> Segmentation::leafCells() const {
+  std::vector<Obb> cells;
+  for (const Octree& octree : octrees_) {
+    for (const Octree::Node& node : octree.nodes()) {
+      if (node.isLeaf() && node.count() > 0) cells.push_back(octree.cell(node));
+    }
+  }
+  return cells;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,41 @@
+// The paper's segmentation of a point cloud: clusters, and an octree over each (sections 2.3 and 3.2).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "octoblisk/octree.h"
+#include "paper/paper_model.h"
+
+namespace octoblisk::demos {
+
+/// The frame and shape of an octree's root cell (erratum 9: the paper does not say).
+enum class CellFrame {
+  cube,           ///< a cube along the axes that the points are given in
+  box,            ///< the points' own box along these axes
+  principal_box,  ///< the points' box along their principal axes: each cluster its own
+};
+
+/// The points of each of k clusters by k-means from the paper's start; empty clusters are left out. Of k = 0,
+/// the traditional method, all points together.
+/// Throws std::invalid_argument where k is above the number of points.
+std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed);
+
+class Segmentation {
+ public:
+  /// An octree over each cluster. Throws std::invalid_argument for no points, or an FNOP of 0.
+  Segmentation(std::span<const Points> clusters, std::size_t fnop, CellFrame frame);
+
+  const std::vector<Octree>& octrees() const { return octrees_; }
+
+  std::size_t totalNodes() const;  ///< TNON: k + 8 · splits
+  double rootVolume() const;       ///< of all roots, mm³
+  double leafVolume() const;       ///< of the cells of all leaves that hold points, mm³
+  std::vector<Obb> leafCells() const;
+
+ private:
+  std::vector<Octree> octrees_;
+};
+
+}  // namespace octoblisk::demos

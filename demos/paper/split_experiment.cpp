@@ -1,0 +1,124 @@
+#include "paper/split_experiment.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "paper/box_detection.h"
+#include "paper/stopwatch.h"
+
+namespace octoblisk::demos {
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+using Clusters = std::vector<Points>;
+
+SplitCell measured(const Segmentation& segmentation, const Obb& belt_box, std::span<const BeltPose> poses) {
+  SplitCell cell;
+  cell.nodes = segmentation.totalNodes();
+  cell.leaf_volume = segmentation.leafVolume();
+  for (const BeltPose& pose : poses) {
+    const bool called = anyLeafNear(segmentation, pose.belt_in_mesh * belt_box);
+    cell.false_positives += called && !pose.touches;
+    cell.false_negatives += !called && pose.touches;
+  }
+  return cell;
+}
+
+/// The median time of building each cell's octrees: all cells in turn, again and again, so that what disturbs
+/// the machine for a while disturbs all alike.
+void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, SplitResult& result,
+                const Progress& progress) {
+  MethodTable<std::array<std::vector<double>, 2>> times;
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    for (std::size_t column = 0; column < kFnops; ++column) {
+      for (std::size_t method = 0; method < kMethods; ++method) {
+        for (const bool principal : {false, true}) {
+          const Stopwatch watch;
+          const Segmentation segmentation(clusters[method], fnopOf(column),
+                                          principal ? CellFrame::principal_box : CellFrame::cube);
+          times[method][column][principal].push_back(1e3 * watch.seconds());
+        }
+      }
+    }
+    progress(static_cast<double>(repeat + 1) / repeats);
+  }
+  for (std::size_t method = 0; method < kMethods; ++method) {
+    for (std::size_t column = 0; column < kFnops; ++column) {
+      result.cubes[method][column].split_ms = median(times[method][column][0]);
+      result.principal[method][column].split_ms = median(times[method][column][1]);
+    }
+  }
+}
+
+}  // namespace
+
+SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::span<const BeltPose> poses,
+                               const SplitOptions& options, const Progress& progress) {
+  SplitResult result;
+  for (const BeltPose& pose : poses) ++(pose.touches ? result.touching : result.clear);
+
+  std::array<Clusters, kMethods> clusters;
+  for (std::size_t method = 0; method < kMethods; ++method) {
+    std::vector<double> times;
+    for (int repeat = 0; repeat < std::min(options.repeats, 3); ++repeat) {
+      const Stopwatch watch;
+      clusters[method] = clustersOf(cloud, clustersOfMethod(method), options.seed);
+      times.push_back(1e3 * watch.seconds());
+    }
+    if (method > 0) result.cluster_ms[method] = median(times);
+  }
+  for (std::size_t method = 0; method < kMethods; ++method) {
+    for (std::size_t column = 0; column < kFnops; ++column) {
+      const std::size_t fnop = fnopOf(column);
+      result.cubes[method][column] =
+          measured(Segmentation(clusters[method], fnop, CellFrame::cube), belt_box, poses);
+      result.principal[method][column] =
+          measured(Segmentation(clusters[method], fnop, CellFrame::principal_box), belt_box, poses);
+    }
+    progress(0.5 * static_cast<double>(method + 1) / kMethods);
+  }
+  timeSplits(clusters, options.repeats, result, stretchOf(progress, 0.5, 1.0));
+  return result;
+}
+
+std::size_t kOfLeastNodes(const SplitResult& result, std::size_t column) {
+  std::size_t best = 1;
+  for (std::size_t method = 2; method < kMethods; ++method) {
+    if (result.cubes[method][column].nodes < result.cubes[best][column].nodes) best = method;
+  }
+  return clustersOfMethod(best);
+}
+
+std::size_t kOfLeastLeafVolume(const SplitResult& result, std::size_t column) {
+  std::size_t best = 1;
+  for (std::size_t method = 2; method < kMethods; ++method) {
+    if (result.principal[method][column].leaf_volume < result.principal[best][column].leaf_volume)
+      best = method;
+  }
+  return clustersOfMethod(best);
+}
+
+std::array<double, kMethods - 1> nodeRatios(const Points& cloud, std::uint64_t seed) {
+  std::array<double, kFnops> traditional{};
+  std::array<double, kMethods - 1> ratios{};
+  for (std::size_t method = 0; method < kMethods; ++method) {
+    const Clusters clusters = clustersOf(cloud, clustersOfMethod(method), seed);
+    for (std::size_t column = 0; column < kFnops; ++column) {
+      const auto nodes =
+          static_cast<double>(Segmentation(clusters, fnopOf(column), CellFrame::cube).totalNodes());
+      if (method == 0) {
+        traditional[column] = nodes;
+      } else {
+        ratios[method - 1] += nodes / traditional[column] / kFnops;
+      }
+    }
+  }
+  return ratios;
+}
+
+}  // namespace octoblisk::demos

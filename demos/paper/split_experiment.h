@@ -1,0 +1,51 @@
+// The experiment of Tables 1 and 2: a blade's cloud divided for each method and FNOP.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "paper/belt_poses.h"
+#include "paper/progress.h"
+#include "paper/published.h"
+#include "paper/segmentation.h"
+
+namespace octoblisk::demos {
+
+struct SplitOptions {
+  std::uint64_t seed = 1;  ///< of k-means
+  int repeats = 15;        ///< of which split_ms is the median, interleaved over all cells
+};
+
+/// What a method does at an FNOP.
+struct SplitCell {
+  std::size_t nodes = 0;            ///< TNON
+  double split_ms = 0.0;            ///< processor time to build the octrees of given clusters
+  double leaf_volume = 0.0;         ///< of the leaf cells with points, mm³
+  std::size_t false_positives = 0;  ///< clear poses at which the belt's box overlaps a leaf cell
+  std::size_t false_negatives = 0;  ///< touching poses at which it overlaps none
+};
+
+struct SplitResult {
+  MethodTable<SplitCell> cubes;               ///< along the axes, as the paper does it
+  MethodTable<SplitCell> principal;           ///< boxes in principal frames
+  std::array<double, kMethods> cluster_ms{};  ///< of k-means, the median; 0 for the traditional method
+  std::size_t touching = 0, clear = 0;        ///< poses
+};
+
+/// k_opt at an FNOP by two criteria (step 5; erratum 5): the fewest nodes of cubes along the axes, and the
+/// least volume of leaf cells in principal frames. The least k of equals.
+std::size_t kOfLeastNodes(const SplitResult& result, std::size_t column);
+std::size_t kOfLeastLeafVolume(const SplitResult& result, std::size_t column);
+
+/// Divides the cloud of at least 8 points. The belt's box is its one box along its principal axes, in the
+/// belt's frame; the poses' verdicts are on the cloud's mesh. All but the times is the same bits for the same
+/// seed.
+SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::span<const BeltPose> poses,
+                               const SplitOptions& options, const Progress& progress);
+
+/// Of each k from 2: the node count of axis-aligned cubes against the traditional method's, the mean over
+/// FNOP 1..10, as a ratio.
+std::array<double, kMethods - 1> nodeRatios(const Points& cloud, std::uint64_t seed);
+
+}  // namespace octoblisk::demos

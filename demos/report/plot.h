@@ -1,0 +1,41 @@
+// Plots of numbers as SVG files, drawn by gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace octoblisk::demos {
+
+enum class SeriesStyle { kLine, kDashedLine, kPoints, kLineAndPoints };
+
+struct Series {
+  std::string name;  ///< in the key; empty: not in the key
+  std::vector<double> x{};
+  std::vector<double> y{};  ///< as many; a NaN breaks the line
+  SeriesStyle style = SeriesStyle::kLineAndPoints;
+};
+
+/// All text is plain UTF-8.
+struct Plot {
+  std::string title;
+  std::string x_label{};  ///< with its unit
+  std::string y_label{};
+  bool x_log = false;
+  bool y_log = false;
+  bool equal_aspect = false;  ///< a unit is as long along x as along y
+  std::vector<Series> series{};
+};
+
+/// The script that makes gnuplot draw the plot into a file. Throws std::invalid_argument naming a series
+/// without points, or with more or fewer x than y.
+std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file);
+
+/// Throws std::runtime_error in one line where gnuplot is not installed, naming its Debian package.
+void requireGnuplot();
+
+/// Writes the plot as an SVG file. Throws as above, and std::runtime_error naming a file that cannot be
+/// written or drawn.
+void writeSvg(const Plot& plot, const std::filesystem::path& file);
+
+}  // namespace octoblisk::demos

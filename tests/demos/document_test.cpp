@@ -1,0 +1,117 @@
+// Reports as CSV, Markdown and HTML, and the plots in them.
+#include "report/document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "report/plot.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const Table kAwkward{.name = "awkward",
+                     .caption = "a|b",
+                     .columns = {"k", "a,b", "say \"x\""},
+                     .rows = {{"1", "two\nlines", "<b>&|"}, {"*2*", "", "3"}}};
+
+TEST(Document, csvQuotesWhatItMust) {
+  const ScratchFolder folder;
+  writeCsv(kAwkward, folder.path());
+  EXPECT_EQ(contentOf(folder.path() / "awkward.csv"),
+            "k,\"a,b\",\"say \"\"x\"\"\"\n1,\"two\nlines\",<b>&|\n*2*,,3\n");
+}
+
+TEST(Document, markdownLeavesTheTextAsItIs) {
+  const std::string text = markdownOf({.title = "T_1",
+                                       .paragraphs = {"1. no list", "# no title", "2 < 3"},
+                                       .sections = {{"S", {}, {kAwkward}}}});
+  EXPECT_EQ(text,
+            "# T\\_1\n\n1\\. no list\n\n\\# no title\n\n2 \\< 3\n\n## S\n\n**a\\|b**\n\n"
+            "| k | a,b | say \"x\" |\n| --- | --- | --- |\n| 1 | two lines | \\<b>\\&\\| |\n"
+            "| \\*2\\* |  | 3 |\n\n");
+}
+
+TEST(Document, htmlHoldsItsFiguresAndEscapesItsText) {
+  const ScratchFolder folder;
+  // RFC 4648's own examples of base64.
+  for (const std::string bytes : {"foob", "fooba", "foobar"}) folder.write(bytes + ".png", bytes);
+  const Section section{
+      "S", {"a < b & c"}, {kAwkward}, {{"foob.png", "\"1\""}, {"fooba.png", ""}, {"foobar.png", ""}}};
+  const std::string page = htmlOf({.title = "<T>", .sections = {section}}, folder.path());
+  EXPECT_THAT(page, HasSubstr("<title>&lt;T&gt;</title>"));
+  EXPECT_THAT(page, HasSubstr("<p>a &lt; b &amp; c</p>"));
+  EXPECT_THAT(page, HasSubstr("<td>&lt;b&gt;&amp;|</td>"));
+  EXPECT_THAT(page, HasSubstr("alt=\"&quot;1&quot;\" src=\"data:image/png;base64,Zm9vYg==\""));
+  EXPECT_THAT(page, HasSubstr("base64,Zm9vYmE=\""));
+  EXPECT_THAT(page, HasSubstr("base64,Zm9vYmFy\""));
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+}
+
+TEST(Document, refusesARaggedTableAndAFigureThatIsNotThere) {
+  const ScratchFolder folder;
+  const Table ragged{.name = "ragged", .caption = "", .columns = {"a", "b"}, .rows = {{"1", "2"}, {"1"}}};
+  EXPECT_EQ(messageOf<std::invalid_argument>([&] { writeCsv(ragged, folder.path()); }),
+            "table ragged: row 1 has 1 cells for 2 columns");
+  const Document document{.title = "", .sections = {{"S", {}, {}, {{"none.png", ""}}}}};
+  EXPECT_THAT(messageOf<std::runtime_error>([&] { writeReport(document, folder.path()); }),
+              HasSubstr("none.png: "));
+}
+
+TEST(Plot, drawsEverySeriesWithItsWords) {
+  const ScratchFolder folder;
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  const Plot plot{.title = "it's <100 %",
+                  .x_label = "FNOP",
+                  .y_label = "time (ms)",
+                  .y_log = true,
+                  .series = {{"k_2 & more", {1, 2, 3, 4, 5}, {1, 10, gap, 10, 1}, SeriesStyle::kLine},
+                             {"points", {1, 2}, {3, 4}, SeriesStyle::kPoints}}};
+  const std::filesystem::path file = folder.path() / "it's a plot.svg";
+  writeSvg(plot, file);
+  const std::string svg = contentOf(file);
+  for (const char* words : {"it's &lt;100 %", "FNOP", "time (ms)", "k_2 &amp; more", "points", "</svg>"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
+  EXPECT_THAT(gnuplotScript(plot, file), HasSubstr("2 10\n\n4 10\n")) << "the gap";
+}
+
+TEST(Plot, refusesWhatItCannotDraw) {
+  const ScratchFolder folder;
+  const auto message = [&](const Plot& plot, const std::string& file) {
+    try {
+      writeSvg(plot, folder.path() / file);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Plot plot{.title = "t", .series = {{"short", {1, 2}, {1}}}};
+  EXPECT_THAT(message(plot, "p.svg"), HasSubstr("series 'short' has 2 x and 1 y"));
+  plot.series = {};
+  EXPECT_THAT(message(plot, "p.svg"), HasSubstr("no series"));
+  plot.series = {{"s", {1, 2}, {1, 2}}};
+  EXPECT_THAT(message(plot, "none/p.svg"), HasSubstr("p.svg: cannot be written"));
+  plot.series = {{"s", {1, 2}, {std::nan(""), std::nan("")}}};
+  EXPECT_THAT(message(plot, "p.svg"), HasSubstr("gnuplot could not draw it: "));
+}
+
+TEST(Plot, namesThePackageWhereGnuplotIsMissing) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nonexistent", 1);
+  const std::string message = messageOf<std::runtime_error>([] { requireGnuplot(); });
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(message, HasSubstr("apt install gnuplot-nox"));
+  requireGnuplot();
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
