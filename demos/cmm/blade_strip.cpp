@@ -51,8 +51,8 @@ void appendSide(const std::vector<SectionPoint>& side, const std::vector<double>
     while (segment + 2 < side.size() && arc[segment + 1] <= wanted) ++segment;
     const double part = (wanted - arc[segment]) / (arc[segment + 1] - arc[segment]);
     const SectionPoint &from = side[segment], &to = side[segment + 1];
-    row.push_back({(1.0 - part) * from.position + part * to.position,
-                   (1.0 - part) * from.flat + part * to.flat});
+    row.push_back(
+        {(1.0 - part) * from.position + part * to.position, (1.0 - part) * from.flat + part * to.flat});
   }
 }
 
@@ -134,10 +134,14 @@ Rows rowsOf(const BladesFound& blades, const BladeStripOptions& options) {
 
 const char* letterOf(BladeArea area) {
   switch (area) {
-    case BladeArea::kLeadingEdge: return "A";
-    case BladeArea::kConvex: return "B";
-    case BladeArea::kTrailingEdge: return "C";
-    case BladeArea::kConcave: return "D";
+    case BladeArea::kLeadingEdge:
+      return "A";
+    case BladeArea::kConvex:
+      return "B";
+    case BladeArea::kTrailingEdge:
+      return "C";
+    case BladeArea::kConcave:
+      return "D";
   }
   return "";
 }
@@ -176,8 +180,8 @@ BladeStrip makeBladeStrip(const TriangleMesh& blisk, const BladesFound& blades, 
     strip.shares.push_back(sharesAt(part, convex, options));
   }
   for (std::size_t area = 0; area < kBladeAreas.size(); ++area) {
-    strip.measured_stations[area] = spread(stationsOf(area, strip.shares), strip.grid, strip.grid.rows() / 2,
-                                           options.points_per_area);
+    strip.measured_stations[area] =
+        spread(stationsOf(area, strip.shares), strip.grid, strip.grid.rows() / 2, options.points_per_area);
   }
   return strip;
 }

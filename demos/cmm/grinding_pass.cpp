@@ -54,8 +54,7 @@ void GrindingPass::addPose(std::size_t row, std::size_t station) {
   const double height = grid_.height(row);
   for (const ContactSlice& slice : slices_) {
     const double b = slice.half_width;
-    const double peak_rate =
-        process_.preston * process_.belt_speed * slice.peak_pressure * slice.covered;
+    const double peak_rate = process_.preston * process_.belt_speed * slice.peak_pressure * slice.covered;
     const auto removeFrom = [&](std::size_t at) {
       const double bottom = grid_.cellBottom(at) - height;
       const double top = grid_.cellTop(at) - height;
@@ -80,7 +79,8 @@ std::vector<double> GrindingPass::dwellsOfFeed(double feed) const {
   return dwells;
 }
 
-std::vector<double> GrindingPass::removal(std::span<const double> dwells, std::span<const double> loads) const {
+std::vector<double> GrindingPass::removal(std::span<const double> dwells,
+                                          std::span<const double> loads) const {
   std::vector<double> depths(grid_.size(), 0.0);
   for (std::size_t k = 0; k < poses_.size(); ++k) {
     const double amount = loads.empty() ? dwells[k] : dwells[k] * loads[k];

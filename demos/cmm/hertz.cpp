@@ -60,7 +60,8 @@ EllipticContact ellipticContact(double force, double radius_1, double radius_2, 
     const double ratio = std::exp(middle);
     const double e_squared = (1.0 - ratio) * (1.0 + ratio);
     const double drop = ellipticIntegrals(ratio).drop;
-    const bool too_slender = e_squared > 0.0 && (e_squared - drop) / (ratio * ratio * drop) > greater / lesser;
+    const bool too_slender =
+        e_squared > 0.0 && (e_squared - drop) / (ratio * ratio * drop) > greater / lesser;
     (too_slender ? low : high) = middle;
   }
   const double ratio = std::exp(0.5 * (low + high));

@@ -100,8 +100,8 @@ TriangleMesh SectionGrid::displaced(std::span<const double> displacements) const
   std::vector<TriangleMesh::Indices> triangles;
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     if (outward_ < 0.0) std::swap(b, c);
-    triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                         static_cast<std::uint32_t>(c)});
+    triangles.push_back(
+        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
   };
   for (std::size_t row = 0; row + 1 < rows(); ++row) {
     for (std::size_t k = 0; k < stations_; ++k) {

@@ -25,7 +25,8 @@ struct Reached {
 }  // namespace
 
 double ContactWheel::contactModulus() const {
-  return demos::contactModulus({rubberModulus(shore_a), poissons_ratio}, {blade_modulus, blade_poissons_ratio});
+  return demos::contactModulus({rubberModulus(shore_a), poissons_ratio},
+                               {blade_modulus, blade_poissons_ratio});
 }
 
 double indentationOnFlat(const ContactWheel& wheel, double force) {
