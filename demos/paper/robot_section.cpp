@@ -314,7 +314,11 @@ std::string alarmVerdict(const RobotReport& report) {
          " false alarms. With a margin of " + fixedText(first.options.margin, 2) + " mm it misses " +
          ofTicks(margin.touch.missed, margin.touching) + ", at the price of " +
          ofTicks(margin.touch.false_alarms, margin.ticks - margin.touching) +
-         " alarms of what is near and does not touch.";
+         " alarms of what is near and does not touch. Of the ticks at which something touches that must "
+         "not, " +
+         ofTicks(exact.wrong.missed, exact.forbidden) + " are missed without a margin, " +
+         ofTicks(margin.wrong.missed, margin.forbidden) +
+         " with it. How deep a touch is, is not asked in the loop.";
 }
 
 std::string armVerdict(const RobotReport& report) {

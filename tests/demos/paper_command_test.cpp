@@ -79,6 +79,7 @@ TEST_F(PaperCommand, badInputIsToldInOneLine) {
       {"table1 --blade none.stl --out out", "octoblisk: none.stl: "},
       {"all --blade text.stl --out out", "octoblisk: text.stl: "},
       {"table3 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
+      {"table4 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
       {"table1 --blade slab.stl --points 100 --out file/out",
        "octoblisk: file/out: the folder cannot be made"},
       {"table6 --out out", "octoblisk: 'table6' is no subcommand; did you mean 'table1'?"}};

@@ -57,7 +57,7 @@ TEST(BoxDetection, cellsLeft_vs_everyCell) {
 }
 
 TEST(BoxDetection, leafBoxesLeft_vs_everyPair) {
-  const ClusteredOctree blisk = fanTree(), belt = ringTree();
+  const ClusteredOctree blisk = fanTree(), belt = ClusteredOctree::build(testing::torus(0.5, 0.25, 16, 8));
   const Obb belt_box = principalBox(belt.mesh().vertices());
   const std::vector<Obb> leaves = leafBoxes(blisk), belt_leaves = leafBoxes(belt);
   std::mt19937_64 random(72);
@@ -162,7 +162,7 @@ TEST(Alarms, countsWhatIsFalseAndWhatIsMissed) {
 struct SmallDetection {
   ClusteredOctree blisk = fanTree(), belt = ringTree();
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
-  std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.4, 2);
+  std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.6, 2);
   DetectionResult result = runDetectionExperiment(blisk, belt, parts, poses, poses,
                                                   {.fnop = 2, .clusters = 2, .runs = 1}, kSilent);
 };
