@@ -78,8 +78,8 @@ class LoosePlaces {
     if (closestPoint(*scene_.blisk, place, kApart) || locate(surface_, place) == PointLocation::inside)
       return false;
     const Vec3 in_tool = scene_.tool_in_blisk.front().inverse() * place;
-    return std::ranges::none_of(scene_.tool,
-                                [&](const auto& part) { return closestPoint(*part, in_tool, kApart); });
+    return std::ranges::none_of(
+        scene_.tool, [&](const auto& part) { return closestPoint(*part, in_tool, kApart).has_value(); });
   }
 
   GrindingScene& scene_;

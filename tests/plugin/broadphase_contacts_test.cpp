@@ -155,9 +155,15 @@ class Twins {
         if (is_kinematic) object->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
       }
       object->setUserIndex(int(i));
-      object->setWorldTransform(toBullet(mover.pose));
+      place(*object, mover.pose);
       world.world.addCollisionObject(object.get(), mover.group, mover.mask);
     });
+  }
+
+  /// A body's box holds the place that it is thought to come from, too.
+  static void place(btCollisionObject& object, const Pose& pose) {
+    object.setWorldTransform(toBullet(pose));
+    object.setInterpolationWorldTransform(toBullet(pose));
   }
 
   void move(std::size_t i) {
@@ -166,7 +172,7 @@ class Twins {
     mover.pose.rotation = Eigen::AngleAxisd(mover.spin, mover.spin_axis) * mover.pose.rotation;
     const bool is_far = mover.pose.translation.cwiseAbs().maxCoeff() > life_.half_size;
     if (is_far && mover.velocity.dot(mover.pose.translation) > 0) mover.velocity = -mover.velocity;
-    both([&](auto& world) { world.objects[i]->setWorldTransform(toBullet(mover.pose)); });
+    both([&](auto& world) { place(*world.objects[i], mover.pose); });
   }
 
   void toggle(std::size_t i) {
@@ -224,10 +230,10 @@ const auto kName = [](const ::testing::TestParamInfo<Life>& info) { return std::
 class BroadphaseContacts : public ::testing::TestWithParam<Life> {};
 // About still, slow, and past the boxes that Bullet keeps; then all of them at once, many and for long.
 INSTANTIATE_TEST_SUITE_P(lives, BroadphaseContacts,
-                         ::testing::Values(Life{"still", 140, 24, 16, 9, 0.002, 0.002},
-                                           Life{"slow", 140, 24, 16, 9, 0.05, 0.05},
-                                           Life{"fast", 140, 24, 16, 9, 1.0, 1.0},
-                                           Life{"long", 540, 2000, 8, 18, 0.001, 1.0}),
+                         ::testing::Values(Life{"still", 140, 24, 12, 9, 0.002, 0.002},
+                                           Life{"slow", 140, 24, 12, 9, 0.05, 0.05},
+                                           Life{"fast", 140, 24, 12, 9, 1.0, 1.0},
+                                           Life{"long", 540, 2000, 4, 18, 0.001, 1.0}),
                          kName);
 
 TEST_P(BroadphaseContacts, areAllThere) {
@@ -259,9 +265,9 @@ TEST_P(BroadphaseContacts, areAllThere) {
   EXPECT_GT(double(bodies) / steps, least_bodies);
   EXPECT_GT(double(points), touching);
   EXPECT_GT(ghost_overlaps, 0u);
-  EXPECT_GT(touching, 0.3 * kept);
+  EXPECT_GT(touching, 0.2 * kept);
   EXPECT_LT(touching, 0.9 * kept);
-  EXPECT_GT(touching, 0.2 * all);
+  EXPECT_GT(touching, 0.1 * all);
   EXPECT_LT(kept, 0.9 * all);
   RecordProperty("bodies", std::to_string(double(bodies) / steps));
   RecordProperty("points", std::to_string(double(points) / steps));
