@@ -71,11 +71,12 @@ TEST(PartClusters, aSmallPartHasAsManyAsItHasTriangles) {
   const std::vector<Vec3> centroids = {{0, 0, 0}, {1, 0, 0}, {5, 0, 0}, {6, 0, 0}, {7, 0, 0}};
   const auto parts = partClusters(centroids, {.clusters = 3, .part_of_triangle = {2, 1, 2, 2, 2}});
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0], std::vector<TriangleSet>{{1}});
+  ASSERT_EQ(parts[0].size(), 1u);
+  EXPECT_EQ(parts[0][0], TriangleSet({1}));
   EXPECT_EQ(parts[1].size(), 3u);
   const std::vector<Vec3> same(4, Vec3(1, 2, 3));
-  for (const TriangleSet& cluster : partClusters(same, {.clusters = 3}).front())
-    EXPECT_FALSE(cluster.empty());
+  const auto of_same = partClusters(same, {.clusters = 3});
+  for (const TriangleSet& cluster : of_same.front()) EXPECT_FALSE(cluster.empty());
 }
 
 TEST(PartClusters, refusesBadOptions) {
