@@ -48,8 +48,9 @@ Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
     return clusteringPartition(std::move(records),
                                {options.leaf_capacity, options.quality, threadCount(options.threads)});
   }
-  return paperPartition(records.span(), {options.leaf_capacity, static_cast<std::size_t>(options.clusters),
-                                         options.seed, options.part_of_triangle});
+  return paperPartition(
+      records.span(), {options.leaf_capacity,
+                       {static_cast<std::size_t>(options.clusters), options.seed, options.part_of_triangle}});
 }
 
 /// Room for the rounding of vertices, projections and box centres to single precision.

@@ -1,19 +1,14 @@
 // The paper's partition: parts → k clusters → octree in each cluster's principal frame → leaf ranges.
 #include <algorithm>
-#include <map>
 #include <memory>
-#include <numeric>
 
 #include "octoblisk/box_fit.h"
-#include "octoblisk/k_means.h"
 #include "octoblisk/obb.h"
 #include "octoblisk/octree.h"
 #include "octoblisk/partition.h"
 
 namespace octoblisk {
 namespace {
-
-using TriangleSet = std::vector<std::uint32_t>;  // indices of records
 
 /// A cell of the nested division: its triangles, or the cells it is divided into.
 struct Cell {
@@ -63,38 +58,20 @@ class PaperPartitioner {
   }
 
   Cell divide() const {
-    std::map<int, TriangleSet> parts;
-    for (std::uint32_t t = 0; t < centroids_.size(); ++t) {
-      parts[options_.part_of_triangle.empty() ? 0 : options_.part_of_triangle[t]].push_back(t);
+    std::vector<Cell> parts;
+    for (const std::vector<TriangleSet>& part : partClusters(centroids_, options_.parts)) {
+      std::vector<Cell> cells;
+      for (const TriangleSet& cluster : part) cells.push_back(divideCluster(cluster));
+      parts.push_back(enclose(std::move(cells)));
     }
-    std::vector<Cell> cells;
-    for (const auto& [part, triangles] : parts) cells.push_back(dividePart(triangles));
-    return encloseMany(std::move(cells));
+    return encloseMany(std::move(parts));
   }
 
  private:
-  std::vector<Vec3> centroidsOf(const TriangleSet& triangles) const {
+  Cell divideCluster(const TriangleSet& triangles) const {
     std::vector<Vec3> points;
     points.reserve(triangles.size());
     for (const std::uint32_t t : triangles) points.push_back(centroids_[t]);
-    return points;
-  }
-
-  Cell dividePart(const TriangleSet& triangles) const {
-    const std::size_t k = std::min(options_.clusters, triangles.size());
-    const Clustering clustering = kMeans(centroidsOf(triangles), {.k = k, .seed = options_.seed});
-    std::vector<TriangleSet> clusters(k);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      clusters[clustering.cluster_of_point[i]].push_back(triangles[i]);
-    }
-    std::erase_if(clusters, [](const TriangleSet& cluster) { return cluster.empty(); });
-    std::vector<Cell> cells;
-    for (const TriangleSet& cluster : clusters) cells.push_back(divideCluster(cluster));
-    return enclose(std::move(cells));
-  }
-
-  Cell divideCluster(const TriangleSet& triangles) const {
-    const std::vector<Vec3> points = centroidsOf(triangles);
     const Octree octree =
         Octree::build(points, {.leaf_capacity = static_cast<std::size_t>(options_.leaf_capacity),
                                .axes = principalAxes(covariance(points))});

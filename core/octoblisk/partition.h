@@ -9,6 +9,7 @@
 
 #include "octoblisk/box8.h"
 #include "octoblisk/build_options.h"
+#include "octoblisk/part_clusters.h"
 #include "octoblisk/triangle_record.h"
 
 namespace octoblisk {
@@ -40,10 +41,8 @@ struct ClusteringOptions {
 Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options);
 
 struct PaperPartitionOptions {
-  int leaf_capacity = 8;     ///< FNOP, at least 1; a leaf of more than 8 becomes several
-  std::size_t clusters = 2;  ///< k, 1..8, for each part
-  std::uint64_t seed = 1;
-  std::vector<int> part_of_triangle = {};  ///< blade numbers, say; empty: one part
+  int leaf_capacity = 8;          ///< FNOP, at least 1; a leaf of more than 8 becomes several
+  PartClusterOptions parts = {};  ///< k: 1..8
 };
 
 /// The paper's partition over the triangles' centroids.

@@ -256,9 +256,9 @@ SharedMesh rounded(const TriangleMesh& mesh) {
   return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
 }
 
-std::vector<Partner> concavePartners() {
-  const auto of = [](std::string name, double spread, Made (*make)(const SharedMesh&)) {
-    return Partner{std::move(name), spread, [=] { return make(fan(5, 8)); },
+std::vector<Partner> concavePartners(const SharedMesh& body) {
+  const auto of = [&](std::string name, double spread, Made (*make)(const SharedMesh&)) {
+    return Partner{std::move(name), spread, [=] { return make(body); },
                    [=] { return make(waveSheet(5, 0.0, 20)); }};
   };
   return {of("ours", 3.3, ours),

@@ -48,8 +48,8 @@ struct Partner {
   friend void PrintTo(const Partner& partner, std::ostream* out) { *out << partner.name; }
 };
 
-/// Bullet's concave shapes, and ours.
-std::vector<Partner> concavePartners();
+/// Bullet's concave shapes, and ours; those of a mesh are of this one.
+std::vector<Partner> concavePartners(const SharedMesh& body = fan(5, 8));
 /// Bullet's convex shapes, and compounds.
 std::vector<Partner> convexPartners();
 

@@ -1,0 +1,208 @@
+// What ClusteredOctreeBroadphase saves beside btDbvtBroadphase: the collision detection range (Table 3 of the
+// paper), and pairs, islands awake and the time of a step in a grinding world.
+//
+//   broadphase_gain [rows = broadphase.json] [blisk file...]
+//
+// Always of the default blisk; of meshes (mm, axis Z) beside, where they are given. Prints tables and writes
+// their rows.
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "grinding_world.h"
+#include "models/embedded_assets.h"
+#include "models/mesh_file.h"
+#include "models/orientation.h"
+#include "octoblisk/detection_range.h"
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
+
+namespace octoblisk::bench {
+namespace {
+
+using Row = nlohmann::ordered_json;
+
+/// The statistics of a broadphase that holds the blisk alone.
+BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
+  ClusteredOctreeBroadphase broadphase(depth);
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  ClusteredOctreeShape shape(scene.blisk);
+  btCollisionObject blisk;
+  blisk.setCollisionShape(&shape);
+  world.addCollisionObject(&blisk);
+  const BroadphaseStatistics statistics = broadphase.statistics();
+  world.removeCollisionObject(&blisk);
+  return statistics;
+}
+
+/// Volumes in mm³, and the part of the one box round all that they save.
+void addRanges(const GrindingScene& scene, std::vector<Row>& rows) {
+  constexpr std::size_t kMostClusters = 8;
+  constexpr int kMostDepth = 6;
+  const TriangleMesh& mesh = scene.blisk->mesh();
+  const double one_box = 8.0 * mesh.bounds().halfExtents().prod();
+  std::printf("\n%s: collision detection range; one axis-aligned box has %.4g mm3\n", scene.name.c_str(),
+              one_box);
+  std::printf("%-24s%8s%8s%16s%10s%16s%10s\n", "divided into", "k", "boxes", "axis-aligned", "saved",
+              "oriented", "saved");
+  const std::pair<const char*, std::vector<int>> divisions[] = {{"one part", {}},
+                                                                {"blades and hub", scene.blade_of_triangle}};
+  for (const auto& [division, parts] : divisions) {
+    for (std::size_t k = 1; k <= kMostClusters; ++k) {
+      const DetectionRange range = detectionRange(mesh, {.clusters = k, .part_of_triangle = parts});
+      const double aligned = range.axisAlignedVolume(), oriented = range.orientedVolume();
+      std::printf("%-24s%8zu%8zu%16.4g%9.1f%%%16.4g%9.1f%%\n", division, k, range.oriented.size(), aligned,
+                  100.0 * (1.0 - aligned / one_box), oriented, 100.0 * (1.0 - oriented / one_box));
+      rows.push_back({{"task", "broadphase-range"},
+                      {"scene", scene.name},
+                      {"division", division},
+                      {"k", k},
+                      {"boxes", range.oriented.size()},
+                      {"one_box_mm3", one_box},
+                      {"axis_aligned_mm3", aligned},
+                      {"axis_aligned_saved", 1.0 - aligned / one_box},
+                      {"oriented_mm3", oriented},
+                      {"oriented_saved", 1.0 - oriented / one_box}});
+    }
+  }
+  for (int depth = 0; depth <= kMostDepth; ++depth) {
+    const double volume = statisticsOf(scene, depth).cluster_volume;
+    const std::size_t boxes = scene.blisk->boxes(depth).size();
+    const bool is_default = depth == ClusteredOctreeBroadphase::kDefaultDepth;
+    std::printf("%-24s%8s%8zu%16s%10s%16.4g%9.1f%%\n",
+                ("depth " + std::to_string(depth) + (is_default ? " (default)" : "")).c_str(), "", boxes, "",
+                "", volume, 100.0 * (1.0 - volume / one_box));
+    rows.push_back({{"task", "broadphase-range"},
+                    {"scene", scene.name},
+                    {"division", "ClusteredOctreeBroadphase"},
+                    {"depth", depth},
+                    {"boxes", boxes},
+                    {"one_box_mm3", one_box},
+                    {"oriented_mm3", volume},
+                    {"oriented_saved", 1.0 - volume / one_box}});
+  }
+}
+
+/// One drive along the path; means over its steps.
+struct Drive {
+  double step_us = 0.0;  ///< processor time
+  double pairs = 0.0, awake_islands = 0.0, awake_bodies = 0.0;
+  std::vector<int> tool_contacts;  ///< of each step
+};
+
+Drive drive(const GrindingScene& scene, Mount mount, btBroadphaseInterface& broadphase) {
+  GrindingWorld world(scene, mount, broadphase);
+  Drive sum;
+  const double count = static_cast<double>(scene.tool_in_blisk.size());
+  for (const Pose& pose : scene.tool_in_blisk) {
+    const std::clock_t begin = std::clock();
+    world.step(pose);
+    sum.step_us += 1e6 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / count;
+    sum.pairs += world.pairs() / count;
+    sum.awake_islands += world.awakeIslands() / count;
+    sum.awake_bodies += world.awakeBodies() / count;
+    sum.tool_contacts.push_back(world.toolContacts());
+  }
+  return sum;
+}
+
+/// The median of the drives' times; all else is the same in each.
+template <typename Broadphase>
+struct Contender {
+  void driveOnce(const GrindingScene& scene, Mount mount) {
+    Broadphase broadphase;
+    last = drive(scene, mount, broadphase);
+    times.push_back(last.step_us);
+    std::ranges::sort(times);
+  }
+  double time() const { return times[times.size() / 2]; }
+
+  Drive last;
+  std::vector<double> times;
+};
+
+void addWorlds(const GrindingScene& scene, std::vector<Row>& rows) {
+  constexpr int kDrives = 3;
+  std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means of a step\n",
+              scene.name.c_str(), scene.tool_in_blisk.size(), scene.loose.size());
+  std::printf("%-12s%-24s%10s%16s%16s%12s%10s\n", "blisk", "broadphase", "pairs", "islands awake",
+              "bodies awake", "us", "ratio");
+  const std::pair<const char*, Mount> mounts[] = {
+      {"clamped", Mount::clamped}, {"table", Mount::table}, {"spindle", Mount::spindle}};
+  for (const auto& [name, mount] : mounts) {
+    Contender<ClusteredOctreeBroadphase> ours;
+    Contender<btDbvtBroadphase> stock;
+    for (int turn = 0; turn < kDrives; ++turn) {
+      if (turn % 2 == 0) ours.driveOnce(scene, mount);
+      stock.driveOnce(scene, mount);
+      if (turn % 2 == 1) ours.driveOnce(scene, mount);
+    }
+    int differences = 0;
+    for (std::size_t step = 0; step < scene.tool_in_blisk.size(); ++step)
+      differences += ours.last.tool_contacts[step] != stock.last.tool_contacts[step];
+    const auto add = [&](const char* broadphase, const Drive& means, double time) {
+      std::printf("%-12s%-24s%10.1f%16.1f%16.1f%12.1f%10.2f\n", name, broadphase, means.pairs,
+                  means.awake_islands, means.awake_bodies, time, time / ours.time());
+      rows.push_back({{"task", "broadphase-world"},
+                      {"scene", scene.name},
+                      {"blisk", name},
+                      {"contender", broadphase},
+                      {"mean_us", time},
+                      {"ratio", time / ours.time()},
+                      {"answers_equal", differences == 0},
+                      {"differences", differences},
+                      {"pairs", means.pairs},
+                      {"islands_awake", means.awake_islands},
+                      {"bodies_awake", means.awake_bodies},
+                      {"questions", scene.tool_in_blisk.size()},
+                      {"passes", kDrives}});
+    };
+    add("ClusteredOctreeBroadphase", ours.last, ours.time());
+    add("btDbvtBroadphase", stock.last, stock.time());
+    if (differences > 0)
+      std::printf("%-12sat %d steps the tool has another number of contact points\n", "", differences);
+  }
+}
+
+TriangleMesh readOutward(const char* file) {
+  TriangleMesh mesh = demos::readMesh(file);
+  return demos::enclosedVolume(mesh) >= 0.0 ? mesh : demos::turned(mesh);
+}
+
+void write(const char* path, const std::vector<Row>& rows) {
+  std::ofstream file(path);
+  for (std::size_t k = 0; k < rows.size(); ++k) file << (k == 0 ? "[\n" : ",\n") << rows[k].dump();
+  file << "\n]\n";
+  file.close();
+  if (!file) throw std::runtime_error(std::string(path) + " cannot be written");
+}
+
+int run(int argc, char** argv) {
+  std::vector<Row> rows;
+  const auto report = [&](const GrindingScene& scene) {
+    addRanges(scene, rows);
+    addWorlds(scene, rows);
+  };
+  report(makeGrindingScene("default", demos::embeddedBlisk()));
+  for (int i = 2; i < argc; ++i)
+    report(makeGrindingScene(std::filesystem::path(argv[i]).stem().string(), readOutward(argv[i])));
+  write(argc > 1 ? argv[1] : "broadphase.json", rows);
+  return 0;
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  try {
+    return octoblisk::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "broadphase_gain: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,43 @@
+#include "octoblisk/detection_range.h"
+
+#include "octoblisk/obb.h"
+
+namespace octoblisk {
+
+double DetectionRange::axisAlignedVolume() const {
+  double volume = 0.0;
+  for (const Aabb& box : axis_aligned) volume += (box.max - box.min).prod();
+  return volume;
+}
+
+double DetectionRange::orientedVolume() const {
+  double volume = 0.0;
+  for (const Obb& box : oriented) volume += box.volume();
+  return volume;
+}
+
+DetectionRange detectionRange(const TriangleMesh& mesh, const PartClusterOptions& options) {
+  std::vector<Vec3> centroids;
+  centroids.reserve(mesh.triangleCount());
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = mesh.triangle(t);
+    centroids.push_back((a + b + c) / 3.0);
+  }
+  DetectionRange range;
+  for (const std::vector<TriangleSet>& part : partClusters(centroids, options)) {
+    for (const TriangleSet& cluster : part) {
+      std::vector<Vec3> corners;
+      corners.reserve(3 * cluster.size());
+      for (const std::uint32_t t : cluster) {
+        for (const Vec3& corner : mesh.triangle(t)) corners.push_back(corner);
+      }
+      Aabb bounds;
+      for (const Vec3& corner : corners) bounds.extend(corner);
+      range.axis_aligned.push_back(bounds);
+      range.oriented.push_back(principalBox(corners));
+    }
+  }
+  return range;
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,93 @@
+// Dynamics worlds with ClusteredOctreeBroadphase: nothing falls through, and what clusters keep apart is no
+// island.
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "plugin/broadphase_worlds.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::shapeOf;
+
+/// A dynamics world with our broadphase.
+struct DynamicWorld {
+  DynamicWorld() { registerAlgorithm(&dispatcher); }
+  ~DynamicWorld() {
+    for (const auto& body : bodies) world.removeRigidBody(body.get());
+    EXPECT_EQ(broadphase.coarsePairs(), 0);
+    EXPECT_EQ(broadphase.tightPairs(), 0);
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+  }
+  btRigidBody& add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape.calculateLocalInertia(mass, inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+    info.m_startWorldTransform = pose;
+    bodies.push_back(std::make_unique<btRigidBody>(info));
+    world.addRigidBody(bodies.back().get());
+    return *bodies.back();
+  }
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  ClusteredOctreeBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+};
+
+TEST(BroadphaseDynamics, nothingFallsThrough) {
+  const auto floor = shapeOf(testing::waveSheet(10, 0.4, 48));
+  const auto ring = shapeOf(testing::torus(0.8, 0.3, 24, 12));
+  btSphereShape sphere(btScalar(0.4));
+  btBoxShape box(toBullet(Vec3(0.4, 0.3, 0.5)));
+  btCompoundShape compound;
+  compound.addChildShape(at(0, 0, 0), ring.get());
+  compound.addChildShape(at(0, 0, 0.6), &sphere);
+  btCollisionShape* const shapes[] = {ring.get(), &sphere, &box, &compound};
+  DynamicWorld dynamic;
+  dynamic.world.setGravity(btVector3(0, 0, btScalar(-9.81)));
+  dynamic.add(*floor, 0, at(0, 0, 0));
+  std::mt19937_64 random(75);
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 place(2.2 * (i % 5 - 2), 2.2 * (i / 5 % 4 - 1.5), 2.5 + 2.2 * (i / 20));
+    btTransform pose = toBullet(Pose{testing::randomRotation(random), place});
+    dynamic.add(*shapes[random() % 4], 1, pose);
+  }
+  int most_apart = 0;
+  for (int step = 0; step < 360; ++step) {
+    dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+    most_apart = std::max(most_apart, dynamic.broadphase.coarsePairs() - dynamic.broadphase.tightPairs());
+  }
+  EXPECT_GT(most_apart, 10);
+  int fallen = 0;
+  for (std::size_t i = 1; i < dynamic.bodies.size(); ++i) {
+    const Vec3 place = fromBullet(dynamic.bodies[i]->getWorldTransform().getOrigin());
+    const bool over_the_floor = std::abs(place.x()) < 9.5 && std::abs(place.y()) < 9.5;
+    EXPECT_TRUE(!over_the_floor || place.z() > -0.4) << "body " << i << " at " << place.transpose();
+    fallen += over_the_floor && place.z() < 2.0;
+  }
+  EXPECT_GT(fallen, 40);
+}
+
+TEST(BroadphaseDynamics, whatIsInARingIsNoIslandWithIt) {
+  const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
+  btSphereShape sphere(btScalar(0.5));
+  DynamicWorld dynamic;
+  dynamic.world.setGravity(btVector3(0, 0, 0));
+  const btRigidBody& ring = dynamic.add(*torus, 1, at(0, 0, 0));
+  btRigidBody& ball = dynamic.add(sphere, 1, at(0, 0, 0));
+  dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+  EXPECT_NE(ring.getIslandTag(), ball.getIslandTag());
+  ball.setWorldTransform(at(1.2, 0, 0));
+  ball.setInterpolationWorldTransform(at(1.2, 0, 0));
+  dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+  EXPECT_EQ(ring.getIslandTag(), ball.getIslandTag());
+}
+
+}  // namespace
+}  // namespace octoblisk

@@ -1,0 +1,76 @@
+// Collision worlds with our broadphase and with Bullet's, for tests of the two beside each other.
+#pragma once
+
+#include <LinearMath/btPoolAllocator.h>
+#include <gtest/gtest.h>
+
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
+#include "plugin/bullet_world.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::testing {
+
+inline std::unique_ptr<ClusteredOctreeShape> shapeOf(const SharedMesh& mesh) {
+  return std::make_unique<ClusteredOctreeShape>(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+}
+
+/// Expects at its end that no pair, manifold or algorithm is left once all objects are out.
+template <typename Broadphase>
+struct BroadphaseWorld {
+  BroadphaseWorld() { registerAlgorithm(&dispatcher); }
+  ~BroadphaseWorld() {
+    while (world.getNumCollisionObjects() > 0)
+      world.removeCollisionObject(world.getCollisionObjectArray()[0]);
+    EXPECT_EQ(pairs(), 0);
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+    EXPECT_EQ(configuration.getCollisionAlgorithmPool()->getUsedCount(), 0);
+  }
+  BroadphaseWorld(const BroadphaseWorld&) = delete;
+  BroadphaseWorld& operator=(const BroadphaseWorld&) = delete;
+
+  /// Objects are numbered from 1 on.
+  btCollisionObject& add(btCollisionShape& shape, const btTransform& pose, int group = 1, int mask = -1) {
+    objects.push_back(std::make_unique<btCollisionObject>());
+    objects.back()->setCollisionShape(&shape);
+    objects.back()->setWorldTransform(pose);
+    objects.back()->setUserIndex(int(objects.size()));
+    world.addCollisionObject(objects.back().get(), group, mask);
+    return *objects.back();
+  }
+  /// As Bullet wants it: algorithms are made for a kind of shape.
+  void reshape(btCollisionObject& object, btCollisionShape& shape) {
+    object.setCollisionShape(&shape);
+    if (btBroadphaseProxy* proxy = object.getBroadphaseHandle()) {
+      broadphase.getOverlappingPairCache()->cleanProxyFromPairs(proxy, &dispatcher);
+    }
+  }
+
+  int pairs() { return broadphase.getOverlappingPairCache()->getNumOverlappingPairs(); }
+  bool has(btCollisionObject& a, btCollisionObject& b) {
+    btOverlappingPairCache& cache = *broadphase.getOverlappingPairCache();
+    return cache.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle()) != nullptr;
+  }
+  /// All pairs by the numbers of their objects, in the cache's order.
+  std::vector<std::pair<int, int>> pairsByNumber() {
+    const auto number = [](const btBroadphaseProxy* proxy) {
+      return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex();
+    };
+    std::vector<std::pair<int, int>> found;
+    btBroadphasePairArray& all = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < all.size(); ++i)
+      found.emplace_back(number(all[i].m_pProxy0), number(all[i].m_pProxy1));
+    return found;
+  }
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  Broadphase broadphase;
+  btCollisionWorld world{&dispatcher, &broadphase, &configuration};
+  std::vector<std::unique_ptr<btCollisionObject>> objects;
+};
+
+using TightWorld = BroadphaseWorld<ClusteredOctreeBroadphase>;
+using StockWorld = BroadphaseWorld<btDbvtBroadphase>;
+
+}  // namespace octoblisk::testing

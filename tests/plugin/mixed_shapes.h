@@ -1,0 +1,73 @@
+// Shapes of every kind for worlds in which anything may meet anything.
+#pragma once
+
+#include <random>
+
+#include "plugin/bullet_world.h"
+#include "plugin/partners.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::testing {
+
+class MixedShapes {
+ public:
+  /// The triangles of a mesh grow with the square of `detail`: 16 makes rings of 768. Shapes are one to three
+  /// units across.
+  explicit MixedShapes(int detail) {
+    const auto ring = [&](double radius, double tube) {
+      return torus(radius, tube, 2 * detail, 3 * detail / 4);
+    };
+    for (const auto& partners : {convexPartners(), concavePartners(ring(0.8, 0.4))}) {
+      for (const Partner& partner : partners) {
+        if (partner.name == "plane") continue;  // through the middle of all; there is another
+        made_.push_back(partner.make());
+        others_.push_back(made_.back().shape.get());
+      }
+    }
+    ClusteredOctreeShape& held = add(ring(0.9, 0.2));
+    add(ring(1.0, 0.3)).setMargin(btScalar(0.15));
+    add(ring(0.7, 0.4)).setContactBreakingThreshold(btScalar(0.2));
+    add(boxMesh({0.8, 0.6, 0.4}));
+    add(fan(5, detail / 2)).setLocalScaling(btVector3(btScalar(0.6), btScalar(-0.8), btScalar(0.9)));
+    compound_.addChildShape(at(0, 0, 0.6), &held);
+    compound_.addChildShape(at(0, 0, -0.6), &ball_);
+    compound_.addChildShape(btTransform(btQuaternion(btVector3(1, 0, 0), 1), btVector3(1, 0, 0)), &held);
+    nested_.addChildShape(at(0.5, 0, 0), &compound_);
+    nested_.addChildShape(at(-1.5, 0, 0), &ball_);
+  }
+
+  /// One in two is ours, or a compound that holds ours. Planes, which have a pair with everything, are rare,
+  /// and far from their origin: of a mesh below a plane every triangle has a contact.
+  btCollisionShape& any(std::mt19937_64& random) {
+    if (random() % 200 == 0) return plane_;
+    if (random() % 10 == 0) return random() % 2 == 0 ? compound_ : nested_;
+    if (random() % 2 == 0) return *ours_[random() % ours_.size()];
+    return *others_[random() % others_.size()];
+  }
+
+  /// Gives one of ours, of those that no compound holds, another scale, margin or threshold.
+  void change(std::mt19937_64& random) {
+    ClusteredOctreeShape& shape = *ours_[1 + random() % (ours_.size() - 1)];
+    const std::uint64_t what = random() % 3;
+    const double x = uniform(random, 0.7, 1.3), y = uniform(random, 0.7, 1.3);
+    if (what == 0) shape.setLocalScaling(toBullet(Vec3(x, -y, 1.0)));
+    if (what == 1) shape.setMargin(btScalar(0.3 * (x - 0.7)));
+    if (what == 2) shape.setContactBreakingThreshold(btScalar(0.4 * (x - 0.7)));
+  }
+
+ private:
+  ClusteredOctreeShape& add(const SharedMesh& mesh) {
+    ours_.push_back(std::make_unique<ClusteredOctreeShape>(
+        std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh))));
+    return *ours_.back();
+  }
+
+  std::vector<Made> made_;
+  std::vector<btCollisionShape*> others_;
+  std::vector<std::unique_ptr<ClusteredOctreeShape>> ours_;
+  btSphereShape ball_{btScalar(0.5)};
+  btStaticPlaneShape plane_{btVector3(0, 0, 1), -12};
+  btCompoundShape compound_, nested_;
+};
+
+}  // namespace octoblisk::testing
