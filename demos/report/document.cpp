@@ -50,7 +50,10 @@ std::string csvCell(const std::string& text) {
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csvCell(cells[i]);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += ',';
+    line += csvCell(cells[i]);
+  }
   return line + '\n';
 }
 
