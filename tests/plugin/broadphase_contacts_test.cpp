@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(lives, BroadphaseContacts,
                          ::testing::Values(Life{"still", 140, 24, 12, 9, 0.002, 0.002},
                                            Life{"slow", 140, 24, 12, 9, 0.05, 0.05},
                                            Life{"fast", 140, 24, 12, 9, 1.0, 1.0},
-                                           Life{"long", 540, 2000, 4, 18, 0.001, 1.0}),
+                                           Life{"long", 560, 2000, 4, 18, 0.001, 1.0}),
                          kName);
 
 TEST_P(BroadphaseContacts, areAllThere) {

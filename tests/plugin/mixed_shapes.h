@@ -39,7 +39,7 @@ class MixedShapes {
   /// One in two is ours, or a compound that holds ours. Planes, which have a pair with everything, are rare,
   /// and far from their origin: of a mesh below a plane every triangle has a contact.
   btCollisionShape& any(std::mt19937_64& random) {
-    if (random() % 200 == 0) return plane_;
+    if (random() % 1000 == 0) return plane_;
     if (random() % 10 == 0) return random() % 2 == 0 ? compound_ : nested_;
     if (random() % 2 == 0) return *ours_[random() % ours_.size()];
     return *others_[random() % others_.size()];
