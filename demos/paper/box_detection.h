@@ -38,10 +38,12 @@ bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& bli
 /// Whether a triangle of the body meets any leaf box, as a solid; the triangles in the boxes are not asked.
 bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);
 
-/// The leaf boxes of the clustered octree, which hold whole triangles, that overlap the box.
+/// The leaf boxes of the clustered octree, which hold whole triangles, that overlap the box, and so do all
+/// boxes round them. (A box holds the triangles of those below it, not all of their boxes.)
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box);
 
-/// The leaf boxes of the clustered octree that overlap a leaf box of the body, each counted once.
+/// The leaf boxes of the clustered octree that overlap a leaf box of the body, found in the same way from
+/// both roots, each counted once.
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk);
 
 }  // namespace octoblisk::demos
