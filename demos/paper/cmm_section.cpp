@@ -313,7 +313,7 @@ std::string whatAgrees(const CmmExperiment& planned) {
   }
   const auto outside = std::count_if(planned.points.begin(), planned.points.end(),
                                      [](const auto& point) { return std::abs(point.after) > kTolerance; });
-  return "The mean error falls in " + std::to_string(falling) + " of the four areas, in the paper in all; " +
+  return "The mean error falls in " + std::to_string(falling) + " of 4 areas, in the paper in all; " +
          (outside == 0 ? std::string("no point ends") : countedText(outside, "point ends", "points end")) +
          " outside the tolerance of ±0.05 mm. ";
 }
