@@ -9,6 +9,7 @@
 
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
+#include "models/shared_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
 #include "octoblisk_bullet/convert.h"
@@ -24,11 +25,6 @@ using testing::uniform;
 
 constexpr double kLooseRadius = 3.0;  // of a sphere round any loose body
 constexpr double kClear = 1.0;        // of anything else, at the beginning
-
-std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
-  return std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(std::make_shared<const TriangleMesh>(std::move(mesh))));
-}
 
 /// The path in steps of equal time.
 std::vector<Pose> drivenAlong(const std::vector<Pose>& path) {
@@ -102,12 +98,12 @@ std::unique_ptr<btCollisionShape> chip() {
 GrindingScene makeGrindingScene(std::string name, TriangleMesh blisk) {
   GrindingScene scene;
   scene.name = std::move(name);
-  scene.blisk = treeOf(std::move(blisk));
+  scene.blisk = demos::treeOf(std::move(blisk));
   const TriangleMesh& mesh = scene.blisk->mesh();
   const demos::BladesFound blades = demos::findBlades(mesh);
   scene.blade_of_triangle = blades.blade_of_triangle;
-  scene.tool = {treeOf(demos::makeBelt()), treeOf(demos::makeContactWheel()), treeOf(demos::makeDriveWheel()),
-                treeOf(demos::makeArm())};
+  scene.tool = {demos::treeOf(demos::makeBelt()), demos::treeOf(demos::makeContactWheel()),
+                demos::treeOf(demos::makeDriveWheel()), demos::treeOf(demos::makeArm())};
   scene.tool_in_blisk = drivenAlong(demos::makeGrindingPath(mesh, blades));
 
   Aabb of_blades;

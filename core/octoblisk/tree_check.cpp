@@ -13,21 +13,21 @@
 namespace octoblisk {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
+[[noreturn]] void reject(const std::string& what) { throw std::invalid_argument(what); }
 
 std::string nameOf(Slot slot) {
   return "box " + std::to_string(slot.lane) + " of node " + std::to_string(slot.node);
 }
 
 void checkSizes(const TreeArrays& tree, std::size_t triangles) {
-  if (tree.nodes.empty() == tree.compact_nodes.empty()) fail("there must be nodes of one kind");
+  if (tree.nodes.empty() == tree.compact_nodes.empty()) reject("there must be nodes of one kind");
   if (tree.triangle_order.size() != triangles) {
-    fail("the leaves hold " + std::to_string(tree.triangle_order.size()) + " triangles, the mesh " +
-         std::to_string(triangles));
+    reject("the leaves hold " + std::to_string(tree.triangle_order.size()) + " triangles, the mesh " +
+           std::to_string(triangles));
   }
   if (tree.leaf_vertices.size() != (tree.isCompact() ? 0 : 9 * triangles + kLanes)) {
-    fail("there are " + std::to_string(tree.leaf_vertices.size()) + " coordinates in leaves of " +
-         std::to_string(triangles) + " triangles");
+    reject("there are " + std::to_string(tree.leaf_vertices.size()) + " coordinates in leaves of " +
+           std::to_string(triangles) + " triangles");
   }
 }
 
@@ -36,13 +36,13 @@ class Walk {
  public:
   explicit Walk(const TreeArrays& tree) : tree_(tree), is_held_(tree.triangle_order.size(), false) {
     for (std::uint32_t lane = 1; lane < kLanes; ++lane) {
-      if (!tree.children(0)[lane].isEmpty()) fail("the first node has more than one box");
+      if (!tree.children(0)[lane].isEmpty()) reject("the first node has more than one box");
     }
     node(0, 1);
-    if (next_node_ != tree.nodeCount()) fail("node " + std::to_string(next_node_) + " is below no other");
+    if (next_node_ != tree.nodeCount()) reject("node " + std::to_string(next_node_) + " is below no other");
     const auto missing = std::ranges::find(is_held_, false);
     if (missing != is_held_.end())
-      fail("place " + std::to_string(missing - is_held_.begin()) + " of the order is in no leaf");
+      reject("place " + std::to_string(missing - is_held_.begin()) + " of the order is in no leaf");
   }
 
  private:
@@ -58,7 +58,7 @@ class Walk {
 
   Below node(std::uint32_t index, int depth) {
     if (depth > ClusteredOctree::kMaxDepth)
-      fail("the tree is deeper than " + std::to_string(ClusteredOctree::kMaxDepth));
+      reject("the tree is deeper than " + std::to_string(ClusteredOctree::kMaxDepth));
     Below below;
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       const Slot slot{index, lane};
@@ -70,20 +70,21 @@ class Walk {
         ++next_node_;
         below.extend(node(child.node(), depth + 1));
       } else {
-        fail("the child of " + nameOf(slot) + " is not the next node");
+        reject("the child of " + nameOf(slot) + " is not the next node");
       }
     }
-    if (below.count == 0) fail("node " + std::to_string(index) + " is empty");
+    if (below.count == 0) reject("node " + std::to_string(index) + " is empty");
     if (below.end - below.begin != below.count)
-      fail("what is below node " + std::to_string(index) + " is not a range of the order");
+      reject("what is below node " + std::to_string(index) + " is not a range of the order");
     return below;
   }
 
   Below leaf(Slot slot, Child leaf) {
     const Below range{leaf.first(), std::size_t{leaf.first()} + leaf.count(), leaf.count()};
-    if (range.end > is_held_.size()) fail("the leaf in " + nameOf(slot) + " ends beyond the order");
+    if (range.end > is_held_.size()) reject("the leaf in " + nameOf(slot) + " ends beyond the order");
     for (std::size_t place = range.begin; place < range.end; ++place) {
-      if (is_held_[place]) fail("place " + std::to_string(place) + " of the order is in more than one leaf");
+      if (is_held_[place])
+        reject("place " + std::to_string(place) + " of the order is in more than one leaf");
       is_held_[place] = true;
     }
     return range;
@@ -98,8 +99,8 @@ void checkOrder(std::span<const std::uint32_t> order) {
   std::vector<bool> is_there(order.size(), false);
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (order[i] >= order.size() || is_there[order[i]]) {
-      fail("place " + std::to_string(i) + " of the order has triangle " + std::to_string(order[i]) +
-           ", which is not there or in another place as well");
+      reject("place " + std::to_string(i) + " of the order has triangle " + std::to_string(order[i]) +
+             ", which is not there or in another place as well");
     }
     is_there[order[i]] = true;
   }
@@ -125,7 +126,7 @@ bool isEmptyBox(const BoxF& box, float largest) {
 void checkLeafVertices(std::span<const float> coordinates, float largest) {
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (!(std::abs(coordinates[i]) <= largest))
-      fail("coordinate " + std::to_string(i) + " in the leaves is not one of this mesh");
+      reject("coordinate " + std::to_string(i) + " in the leaves is not one of this mesh");
   }
 }
 
@@ -143,7 +144,7 @@ void checkTree(const TreeArrays& tree, const TriangleMesh& mesh) {
       const Slot slot{n, lane};
       if (tree.child(slot).isEmpty() ? !isEmptyBox(tree.box(slot), largest)
                                      : !isSound(tree.box(slot), largest))
-        fail(nameOf(slot) + " is not one that a tree of this mesh has");
+        reject(nameOf(slot) + " is not one that a tree of this mesh has");
     }
   }
 }

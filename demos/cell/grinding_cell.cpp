@@ -27,15 +27,6 @@ class AnyPoint final : public btCollisionWorld::ContactResultCallback {
   bool found_ = false;
 };
 
-/// A body and the shape that it has.
-struct Body {
-  explicit Body(std::shared_ptr<const ClusteredOctree> tree)
-      : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {}
-
-  ClusteredOctreeShape shape;
-  btRigidBody body;
-};
-
 }  // namespace
 
 class GrindingCell::World {
@@ -71,6 +62,15 @@ class GrindingCell::World {
   }
 
  private:
+  /// A body and the shape that it has.
+  struct Body {
+    explicit Body(std::shared_ptr<const ClusteredOctree> tree)
+        : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {}
+
+    ClusteredOctreeShape shape;
+    btRigidBody body;
+  };
+
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "models/require.h"
 
 namespace octoblisk::demos {
 namespace {
-
-void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 void requireUsable(const BladeStripOptions& options) {
   require(options.sections >= 2, "there must be two measured sections at least");

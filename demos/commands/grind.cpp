@@ -22,6 +22,7 @@
 #include "models/mesh_file.h"
 #include "models/open_edges.h"
 #include "models/orientation.h"
+#include "models/shared_tree.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/progress_bar.h"
@@ -45,11 +46,6 @@ struct GrindRequest {
 
 std::string nameOfBlisk(const GrindRequest& request) {
   return request.blisk.empty() ? "the blisk" : request.blisk;
-}
-
-std::shared_ptr<const ClusteredOctree> treeOf(TriangleMesh mesh) {
-  auto shared = std::make_shared<const TriangleMesh>(std::move(mesh));
-  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::move(shared)));
 }
 
 /// A mesh of the user's, facing outward: depths and normals are measured along the triangles' outward

@@ -12,6 +12,7 @@
 #include "commands/option_checks.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
+#include "models/shared_tree.h"
 #include "octoblisk/obb.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"

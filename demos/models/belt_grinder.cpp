@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "models/length_limit.h"
+#include "models/require.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -19,10 +19,6 @@ constexpr int kWheelSegments = 120;
 constexpr int kWheelRows = 8;
 constexpr int kMaxPoints = 100'000;               // round the belt, or round its cross-section
 constexpr std::int64_t kMaxVertices = 5'000'000;  // 10 million triangles
-
-void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 /// The line the belt's inner surface follows in the x–y plane: clockwise from -x over the contact wheel,
 /// along the upper strand, round the drive wheel and back.

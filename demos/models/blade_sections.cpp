@@ -4,11 +4,11 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 #include "models/csv_table.h"
 #include "models/length_limit.h"
+#include "models/require.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -17,10 +17,6 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kMinLoopPoints = 8;
 constexpr int kMaxSections = 1000;
 constexpr int kMaxPointsPerSide = 10'000;
-
-void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 void requirePositive(double value, const std::string& name) {
   require(std::isfinite(value) && value > 0.0, "the " + name + " must be above 0");

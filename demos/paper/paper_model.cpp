@@ -40,8 +40,4 @@ std::shared_ptr<const TriangleMesh> paperBelt() {
   return std::make_shared<const TriangleMesh>(std::move(embeddedBeltGrinder().front().mesh));
 }
 
-std::shared_ptr<const ClusteredOctree> treeOf(const std::shared_ptr<const TriangleMesh>& mesh) {
-  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
-}
-
 }  // namespace octoblisk::demos

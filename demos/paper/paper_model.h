@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "models/blade_finder.h"
-#include "octoblisk/clustered_octree.h"
+#include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::demos {
 
@@ -31,7 +31,5 @@ std::vector<Points> partClouds(const PaperModel& model, std::size_t count, std::
 
 /// The built-in belt.
 std::shared_ptr<const TriangleMesh> paperBelt();
-
-std::shared_ptr<const ClusteredOctree> treeOf(const std::shared_ptr<const TriangleMesh>& mesh);
 
 }  // namespace octoblisk::demos

@@ -12,7 +12,6 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr std::size_t kMostPoints = 250;  // of a line: more would blur
-constexpr int kWidth = 1600, kHeight = 1200;
 
 using ValueOf = std::function<double(const RobotTick&)>;
 
@@ -97,7 +96,7 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   const RobotRun& run = report.runs.front();
   writeSvg(errorPlot(run), folder / "table4_errors.svg");
   writeSvg(timePlot(run), folder / "table4_times.svg");
-  writePng(cellPicture(report, scene), (folder / "table4_cell.png").string(), kWidth, kHeight);
+  writePng(cellPicture(report, scene), (folder / "table4_cell.png").string());
   const std::string stretches = " of the first run: the greatest of each of at most " +
                                 std::to_string(kMostPoints) + " stretches of time.";
   return {{"table4_errors.svg",

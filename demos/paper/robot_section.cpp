@@ -7,6 +7,7 @@
 #include <span>
 
 #include "models/embedded_assets.h"
+#include "models/shared_tree.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 #include "robot/arm_bodies.h"
@@ -348,8 +349,7 @@ RobotScene robotScene(const PaperModel& blisk, std::vector<Points> clouds, std::
   scene.blisk = treeOf(blisk.mesh);
   scene.blades = blisk.blades;
   for (EmbeddedPart& part : embeddedBeltGrinder()) {
-    scene.tool.push_back(
-        {std::move(part.name), treeOf(std::make_shared<const TriangleMesh>(std::move(part.mesh)))});
+    scene.tool.push_back({std::move(part.name), treeOf(std::move(part.mesh))});
   }
   scene.clouds = std::move(clouds);
   scene.path = std::move(path);

@@ -14,7 +14,6 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kWidth = 1600, kHeight = 1200;  // pixels
 constexpr double kCloseUp = 26.0;             // half the side of the cube that the close-up shows, mm
 constexpr int kBoxDepth = 4;                  // of the tree's boxes in the close-up
 
@@ -201,8 +200,8 @@ Picture closeupOf(const GrindingRun& run) {
 }
 
 void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
-  writePng(overviewOf(run), (folder / "overview.png").string(), kWidth, kHeight);
-  writePng(closeupOf(run), (folder / "closeup.png").string(), kWidth, kHeight);
+  writePng(overviewOf(run), (folder / "overview.png").string());
+  writePng(closeupOf(run), (folder / "closeup.png").string());
 }
 
 }  // namespace octoblisk::demos

@@ -5,7 +5,7 @@
 //   picture.scene.addPoints(contacts, {.color = palette::kContact, .width = 14, .halo = true});
 //   picture.camera = frame(picture.scene.points(), {-1, 1, -0.8}, Vec3::UnitZ());
 //   picture.annotation = {.title = "Pose 17", .legend = {{palette::kSteel, "blisk"}}, .length_unit = "mm"};
-//   writePng(picture, "pose17.png", 1600, 1200);
+//   writePng(picture, "pose17.png");
 #pragma once
 
 #include <string>
@@ -45,6 +45,7 @@ Image render(const Picture& picture, int width, int height, unsigned threads = 0
 
 /// Renders the page to a PNG file. Throws as above, and std::runtime_error, naming the path, where it cannot
 /// be written.
-void writePng(const Picture& picture, const std::string& path, int width, int height, unsigned threads = 0);
+void writePng(const Picture& picture, const std::string& path, int width = 1600, int height = 1200,
+              unsigned threads = 0);
 
 }  // namespace octoblisk::demos

@@ -9,7 +9,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr std::chrono::milliseconds kInterval{100};
-constexpr std::size_t kWidth = 40;         ///< characters of the bar
+constexpr std::size_t kBarWidth = 40;      ///< characters of the bar
 constexpr const char* kWipe = "\r\x1b[K";  ///< to the line's begin, and clear it to its end
 
 }  // namespace
@@ -34,10 +34,10 @@ void ProgressBar::update(std::size_t done) {
 
 void ProgressBar::draw(std::size_t done) {
   const double part = static_cast<double>(done) / static_cast<double>(total_);
-  const auto filled = static_cast<std::size_t>(part * kWidth);
+  const auto filled = static_cast<std::size_t>(part * kBarWidth);
   const auto percent = static_cast<int>(part * 100.0);
-  stream_ << kWipe << '[' << std::string(filled, '#') << std::string(kWidth - filled, '.') << "] " << percent
-          << " %" << std::flush;
+  stream_ << kWipe << '[' << std::string(filled, '#') << std::string(kBarWidth - filled, '.') << "] "
+          << percent << " %" << std::flush;
   drawn_ = true;
 }
 
