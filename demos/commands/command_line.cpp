@@ -1,0 +1,42 @@
+#include "commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "commands/commands.h"
+#include "commands/subcommand_names.h"
+
+namespace octoblisk::demos {
+
+int runCommandLine(int argc, char** argv, const std::string& version) {
+  CLI::App app{
+      "OctoBlisk: checks an abrasive belt against a bladed disk (blisk), exactly on the triangles.\n"
+      "Lengths are in mesh units; the generated models and the grinding check are in mm."};
+  app.name("octoblisk");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
+  app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.footer(
+      "Mesh files are read with coordinates rounded to 32-bit floats.\n"
+      "Exit codes: 0 clean, 1 interference found, 2 bad input.");
+
+  int exit_code = 0;
+  addGrindCommand(app, exit_code);
+  addMakeCommand(app, exit_code);
+  addCheckCommand(app, exit_code);
+  addPaperCommand(app, exit_code);
+
+  try {
+    requireKnownSubcommands(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::cerr << "octoblisk: " << error.what() << '\n';
+    return 2;
+  }
+  return exit_code;
+}
+
+}  // namespace octoblisk::demos
