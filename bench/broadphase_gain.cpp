@@ -91,7 +91,8 @@ void addRanges(const GrindingScene& scene, std::vector<Row>& rows) {
 /// One drive along the path; means over its steps.
 struct Drive {
   double step_us = 0.0;  ///< processor time
-  double pairs = 0.0, awake_islands = 0.0, awake_bodies = 0.0;
+  double pairs = 0.0, awake_islands = 0.0, awake_bodies = 0.0, tool_points = 0.0;
+  double blisk_turned = 0.0;       ///< at the end, degrees
   std::vector<int> tool_contacts;  ///< of each step
 };
 
@@ -107,7 +108,9 @@ Drive drive(const GrindingScene& scene, Mount mount, btBroadphaseInterface& broa
     sum.awake_islands += world.awakeIslands() / count;
     sum.awake_bodies += world.awakeBodies() / count;
     sum.tool_contacts.push_back(world.toolContacts());
+    sum.tool_points += sum.tool_contacts.back() / count;
   }
+  sum.blisk_turned = world.bliskTurned();
   return sum;
 }
 
@@ -130,8 +133,8 @@ void addWorlds(const GrindingScene& scene, std::vector<Row>& rows) {
   constexpr int kDrives = 3;
   std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means of a step\n",
               scene.name.c_str(), scene.tool_in_blisk.size(), scene.loose.size());
-  std::printf("%-12s%-24s%10s%16s%16s%12s%10s\n", "blisk", "broadphase", "pairs", "islands awake",
-              "bodies awake", "us", "ratio");
+  std::printf("%-12s%-24s%10s%16s%16s%16s%12s%12s%10s\n", "blisk", "broadphase", "pairs", "islands awake",
+              "bodies awake", "tool's points", "blisk turned", "us", "ratio");
   const std::pair<const char*, Mount> mounts[] = {
       {"clamped", Mount::clamped}, {"table", Mount::table}, {"spindle", Mount::spindle}};
   for (const auto& [name, mount] : mounts) {
@@ -146,8 +149,9 @@ void addWorlds(const GrindingScene& scene, std::vector<Row>& rows) {
     for (std::size_t step = 0; step < scene.tool_in_blisk.size(); ++step)
       differences += ours.last.tool_contacts[step] != stock.last.tool_contacts[step];
     const auto add = [&](const char* broadphase, const Drive& means, double time) {
-      std::printf("%-12s%-24s%10.1f%16.1f%16.1f%12.1f%10.2f\n", name, broadphase, means.pairs,
-                  means.awake_islands, means.awake_bodies, time, time / ours.time());
+      std::printf("%-12s%-24s%10.1f%16.1f%16.1f%16.1f%12.2f%12.1f%10.2f\n", name, broadphase, means.pairs,
+                  means.awake_islands, means.awake_bodies, means.tool_points, means.blisk_turned, time,
+                  time / ours.time());
       rows.push_back({{"task", "broadphase-world"},
                       {"scene", scene.name},
                       {"blisk", name},
@@ -159,6 +163,8 @@ void addWorlds(const GrindingScene& scene, std::vector<Row>& rows) {
                       {"pairs", means.pairs},
                       {"islands_awake", means.awake_islands},
                       {"bodies_awake", means.awake_bodies},
+                      {"tool_points", means.tool_points},
+                      {"blisk_turned_deg", means.blisk_turned},
                       {"questions", scene.tool_in_blisk.size()},
                       {"passes", kDrives}});
     };

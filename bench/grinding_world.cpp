@@ -195,6 +195,11 @@ int GrindingWorld::toolContacts() {
   return points;
 }
 
+double GrindingWorld::bliskTurned() const {
+  return double(bodies_.front()->getWorldTransform().getRotation().getAngleShortestPath()) * 180.0 /
+         std::numbers::pi;
+}
+
 int GrindingWorld::awakeBodies() const {
   return static_cast<int>(std::ranges::count_if(
       bodies_, [](const auto& body) { return !body->isStaticOrKinematicObject() && body->isActive(); }));

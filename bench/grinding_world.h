@@ -50,10 +50,11 @@ class GrindingWorld {
   /// Moves the tool there, and the world on by a step.
   void step(const Pose& tool_in_blisk);
 
-  int pairs();               ///< that Bullet is told of
-  int toolContacts();        ///< contact points of tool and blisk
-  int awakeBodies() const;   ///< dynamic ones
-  int awakeIslands() const;  ///< that these are of
+  int pairs();                 ///< that Bullet is told of
+  int toolContacts();          ///< contact points of tool and blisk
+  double bliskTurned() const;  ///< from how it was mounted, degrees
+  int awakeBodies() const;     ///< dynamic ones
+  int awakeIslands() const;    ///< that these are of
 
  private:
   btRigidBody& addDynamic(btCollisionShape& shape, btScalar mass, const Pose& pose);

@@ -21,12 +21,13 @@ struct BroadphaseStatistics {
 /// Reports a pair with a ClusteredOctreeShape only where one of its clusters, or of a compound's child that
 /// is ours, meets the other's box or clusters, grown so that no contact is lost: a body in the middle of a
 /// ring, or between two blades, makes no pair, no algorithm and no island with it. All other pairs are
-/// those of btDbvtBroadphase, in worlds without our shape in the same order; ghosts and soft bodies meet our shape by their
-/// boxes, as ever.
+/// those of btDbvtBroadphase, in worlds without our shape in the same order; ghosts and soft bodies meet our
+/// shape by their boxes, as ever.
 ///
 /// Pairs with our shape are found anew, at the transforms that the bodies have, in each
 /// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs; before, a new pair is not
-/// there yet. Clients must be btCollisionObject, as in every world, or null.
+/// there yet. A pair of two bodies that sleep stays as it is until one wakes, as all that Bullet knows of it.
+/// Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// Some thousands of boxes at most, of which few are ever looked at.

@@ -104,6 +104,11 @@ bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
          (holdsClusters(*body_a->getCollisionShape()) || holdsClusters(*body_b->getCollisionShape()));
 }
 
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+  return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive();
+}
+
 bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth) {
   return anyPart(a, [&](const Part& part_a) {
     return anyPart(b, [&](const Part& part_b) { return meet(part_a, part_b, depth); });

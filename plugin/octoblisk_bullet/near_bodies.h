@@ -14,6 +14,9 @@ bool holdsClusters(const btCollisionShape& shape);
 /// user's own and null are taken by their boxes.
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
+/// Whether both are bodies that are not active: Bullet dispatches no such pair.
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
+
 /// False where clusters keep the two apart at their present transforms: no cluster of the given depth
 /// (octoblisk/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
 /// cluster or the box of the other. A compound with our shape in it counts child by child; any other body is

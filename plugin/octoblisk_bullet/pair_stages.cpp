@@ -7,9 +7,11 @@ namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// A coarse pair has no algorithm; its room for a user's number tells whether it is tight.
-bool isTight(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
-void setTight(btBroadphasePair& pair, bool tight) { pair.m_internalTmpValue = tight ? 1 : 0; }
+// A coarse pair has no algorithm; its room for a user's number, 0 at first, tells whether it is tight.
+enum Verdict { kUndecided, kApart, kTight };
+bool isDecided(const btBroadphasePair& pair) { return pair.m_internalTmpValue != kUndecided; }
+bool isTight(const btBroadphasePair& pair) { return pair.m_internalTmpValue == kTight; }
+void setTight(btBroadphasePair& pair, bool tight) { pair.m_internalTmpValue = tight ? kTight : kApart; }
 
 }  // namespace
 
@@ -20,9 +22,10 @@ void CoarsePairs::refine(int depth, btDispatcher* dispatcher) {
   for (int i = 0; i < pairs.size(); ++i) {
     btBroadphasePair& pair = pairs[i];
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    const bool tight = !clustersDecide(*a, *b) || clustersMeet(*a, *b, depth);
-    if (tight == isTight(pair)) continue;
+    if (isDecided(pair) && bothSleep(*a, *b)) continue;
+    const bool tight = !clustersDecide(*a, *b) || clustersMeet(*a, *b, depth), was_tight = isTight(pair);
     setTight(pair, tight);
+    if (tight == was_tight) continue;
     if (tight) {
       tight_.promote(a, b);
     } else {

@@ -14,7 +14,8 @@ class CoarsePairs final : public btHashedOverlappingPairCache {
  public:
   explicit CoarsePairs(TightPairs& tight);
 
-  /// Makes each pair tight, or no longer, by the clusters of the given depth at the present transforms.
+  /// Makes each pair tight, or no longer, by the clusters of the given depth at the present transforms. A
+  /// pair of which both sleep stays what it is: Bullet looks at no such pair, and looks again once one wakes.
   void refine(int depth, btDispatcher* dispatcher);
 
   /// The user's filter, asked once, on insertion.

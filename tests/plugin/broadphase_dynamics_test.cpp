@@ -74,6 +74,29 @@ TEST(BroadphaseDynamics, nothingFallsThrough) {
   EXPECT_GT(fallen, 40);
 }
 
+TEST(BroadphaseDynamics, aSleeperMovedByHandMeetsItsPairOnceAwake) {
+  const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
+  btSphereShape sphere(btScalar(0.5));
+  DynamicWorld dynamic;
+  dynamic.world.setGravity(btVector3(0, 0, 0));
+  dynamic.add(*torus, 0, at(0, 0, 0));
+  btRigidBody& sleeper = dynamic.add(sphere, 1, at(0, 0, 0));
+  dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+  EXPECT_EQ(dynamic.broadphase.coarsePairs(), 1);
+  EXPECT_EQ(dynamic.broadphase.tightPairs(), 0);
+
+  sleeper.forceActivationState(ISLAND_SLEEPING);
+  sleeper.setWorldTransform(at(1.2, 0, 0));  // 0.2 deep in the torus
+  dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+  EXPECT_EQ(dynamic.dispatcher.getNumManifolds(), 0);
+
+  sleeper.activate(true);
+  dynamic.world.stepSimulation(btScalar(1.0 / 240.0), 0);
+  EXPECT_EQ(dynamic.broadphase.tightPairs(), 1);
+  ASSERT_GT(dynamic.dispatcher.getNumManifolds(), 0);
+  EXPECT_GT(dynamic.dispatcher.getManifoldByIndexInternal(0)->getNumContacts(), 0);
+}
+
 TEST(BroadphaseDynamics, whatIsInARingIsNoIslandWithIt) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   btSphereShape sphere(btScalar(0.5));
