@@ -11,20 +11,20 @@ namespace octoblisk::demos {
 namespace {
 
 // Pixels.
-constexpr double kBoxWidth = 300.0, kBoxHeight = 74.0, kGap = 40.0, kMargin = 20.0;
+constexpr double kBoxWidth = 300.0, kBoxHeight = 74.0, kGap = 40.0, kBorder = 20.0;
 constexpr double kLineHeight = 18.0, kPoint = 18.0;  // of a question's ends
 constexpr std::size_t kLineLength = 36;              // characters
 
-struct Place {
+struct BoxPlace {
   double x = 0.0, y = 0.0;  // of the box's middle
 
   double top() const { return y - 0.5 * kBoxHeight; }
   double bottom() const { return y + 0.5 * kBoxHeight; }
 };
 
-Place placeOf(const FlowBox& box) {
-  return {kMargin + 0.5 * kBoxWidth + box.column * (kBoxWidth + kGap),
-          kMargin + 0.5 * kBoxHeight + box.row * (kBoxHeight + kGap)};
+BoxPlace placeOf(const FlowBox& box) {
+  return {kBorder + 0.5 * kBoxWidth + box.column * (kBoxWidth + kGap),
+          kBorder + 0.5 * kBoxHeight + box.row * (kBoxHeight + kGap)};
 }
 
 void requireUsable(const FlowChart& chart) {
@@ -58,7 +58,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 }
 
 void draw(const FlowBox& box, std::ostream& svg) {
-  const Place place = placeOf(box);
+  const BoxPlace place = placeOf(box);
   const double left = place.x - 0.5 * kBoxWidth, right = place.x + 0.5 * kBoxWidth;
   if (box.shape == FlowShape::kStep) {
     svg << "<rect x=\"" << left << "\" y=\"" << place.top() << "\" width=\"" << kBoxWidth << "\" height=\""
@@ -79,7 +79,7 @@ void draw(const FlowBox& box, std::ostream& svg) {
 
 /// Down to half-way before the other box, across, and down to it.
 void draw(const FlowArrow& arrow, const FlowChart& chart, std::ostream& svg) {
-  const Place from = placeOf(chart.boxes[arrow.from]), to = placeOf(chart.boxes[arrow.to]);
+  const BoxPlace from = placeOf(chart.boxes[arrow.from]), to = placeOf(chart.boxes[arrow.to]);
   const double turn = to.top() - 0.5 * kGap;
   svg << "<path d=\"M" << from.x << ' ' << from.bottom() << " V" << turn << " H" << to.x << " V" << to.top()
       << "\" marker-end=\"url(#tip)\"/>\n";
@@ -94,8 +94,8 @@ std::string svgOf(const FlowChart& chart) {
   requireUsable(chart);
   double width = 0.0, height = 0.0;
   for (const FlowBox& box : chart.boxes) {
-    width = std::max(width, placeOf(box).x + 0.5 * kBoxWidth + kMargin);
-    height = std::max(height, placeOf(box).bottom() + kMargin);
+    width = std::max(width, placeOf(box).x + 0.5 * kBoxWidth + kBorder);
+    height = std::max(height, placeOf(box).bottom() + kBorder);
   }
   std::ostringstream svg;
   svg << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
