@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "octoblisk/obb.h"
+#include "paper/comparison_table.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 
@@ -23,9 +24,9 @@ BliskRange rangeOf(std::size_t k, std::span<const Points> clouds) {
 std::vector<std::string> rowOf(const std::string& name, const BliskRange& range, const BliskRange& whole) {
   return {name,
           std::to_string(range.boxes),
-          fixedText(1e-4 * range.axis_aligned, 2),
+          rangeText(range.axis_aligned),
           changeText(whole.axis_aligned, range.axis_aligned),
-          fixedText(1e-4 * range.principal, 2),
+          rangeText(range.principal),
           changeText(whole.axis_aligned, range.principal)};
 }
 
@@ -78,7 +79,7 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
       .paragraphs =
           {"The paper divides the blisk into its blades, and each of these into clusters. k-means over the "
            "whole blisk at once makes boxes that are together larger than the one box along the axes for " +
-               countLarger(ranges.at_once, one, axis_aligned) + " k along the axes, and for " +
+               countLarger(ranges.at_once, one, axis_aligned) + " values of k along the axes, and for " +
                countLarger(ranges.at_once, one, principal) +
                " in principal frames; at best the range changes by " +
                changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
