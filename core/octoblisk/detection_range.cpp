@@ -1,6 +1,7 @@
 #include "octoblisk/detection_range.h"
 
 #include "octoblisk/obb.h"
+#include "octoblisk/point_bounds.h"
 
 namespace octoblisk {
 
@@ -31,9 +32,7 @@ DetectionRange detectionRange(const TriangleMesh& mesh, const PartClusterOptions
       for (const std::uint32_t t : cluster) {
         for (const Vec3& corner : mesh.triangle(t)) corners.push_back(corner);
       }
-      Aabb bounds;
-      for (const Vec3& corner : corners) bounds.extend(corner);
-      range.axis_aligned.push_back(bounds);
+      range.axis_aligned.push_back(boundsOf(corners));
       range.oriented.push_back(principalBox(corners));
     }
   }

@@ -28,6 +28,7 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/triangles_near_convex.h"
 
 namespace octoblisk {
@@ -86,8 +87,7 @@ std::span<const std::uint32_t> NearTriangles::find(const ClusteredOctree& tree, 
   if (tree_ != &tree || !std::ranges::equal(core_, points)) {
     tree_ = &tree;
     core_.assign(points.begin(), points.end());
-    bounds_ = {};
-    for (const Vec3& point : core_) bounds_.extend(point);
+    bounds_ = boundsOf(core_);
     forget();
   }
   const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());

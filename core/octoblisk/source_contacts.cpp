@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "octoblisk/triangle_bounds.h"
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {

@@ -9,8 +9,8 @@
 #define HWY_TARGET_INCLUDE "octoblisk/triangles_along.cpp"
 #include <hwy/foreach_target.h>
 
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/traversal.h"
-#include "octoblisk/triangle_bounds.h"
 
 #ifndef OCTOBLISK_TRIANGLES_ALONG_ONCE
 #define OCTOBLISK_TRIANGLES_ALONG_ONCE

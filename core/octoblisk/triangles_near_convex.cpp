@@ -1,5 +1,7 @@
 #include "octoblisk/triangles_near_convex.h"
 
+#include "octoblisk/point_bounds.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "octoblisk/triangles_near_convex.cpp"
 #include <hwy/foreach_target.h>
@@ -37,10 +39,8 @@ bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, cons
                          double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
   std::array<Vec3, 8> room;
   const std::span<const Vec3> points = pointsRoundCore(convex, room);
-  Aabb bounds;
-  for (const Vec3& point : points) bounds.extend(point);
-  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points, bounds, convex_in_tree, reach + convex.radius(),
-                                             visit, user);
+  return HWY_DYNAMIC_DISPATCH(trianglesNear)(tree, points, boundsOf(points), convex_in_tree,
+                                             reach + convex.radius(), visit, user);
 }
 
 }  // namespace octoblisk

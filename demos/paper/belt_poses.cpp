@@ -5,12 +5,10 @@
 #include <random>
 
 #include "octoblisk/path_query.h"
+#include "paper/uniform.h"
 
 namespace octoblisk::demos {
 namespace {
-
-/// In [0, 1), the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 /// K. Shoemake, Uniform random rotations, 1992.
 Mat3 randomRotation(std::mt19937_64& random) {

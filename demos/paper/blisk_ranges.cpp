@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "octoblisk/obb.h"
+#include "paper/comparison_table.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 
@@ -23,9 +24,9 @@ BliskRange rangeOf(std::size_t k, std::span<const Points> clouds) {
 std::vector<std::string> rowOf(const std::string& name, const BliskRange& range, const BliskRange& whole) {
   return {name,
           std::to_string(range.boxes),
-          fixedText(1e-4 * range.axis_aligned, 2),
+          rangeText(range.axis_aligned),
           changeText(whole.axis_aligned, range.axis_aligned),
-          fixedText(1e-4 * range.principal, 2),
+          rangeText(range.principal),
           changeText(whole.axis_aligned, range.principal)};
 }
 
@@ -40,18 +41,13 @@ std::string countLarger(const std::vector<BliskRange>& ranges, double than, doub
 
 BliskRanges findBliskRanges(std::span<const Points> parts, std::uint64_t seed) {
   BliskRanges ranges;
-  Points whole;
-  for (const Points& part : parts) whole.insert(whole.end(), part.begin(), part.end());
+  const Points whole = joined(parts);
   ranges.whole = rangeOf(1, std::span(&whole, 1));
   for (std::size_t k = 2; k <= kMostClusters; ++k) {
     ranges.at_once.push_back(rangeOf(k, clustersOf(whole, k, seed)));
   }
   for (std::size_t k = 1; k <= kMostClusters; ++k) {
-    std::vector<Points> clusters;
-    for (const Points& part : parts) {
-      for (Points& cluster : clustersOf(part, k, seed)) clusters.push_back(std::move(cluster));
-    }
-    ranges.by_parts.push_back(rangeOf(k, clusters));
+    ranges.by_parts.push_back(rangeOf(k, clustersOfParts(parts, k, seed)));
   }
   return ranges;
 }
@@ -80,25 +76,23 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   const BliskRange& paper_choice = ranges.by_parts[1];
   return {
       .title = "The whole blisk: parts first, or clusters at once",
-      .paragraphs = {"The paper divides the blisk into its blades, and each of these into clusters. k-means "
-                     "over the whole blisk at "
-                     "once makes boxes that are together larger than the one box along the axes for " +
-                         countLarger(ranges.at_once, one, axis_aligned) + " k along the axes, and for " +
-                         countLarger(ranges.at_once, one, principal) +
-                         " in principal frames; at best the range changes by " +
-                         changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
-                         changeText(one, best(ranges.at_once, principal)) + ". Divided first into its " +
-                         countedText(blades, "blade", "blades") +
-                         " and the hub, each in one box, it changes by " +
-                         changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
-                         changeText(one, ranges.by_parts[0].principal) +
-                         "; with k = 2 clusters of each part by " +
-                         changeText(one, paper_choice.axis_aligned) + " and " +
-                         changeText(one, paper_choice.principal) + ", with the best k by " +
-                         changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
-                         changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
-                         changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
-                     "Volumes are sums: where boxes overlap, what they share counts for each."},
+      .paragraphs =
+          {"The paper divides the blisk into its blades, and each of these into clusters. k-means over the "
+           "whole blisk at once makes boxes that are together larger than the one box along the axes for " +
+               countLarger(ranges.at_once, one, axis_aligned) + " values of k along the axes, and for " +
+               countLarger(ranges.at_once, one, principal) +
+               " in principal frames; at best the range changes by " +
+               changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
+               changeText(one, best(ranges.at_once, principal)) + ". Divided first into its " +
+               countedText(blades, "blade", "blades") + " and the hub, each in one box, it changes by " +
+               changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
+               changeText(one, ranges.by_parts[0].principal) + "; with k = 2 clusters of each part by " +
+               changeText(one, paper_choice.axis_aligned) + " and " +
+               changeText(one, paper_choice.principal) + ", with the best k by " +
+               changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
+               changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
+               changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
+           "Volumes are sums: where boxes overlap, what they share counts for each."},
       .tables = {std::move(table)}};
 }
 

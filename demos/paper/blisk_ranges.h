@@ -10,7 +10,8 @@
 
 namespace octoblisk::demos {
 
-/// Volumes of the boxes that a way of dividing begins with, mm³: the collision detection range.
+/// Volumes of the boxes that a way of dividing begins with, mm³: the collision detection range. The boxes are
+/// of points, as the paper's are; those of the library's detectionRange hold whole triangles.
 struct BliskRange {
   std::size_t k = 0;          ///< clusters of the whole, or of each part
   std::size_t boxes = 0;      ///< how many there are

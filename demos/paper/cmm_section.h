@@ -2,16 +2,29 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "cmm/cmm_experiment.h"
+#include "paper/claims.h"
 #include "report/document.h"
 
 namespace octoblisk::demos {
 
-/// Runs the experiment as its options say, once more with an even feed, and with other parameters, and draws
-/// the figures into the folder.
-/// Throws std::invalid_argument: what runCmmExperiment refuses; and as writeSvg.
-Section cmmSection(const TriangleMesh& blisk, const BladesFound& blades, const std::filesystem::path& folder,
-                   const CmmExperimentOptions& options = {});
+/// The pass as the options plan it, and one of an even feed.
+struct CmmRuns {
+  CmmExperimentOptions options;
+  CmmExperiment planned, even;
+};
+
+/// Throws std::invalid_argument: what runCmmExperiment refuses.
+CmmRuns runCmm(const TriangleMesh& blisk, const BladesFound& blades,
+               const CmmExperimentOptions& options = {});
+
+/// Runs the experiment again with other parameters, and draws the figures into the folder. Throws as runCmm
+/// and writeSvg.
+Section cmmSection(const TriangleMesh& blisk, const BladesFound& blades, const CmmRuns& runs,
+                   const std::filesystem::path& folder);
+
+std::vector<Claim> cmmClaims(const CmmRuns& runs);
 
 }  // namespace octoblisk::demos

@@ -1,7 +1,8 @@
 #include "paper/detection_experiment.h"
 
-#include <algorithm>
 #include <functional>
+#include <span>
+#include <utility>
 
 #include "octoblisk/collide.h"
 #include "octoblisk/obb.h"
@@ -30,8 +31,9 @@ DetectionRow judgedRow(const Detector& detector, const std::vector<BeltPose>& gr
     row.volume_left += left.volume / static_cast<double>(ground.size());
     row.boxes_tested += static_cast<double>(left.tested) / static_cast<double>(ground.size());
   }
-  for (const BeltPose& pose : lifted)
+  for (const BeltPose& pose : lifted) {
     row.lifted.count(pose, detector.detect(pose.belt_in_mesh).isColliding());
+  }
   return row;
 }
 
@@ -41,20 +43,122 @@ double secondsOf(const Detector& detector, const std::vector<BeltPose>& path) {
   return watch.seconds();
 }
 
-Points joined(const std::vector<Points>& parts) {
+/// The paper's octrees over the points of the blisk.
+struct PaperOctrees {
+  PaperOctrees(const std::vector<Points>& parts, const DetectionOptions& options)
+      : whole(joined(parts)),
+        clusters(clustersOfParts(parts, options.clusters, options.seed)),
+        traditional(std::span(&whole, 1), options.fnop, CellFrame::box),
+        improved(clusters, options.fnop, CellFrame::box),
+        improved_principal(clusters, options.fnop, CellFrame::principal_box) {}
+
   Points whole;
-  for (const Points& part : parts) whole.insert(whole.end(), part.begin(), part.end());
-  return whole;
+  std::vector<Points> clusters;
+  Segmentation traditional, improved, improved_principal;
+};
+
+/// All methods, in the order of DetectionMethod. The bodies and octrees must outlive them.
+std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredOctree& belt,
+                                  const PaperOctrees& paper) {
+  const Obb belt_box = principalBox(belt.mesh().vertices());
+  const double our_range = blisk.box(ClusteredOctree::kRoot).volume();
+  const auto oneBox = [&](std::string method, const Obb& box) {
+    return Detector{std::move(method), box.volume(), [belt_box, box](const Pose& pose) {
+                      const bool overlap = overlaps(pose * belt_box, box);
+                      return BoxesLeft{1, overlap ? 1u : 0u, overlap ? box.volume() : 0.0};
+                    }};
+  };
+  const auto octrees = [&](std::string method, const Segmentation& segmentation, SeparatingAxes axes) {
+    return Detector{std::move(method), segmentation.rootVolume(),
+                    [&segmentation, belt_box, axes](const Pose& pose) {
+                      return leavesNear(segmentation, pose * belt_box, axes);
+                    }};
+  };
+  std::vector<Detector> detectors(kDetectionMethods);
+  detectors[kOneAabb] =
+      oneBox("one box along the axes", boundingBox(blisk.mesh().vertices(), Mat3::Identity()));
+  detectors[kOneObb] = oneBox("one box along the principal axes", principalBox(blisk.mesh().vertices()));
+  detectors[kTraditionalOneAxis] =
+      octrees("traditional octree, 1 axis", paper.traditional, SeparatingAxes::paper1);
+  detectors[kTraditional] =
+      octrees("traditional octree, 15 axes", paper.traditional, SeparatingAxes::exact15);
+  detectors[kImprovedOneAxis] = octrees("paper's improved, 1 axis", paper.improved, SeparatingAxes::paper1);
+  detectors[kImproved] = octrees("paper's improved, 15 axes", paper.improved, SeparatingAxes::exact15);
+  detectors[kImprovedPrincipal] =
+      octrees("improved in principal frames, 15 axes", paper.improved_principal, SeparatingAxes::exact15);
+  detectors[kOursBoxes] = {
+      "ours, boxes against the belt's box", our_range,
+      [&blisk, belt_box](const Pose& pose) { return leavesNear(blisk, pose * belt_box); }};
+  detectors[kOursBothBoxes] = {"ours, boxes against the belt's boxes", our_range,
+                               [&](const Pose& pose) { return leavesNear(blisk, belt, pose); }};
+  detectors[kOursPairs] = {"ours, exact: all pairs of triangles that touch", our_range,
+                           [&, pairs = std::vector<TrianglePair>()](const Pose& pose) mutable {
+                             touchingPairs(blisk, belt, pose, pairs);
+                             return BoxesLeft{0, pairs.size(), 0.0};
+                           },
+                           true};
+  detectors[kOursVerdict] = {"ours, exact: touching or not", our_range,
+                             [query = PathQuery(blisk, belt)](const Pose& pose) mutable {
+                               return BoxesLeft{0, query.collide(pose) ? 1u : 0u, 0.0};
+                             },
+                             true};
+  return detectors;
 }
 
-std::vector<Points> clustersOfParts(const std::vector<Points>& parts, const DetectionOptions& options) {
-  std::vector<Points> clusters;
-  for (const Points& part : parts) {
-    for (Points& cluster : clustersOf(part, std::min(options.clusters, part.size()), options.seed)) {
-      clusters.push_back(std::move(cluster));
+/// All methods in turn, run by run: what disturbs the machine disturbs all.
+void timeRuns(const std::vector<Detector>& detectors, const std::vector<BeltPose>& path,
+              std::vector<DetectionRow>& rows, const Progress& progress) {
+  for (std::size_t run = 0; run < kRuns; ++run) {
+    for (std::size_t method = 0; method < detectors.size(); ++method) {
+      rows[method].run_seconds[run] = secondsOf(detectors[method], path);
+    }
+    progress(static_cast<double>(run + 1) / kRuns);
+  }
+}
+
+/// Leaf boxes, and whether the belt's triangles meet any of them.
+struct Cover {
+  std::string boxes;
+  std::function<bool(const Pose& belt_in_blisk)> meets;
+};
+
+/// In the order of HoleKind.
+std::vector<Cover> coversOf(const ClusteredOctree& blisk, const ClusteredOctree& belt,
+                            const PaperOctrees& paper) {
+  const auto cells = [&](const Segmentation& segmentation) {
+    return [&](const Pose& pose) { return anyLeafMeets(segmentation, belt, pose); };
+  };
+  const auto fitted = [&](std::span<const Points> clusters, const Segmentation& segmentation) {
+    return [&, clusters](const Pose& pose) { return anyFittedBoxMeets(clusters, segmentation, belt, pose); };
+  };
+  std::vector<Cover> covers(kHoleKinds);
+  covers[kCellsTraditional] = {"cells of the traditional octree", cells(paper.traditional)};
+  covers[kCellsImproved] = {"cells of the paper's improved one", cells(paper.improved)};
+  covers[kFittedTraditional] = {"boxes round the points of the traditional cells",
+                                fitted(std::span(&paper.whole, 1), paper.traditional)};
+  covers[kFittedImproved] = {"boxes round the points of the improved cells",
+                             fitted(paper.clusters, paper.improved)};
+  covers[kWholeTriangles] = {"boxes of whole triangles, ours",
+                             [&](const Pose& pose) { return anyLeafMeets(blisk, belt, pose); }};
+  return covers;
+}
+
+std::vector<HolesRow> holesOf(const std::vector<Cover>& covers, const std::vector<BeltPose>& ground,
+                              const std::vector<BeltPose>& lifted, const Progress& progress) {
+  std::vector<HolesRow> holes;
+  for (const Cover& cover : covers) holes.push_back({.method = cover.boxes});
+  std::size_t done = 0;
+  for (const std::vector<BeltPose>* path : {&ground, &lifted}) {
+    for (const BeltPose& pose : *path) {
+      progress(static_cast<double>(++done) / static_cast<double>(ground.size() + lifted.size()));
+      if (!pose.touches) continue;
+      for (std::size_t kind = 0; kind < covers.size(); ++kind) {
+        ++holes[kind].touching;
+        holes[kind].missed += !covers[kind].meets(pose.belt_in_mesh);
+      }
     }
   }
-  return clusters;
+  return holes;
 }
 
 }  // namespace
@@ -69,89 +173,15 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
                                        const std::vector<Points>& parts, const std::vector<BeltPose>& ground,
                                        const std::vector<BeltPose>& lifted, const DetectionOptions& options,
                                        const Progress& progress) {
-  const Points whole = joined(parts);
-  const std::vector<Points> clusters = clustersOfParts(parts, options);
-  const Segmentation traditional(std::span(&whole, 1), options.fnop, CellFrame::box);
-  const Segmentation improved(clusters, options.fnop, CellFrame::box);
-  const Segmentation improved_principal(clusters, options.fnop, CellFrame::principal_box);
-  const Obb belt_box = principalBox(belt.mesh().vertices());
-  const Obb one_aabb = boundingBox(blisk.mesh().vertices(), Mat3::Identity());
-  const Obb one_obb = principalBox(blisk.mesh().vertices());
-  const double our_range = blisk.box(ClusteredOctree::kRoot).volume();
-
-  const auto oneBox = [&](const Obb& box) {
-    return [&belt_box, box](const Pose& pose) {
-      const bool overlap = overlaps(pose * belt_box, box);
-      return BoxesLeft{1, overlap ? 1u : 0u, overlap ? box.volume() : 0.0};
-    };
-  };
-  const auto octrees = [&](const Segmentation& segmentation, SeparatingAxes axes) {
-    return [&, axes](const Pose& pose) { return leavesNear(segmentation, pose * belt_box, axes); };
-  };
-  std::vector<TrianglePair> pairs;
-  PathQuery path_query(blisk, belt);
-  std::vector<Detector> detectors(kDetectionMethods);
-  detectors[kOneAabb] = {"one box along the axes", one_aabb.volume(), oneBox(one_aabb)};
-  detectors[kOneObb] = {"one box along the principal axes", one_obb.volume(), oneBox(one_obb)};
-  detectors[kTraditionalOneAxis] = {"traditional octree, 1 axis", traditional.rootVolume(),
-                                    octrees(traditional, SeparatingAxes::paper1)};
-  detectors[kTraditional] = {"traditional octree, 15 axes", traditional.rootVolume(),
-                             octrees(traditional, SeparatingAxes::exact15)};
-  detectors[kImprovedOneAxis] = {"paper's improved, 1 axis", improved.rootVolume(),
-                                 octrees(improved, SeparatingAxes::paper1)};
-  detectors[kImproved] = {"paper's improved, 15 axes", improved.rootVolume(),
-                          octrees(improved, SeparatingAxes::exact15)};
-  detectors[kImprovedPrincipal] = {"improved in principal frames, 15 axes", improved_principal.rootVolume(),
-                                   octrees(improved_principal, SeparatingAxes::exact15)};
-  detectors[kOursBoxes] = {"ours, boxes against the belt's box", our_range,
-                           [&](const Pose& pose) { return leavesNear(blisk, pose * belt_box); }};
-  detectors[kOursBothBoxes] = {"ours, boxes against the belt's boxes", our_range,
-                               [&](const Pose& pose) { return leavesNear(blisk, belt, pose); }};
-  detectors[kOursPairs] = {"ours, exact: all pairs of triangles that touch", our_range,
-                           [&](const Pose& pose) {
-                             touchingPairs(blisk, belt, pose, pairs);
-                             return BoxesLeft{0, pairs.size(), 0.0};
-                           },
-                           true};
-  detectors[kOursVerdict] = {"ours, exact: touching or not", our_range,
-                             [&](const Pose& pose) {
-                               return BoxesLeft{0, path_query.collide(pose) ? 1u : 0u, 0.0};
-                             },
-                             true};
-
-  DetectionResult result{.path_poses = ground.size(), .cloud_points = whole.size(), .options = options};
+  const PaperOctrees paper(parts, options);
+  const std::vector<Detector> detectors = detectorsOf(blisk, belt, paper);
+  DetectionResult result{.path_poses = ground.size(), .cloud_points = paper.whole.size(), .options = options};
   for (const Detector& detector : detectors) {
     result.rows.push_back(judgedRow(detector, ground, lifted));
     progress(0.3 * static_cast<double>(result.rows.size()) / static_cast<double>(detectors.size()));
   }
-  for (int k = 0; k < options.runs; ++k) {  // all methods in turn: what disturbs the machine disturbs all
-    for (std::size_t method = 0; method < kDetectionMethods; ++method) {
-      result.rows[method].run_seconds.push_back(secondsOf(detectors[method], ground));
-    }
-    progress(0.3 + 0.4 * (k + 1) / options.runs);
-  }
-
-  result.holes.resize(kHoleKinds);
-  result.holes[kCellsTraditional].method = "cells of the traditional octree";
-  result.holes[kCellsImproved].method = "cells of the paper's improved one";
-  result.holes[kFittedTraditional].method = "boxes round the points of the traditional cells";
-  result.holes[kFittedImproved].method = "boxes round the points of the improved cells";
-  result.holes[kWholeTriangles].method = "boxes of whole triangles, ours";
-  std::size_t done = 0;
-  for (const std::vector<BeltPose>* poses : {&ground, &lifted}) {
-    for (const BeltPose& pose : *poses) {
-      progress(0.7 + 0.3 * static_cast<double>(++done) / static_cast<double>(ground.size() + lifted.size()));
-      if (!pose.touches) continue;
-      const Pose& at = pose.belt_in_mesh;
-      for (HolesRow& row : result.holes) ++row.touching;
-      result.holes[kCellsTraditional].missed += !anyLeafMeets(traditional, belt, at);
-      result.holes[kCellsImproved].missed += !anyLeafMeets(improved, belt, at);
-      result.holes[kFittedTraditional].missed +=
-          !anyFittedBoxMeets(std::span(&whole, 1), traditional, belt, at);
-      result.holes[kFittedImproved].missed += !anyFittedBoxMeets(clusters, improved, belt, at);
-      result.holes[kWholeTriangles].missed += !anyLeafMeets(blisk, belt, at);
-    }
-  }
+  timeRuns(detectors, ground, result.rows, stretchOf(progress, 0.3, 0.7));
+  result.holes = holesOf(coversOf(blisk, belt, paper), ground, lifted, stretchOf(progress, 0.7, 1.0));
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "paper/belt_poses.h"
 #include "paper/progress.h"
+#include "paper/published.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
@@ -15,7 +16,6 @@ struct DetectionOptions {
   std::size_t fnop = 2;      ///< the paper's optimum
   std::size_t clusters = 2;  ///< of each part; the paper's optimum
   std::uint64_t seed = 1;
-  int runs = 3;  ///< over the path, as in the paper
 };
 
 /// What a method calls colliding, against the exact triangles.
@@ -29,13 +29,13 @@ struct Alarms {
 
 struct DetectionRow {
   std::string method;
-  double range = 0.0;                 ///< of the boxes that it begins with, mm³
-  double volume_left = 0.0;           ///< of the leaf boxes that overlap, the mean of all poses, mm³
-  double boxes_tested = 0.0;          ///< pairs of boxes a pose, the mean; 0 where not counted
-  std::vector<double> run_seconds{};  ///< of each run over the ground path
-  Alarms ground{};                    ///< over the path as it is ground
-  Alarms lifted{};                    ///< over the path held off the blade
-  bool is_exact = false;              ///< asks the triangles
+  double range = 0.0;                       ///< of the boxes that it begins with, mm³
+  double volume_left = 0.0;                 ///< of the leaf boxes that overlap, the mean of all poses, mm³
+  double boxes_tested = 0.0;                ///< pairs of boxes a pose, the mean; 0 where not counted
+  std::array<double, kRuns> run_seconds{};  ///< of each run over the ground path
+  Alarms ground{};                          ///< over the path as it is ground
+  Alarms lifted{};                          ///< over the path held off the blade
+  bool is_exact = false;                    ///< asks the triangles
 };
 
 /// Whether leaf boxes cover what the belt's triangles touch: without the belt's box, which is larger than it.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "paper/claims.h"
 #include "paper/detection_experiment.h"
 #include "report/document.h"
 
@@ -10,5 +12,7 @@ namespace octoblisk::demos {
 
 /// `lift` is how far off the blade the second path is held, mm.
 Section detectionSection(const DetectionResult& result, const std::string& blisk_name, double lift);
+
+std::vector<Claim> detectionClaims(const DetectionResult& result);
 
 }  // namespace octoblisk::demos

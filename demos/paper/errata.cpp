@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "paper/comparison_table.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 
@@ -76,16 +77,14 @@ Section errataSection() {
        "Depth at most 32."},
       {"Section 2.3", "Whether the root is a cube or the cloud's own box is not said.",
        "Tables 1 and 2 are given for cubes along the axes and for boxes in principal frames; Table 3 takes "
-       "the cloud's own "
-       "box, as the range of 480 × 480 × 200 mm³ suggests."},
+       "the cloud's own box, as the range of 480 × 480 × 200 mm³ suggests."},
       {"Table 1", "A count of nodes must be k + 8 · splits. These cannot be: " + impossibleEntries() + ".",
        "Such entries are marked with *."},
       {"Table 2", outlierText(), "Medians of interleaved repeats in one run; every cell is shown."},
       {"Tables 3, 4",
-       "The range is " + fixedText(kPublishedImprovedRange, 2) + " / " +
-           fixedText(kPublishedTraditionalRange, 0) + " = " +
-           fixedText(kPublishedImprovedRange / kPublishedTraditionalRange, 2) +
-           " exactly in every row of both experiments; " + fixedText(kPublishedTraditionalRange, 0) +
+       "The range is " + rangeText(kPublishedImprovedRange) + " / " + rangeText(kPublishedTraditionalRange) +
+           " = " + fixedText(kPublishedImprovedRange / kPublishedTraditionalRange, 2) +
+           " exactly in every row of both experiments; " + rangeText(kPublishedTraditionalRange) +
            " · 10⁴ mm³ is 480 · 480 · 200 mm³, the box of the whole blisk.",
        "Volumes are summed over the boxes that a method really has."},
       {"Tables 3, 4", "The times (about 470 s) come with no number of poses, no hardware and no language.",

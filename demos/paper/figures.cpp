@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "octoblisk/obb.h"
+#include "paper/algorithm_chart.h"
 #include "paper/number_text.h"
 #include "paper/segmentation.h"
 
@@ -16,8 +17,8 @@ constexpr std::array<Color, 8> kClusterColors = {palette::kBlue,   palette::kVer
                                                  palette::kYellow, palette::kPurple,    palette::kSky,
                                                  palette::kInk,    palette::kOrange};
 
-constexpr double kRoomForCells =
-    1.5;  // about the blade, the same in all pictures, so that they can be compared
+/// About the blade, the same in all pictures of cells, so that they can be compared.
+constexpr double kRoomForCells = 1.5;
 
 /// Looks at the blade's broad side, a little from above and from one edge, with its tip up.
 Camera bladeCamera(const PaperModel& model, const Points& cloud, double margin) {
@@ -135,36 +136,38 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
 std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
                                     std::uint64_t seed, const std::filesystem::path& folder,
                                     const Progress& progress) {
-  struct Group {
-    std::string title, text;
-    std::vector<NamedPicture> pictures;
-  };
-  std::vector<Group> groups;
-  groups.push_back({"Figure 2: the belt's box", "", {}});
-  groups.back().pictures.push_back(beltBoxPicture(belt));
-  groups.push_back({"Figure 4: cells of the traditional octree",
-                    "Cubes along the axes; cells without points, which the paper counts too, are not drawn.",
-                    cellPictures(model, cloud)});
-  groups.push_back(
-      {"Figure 5: traditional beside improved",
-       "The same blade at FNOP 10, seen from the same place; the volumes are those of the cells drawn.",
-       comparisonPictures(model, cloud, seed)});
-  groups.push_back({"Figure 8: clusters of the blade",
-                    "Clusters of the blade's points, in mm; the colours mean no more than which is which.",
-                    clusterPictures(model, cloud, seed)});
+  std::vector<Section> sections = {
+      {.title = "Figure 2: the belt's box"},
+      {.title = "Figure 4: cells of the traditional octree",
+       .paragraphs =
+           {"Cubes along the axes; cells without points, which the paper counts too, are not drawn."}},
+      {.title = "Figure 5: traditional beside improved",
+       .paragraphs = {"The same blade at FNOP 10, seen from the same place; the volumes are those of the "
+                      "cells drawn."}},
+      {.title = "Figure 8: clusters of the blade",
+       .paragraphs = {
+           "Clusters of the blade's points, in mm; the colours mean no more than which is which."}}};
+  std::vector<std::vector<NamedPicture>> pictures(sections.size());
+  pictures[0].push_back(beltBoxPicture(belt));
+  pictures[1] = cellPictures(model, cloud);
+  pictures[2] = comparisonPictures(model, cloud, seed);
+  pictures[3] = clusterPictures(model, cloud, seed);
   std::size_t count = 0, done = 0;
-  for (const Group& group : groups) count += group.pictures.size();
-  std::vector<Section> sections;
-  for (const Group& group : groups) {
-    Section section{.title = group.title};
-    if (!group.text.empty()) section.paragraphs.push_back(group.text);
-    for (const NamedPicture& named : group.pictures) {
+  for (const auto& of_section : pictures) count += of_section.size();
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    for (const NamedPicture& named : pictures[s]) {
       writePng(named.picture, (folder / named.file).string(), kWidth, kHeight);
-      section.figures.push_back({named.file, named.caption});
+      sections[s].figures.push_back({named.file, named.caption});
       progress(static_cast<double>(++done) / static_cast<double>(count));
     }
-    sections.push_back(std::move(section));
   }
+  writeSvg(algorithmChart(), folder / "fig7.svg");
+  sections.insert(sections.end() - 1,
+                  {.title = "Figure 7: the algorithm",
+                   .paragraphs = {"As it is run here; what the triangles add to it is in the last rows. "
+                                  "Figures 1, 3 and 6 of the paper explain principles and have no results; "
+                                  "11 and 12 show the cell and the software, for which see Table 4."},
+                   .figures = {{"fig7.svg", "Figure 7: flow chart of the collision detection"}}});
   return sections;
 }
 

@@ -1,7 +1,7 @@
 // Numbers as the tables of a report show them.
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -26,6 +26,13 @@ inline std::string changeText(double from, double to, int digits = 1) {
 /// "37.5 %" of a whole that is not 0.
 inline std::string shareText(double part, double whole, int digits = 1) {
   return fixedText(100.0 * part / whole, digits) + " %";
+}
+
+/// "3 of 40 (7.5 %)"; without the share where the whole is 0.
+inline std::string partText(std::size_t part, std::size_t whole) {
+  const std::string text = std::to_string(part) + " of " + std::to_string(whole);
+  if (whole == 0) return text;
+  return text + " (" + shareText(static_cast<double>(part), static_cast<double>(whole)) + ")";
 }
 
 /// "1 pose", "3 poses".

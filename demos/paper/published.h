@@ -1,25 +1,13 @@
-// The numbers that the paper prints in Tables 1–4, and what follows from them alone.
+// The numbers that the paper prints in Tables 1–4.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <string>
+#include <numeric>
+
+#include "paper/method_table.h"
 
 namespace octoblisk::demos {
-
-/// Rows of Tables 1 and 2: the traditional octree, then k = 2..8.
-inline constexpr std::size_t kMethods = 8;
-/// Columns of Tables 1 and 2: FNOP = 1..10.
-inline constexpr std::size_t kFnops = 10;
-
-template <typename Number>
-using MethodTable = std::array<std::array<Number, kFnops>, kMethods>;
-
-/// k of a row; 0 for the traditional method.
-constexpr std::size_t clustersOfMethod(std::size_t method) { return method == 0 ? 0 : method + 1; }
-constexpr std::size_t methodOfClusters(std::size_t k) { return k == 0 ? 0 : k - 1; }
-constexpr std::size_t fnopOf(std::size_t column) { return column + 1; }
-std::string nameOfMethod(std::size_t method);  ///< "traditional", "k = 2"
 
 /// Table 1: TNON.
 inline constexpr MethodTable<int> kPublishedNodes = {{
@@ -45,52 +33,33 @@ inline constexpr MethodTable<double> kPublishedSeconds = {{
     {19.37, 9.43, 7.11, 5.35, 4.47, 3.86, 3.32, 2.89, 2.59, 2.44},
 }};
 
-/// Tables 3 and 4: the detection range, 10⁴ mm³, the same in every row.
-inline constexpr double kPublishedTraditionalRange = 4608.00;
-inline constexpr double kPublishedImprovedRange = 2534.40;
+/// Runs over the path in Tables 3 and 4.
+inline constexpr std::size_t kRuns = 3;
 
-/// Table 3: the detection time of the three runs, s.
-inline constexpr std::array<double, 3> kPublishedTraditionalSeconds = {469.24, 471.35, 470.62};
-inline constexpr std::array<double, 3> kPublishedImprovedSeconds = {382.36, 383.41, 382.94};
+/// What Tables 3 and 4 say of a method.
+struct DetectionNumbers {
+  double range = 0.0;                   ///< the collision detection range, mm³
+  std::array<double, kRuns> seconds{};  ///< the detection time of each run
 
-/// Table 4: the same on a robot.
-inline constexpr std::array<double, 3> kPublishedRobotTraditionalSeconds = {475.36, 476.29, 475.99};
-inline constexpr std::array<double, 3> kPublishedRobotImprovedSeconds = {387.96, 388.45, 388.04};
-
-/// Whether so many nodes are k + 8 · splits, as all trees over k clusters have, where every cell that is
-/// divided has eight children (k = 0: one tree).
-bool canBeNodeCount(int nodes, std::size_t k);
-
-/// In how many of the 70 cells of the improved method the number is below the traditional one's of the same
-/// FNOP.
-template <typename Number>
-int cellsBelowTraditional(const MethodTable<Number>& table) {
-  int count = 0;
-  for (std::size_t method = 1; method < kMethods; ++method) {
-    for (std::size_t column = 0; column < kFnops; ++column) {
-      count += table[method][column] < table[0][column];
-    }
+  constexpr double meanSeconds() const {
+    return std::accumulate(seconds.begin(), seconds.end(), 0.0) / static_cast<double>(kRuns);
   }
-  return count;
-}
-
-/// Row and column of the cell of the improved method that is least against the traditional one's of the same
-/// FNOP; the first of equals.
-struct TableCell {
-  std::size_t method = 1, column = 0;
 };
-template <typename Number>
-TableCell bestAgainstTraditional(const MethodTable<Number>& table) {
-  TableCell best;
-  const auto ratio = [&](std::size_t method, std::size_t column) {
-    return static_cast<double>(table[method][column]) / static_cast<double>(table[0][column]);
-  };
-  for (std::size_t method = 1; method < kMethods; ++method) {
-    for (std::size_t column = 0; column < kFnops; ++column) {
-      if (ratio(method, column) < ratio(best.method, best.column)) best = {method, column};
-    }
-  }
-  return best;
-}
+
+struct DetectionTable {
+  DetectionNumbers traditional, improved;
+};
+
+/// The ranges are the same in every row of both tables.
+inline constexpr double kPublishedTraditionalRange = 4608.00e4, kPublishedImprovedRange = 2534.40e4;
+
+inline constexpr DetectionTable kPublishedTable3 = {
+    .traditional = {.range = kPublishedTraditionalRange, .seconds = {469.24, 471.35, 470.62}},
+    .improved = {.range = kPublishedImprovedRange, .seconds = {382.36, 383.41, 382.94}}};
+
+/// The same with a robot.
+inline constexpr DetectionTable kPublishedTable4 = {
+    .traditional = {.range = kPublishedTraditionalRange, .seconds = {475.36, 476.29, 475.99}},
+    .improved = {.range = kPublishedImprovedRange, .seconds = {387.96, 388.45, 388.04}}};
 
 }  // namespace octoblisk::demos

@@ -1,27 +1,18 @@
 #include "paper/robot_experiment.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <set>
-#include <span>
 #include <stdexcept>
+#include <utility>
 
-#include "octoblisk/collide.h"
-#include "octoblisk/obb.h"
-#include "octoblisk_bullet/clustered_octree_broadphase.h"
-#include "paper/box_detection.h"
-#include "paper/segmentation.h"
-#include "paper/stopwatch.h"
+#include "paper/robot_noise.h"
 #include "paper/true_touch.h"
 #include "robot/timed_path.h"
 
 namespace octoblisk::demos {
 namespace {
-
-constexpr std::uint64_t kClusterSeed = 1;  // of k-means
 
 void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   const auto require = [](bool holds, const char* message) {
@@ -41,177 +32,21 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
           "standard deviations of noise must be at least 0");
 }
 
-/// In seconds: by the clock, and of this thread's processor time.
-struct TimeTaken {
-  double clock = 0.0, processor = 0.0;
-};
-
-class TickWatch {
- public:
-  TimeTaken taken() const {
-    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - start_;
-    return {clock.count(), processor_.seconds()};
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Stopwatch processor_;
-};
-
-class Noise {
- public:
-  explicit Noise(const NoiseOptions& options) : options_(options), random_(options.seed) {
-    const Vec3 turn = options.direction * draw3();
-    tool_error_.translation = options.position * draw3();
-    if (turn.norm() > 0.0) {
-      tool_error_.rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-    }
-  }
-
-  const Pose& toolError() const { return tool_error_; }  ///< of the whole run
-
-  Joints encoderError() {
-    Joints error;
-    for (double& joint : error) joint = options_.encoder * normal_(random_);
-    return error;
-  }
-
- private:
-  Vec3 draw3() {
-    Vec3 drawn;
-    for (double& each : drawn) each = normal_(random_);
-    return drawn;
-  }
-
-  NoiseOptions options_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
-  Pose tool_error_;
-};
-
-Segmentation traditionalOf(const RobotScene& scene, const RobotRunOptions& options) {
-  Points whole;
-  for (const Points& part : scene.clouds) whole.insert(whole.end(), part.begin(), part.end());
-  return Segmentation(std::span(&whole, 1), options.leaf_capacity, CellFrame::box);
-}
-
-Segmentation improvedOf(const RobotScene& scene, const RobotRunOptions& options) {
-  std::vector<Points> clusters;
-  for (const Points& part : scene.clouds) {
-    for (Points& cluster : clustersOf(part, options.clusters, kClusterSeed)) {
-      clusters.push_back(std::move(cluster));
-    }
-  }
-  return Segmentation(clusters, options.leaf_capacity, CellFrame::box);
-}
-
-double boxVolume(const ClusteredOctree& tree) {
-  double volume = 0.0;
-  for (const Obb& box : tree.boxes(ClusteredOctreeBroadphase::kDefaultDepth)) volume += box.volume();
-  return volume;
-}
-
-/// The methods that are compared, each asked in turn at a tick and timed.
-class Methods {
- public:
-  Methods(const RobotScene& scene, const RobotRunOptions& options, RobotCell& cell)
-      : scene_(scene),
-        options_(options),
-        cell_(cell),
-        belt_(principalBox(scene.tool.front().tree->mesh().vertices())),
-        traditional_(traditionalOf(scene, options)),
-        improved_(improvedOf(scene, options)) {}
-
-  double range(RobotMethod method) const {
-    switch (method) {
-      case RobotMethod::traditional:
-        return traditional_.rootVolume();
-      case RobotMethod::improved:
-        return improved_.rootVolume();
-      default:
-        return boxVolume(*scene_.blisk);
-    }
-  }
-
-  struct Answer {
-    bool touch = false, forbidden = false;
-    std::set<std::size_t> links;  ///< of the arm
-    TimeTaken taken;
-  };
-
-  Answer ask(RobotMethod method, const Belief& belief) const {
-    switch (method) {
-      case RobotMethod::traditional:
-        return askBoxes(traditional_, belief);
-      case RobotMethod::improved:
-        return askBoxes(improved_, belief);
-      case RobotMethod::yes_or_no:
-        return askTriangles(belief);
-      case RobotMethod::exact:
-        return askBullet(belief, 0.0);
-      default:
-        return askBullet(belief, options_.margin);
-    }
-  }
-
- private:
-  Answer askBoxes(const Segmentation& boxes, const Belief& belief) const {
-    const TickWatch watch;
-    Answer answer;
-    answer.touch =
-        leavesNear(boxes, cell_.toolInBlisk(belief) * belt_, SeparatingAxes::exact15).isColliding();
-    answer.taken = watch.taken();
-    return answer;
-  }
-
-  Answer askTriangles(const Belief& belief) const {
-    const TickWatch watch;
-    Answer answer;
-    answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(belief)).has_value();
-    answer.taken = watch.taken();
-    return answer;
-  }
-
-  Answer askBullet(const Belief& belief, double reach) const {
-    const TickWatch watch;
-    const std::span<const CellContact> contacts = cell_.detect(belief, reach);
-    Answer answer;
-    answer.taken = watch.taken();
-    for (const CellContact& contact : contacts) {
-      if (contact.body < RobotCell::kLinks) {
-        answer.links.insert(contact.body);
-        continue;
-      }
-      const bool is_belt = contact.body == RobotCell::kLinks;
-      answer.touch |= is_belt;
-      answer.forbidden |=
-          !is_belt || scene_.blades.blade_of_triangle[contact.triangle] != options_.ground_blade;
-    }
-    return answer;
-  }
-
-  const RobotScene& scene_;
-  const RobotRunOptions& options_;
-  RobotCell& cell_;
-  Obb belt_;  // in the belt's frame
-  Segmentation traditional_, improved_;
-};
-
 /// Sums what each tick says of a method.
 class Tally {
  public:
   Tally(RobotMethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
-    if (tells_forbidden) result_.forbidden.emplace_back();
+    if (tells_forbidden) result_.forbidden.emplace();
   }
 
-  void add(const Methods::Answer& answer, const Touches& truth) {
+  void add(const RobotAnswer& answer, const Touches& truth) {
     const auto [clock, processor] = answer.taken;
     result_.mean_seconds += processor;  // their sum, until finished
     result_.worst_seconds = std::max(result_.worst_seconds, processor);
     result_.worst_clock_seconds = std::max(result_.worst_clock_seconds, clock);
     result_.late_ticks += clock > period_;
     result_.touch.count(answer.touch, truth.belt);
-    for (RobotAlarms& forbidden : result_.forbidden) forbidden.count(answer.forbidden, truth.forbidden);
+    if (result_.forbidden) result_.forbidden->count(answer.forbidden, truth.forbidden);
   }
 
   void finish(std::size_t ticks) { result_.mean_seconds /= static_cast<double>(ticks); }
@@ -265,6 +100,113 @@ void summarize(RobotRun& run) {
   }
 }
 
+/// A run, tick by tick.
+class RobotLoop {
+ public:
+  RobotLoop(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
+            const SixAxisArm& arm, const ServoOptions& servo)
+      : layout_(layout),
+        options_(options),
+        arm_(arm),
+        path_(scene.path, options.speed, options.turn_rate),
+        cell_(setupOf(scene, layout, arm, servo)),
+        methods_(scene, options, cell_),
+        truth_(scene, options.ground_blade, arm),
+        noise_(options.noise),
+        commanded_(layout.start) {
+    run_.options = options;
+    run_.layout = layout;
+    run_.duration = path_.duration();
+    run_.least_margin_to_limits = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < kRobotMethods; ++m) {
+      run_.methods[m].range = methods_.range(static_cast<RobotMethod>(m));
+      tallies_.emplace_back(run_.methods[m], options.control_period,
+                            m >= static_cast<std::size_t>(RobotMethod::exact));
+    }
+  }
+  RobotLoop(const RobotLoop&) = delete;
+  RobotLoop& operator=(const RobotLoop&) = delete;
+
+  RobotRun follow(const Progress& progress) {
+    const auto ticks = static_cast<std::size_t>(std::ceil(path_.duration() / options_.control_period)) + 1;
+    for (std::size_t k = 0; k < ticks; ++k) {
+      RobotTick tick;
+      tick.time = static_cast<double>(k) * options_.control_period;
+      const Pose wanted = path_.at(tick.time);
+      moveTo(wanted);
+      if (k == ticks / 2) run_.joints_half_way = cell_.joints();
+      askAll(k, sense(wanted, tick), tick);
+      run_.ticks.push_back(tick);
+      if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(ticks));
+    }
+    for (Tally& tally : tallies_) tally.finish(ticks);
+    for (const std::size_t link : links_hit_) run_.arm.links.push_back(cell_.nameOfBody(link));
+    summarize(run_);
+    return std::move(run_);
+  }
+
+ private:
+  /// Commands the arm for a tick, from where it was commanded to be; the first time puts it there.
+  void moveTo(const Pose& wanted) {
+    const Pose flange_in_base = layout_.blisk_in_base * wanted * layout_.tool_in_flange.inverse();
+    const Posture posture = inverseKinematics(arm_, flange_in_base, commanded_);
+    const bool reached = posture.reach == Reach::reached;
+    run_.unreached_ticks += !reached;
+    const Joints next = reached ? posture.joints : commanded_;
+    if (run_.ticks.empty()) {
+      cell_.place(next);
+    } else {
+      cell_.drive(commanded_, next, options_.control_period, options_.steps_a_tick, encoder_error_);
+    }
+    commanded_ = next;
+  }
+
+  /// Measures where the tool is, and notes how far off the arm and the measurement are.
+  Belief sense(const Pose& wanted, RobotTick& tick) {
+    const Joints joints = cell_.joints();
+    const Pose tool_in_blisk = cell_.toolInBlisk();
+    encoder_error_ = noise_.encoderError();
+    const Belief belief{joints + encoder_error_, noise_.toolError()};
+    tick.position_error = (tool_in_blisk.translation - wanted.translation).norm();
+    tick.direction_error = angleBetween(tool_in_blisk.rotation, wanted.rotation);
+    tick.sensing_error = (cell_.toolInBlisk(belief).translation - tool_in_blisk.translation).norm();
+    run_.least_margin_to_limits = std::min(
+        {run_.least_margin_to_limits, (joints - arm_.least).minCoeff(), (arm_.greatest - joints).minCoeff()});
+    return belief;
+  }
+
+  void askAll(std::size_t k, const Belief& belief, RobotTick& tick) {
+    const Touches touches = truth_.of(cell_.toolInBlisk());
+    tick.touch = touches.belt;
+    tick.forbidden = touches.forbidden;
+    run_.arm.true_ticks += truth_.ofArm(linksInBlisk(cell_));
+    for (std::size_t turn = 0; turn < kRobotMethods; ++turn) {
+      const std::size_t m = (k + turn) % kRobotMethods;  // the first finds the caches cold: each in turn
+      const auto method = static_cast<RobotMethod>(m);
+      const RobotAnswer answer = methods_.ask(method, belief);
+      tallies_[m].add(answer, touches);
+      tick.seconds[m] = static_cast<float>(answer.taken.processor);
+      tick.alarm[m] = answer.touch;
+      if (method != RobotMethod::exact) continue;
+      run_.arm.ticks += !answer.links.empty();
+      links_hit_.insert(answer.links.begin(), answer.links.end());
+    }
+  }
+
+  const CellLayout& layout_;
+  const RobotRunOptions& options_;
+  const SixAxisArm& arm_;
+  const TimedPath path_;
+  RobotCell cell_;
+  const RobotMethods methods_;
+  TrueTouch truth_;
+  RobotNoise noise_;
+  Joints commanded_, encoder_error_ = Joints::Zero();
+  RobotRun run_;
+  std::vector<Tally> tallies_;
+  std::set<std::size_t> links_hit_;
+};
+
 }  // namespace
 
 void RobotAlarms::count(bool alarm, bool truth) {
@@ -276,76 +218,7 @@ void RobotAlarms::count(bool alarm, bool truth) {
 RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
                   const SixAxisArm& arm, const ServoOptions& servo, const Progress& progress) {
   requireUsable(scene, options);
-  const TimedPath path(scene.path, options.speed, options.turn_rate);
-  RobotCell cell(setupOf(scene, layout, arm, servo));
-  const Methods methods(scene, options, cell);
-  TrueTouch truth(scene, options.ground_blade, arm);
-  Noise noise(options.noise);
-
-  RobotRun run;
-  run.options = options;
-  run.layout = layout;
-  run.duration = path.duration();
-  run.least_margin_to_limits = std::numeric_limits<double>::infinity();
-  std::vector<Tally> tallies;
-  for (std::size_t m = 0; m < kRobotMethods; ++m) {
-    run.methods[m].range = methods.range(static_cast<RobotMethod>(m));
-    tallies.emplace_back(run.methods[m], options.control_period,
-                         m >= static_cast<std::size_t>(RobotMethod::exact));
-  }
-  std::set<std::size_t> links_hit;
-
-  const Pose flange_in_tool = layout.tool_in_flange.inverse();
-  const auto tick_count = static_cast<std::size_t>(std::ceil(path.duration() / options.control_period)) + 1;
-  Joints commanded = layout.start;
-  Joints encoder_error = Joints::Zero();
-  for (std::size_t k = 0; k < tick_count; ++k) {
-    RobotTick tick;
-    tick.time = static_cast<double>(k) * options.control_period;
-    const Pose wanted = path.at(tick.time);
-    const Posture posture = inverseKinematics(arm, layout.blisk_in_base * wanted * flange_in_tool, commanded);
-    const Joints next = posture.reach == Reach::reached ? posture.joints : commanded;
-    run.unreached_ticks += posture.reach != Reach::reached;
-    if (k == 0) {
-      cell.place(next);
-    } else {
-      cell.drive(commanded, next, options.control_period, options.steps_a_tick, encoder_error);
-    }
-    commanded = next;
-
-    const Joints joints = cell.joints();
-    if (k == tick_count / 2) run.joints_half_way = joints;
-    const Pose tool_in_blisk = cell.toolInBlisk();
-    encoder_error = noise.encoderError();
-    const Belief belief{joints + encoder_error, noise.toolError()};
-    tick.position_error = (tool_in_blisk.translation - wanted.translation).norm();
-    tick.direction_error = angleBetween(tool_in_blisk.rotation, wanted.rotation);
-    tick.sensing_error = (cell.toolInBlisk(belief).translation - tool_in_blisk.translation).norm();
-    run.least_margin_to_limits = std::min(
-        {run.least_margin_to_limits, (joints - arm.least).minCoeff(), (arm.greatest - joints).minCoeff()});
-
-    const Touches touches = truth.of(tool_in_blisk);
-    tick.touch = touches.belt;
-    tick.forbidden = touches.forbidden;
-    run.arm.true_ticks += truth.ofArm(linksInBlisk(cell));
-    for (std::size_t turn = 0; turn < kRobotMethods; ++turn) {
-      const std::size_t m = (k + turn) % kRobotMethods;  // the first finds the caches cold: each in turn
-      const auto method = static_cast<RobotMethod>(m);
-      const Methods::Answer answer = methods.ask(method, belief);
-      tallies[m].add(answer, touches);
-      tick.seconds[m] = static_cast<float>(answer.taken.processor);
-      tick.alarm[m] = answer.touch;
-      if (method != RobotMethod::exact) continue;
-      run.arm.ticks += !answer.links.empty();
-      links_hit.insert(answer.links.begin(), answer.links.end());
-    }
-    run.ticks.push_back(tick);
-    if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(tick_count));
-  }
-  for (Tally& tally : tallies) tally.finish(tick_count);
-  for (const std::size_t link : links_hit) run.arm.links.push_back(cell.nameOfBody(link));
-  summarize(run);
-  return run;
+  return RobotLoop(scene, layout, options, arm, servo).follow(progress);
 }
 
 }  // namespace octoblisk::demos

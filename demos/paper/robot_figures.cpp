@@ -11,14 +11,14 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostPoints = 250;  // of a line: more would blur
+constexpr std::size_t kMostStretches = 250;  // of a line: more would blur
 
 using ValueOf = std::function<double(const RobotTick&)>;
 
 /// The greatest value of each of a few hundred stretches of time.
 Series greatest(const RobotRun& run, const std::string& name, const ValueOf& value) {
   Series series{.name = name, .x = {}, .y = {}, .style = SeriesStyle::kLine};
-  const std::size_t stretch = run.ticks.size() / kMostPoints + 1;
+  const std::size_t stretch = run.ticks.size() / kMostStretches + 1;
   for (std::size_t begin = 0; begin < run.ticks.size(); begin += stretch) {
     const std::size_t end = std::min(begin + stretch, run.ticks.size());
     double most = value(run.ticks[begin]);
@@ -98,7 +98,7 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   writeSvg(timePlot(run), folder / "table4_times.svg");
   writePng(cellPicture(report, scene), (folder / "table4_cell.png").string());
   const std::string stretches = " of the first run: the greatest of each of at most " +
-                                std::to_string(kMostPoints) + " stretches of time.";
+                                std::to_string(kMostStretches) + " stretches of time.";
   return {{"table4_errors.svg",
            "The wheel's centre from where it is to be (tracking) and measured from where it is (sensing)," +
                stretches},

@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "paper/robot_section.h"
+#include "paper/robot_report.h"
+#include "report/document.h"
 
 namespace octoblisk::demos {
 

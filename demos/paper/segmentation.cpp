@@ -1,5 +1,8 @@
 #include "paper/segmentation.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "octoblisk/k_means.h"
 #include "octoblisk/obb.h"
 
@@ -14,6 +17,21 @@ std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_
   }
   std::erase_if(clusters, [](const Points& cluster) { return cluster.empty(); });
   return clusters;
+}
+
+std::vector<Points> clustersOfParts(std::span<const Points> parts, std::size_t k, std::uint64_t seed) {
+  std::vector<Points> all;
+  for (const Points& part : parts) {
+    for (Points& cluster : clustersOf(part, std::min(k, part.size()), seed))
+      all.push_back(std::move(cluster));
+  }
+  return all;
+}
+
+Points joined(std::span<const Points> parts) {
+  Points whole;
+  for (const Points& part : parts) whole.insert(whole.end(), part.begin(), part.end());
+  return whole;
 }
 
 Segmentation::Segmentation(std::span<const Points> clusters, std::size_t fnop, CellFrame frame) {

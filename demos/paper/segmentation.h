@@ -22,6 +22,13 @@ enum class CellFrame {
 /// Throws std::invalid_argument where k is above the number of points.
 std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed);
 
+/// The same of each of several clouds, all together; of a cloud with fewer points than k, as many clusters as
+/// it has points.
+std::vector<Points> clustersOfParts(std::span<const Points> parts, std::size_t k, std::uint64_t seed);
+
+/// All points of several clouds.
+Points joined(std::span<const Points> parts);
+
 class Segmentation {
  public:
   /// An octree over each cluster. Throws std::invalid_argument for no points, or an FNOP of 0.

@@ -86,23 +86,6 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
   return result;
 }
 
-std::size_t kOfLeastNodes(const SplitResult& result, std::size_t column) {
-  std::size_t best = 1;
-  for (std::size_t method = 2; method < kMethods; ++method) {
-    if (result.cubes[method][column].nodes < result.cubes[best][column].nodes) best = method;
-  }
-  return clustersOfMethod(best);
-}
-
-std::size_t kOfLeastLeafVolume(const SplitResult& result, std::size_t column) {
-  std::size_t best = 1;
-  for (std::size_t method = 2; method < kMethods; ++method) {
-    if (result.principal[method][column].leaf_volume < result.principal[best][column].leaf_volume)
-      best = method;
-  }
-  return clustersOfMethod(best);
-}
-
 std::array<double, kMethods - 1> nodeRatios(const Points& cloud, std::uint64_t seed) {
   std::array<double, kFnops> traditional{};
   std::array<double, kMethods - 1> ratios{};

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "paper/belt_poses.h"
+#include "paper/method_table.h"
 #include "paper/progress.h"
-#include "paper/published.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
@@ -33,10 +33,17 @@ struct SplitResult {
   std::size_t touching = 0, clear = 0;        ///< poses
 };
 
-/// k_opt at an FNOP by two criteria (step 5; erratum 5): the fewest nodes of cubes along the axes, and the
-/// least volume of leaf cells in principal frames. The least k of equals.
-std::size_t kOfLeastNodes(const SplitResult& result, std::size_t column);
-std::size_t kOfLeastLeafVolume(const SplitResult& result, std::size_t column);
+/// One number of every cell.
+template <typename Number>
+MethodTable<Number> numbersOf(const MethodTable<SplitCell>& cells, Number SplitCell::*number) {
+  MethodTable<Number> table{};
+  for (std::size_t method = 0; method < kMethods; ++method) {
+    for (std::size_t column = 0; column < kFnops; ++column) {
+      table[method][column] = cells[method][column].*number;
+    }
+  }
+  return table;
+}
 
 /// Divides the cloud of at least 8 points. The belt's box is its one box along its principal axes, in the
 /// belt's frame; the poses' verdicts are on the cloud's mesh. All but the times is the same bits for the same

@@ -8,13 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "paper/uniform.h"
+
 namespace octoblisk::demos {
 namespace {
 
 constexpr std::size_t kCandidatesPerPoint = 10;
-
-/// In [0, 1), the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 /// Uniform over a triangle (R. Osada et al., Shape distributions, 2002, eq. 1).
 Vec3 pointIn(const Triangle& t, std::mt19937_64& random) {

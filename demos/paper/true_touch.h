@@ -1,10 +1,13 @@
 // What truly touches: exact queries on the triangles at a pose, with no world and no broadphase.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "octoblisk/contact.h"
 #include "octoblisk/convex.h"
-#include "paper/robot_experiment.h"
+#include "paper/robot_scene.h"
+#include "robot/six_axis_arm.h"
 
 namespace octoblisk::demos {
 

@@ -10,6 +10,8 @@
 #include <string_view>
 
 #include "models/input_file.h"
+#include "report/markup_text.h"
+#include "report/text_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -21,13 +23,6 @@ void requireRectangular(const Table& table) {
                                 std::to_string(table.rows[row].size()) + " cells for " +
                                 std::to_string(table.columns.size()) + " columns");
   }
-}
-
-void write(const std::filesystem::path& file, std::string_view text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 /// Whether all cells of a column begin like numbers: these are set to the right, words to the left.
@@ -110,31 +105,8 @@ std::string percentEncoded(const std::string& file) {
   return encoded;
 }
 
-std::string htmlText(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string element(const std::string& tag, const std::string& text) {
-  return '<' + tag + '>' + htmlText(text) + "</" + tag + ">";
+  return '<' + tag + '>' + markupText(text) + "</" + tag + ">";
 }
 
 std::string base64(std::string_view bytes) {
@@ -155,19 +127,21 @@ std::string base64(std::string_view bytes) {
 
 std::string htmlTable(const Table& table) {
   requireRectangular(table);
-  std::string text = "<div class=\"wide\"><table>\n" + element("caption", table.caption) + "\n<thead><tr>";
+  // The caption is not the table's own: it would be as narrow, or scroll away.
+  std::string text = "<figure class=\"table\">" + element("figcaption", table.caption) +
+                     "<div class=\"wide\"><table>\n<thead><tr>";
   std::vector<std::string> cell_start;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     cell_start.push_back(isNumeric(table, i) ? " class=\"n\">" : ">");
-    text += "<th" + cell_start.back() + htmlText(table.columns[i]) + "</th>";
+    text += "<th" + cell_start.back() + markupText(table.columns[i]) + "</th>";
   }
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) text += "<td" + cell_start[i] + htmlText(row[i]) + "</td>";
+    for (std::size_t i = 0; i < row.size(); ++i) text += "<td" + cell_start[i] + markupText(row[i]) + "</td>";
     text += "</tr>\n";
   }
-  return text + "</tbody></table></div>\n";
+  return text + "</tbody></table></div></figure>\n";
 }
 
 std::string htmlFigure(const Figure& figure, const std::filesystem::path& folder) {
@@ -176,18 +150,40 @@ std::string htmlFigure(const Figure& figure, const std::filesystem::path& folder
   if (kind.empty()) throw std::runtime_error(file.string() + ": a figure must be .svg or .png");
   std::ifstream stream = openForReading(file);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return "<figure><img alt=\"" + htmlText(figure.caption) + "\" src=\"data:image/" + kind + ";base64," +
+  return "<figure><img alt=\"" + markupText(figure.caption) + "\" src=\"data:image/" + kind + ";base64," +
          base64(bytes) + "\">" + element("figcaption", figure.caption) + "</figure>\n";
 }
 
+/// Wide tables scroll under their first column; figures stand side by side where there is room.
 constexpr std::string_view kStyle =
     "body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#21262e}"
-    ".wide{overflow-x:auto}table{border-collapse:collapse;margin:1rem 0;font-size:.85rem}"
-    "caption{text-align:left;font-weight:bold;padding:.3rem 0}"
+    "nav a{margin-right:1.2rem}figure{margin:1rem 0}figcaption{color:#5c6675}"
+    ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
+    ".table figcaption{font-weight:bold;color:inherit;font-size:.9rem;padding:.3rem 0}"
     "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:left;vertical-align:top}"
-    "th{background:#eef1f4}td.n,th.n{text-align:right}"
-    ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(24rem,1fr));gap:1rem}"
-    "figure{margin:.5rem 0}img{max-width:100%}figcaption{color:#5c6675}";
+    "th{background:#eef1f4}td{background:#fff}td.n,th.n{text-align:right}td.n{white-space:nowrap}"
+    "th:first-child:not(.n),td:first-child:not(.n){position:sticky;left:0;min-width:6rem;max-width:45vw}"
+    ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(24rem,100%),1fr));gap:0 1rem}"
+    "img{max-width:100%}";
+
+/// Links to the sections.
+std::string htmlContents(const std::vector<Section>& sections) {
+  std::string text = "<nav>";
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    text += "<a href=\"#s" + std::to_string(i + 1) + "\">" + markupText(sections[i].title) + "</a>\n";
+  }
+  return text + "</nav>\n";
+}
+
+std::string htmlSection(const Section& section, std::size_t number, const std::filesystem::path& folder) {
+  std::string text = "<h2 id=\"s" + std::to_string(number) + "\">" + markupText(section.title) + "</h2>\n";
+  for (const std::string& paragraph : section.paragraphs) text += element("p", paragraph) + "\n";
+  for (const Table& table : section.tables) text += htmlTable(table);
+  if (section.figures.empty()) return text;
+  text += "<div class=\"figures\">\n";
+  for (const Figure& figure : section.figures) text += htmlFigure(figure, folder);
+  return text + "</div>\n";
+}
 
 }  // namespace
 
@@ -195,7 +191,7 @@ void writeCsv(const Table& table, const std::filesystem::path& folder) {
   requireRectangular(table);
   std::string text = csvLine(table.columns);
   for (const auto& row : table.rows) text += csvLine(row);
-  write(folder / (table.name + ".csv"), text);
+  writeText(folder / (table.name + ".csv"), text);
 }
 
 std::string markdownOf(const Document& document) {
@@ -214,17 +210,15 @@ std::string markdownOf(const Document& document) {
 }
 
 std::string htmlOf(const Document& document, const std::filesystem::path& folder) {
-  std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">" +
-                     element("title", document.title) + "<style>" + std::string(kStyle) +
-                     "</style></head>\n<body>\n" + element("h1", document.title) + "\n";
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width\">" +
+      element("title", document.title) + "<style>" + std::string(kStyle) + "</style></head>\n<body>\n" +
+      element("h1", document.title) + "\n";
   for (const std::string& paragraph : document.paragraphs) text += element("p", paragraph) + "\n";
-  for (const Section& section : document.sections) {
-    text += element("h2", section.title) + "\n";
-    for (const std::string& paragraph : section.paragraphs) text += element("p", paragraph) + "\n";
-    for (const Table& table : section.tables) text += htmlTable(table);
-    text += "<div class=\"figures\">\n";
-    for (const Figure& figure : section.figures) text += htmlFigure(figure, folder);
-    text += "</div>\n";
+  text += htmlContents(document.sections);
+  for (std::size_t i = 0; i < document.sections.size(); ++i) {
+    text += htmlSection(document.sections[i], i + 1, folder);
   }
   return text + "</body>\n</html>\n";
 }
@@ -233,8 +227,8 @@ void writeReport(const Document& document, const std::filesystem::path& folder) 
   for (const Section& section : document.sections) {
     for (const Table& table : section.tables) writeCsv(table, folder);
   }
-  write(folder / "report.md", markdownOf(document));
-  write(folder / "report.html", htmlOf(document, folder));
+  writeText(folder / "report.md", markdownOf(document));
+  writeText(folder / "report.html", htmlOf(document, folder));
 }
 
 }  // namespace octoblisk::demos

@@ -136,7 +136,7 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file) {
   std::ostringstream script;
   script.precision(10);
   script << "set encoding utf8\n"
-         << "set terminal svg size 900,600 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
+         << "set terminal svg size 720,480 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
          << "set output " << quoted(file.string()) << '\n'
          << "set title " << quoted(plot.title) << '\n'
          << "set xlabel " << quoted(plot.x_label) << '\n'

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "octoblisk/triangle_bounds.h"
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/triangles_along.h"
 #include "octoblisk_bullet/convert.h"
 

@@ -42,11 +42,20 @@ void expectEqual(const std::vector<Contact>& found, const std::vector<Contact>& 
   }
 }
 
+/// The contacts found with what is kept, after they are compared with those found without.
+std::vector<Contact> checkedContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& pose,
+                                     double reach, NearTriangles& near) {
+  std::vector<Contact> found, expected;
+  contacts(tree, convex, pose, reach, near, found);
+  contacts(tree, convex, pose, reach, expected);
+  expectEqual(found, expected);
+  return found;
+}
+
 TEST(NearTriangles, changeNoContactOnAWay) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(2, 0.7, 64, 32));
   std::mt19937_64 random(131);
   NearTriangles near;
-  std::vector<Contact> found, expected;
   std::size_t hits = 0;
   constexpr std::size_t kWays = 40, kSteps = 50;
   for (std::size_t way = 0; way < kWays; ++way) {
@@ -56,10 +65,7 @@ TEST(NearTriangles, changeNoContactOnAWay) {
     for (std::size_t i = 0; i < kSteps; ++i) {
       pose = steppedFrom(pose, random, step);
       const double reach = i % 7 == 0 ? 0.1 : 0.01;
-      contacts(tree, hull, pose, reach, near, found);
-      contacts(tree, hull, pose, reach, expected);
-      expectEqual(found, expected);
-      hits += !found.empty();
+      hits += !checkedContacts(tree, hull, pose, reach, near).empty();
     }
   }
   EXPECT_GT(hits, kWays * kSteps * 3 / 10);
@@ -91,14 +97,10 @@ TEST(NearTriangles, followAnotherTree) {
   std::mt19937_64 random(133);
   const ConvexHull hull = randomHull(random, 12);
   NearTriangles near;
-  std::vector<Contact> found, expected;
   Pose pose;
   pose.translation = Vec3(2.0, 0.0, 0.7);
   for (const ClusteredOctree* one : {&tree, &tree, &other, &other, &tree}) {
-    contacts(*one, hull, pose, 0.1, near, found);
-    contacts(*one, hull, pose, 0.1, expected);
-    expectEqual(found, expected);
-    ASSERT_FALSE(found.empty());
+    ASSERT_FALSE(checkedContacts(*one, hull, pose, 0.1, near).empty());
   }
 }
 
@@ -107,15 +109,13 @@ TEST(NearTriangles, followARadiusThatGrows) {
   std::mt19937_64 random(135);
   const ConvexHull hull = randomHull(random, 12);
   NearTriangles near;
-  std::vector<Contact> found, expected;
   std::size_t before = 0;
   for (const double radius : {0.0, 0.0, 0.3, 0.5}) {
     const ConvexHull grown({hull.points().begin(), hull.points().end()}, radius);
-    contacts(tree, grown, {Mat3::Identity(), Vec3(2.0, 0.0, 0.7)}, 0.01, near, found);
-    contacts(tree, grown, {Mat3::Identity(), Vec3(2.0, 0.0, 0.7)}, 0.01, expected);
-    expectEqual(found, expected);
-    EXPECT_GE(found.size(), before);
-    before = found.size();
+    const std::size_t count =
+        checkedContacts(tree, grown, {Mat3::Identity(), Vec3(2.0, 0.0, 0.7)}, 0.01, near).size();
+    EXPECT_GE(count, before);
+    before = count;
   }
   EXPECT_GT(before, 10u);
 }
@@ -128,16 +128,12 @@ TEST(NearTriangles, forgetTrianglesThatHaveMoved) {
   std::mt19937_64 random(134);
   const ConvexHull hull = randomHull(random, 12);
   NearTriangles near;
-  std::vector<Contact> found, expected;
   Pose pose;
   pose.translation = Vec3(2.0, 0.0, 0.7);
-  for (int i = 0; i < 2; ++i) contacts(tree, hull, pose, 0.01, near, found);
+  for (int i = 0; i < 2; ++i) checkedContacts(tree, hull, pose, 0.01, near);
   tree = std::move(tree).refitted(std::make_shared<const TriangleMesh>(raised, mesh->triangles()));
   near.forget();
-  contacts(tree, hull, pose, 0.01, near, found);
-  contacts(tree, hull, pose, 0.01, expected);
-  expectEqual(found, expected);
-  EXPECT_FALSE(found.empty());
+  EXPECT_FALSE(checkedContacts(tree, hull, pose, 0.01, near).empty());
 }
 
 TEST(NearTriangles, noneOfAPoseThatIsNone) {

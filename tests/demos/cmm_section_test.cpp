@@ -21,7 +21,7 @@ TEST(CmmSectionOfReport, showsTheExperimentBesideThePaper) {
   options.strip.sections = 3;
   const CmmExperiment experiment = runCmmExperiment(blisk.mesh, blades, options);
   const ScratchFolder folder;
-  const Section section = cmmSection(blisk.mesh, blades, folder.path(), options);
+  const Section section = cmmSection(blisk.mesh, blades, runCmm(blisk.mesh, blades, options), folder.path());
 
   const Table& errors = section.tables.at(0);
   ASSERT_EQ(errors.rows.size(), 8u);

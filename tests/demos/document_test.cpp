@@ -10,6 +10,7 @@
 
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
+#include "report/flow_chart.h"
 #include "report/plot.h"
 
 namespace octoblisk::demos {
@@ -56,6 +57,16 @@ TEST(Document, htmlHoldsItsFiguresAndEscapesItsText) {
   EXPECT_THAT(page, Not(HasSubstr("<b>")));
 }
 
+TEST(Document, htmlLinksToItsSections) {
+  const ScratchFolder folder;
+  const std::string page =
+      htmlOf({.title = "T", .sections = {{"first & best", {}}, {"second", {}, {kAwkward}}}}, folder.path());
+  EXPECT_THAT(page, HasSubstr("<a href=\"#s1\">first &amp; best</a>"));
+  EXPECT_THAT(page, HasSubstr("<h2 id=\"s1\">first &amp; best</h2>"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"#s2\">second</a>"));
+  EXPECT_THAT(page, HasSubstr("<figcaption>a|b</figcaption>"));
+}
+
 TEST(Document, refusesARaggedTableAndAFigureThatIsNotThere) {
   const ScratchFolder folder;
   const Table ragged{.name = "ragged", .caption = "", .columns = {"a", "b"}, .rows = {{"1", "2"}, {"1"}}};
@@ -64,6 +75,27 @@ TEST(Document, refusesARaggedTableAndAFigureThatIsNotThere) {
   const Document document{.title = "", .sections = {{"S", {}, {}, {{"none.png", ""}}}}};
   EXPECT_THAT(messageOf<std::runtime_error>([&] { writeReport(document, folder.path()); }),
               HasSubstr("none.png: "));
+}
+
+TEST(FlowChart, drawsBoxesAndArrowsWithTheirWords) {
+  const FlowChart chart{.boxes = {{0.0, 0, "a < b?", FlowShape::kQuestion}, {0.5, 1, "so it is"}},
+                        .arrows = {{0, 1, "yes"}}};
+  const std::string svg = svgOf(chart);
+  EXPECT_THAT(svg, HasSubstr(">a &lt; b?</text>"));
+  EXPECT_THAT(svg, HasSubstr(">so it is</text>"));
+  EXPECT_THAT(svg, HasSubstr(">yes</text>"));
+  // 300 × 74 pixels and 40 between; the arrow from the middle of one's lower edge to that of the other's
+  // upper.
+  EXPECT_THAT(svg, HasSubstr("width=\"510\" height=\"228\""));
+  EXPECT_THAT(svg, HasSubstr("M170 94 V114 H340 V134"));
+}
+
+TEST(FlowChart, refusesWhatItCannotDraw) {
+  EXPECT_THROW(svgOf({}), std::invalid_argument);
+  EXPECT_THROW(svgOf({.boxes = {{-1.0, 0, "left"}}, .arrows = {}}), std::invalid_argument);
+  const std::vector<FlowBox> boxes = {{0.0, 0, "upper"}, {0.0, 1, "lower"}};
+  EXPECT_THROW(svgOf({.boxes = boxes, .arrows = {{0, 2}}}), std::invalid_argument);
+  EXPECT_THROW(svgOf({.boxes = boxes, .arrows = {{1, 0}}}), std::invalid_argument);
 }
 
 TEST(Plot, drawsEverySeriesWithItsWords) {

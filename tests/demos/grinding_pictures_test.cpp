@@ -7,16 +7,12 @@
 #include <algorithm>
 
 #include "demos/block.h"
+#include "models/shared_tree.h"
 
 namespace octoblisk::demos {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::shared_ptr<const ClusteredOctree> treeOf(const TriangleMesh& mesh) {
-  return std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
-}
 
 /// An arm beside a block, all of which is blade 2; the arm touches it, or is 40 mm away.
 GrindingRun runWith(bool touches) {

@@ -8,16 +8,12 @@
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/embedded_assets.h"
+#include "models/shared_tree.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {
 namespace {
-
-std::shared_ptr<const ClusteredOctree> treeOf(const TriangleMesh& mesh) {
-  return std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
-}
 
 void expectSame(const TriangleMesh& found, const TriangleMesh& expected) {
   ASSERT_EQ(found.triangleCount(), expected.triangleCount());

@@ -53,9 +53,10 @@ TEST_F(PaperCommand, allOfABladeAloneLeavesTable3OutAndSaysSo) {
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
   EXPECT_THAT(page, HasSubstr("data:image/svg+xml;base64,"));
   EXPECT_THAT(page, HasSubstr("Table 2: split time"));
+  EXPECT_EQ(std::ranges::count(content("out/claims.csv"), '\n'), 1 + 4) << "two of Table 1, two of Table 2";
   EXPECT_THAT(page, Not(HasSubstr("Table 3: detection")));
   for (const std::string file :
-       {"fig2.png", "fig4a.png", "fig5b.png", "fig8g.png", "fig9.svg", "fig10.svg"}) {
+       {"fig2.png", "fig4a.png", "fig5b.png", "fig7.svg", "fig8g.png", "fig9.svg", "fig10.svg"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
   }
 }
@@ -70,6 +71,20 @@ TEST_F(PaperCommand, table3OfTheBuiltInBlisk) {
   EXPECT_THAT(content("out/report.md"),
               HasSubstr("The exact rows differ from the triangles' verdict at 0 poses."));
   EXPECT_THAT(content("out/blisk_ranges.csv"), HasSubstr("\"parts, then k = 2 each\",50,"));
+}
+
+TEST_F(PaperCommand, whatFailsLeavesNoFolder) {
+  // Without area there is nothing to take points from, which shows only after the folder was made.
+  folder_.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  std::filesystem::create_directory(folder_.path() / "kept");
+  for (const std::string out : {"new", "kept"}) {
+    const Outcome outcome = run("table1 --blade flat.obj --points 100 --out " + out);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: flat.obj: "));
+    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "new"));
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "kept"));
 }
 
 TEST_F(PaperCommand, badInputIsToldInOneLine) {

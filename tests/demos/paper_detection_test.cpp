@@ -171,8 +171,8 @@ struct SmallDetection {
   ClusteredOctree blisk = fanTree(), belt = ringTree();
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
   std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.6, 2);
-  DetectionResult result = runDetectionExperiment(blisk, belt, parts, poses, poses,
-                                                  {.fnop = 2, .clusters = 2, .runs = 1}, kSilent);
+  DetectionResult result =
+      runDetectionExperiment(blisk, belt, parts, poses, poses, {.fnop = 2, .clusters = 2}, kSilent);
 };
 
 TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
@@ -191,7 +191,7 @@ TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
     EXPECT_EQ(row.ground.touching, touching) << row.method;
     EXPECT_EQ(row.ground.clear, small.poses.size() - touching);
     EXPECT_EQ(row.ground.false_positives, row.lifted.false_positives) << "the same poses";
-    EXPECT_EQ(row.run_seconds.size(), 1u);
+    for (const double seconds : row.run_seconds) EXPECT_GT(seconds, 0.0) << row.method;
     if (!row.is_exact) continue;
     EXPECT_EQ(row.ground.false_positives + row.ground.false_negatives, 0u) << row.method;
   }

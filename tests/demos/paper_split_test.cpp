@@ -140,16 +140,16 @@ TEST(SplitExperiment, alarms_vs_everyLeafCell) {
 
 TEST(SplitExperiment, kOptIsThatOfTheCore) {
   const SmallSplit small;
+  const auto nodes = numbersOf(small.result.cubes, &SplitCell::nodes);
+  const auto volumes = numbersOf(small.result.principal, &SplitCell::leaf_volume);
   for (const std::size_t column : {1u, 4u, 9u}) {
     const KOpt expected =
         optimalK(small.cloud,
                  {.criterion = KCriterion::least_leaf_volume, .leaf_capacity = fnopOf(column), .seed = 5});
-    EXPECT_EQ(kOfLeastLeafVolume(small.result, column), expected.k);
+    EXPECT_EQ(kOfLeast(volumes, column), expected.k);
     for (std::size_t k = 2; k <= 8; ++k) {
-      EXPECT_NEAR(small.result.principal[methodOfClusters(k)][column].leaf_volume, expected.cost[k - 2],
-                  1e-9 * expected.cost[k - 2]);
-      EXPECT_LE(small.result.cubes[methodOfClusters(kOfLeastNodes(small.result, column))][column].nodes,
-                small.result.cubes[methodOfClusters(k)][column].nodes);
+      EXPECT_NEAR(volumes[methodOfClusters(k)][column], expected.cost[k - 2], 1e-9 * expected.cost[k - 2]);
+      EXPECT_LE(nodes[methodOfClusters(kOfLeast(nodes, column))][column], nodes[methodOfClusters(k)][column]);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "demos/block.h"
+#include "models/shared_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/distance.h"
@@ -14,11 +15,6 @@
 
 namespace octoblisk::demos {
 namespace {
-
-std::shared_ptr<const ClusteredOctree> treeOf(const TriangleMesh& mesh) {
-  return std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh)));
-}
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "models/shared_tree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "robot/arm_bodies.h"
@@ -15,10 +16,6 @@
 
 namespace octoblisk::demos {
 namespace {
-
-std::shared_ptr<const ClusteredOctree> treeOf(testing::SharedMesh mesh) {
-  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(std::move(mesh)));
-}
 
 constexpr double kToolLength = 300.0;
 

@@ -1,4 +1,4 @@
-#include "paper/published.h"
+#include "paper/method_table.h"
 
 #include <algorithm>
 

@@ -1,0 +1,10 @@
+// Figure 7: the flow chart of the paper's algorithm, as it is run here.
+#pragma once
+
+#include "report/flow_chart.h"
+
+namespace octoblisk::demos {
+
+FlowChart algorithmChart();
+
+}  // namespace octoblisk::demos

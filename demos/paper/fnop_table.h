@@ -1,0 +1,43 @@
+// Tables of a report with a column for each FNOP.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "paper/method_table.h"
+#include "paper/number_text.h"
+#include "report/document.h"
+
+namespace octoblisk::demos {
+
+/// No rows yet.
+Table fnopTable(std::string name, std::string caption);
+
+/// A row of that name.
+void addRow(Table& table, const std::string& name,
+            const std::function<std::string(std::size_t column)>& text);
+
+/// A row for each method, named after it.
+Table oneRowAMethod(std::string name, std::string caption,
+                    const std::function<std::string(std::size_t method, std::size_t column)>& text);
+
+/// "-3.2 %": the mean over the improved cells of their change against the traditional cells, of the same
+/// FNOP, of a table that may be another.
+template <typename Number>
+std::string meanChangeText(const MethodTable<Number>& improved, const MethodTable<Number>& traditional) {
+  double ratio = 0.0;
+  for (std::size_t m = 1; m < kMethods; ++m) {
+    for (std::size_t c = 0; c < kFnops; ++c) {
+      ratio += static_cast<double>(improved[m][c]) / static_cast<double>(traditional[0][c]);
+    }
+  }
+  return changeText(1.0, ratio / kImprovedCells);
+}
+
+/// "48 of 70 cells": those whose number is below the traditional method's.
+template <typename Number>
+std::string cellsBelowText(const MethodTable<Number>& table) {
+  return std::to_string(cellsBelowTraditional(table)) + " of " + std::to_string(kImprovedCells) + " cells";
+}
+
+}  // namespace octoblisk::demos

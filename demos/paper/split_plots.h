@@ -1,0 +1,14 @@
+// Figures 9 and 10: the numbers of Tables 1 and 2, drawn.
+#pragma once
+
+#include <filesystem>
+
+#include "paper/split_run.h"
+#include "report/document.h"
+
+namespace octoblisk::demos {
+
+/// Drawn into the folder: here, and in the paper. Throws as writeSvg.
+Section splitPlotsSection(const SplitRun& run, const std::filesystem::path& folder);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,39 @@
+// Flow charts as SVG files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace octoblisk::demos {
+
+enum class FlowShape { kStep, kQuestion };
+
+/// A box on a grid of columns, from the left, and rows, from the top; between two columns at k + ½.
+struct FlowBox {
+  double column = 0.0;
+  int row = 0;
+  std::string text;  ///< plain UTF-8; broken into lines
+  FlowShape shape = FlowShape::kStep;
+};
+
+/// From a box down to one of a row below.
+struct FlowArrow {
+  std::size_t from = 0, to = 0;  ///< indices of boxes
+  std::string label{};           ///< "yes"
+};
+
+struct FlowChart {
+  std::vector<FlowBox> boxes;
+  std::vector<FlowArrow> arrows;
+};
+
+/// Throws std::invalid_argument for no boxes, a box left of column 0 or above row 0, and an arrow without a
+/// box at either end or that does not go down.
+std::string svgOf(const FlowChart& chart);
+
+/// Throws as svgOf, and std::runtime_error naming a file that cannot be written.
+void writeSvg(const FlowChart& chart, const std::filesystem::path& file);
+
+}  // namespace octoblisk::demos
