@@ -32,7 +32,11 @@ if(OCTOBLISK_BUILD_PLUGIN)
   octoblisk_install(octoblisk-bullet-float64 "An exact, movable concave collision shape for Bullet in double precision"
     "octoblisk-core bullet-float64" "")
 endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
+  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/liboctoblisk-dev RENAME copyright COMPONENT development)
 if(OCTOBLISK_BUILD_DEMOS)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
+    DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/octoblisk RENAME copyright COMPONENT command)
   install(TARGETS octoblisk RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 endif()
 
