@@ -3,18 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "octoblisk/turn.h"
+
 namespace octoblisk {
 namespace {
 
 /// The part of the radius by which a box in single precision may be off.
 constexpr double kBoxRounding = 1e-6;
 
+/// The turn about a unit axis (O. Rodrigues, 1840).
+Mat3 rotationAbout(const Vec3& axis, double angle) {
+  const auto [sine, cosine] = sineCosine(angle);
+  const Vec3 sines = sine * axis, rest = (1.0 - cosine) * axis;
+  Mat3 rotation = rest * axis.transpose();
+  rotation.diagonal().array() += cosine;
+  rotation(0, 1) -= sines.z(), rotation(1, 0) += sines.z();
+  rotation(0, 2) += sines.y(), rotation(2, 0) -= sines.y();
+  rotation(1, 2) -= sines.x(), rotation(2, 1) += sines.x();
+  return rotation;
+}
+
 /// How long the way of a body's points is where it turns as in the motion and its centre goes as far as the
 /// advance: |advance along the axis, and across it + angle · radius|.
 double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) {
   const double radius = hold.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
   const double along = advance.dot(motion.axis()), across = (advance - along * motion.axis()).norm();
-  return std::hypot(along, across + motion.angle() * radius);
+  const double round = across + motion.angle() * radius;
+  const double longer = std::max(std::abs(along), round), shorter = std::min(std::abs(along), round);
+  if (longer == 0.0) return 0.0;
+  return longer * std::sqrt(1.0 + (shorter / longer) * (shorter / longer));
 }
 
 }  // namespace
@@ -22,9 +39,11 @@ double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) 
 Motion::Motion(const Pose& from, const Pose& to, const Vec3& center_in_b)
     : from_(from), center_in_b_(center_in_b), advance_(to * center_in_b - from * center_in_b) {
   const Mat3 turn = to.rotation * from.rotation.transpose();
-  const Eigen::AngleAxisd shorter(turn);
-  axis_ = shorter.axis();
-  angle_ = shorter.angle();
+  const Eigen::Quaterniond q(turn);
+  const Vec3 along_axis(q.x(), q.y(), q.z());  // as long as the sine of half the angle
+  if (along_axis.isZero(0.0)) return;
+  axis_ = (q.w() < 0.0 ? -1.0 : 1.0) * along_axis.stableNormalized();
+  angle_ = 2.0 * angleOf(along_axis.norm(), std::abs(q.w()));
 }
 
 Motion Motion::about(const Pose& from, const Vec3& center_in_a, const Vec3& turn, const Vec3& advance) {
@@ -38,7 +57,7 @@ Motion Motion::about(const Pose& from, const Vec3& center_in_a, const Vec3& turn
 }
 
 Pose Motion::at(double fraction) const {
-  const Mat3 rotation = Eigen::AngleAxisd(fraction * angle_, axis_).toRotationMatrix() * from_.rotation;
+  const Mat3 rotation = rotationAbout(axis_, fraction * angle_) * from_.rotation;
   const Vec3 swing = from_.rotation * center_in_b_ - rotation * center_in_b_;
   return {rotation, from_.translation + (fraction * advance_ + swing)};
 }

@@ -1,32 +1,17 @@
 // The tree and what rays find are the same to the last bit on every instruction set that the machine has.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cstring>
 #include <vector>
 
+#include "core/only_targets.h"
 #include "octoblisk/raycast.h"
 #include "octoblisk/triangles_along.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
 namespace {
-
-/// Lets the library use some of the instruction sets alone, as long as it lives.
-class OnlyTargets {
- public:
-  explicit OnlyTargets(std::int64_t targets) {
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  ~OnlyTargets() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  OnlyTargets(const OnlyTargets&) = delete;
-  OnlyTargets& operator=(const OnlyTargets&) = delete;
-};
 
 struct Answers {
   std::vector<ClusteredOctree::Node> nodes;
@@ -73,7 +58,7 @@ TEST(InstructionSets, giveTheSameBits) {
       int tried = 0;
       while (left != 0) {
         left &= left - 1;  // the best comes first
-        const OnlyTargets only(left | HWY_STATIC_TARGET);
+        const testing::OnlyTargets only(left);
         EXPECT_EQ(answers(mesh, quality), best) << std::hex << left;
         ++tried;
       }

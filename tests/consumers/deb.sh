@@ -1,0 +1,31 @@
+#!/bin/sh
+# deb.sh BUILD_DIR EXAMPLE_DIR OUT_DIR: Debian packages of a build, unpacked: the command finds its libraries and runs,
+# and programs compile against the rest.
+set -eu
+build_dir=$1 example_dir=$2 out_dir=$3
+here=$(dirname "$0")
+rm -rf "$out_dir"
+mkdir -p "$out_dir"
+(cd "$out_dir" && cpack --config "$build_dir/CPackConfig.cmake" -B "$out_dir" >cpack.log) || {
+  cat "$out_dir/cpack.log"
+  exit 1
+}
+rm -rf "$out_dir/_CPack_Packages"
+for package in "$out_dir"/*.deb; do
+  dpkg-deb --field "$package" Package Version Depends
+  dpkg-deb --extract "$package" "$out_dir/root"
+done
+
+# What the command is linked to is there, and in the packages that it depends on.
+command=$out_dir/root/usr/bin/octoblisk
+if ldd "$command" | grep 'not found'; then exit 1; fi
+dpkg-deb --field "$out_dir"/octoblisk_*.deb Depends | grep -q libembree
+"$command" --version
+"$command" make arm --out "$out_dir/arm.ply"
+printf 'x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n' >"$out_dir/poses.csv"
+status=0
+"$command" check --fixed "$out_dir/arm.ply" --moving "$out_dir/arm.ply" --poses "$out_dir/poses.csv" \
+  --out "$out_dir/result.csv" || status=$?
+[ "$status" -eq 1 ]  # an arm meets itself
+
+"$here/installed.sh" "$out_dir/root/usr" "$example_dir" "$out_dir/programs"
