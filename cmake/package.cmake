@@ -2,7 +2,9 @@
 # Shared libraries make liboctoblisk0.1 beside.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR OctoBlisk)
-set(CPACK_PACKAGE_CONTACT "OctoBlisk developers <octoblisk@localhost>")
+set(OCTOBLISK_PACKAGE_CONTACT "OctoBlisk developers <octoblisk@localhost>" CACHE STRING "Who maintains the packages")
+set(CPACK_PACKAGE_CONTACT ${OCTOBLISK_PACKAGE_CONTACT})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact, movable concave collision shape for Bullet")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -12,8 +14,8 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
 set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_COMPONENTS_ALL development)
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and libraries of OctoBlisk
- Exact collision queries on triangle meshes, and a movable concave shape for Bullet.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and libraries: exact collision
+queries on triangle meshes, and a concave shape for Bullet that may move.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liboctoblisk-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libhwy-dev, libbullet-dev")
@@ -21,8 +23,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libhwy-dev, libbull
 if(BUILD_SHARED_LIBS)
   list(APPEND CPACK_COMPONENTS_ALL libraries)
   set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS libraries)
-  set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "Shared libraries of OctoBlisk
- Exact collision queries on triangle meshes, and a movable concave shape for Bullet.")
+  set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "Shared libraries: exact collision
+queries on triangle meshes, and a concave shape for Bullet that may move.")
   set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME liboctoblisk${soversion})
   set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
   set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SHLIBDEPS ON)
@@ -31,8 +33,9 @@ endif()
 
 if(OCTOBLISK_BUILD_DEMOS)
   list(APPEND CPACK_COMPONENTS_ALL command)
-  set(CPACK_COMPONENT_COMMAND_DESCRIPTION "Checks whether a grinding belt touches what it must not
- Moves a belt grinder, or any mesh, through poses over a bladed disk and tells intended contact from interference.")
+  set(CPACK_COMPONENT_COMMAND_DESCRIPTION "The command: moves a belt grinder, or any
+mesh, through poses over a bladed disk and tells the intended contact from
+interference.")
   set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME octoblisk)
   set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS fonts-dejavu-core)

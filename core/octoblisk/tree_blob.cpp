@@ -43,14 +43,14 @@ static_assert(sizeof(Header) == 128 && offsetof(Header, checksum) == 16 && offse
 [[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
 
 /// Where the arrays are.
-struct Layout {
+struct BlobLayout {
   struct Section {
     std::size_t begin = 0, bytes = 0;
   };
   Section nodes, order, leaf_vertices, parts;
   std::size_t bytes;
 
-  Layout(bool is_compact, std::size_t node_count, std::size_t triangles, std::size_t part_count)
+  BlobLayout(bool is_compact, std::size_t node_count, std::size_t triangles, std::size_t part_count)
       : bytes(sizeof(Header)) {
     nodes = section(node_count * (is_compact ? sizeof(CompactNode) : sizeof(TreeNode)));
     order = section(triangles * sizeof(std::uint32_t));
@@ -75,7 +75,7 @@ std::uint64_t checksumOf(std::span<const std::byte> blob) {
 }
 
 template <typename Element>
-std::span<const Element> elementsOf(std::span<const std::byte> blob, const Layout::Section& section) {
+std::span<const Element> elementsOf(std::span<const std::byte> blob, const BlobLayout::Section& section) {
   return {reinterpret_cast<const Element*>(blob.data() + section.begin), section.bytes / sizeof(Element)};
 }
 
@@ -146,7 +146,7 @@ ClusteredOctree treeOf(std::span<const std::byte> blob, std::shared_ptr<const Tr
     fail("has " + std::to_string(header.nodes) + " nodes for " + std::to_string(triangles) + " triangles");
   if (header.parts != 0 && header.parts != triangles)
     fail("has " + std::to_string(header.parts) + " parts for " + std::to_string(triangles) + " triangles");
-  const Layout layout(is_compact, header.nodes, triangles, header.parts);
+  const BlobLayout layout(is_compact, header.nodes, triangles, header.parts);
   if (layout.bytes != blob.size()) {
     fail("has " + std::to_string(blob.size()) + " bytes, its arrays need " + std::to_string(layout.bytes));
   }
@@ -181,10 +181,10 @@ ClusteredOctree namedTree(const std::string& name, std::span<const std::byte> bl
 std::vector<std::byte> toBlob(const ClusteredOctree& tree) {
   const TreeArrays& arrays = tree.arrays();
   const BuildOptions& options = tree.options();
-  const Layout layout(tree.isCompact(), tree.nodeCount(), tree.triangleOrder().size(),
-                      options.part_of_triangle.size());
+  const BlobLayout layout(tree.isCompact(), tree.nodeCount(), tree.triangleOrder().size(),
+                          options.part_of_triangle.size());
   std::vector<std::byte> blob(layout.bytes);  // zeros between the sections
-  const auto write = [&](const Layout::Section& section, std::span<const std::byte> bytes) {
+  const auto write = [&](const BlobLayout::Section& section, std::span<const std::byte> bytes) {
     if (!bytes.empty()) std::memcpy(blob.data() + section.begin, bytes.data(), section.bytes);
   };
   write(layout.nodes, tree.isCompact() ? std::as_bytes(arrays.compact_nodes) : std::as_bytes(arrays.nodes));
