@@ -26,8 +26,9 @@ struct BroadphaseStatistics {
 ///
 /// Pairs with our shape are found anew, at the transforms that the bodies have, in each
 /// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs; before, a new pair is not
-/// there yet. A pair of two bodies that sleep stays as it is until one wakes, as all that Bullet knows of it.
-/// Clients must be btCollisionObject, as in every world, or null.
+/// there yet. A pair of two bodies that sleep, and that the dispatcher leaves alone (needsCollision), stays
+/// as it is until one wakes, as all that Bullet knows of it. Clients must be btCollisionObject, as in every
+/// world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// Some thousands of boxes at most, of which few are ever looked at.

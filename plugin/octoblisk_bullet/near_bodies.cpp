@@ -1,9 +1,12 @@
 #include "octoblisk_bullet/near_bodies.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btAabbUtil2.h>
 
 #include "octoblisk/clusters_near.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -41,25 +44,68 @@ Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
   return {asClusters(shape), in_world, {fromBullet(min) - near, fromBullet(max) + near}};
 }
 
-/// Calls meets(part) for the parts until it is true.
+constexpr int kFewChildren = 16;  // are sooner asked one by one than looked up
+
+/// Asks the children that a compound's own tree finds, until one meets.
 template <typename Meets>
-bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const Meets& meets) {
-  if (!shape.isCompound()) return meets(partOf(shape, in_world));
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
+class ChildrenMeet final : public btDbvt::ICollide {
+ public:
+  explicit ChildrenMeet(const Meets& meets) : meets_(meets) {}
+  bool found() const { return found_; }
+
+  using btDbvt::ICollide::Process;
+  void Process(const btDbvtNode* leaf) override { found_ = found_ || meets_(leaf->dataAsInt); }
+
+ private:
+  const Meets& meets_;
+  bool found_ = false;
+};
+
+/// Whether meets(child) is true of a child, by its number, that may be in a box in the world.
+template <typename Meets>
+bool anyChild(const btCompoundShape& compound, const btTransform& in_world, const Aabb& box,
+              const Meets& meets) {
+  const btDbvt* tree = compound.getDynamicAabbTree();
+  if (tree && compound.getNumChildShapes() > kFewChildren) {
+    btVector3 min, max;
+    btTransformAabb(toBullet(box.min), toBullet(box.max), gContactBreakingThreshold, in_world.inverse(), min,
+                    max);
+    ChildrenMeet<Meets> children(meets);
+    tree->collideTV(tree->m_root, btDbvtVolume::FromMM(min, max), children);
+    return children.found();
+  }
   for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (anyPart(*compound.getChildShape(i), in_world * compound.getChildTransform(i), meets)) return true;
+    if (meets(i)) return true;
   }
   return false;
 }
 
+/// Whether meets(part) is true of a part; those that are not in the box need not be asked.
 template <typename Meets>
-bool anyPart(const btBroadphaseProxy& proxy, const Meets& meets) {
+bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const Aabb& box,
+             const Meets& meets) {
+  if (!shape.isCompound()) return meets(partOf(shape, in_world));
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  return anyChild(compound, in_world, box, [&](int child) {
+    return anyPart(*compound.getChildShape(child), in_world * compound.getChildTransform(child), box, meets);
+  });
+}
+
+/// The whole body. Bullet may leave the proxies of sleepers as they are, wherever they were put
+/// (setForceUpdateAllAabbs): so its box is where the body is, too.
+Part wholeOf(const btBroadphaseProxy& proxy) {
   const btCollisionObject& body = *clientOf(proxy);
-  if (holdsClusters(*body.getCollisionShape())) {
-    return anyPart(*body.getCollisionShape(), body.getWorldTransform(), meets);
-  }
-  return meets(Part{nullptr, body.getWorldTransform(),
-                    Aabb{fromBullet(proxy.m_aabbMin), fromBullet(proxy.m_aabbMax)}});
+  Part whole = partOf(*body.getCollisionShape(), body.getWorldTransform());
+  whole.box.extend(fromBullet(proxy.m_aabbMin));
+  whole.box.extend(fromBullet(proxy.m_aabbMax));
+  return whole;
+}
+
+template <typename Meets>
+bool anyPart(const btBroadphaseProxy& proxy, const Aabb& box, ClusterHolders& holders, const Meets& meets) {
+  const btCollisionObject& body = *clientOf(proxy);
+  if (!holders.contain(*body.getCollisionShape())) return meets(wholeOf(proxy));
+  return anyPart(*body.getCollisionShape(), body.getWorldTransform(), box, meets);
 }
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
@@ -98,20 +144,35 @@ bool holdsClusters(const btCollisionShape& shape) {
   return false;
 }
 
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+bool ClusterHolders::contain(const btCollisionShape& shape) {
+  if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
+    return holdsClusters(shape);
+  const auto [known, is_new] = large_.try_emplace(&shape);
+  if (is_new) known->second = holdsClusters(shape);
+  return known->second;
+}
+
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
   return isBody(body_a) && isBody(body_b) &&
-         (holdsClusters(*body_a->getCollisionShape()) || holdsClusters(*body_b->getCollisionShape()));
+         (holders.contain(*body_a->getCollisionShape()) || holders.contain(*body_b->getCollisionShape()));
 }
 
-bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  ClusterHolders none_known;
+  return clustersDecide(a, b, none_known);
+}
+
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
-  return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive();
+  return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
+         !dispatcher.needsCollision(body_a, body_b);
 }
 
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth) {
-  return anyPart(a, [&](const Part& part_a) {
-    return anyPart(b, [&](const Part& part_b) { return meet(part_a, part_b, depth); });
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
+                  ClusterHolders& holders) {
+  return anyPart(a, wholeOf(b).box, holders, [&](const Part& part_a) {
+    return anyPart(b, part_a.box, holders, [&](const Part& part_b) { return meet(part_a, part_b, depth); });
   });
 }
 

@@ -1,7 +1,5 @@
 #include "octoblisk_bullet/pair_stages.h"
 
-#include "octoblisk_bullet/near_bodies.h"
-
 namespace octoblisk {
 namespace {
 
@@ -18,12 +16,14 @@ void setTight(btBroadphasePair& pair, bool tight) { pair.m_internalTmpValue = ti
 CoarsePairs::CoarsePairs(TightPairs& tight) : tight_(tight) { tight.coarse_ = this; }
 
 void CoarsePairs::refine(int depth, btDispatcher* dispatcher) {
+  holders_.forget();
   btBroadphasePairArray& pairs = getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
     btBroadphasePair& pair = pairs[i];
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    if (isDecided(pair) && bothSleep(*a, *b)) continue;
-    const bool tight = !clustersDecide(*a, *b) || clustersMeet(*a, *b, depth), was_tight = isTight(pair);
+    if (isDecided(pair) && dispatcher && bothSleep(*a, *b, *dispatcher)) continue;
+    const bool was_tight = isTight(pair),
+               tight = !clustersDecide(*a, *b, holders_) || clustersMeet(*a, *b, depth, holders_);
     setTight(pair, tight);
     if (tight == was_tight) continue;
     if (tight) {
@@ -40,7 +40,7 @@ bool CoarsePairs::needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphasePro
 
 btBroadphasePair* CoarsePairs::addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) {
   btBroadphasePair* pair = Cache::addOverlappingPair(a, b);
-  if (pair && !isTight(*pair) && !clustersDecide(*a, *b)) {
+  if (pair && !isDecided(*pair) && !clustersDecide(*a, *b)) {
     setTight(*pair, true);
     tight_.promote(a, b);
   }

@@ -3,6 +3,8 @@
 
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
+#include "octoblisk_bullet/near_bodies.h"
+
 namespace octoblisk {
 
 class TightPairs;
@@ -15,7 +17,7 @@ class CoarsePairs final : public btHashedOverlappingPairCache {
   explicit CoarsePairs(TightPairs& tight);
 
   /// Makes each pair tight, or no longer, by the clusters of the given depth at the present transforms. A
-  /// pair of which both sleep stays what it is: Bullet looks at no such pair, and looks again once one wakes.
+  /// pair of which both sleep stays what it is while the dispatcher leaves it alone: until one wakes.
   void refine(int depth, btDispatcher* dispatcher);
 
   /// The user's filter, asked once, on insertion.
@@ -28,6 +30,7 @@ class CoarsePairs final : public btHashedOverlappingPairCache {
   btBroadphasePair* addTight(btBroadphaseProxy* a, btBroadphaseProxy* b);
 
   TightPairs& tight_;
+  ClusterHolders holders_;  // for the time of a refine
 };
 
 /// The pairs that Bullet dispatches and the user sees, with the user's callbacks. Always some of the coarse

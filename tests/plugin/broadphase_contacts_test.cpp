@@ -88,6 +88,10 @@ class Twins {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       move(i);
       if (random_() % (movers_[i].is_there ? 400 : 40) == 0) toggle(i);
+      if (random_() % 30 == 0) {  // to sleep, or awake; sleepers are moved and changed as all others are
+        const int state = random_() % 3 == 0 ? ISLAND_SLEEPING : ACTIVE_TAG;
+        both([&](auto& world) { world.objects[i]->forceActivationState(state); });
+      }
       if (random_() % 600 == 0) {
         btCollisionShape& shape = shapes_.any(random_);
         both([&](auto& world) { world.reshape(*world.objects[i], shape); });

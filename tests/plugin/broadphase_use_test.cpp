@@ -128,6 +128,77 @@ TEST(Broadphase, whatAUserRemovesWhileIteratingIsGone) {
   EXPECT_NE(cache.findPair(proxy, other), nullptr);
 }
 
+TEST(Broadphase, aDispatcherThatLooksAtSleepersSeesThemMeet) {
+  struct Sleepless final : btCollisionDispatcher {
+    using btCollisionDispatcher::btCollisionDispatcher;
+    bool needsCollision(const btCollisionObject*, const btCollisionObject*) override { return true; }
+  };
+  const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
+  btSphereShape sphere(btScalar(0.5));
+  btDefaultCollisionConfiguration configuration;
+  Sleepless dispatcher(&configuration);
+  registerAlgorithm(&dispatcher);
+  ClusteredOctreeBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  btCollisionObject ring, ball;
+  ring.setCollisionShape(torus.get());
+  ball.setCollisionShape(&sphere);
+  for (btCollisionObject* object : {&ring, &ball}) {
+    object->forceActivationState(ISLAND_SLEEPING);
+    world.addCollisionObject(object);
+  }
+  world.performDiscreteCollisionDetection();
+  EXPECT_EQ(broadphase.coarsePairs(), 1);
+  EXPECT_EQ(broadphase.tightPairs(), 0);
+  ball.setWorldTransform(at(1.2, 0, 0));
+  world.performDiscreteCollisionDetection();
+  ASSERT_GT(dispatcher.getNumManifolds(), 0);
+  EXPECT_GT(dispatcher.getManifoldByIndexInternal(0)->getNumContacts(), 0);
+}
+
+TEST(Broadphase, aSleeperMovedUnknownToBulletIsMetWhereItIs) {
+  const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
+  btSphereShape sphere(btScalar(0.5));
+  const auto contactsAfterTheMove = [&](auto& world) {
+    world.world.setForceUpdateAllAabbs(false);
+    world.add(*torus, at(0, 0, 0));
+    btCollisionObject& ball = world.add(sphere, at(0, 0, 0));
+    ball.forceActivationState(ISLAND_SLEEPING);
+    world.world.performDiscreteCollisionDetection();
+    ball.setWorldTransform(at(1.2, 0, 0));  // and no updateSingleAabb
+    world.world.performDiscreteCollisionDetection();
+    int contacts = 0;
+    for (int m = 0; m < world.dispatcher.getNumManifolds(); ++m)
+      contacts += world.dispatcher.getManifoldByIndexInternal(m)->getNumContacts();
+    return contacts;
+  };
+  StockWorld stock;
+  TightWorld tight;
+  const int expected = contactsAfterTheMove(stock);
+  EXPECT_GT(expected, 0);
+  EXPECT_EQ(contactsAfterTheMove(tight), expected);
+}
+
+TEST(Broadphase, whatALargeCompoundHoldsIsAskedAnew) {
+  const auto torus = shapeOf(testing::torus(2, 0.5, 24, 12));
+  btBoxShape box(btVector3(1, 1, 1));
+  btSphereShape sphere(btScalar(0.5));
+  btCompoundShape wall;
+  for (int i = 0; i < 40; ++i) wall.addChildShape(at(3 * (i % 2 == 0 ? -1 - i / 2 : 1 + i / 2), 0, 0), &box);
+  TightWorld tight;
+  btCollisionObject& stones = tight.add(wall, at(0, 0, 0));
+  btCollisionObject& ball = tight.add(sphere, at(0, 0, 0));
+  const auto found = [&] {
+    tight.world.performDiscreteCollisionDetection();
+    return tight.has(stones, ball);
+  };
+  EXPECT_TRUE(found());  // the wall's box decides
+  wall.addChildShape(at(0, 0, 0), torus.get());
+  EXPECT_FALSE(found());
+  wall.removeChildShape(torus.get());
+  EXPECT_TRUE(found());
+}
+
 TEST(Broadphase, resetWhenEmptyItNumbersAnew) {
   btSphereShape sphere(btScalar(0.5));
   TightWorld tight;

@@ -1,6 +1,7 @@
 // Shapes of every kind for worlds in which anything may meet anything.
 #pragma once
 
+#include <cmath>
 #include <random>
 
 #include "plugin/bullet_world.h"
@@ -34,13 +35,20 @@ class MixedShapes {
     compound_.addChildShape(btTransform(btQuaternion(btVector3(1, 0, 0), 1), btVector3(1, 0, 0)), &held);
     nested_.addChildShape(at(0.5, 0, 0), &compound_);
     nested_.addChildShape(at(-1.5, 0, 0), &ball_);
+    for (int i = 0; i < 24; ++i) {  // so many that a compound's own tree is asked for them
+      large_.addChildShape(at(2.0 * std::cos(0.26 * i), 2.0 * std::sin(0.26 * i), 0), &ball_);
+    }
+    large_.addChildShape(at(0, 0, 0), &compound_);
   }
 
   /// One in two is ours, or a compound that holds ours. Planes, which have a pair with everything, are rare,
   /// and far from their origin: of a mesh below a plane every triangle has a contact.
   btCollisionShape& any(std::mt19937_64& random) {
     if (random() % 1000 == 0) return plane_;
-    if (random() % 10 == 0) return random() % 2 == 0 ? compound_ : nested_;
+    if (random() % 10 == 0) {
+      btCollisionShape* const compounds[] = {&compound_, &nested_, &large_};
+      return *compounds[random() % 3];
+    }
     if (random() % 2 == 0) return *ours_[random() % ours_.size()];
     return *others_[random() % others_.size()];
   }
@@ -67,7 +75,7 @@ class MixedShapes {
   std::vector<std::unique_ptr<ClusteredOctreeShape>> ours_;
   btSphereShape ball_{btScalar(0.5)};
   btStaticPlaneShape plane_{btVector3(0, 0, 1), -12};
-  btCompoundShape compound_, nested_;
+  btCompoundShape compound_, nested_, large_;
 };
 
 }  // namespace octoblisk::testing
