@@ -1,0 +1,51 @@
+// A fixture of octoblisk check over many poses, by parts and processes.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "demos/check_command.h"
+#include "shared/meshes.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+
+class CheckParts : public CheckCommand {
+ protected:
+  static constexpr int kPoses = 500;
+
+  /// A ring, and a box that moves past and into it in small steps, and back from time to time.
+  void SetUp() override {
+    writeMesh(folder_.path() / "ring.obj", *octoblisk::testing::torus(1.0, 0.4, 40, 20));
+    writeMesh(folder_.path() / "box.obj", *octoblisk::testing::boxMesh({0.3, 0.2, 0.4}));
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    std::vector<Pose> poses;
+    Vec3 place(1.3, 0.0, 0.0);
+    double angle = 0.0;
+    for (int i = 0; i < kPoses; ++i) {
+      place += 0.1 * Vec3(part(random), part(random), part(random));
+      if (place.norm() > 1.8 || place.norm() < 0.8) place = 1.3 * place.normalized();
+      angle += 0.1 * part(random);
+      poses.push_back({Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix(), place});
+    }
+    writePoses(folder_.path() / "poses.csv", poses);
+  }
+
+  std::string content(const std::string& name) const { return contentOf(folder_.path() / name); }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+
+  /// All that a summary tells but times.
+  static std::string withoutTimes(const std::string& told) {
+    const std::size_t time = told.find("; "), line_end = told.find('\n');
+    return time < line_end ? told.substr(0, time) + told.substr(line_end) : told;
+  }
+
+  const std::string check_ = "check --fixed ring.obj --moving box.obj --poses poses.csv ";
+  const std::string all_columns_ = "--clearance --depth --continuous ";
+};
+
+}  // namespace octoblisk::demos
