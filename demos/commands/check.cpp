@@ -164,7 +164,8 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       ->check(numberFrom(1e-9, 1e9));
   command
       .add_option("--threads", options.threads,
-                  "Threads; 0: all that the machine has. The answers are the same")
+                  "Threads; 0: all that the machine has, or a share of them each under mpirun. The answers "
+                  "are the same")
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
   command.footer(

@@ -3,12 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <cstdlib>
+#include <sstream>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "demos/check_parts.h"
 
@@ -34,15 +33,6 @@ class CheckRanks : public CheckParts {
     const int status = std::system(commandOf(ranks, arguments).c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("stdout.txt"), content("stderr.txt")};
   }
-
-  /// So many poses that it takes a while.
-  void writeManyPoses(int times) {
-    const std::string poses = content("poses.csv");
-    const std::string lines = poses.substr(poses.find('\n') + 1);
-    std::string many = poses;
-    for (int i = 1; i < times; ++i) many += lines;
-    folder_.write("poses.csv", many);
-  }
 };
 
 /// The process of a rank below another process; 0 where there is none.
@@ -60,7 +50,7 @@ pid_t processOfRank(pid_t above, int rank) {
 }
 
 TEST_F(CheckRanks, OneTwoAndFourGiveThePlainFileAndItsWords) {
-  writeManyPoses(4);
+  repeatPoses(4);
   const Outcome plain = run(check_ + all_columns_ + "--out plain.csv");
   ASSERT_EQ(plain.exit_code, 1) << plain.error;
   for (const int ranks : {1, 2, 4}) {
@@ -81,7 +71,7 @@ TEST_F(CheckRanks, ShardsOfRanksMergeToThePlainFile) {
 }
 
 TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
-  writeManyPoses(60);
+  repeatPoses(40);
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
   const std::string whole = content("plain.csv");

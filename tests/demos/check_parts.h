@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <numbers>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -33,6 +33,15 @@ class CheckParts : public CheckCommand {
       poses.push_back({Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix(), place});
     }
     writePoses(folder_.path() / "poses.csv", poses);
+  }
+
+  /// Goes through the poses so many times, so that it takes a while.
+  void repeatPoses(int times) {
+    const std::string once = content("poses.csv");
+    const std::string lines = once.substr(once.find('\n') + 1);
+    std::string repeated = once;
+    for (int i = 1; i < times; ++i) repeated += lines;
+    folder_.write("poses.csv", repeated);
   }
 
   std::string content(const std::string& name) const { return contentOf(folder_.path() / name); }

@@ -106,13 +106,8 @@ TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
 }
 
 TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
-  // Many poses, so that it takes a while.
-  const std::string poses = content("poses.csv");
-  const std::string lines = poses.substr(poses.find('\n') + 1);
-  std::string many = poses;
-  for (int i = 0; i < 40; ++i) many += lines;
-  folder_.write("poses.csv", many);
-  const std::string arguments = check_ + "--depth --clearance --out ";
+  repeatPoses(20);
+  const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
 
   const pid_t child = ::fork();
@@ -131,7 +126,7 @@ TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped; stopped.csv.partial holds "));
-  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 20500 answers: go on with --resume\n"));
+  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 10000 answers: go on with --resume\n"));
   EXPECT_FALSE(exists("stopped.csv"));
   const Outcome refused = run(arguments + "stopped.csv");
   EXPECT_EQ(refused.exit_code, 2);

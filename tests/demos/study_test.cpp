@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <filesystem>
-#include <limits>
-#include <numeric>
+#include <iomanip>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -238,7 +241,11 @@ TEST_F(StudyFiles, AnswersMayComeInAnyOrder) {
   std::vector<AnsweredGroup> groups = squaresOf({0, kItems});
   std::shuffle(groups.begin(), groups.end(), std::mt19937_64(7));
   std::string text = headOf(study, {0, kItems});
-  for (std::size_t i = 0; i < 6; ++i) text += textOf(groups[i], headOf(study, {0, kItems}));
+  std::size_t answered = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    text += textOf(groups[i], headOf(study, {0, kItems}));
+    answered += groups[i].items.size();
+  }
   folder_.write("all.csv.partial", text + "# checks");
   std::vector<ItemRange> asked;
   run(study, {file("all.csv"), {}, true}, [&](ItemRange items) {
@@ -248,7 +255,7 @@ TEST_F(StudyFiles, AnswersMayComeInAnyOrder) {
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
   std::size_t count = 0;
   for (const ItemRange& items : asked) count += items.size();
-  EXPECT_EQ(count, kItems - 24) << "six groups of four were there";
+  EXPECT_EQ(count, kItems - answered);
   EXPECT_GT(asked.size(), 1u) << "there were gaps";
 }
 
