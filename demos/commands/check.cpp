@@ -38,19 +38,19 @@ std::string columnsOf(const PoseCheckOptions& options) {
 }
 
 /// Nothing for none.
-std::string field(const std::optional<double>& value) { return value ? ',' + exactText(*value) : ","; }
+std::string poseField(const std::optional<double>& value) { return value ? ',' + exactText(*value) : ","; }
 
-std::string rowOf(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
+std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
   std::string row = std::to_string(pose) + (answer.touching ? ",1," : ",0,");
   if (answer.touching) row += std::to_string(answer.touching->a);
   row += ',';
   if (answer.touching) row += std::to_string(answer.touching->b);
-  if (options.clearance) row += field(answer.clearance);
-  if (options.depth) row += field(answer.depth);
+  if (options.clearance) row += poseField(answer.clearance);
+  if (options.depth) row += poseField(answer.depth);
   if (options.continuous) {
     const bool has_way = pose > 0;
     const double free = answer.on_the_way ? answer.on_the_way->fraction : 1.0;
-    row += field(has_way ? std::optional(free) : std::nullopt);
+    row += poseField(has_way ? std::optional(free) : std::nullopt);
   }
   return row + '\n';
 }
@@ -88,7 +88,7 @@ std::vector<AnsweredGroup> answerPoses(PoseCheck& poses_check, std::span<const P
     CheckSummary summary;
     for (std::size_t pose = begin; pose < group.items.end; ++pose) {
       const PoseAnswer& answer = answers[pose - items.begin];
-      group.rows += rowOf(pose, answer, options);
+      group.rows += rowOfPose(pose, answer, options);
       summary.count(pose, answer, options);
     }
     group.tally = tallyOf(summary);

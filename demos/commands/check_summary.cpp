@@ -10,8 +10,8 @@
 namespace octoblisk::demos {
 namespace {
 
-const std::string kClearance = "clearance", kDepth = "depth", kContinuous = "continuous",
-                  kTolerance = "tolerance", kLeast = "least", kGreatest = "greatest";
+const std::string kClearanceWord = "clearance", kDepthWord = "depth", kContinuousWord = "continuous",
+                  kToleranceWord = "tolerance", kLeastWord = "least", kGreatestWord = "greatest";
 
 void keepLess(std::optional<Extreme>& kept, const std::optional<Extreme>& later) {
   if (later && (!kept || later->value < kept->value)) kept = later;
@@ -55,8 +55,8 @@ std::string tallyOf(const CheckSummary& summary) {
     if (!extreme) return;
     line += ' ' + name + ' ' + exactText(extreme->value) + ' ' + std::to_string(extreme->pose);
   };
-  append(kLeast, summary.least_clearance);
-  append(kGreatest, summary.greatest_depth);
+  append(kLeastWord, summary.least_clearance);
+  append(kGreatestWord, summary.greatest_depth);
   return line;
 }
 
@@ -68,8 +68,8 @@ CheckSummary summaryOfTally(const std::string& tally) {
   bool is_right = !words.fail();
   for (std::string name; is_right && words >> name;) {
     Extreme extreme;
-    is_right = (name == kLeast || name == kGreatest) && words >> extreme.value >> extreme.pose;
-    (name == kLeast ? summary.least_clearance : summary.greatest_depth) = extreme;
+    is_right = (name == kLeastWord || name == kGreatestWord) && words >> extreme.value >> extreme.pose;
+    (name == kLeastWord ? summary.least_clearance : summary.greatest_depth) = extreme;
   }
   if (!is_right) throw std::invalid_argument("has a tally of no check: " + tally);
   return summary;
@@ -84,10 +84,10 @@ CheckSummary summaryOfTallies(std::span<const std::string> tallies) {
 std::string optionsLine(const PoseCheckOptions& options) {
   std::string line;
   const auto append = [&](const std::string& word) { line += (line.empty() ? "" : " ") + word; };
-  if (options.clearance) append(kClearance);
-  if (options.depth) append(kDepth);
-  if (options.continuous) append(kContinuous);
-  if (options.depth || options.continuous) append(kTolerance + ' ' + exactText(options.tolerance));
+  if (options.clearance) append(kClearanceWord);
+  if (options.depth) append(kDepthWord);
+  if (options.continuous) append(kContinuousWord);
+  if (options.depth || options.continuous) append(kToleranceWord + ' ' + exactText(options.tolerance));
   return line.empty() ? "none" : line;
 }
 
@@ -95,10 +95,10 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
   PoseCheckOptions options;
   std::istringstream words(line);
   for (std::string word; words >> word;) {
-    options.clearance |= word == kClearance;
-    options.depth |= word == kDepth;
-    options.continuous |= word == kContinuous;
-    if (word == kTolerance) words >> options.tolerance;
+    options.clearance |= word == kClearanceWord;
+    options.depth |= word == kDepthWord;
+    options.continuous |= word == kContinuousWord;
+    if (word == kToleranceWord) words >> options.tolerance;
   }
   return options;
 }

@@ -12,7 +12,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr std::string_view kMagic = "# octoblisk study part 1\n";
-constexpr int kHex = 16;
+constexpr int kHexadecimal = 16;
 
 std::uint64_t checksumOf(std::string_view text, std::uint64_t seed = 0) {
   return xxh64(std::as_bytes(std::span(text)), seed);
@@ -21,7 +21,7 @@ std::uint64_t checksumOf(std::string_view text, std::uint64_t seed = 0) {
 std::string hexOf(std::uint64_t value) {
   constexpr std::size_t kDigits = 16;
   char digits[kDigits];
-  const char* const end = std::to_chars(digits, digits + kDigits, value, kHex).ptr;
+  const char* const end = std::to_chars(digits, digits + kDigits, value, kHexadecimal).ptr;
   const auto count = static_cast<std::size_t>(end - digits);
   return std::string(kDigits - count, '0') + std::string(digits, count);
 }
@@ -42,7 +42,7 @@ class TextParts {
   }
 
   TextParts& number(std::size_t& value) { return integer(value, 10); }
-  TextParts& hex(std::uint64_t& value) { return integer(value, kHex); }
+  TextParts& hex(std::uint64_t& value) { return integer(value, kHexadecimal); }
 
   /// Up to the delimiter, which is passed over.
   TextParts& upTo(char delimiter, std::string& value) {

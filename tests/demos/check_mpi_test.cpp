@@ -3,11 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "demos/check_parts.h"
 
@@ -50,7 +48,7 @@ pid_t processOfRank(pid_t above, int rank) {
 }
 
 TEST_F(CheckRanks, OneTwoAndFourGiveThePlainFileAndItsWords) {
-  repeatPoses(4);
+  repeatPoses(2);
   const Outcome plain = run(check_ + all_columns_ + "--out plain.csv");
   ASSERT_EQ(plain.exit_code, 1) << plain.error;
   for (const int ranks : {1, 2, 4}) {
@@ -71,7 +69,7 @@ TEST_F(CheckRanks, ShardsOfRanksMergeToThePlainFile) {
 }
 
 TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
-  repeatPoses(40);
+  repeatPoses(12);
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
   const std::string whole = content("plain.csv");
@@ -82,9 +80,7 @@ TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
       ::execl("/bin/sh", "sh", "-c", commandOf(3, arguments + name).c_str(), nullptr);
       ::_exit(127);
     }
-    while (content(name + ".partial").find("# checksum") == std::string::npos && !exists(name)) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    EXPECT_TRUE(waitForAnswers(name));
     const pid_t rank = processOfRank(child, lost);
     ASSERT_GT(rank, 0);
     ::kill(rank, SIGKILL);

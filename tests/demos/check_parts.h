@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <filesystem>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "demos/check_command.h"
@@ -17,7 +19,7 @@ class CheckParts : public CheckCommand {
  protected:
   static constexpr int kPoses = 500;
 
-  /// A ring, and a box that moves past and into it in small steps, and back from time to time.
+  /// A ring, and a box that moves past and into it in small steps.
   void SetUp() override {
     writeMesh(folder_.path() / "ring.obj", *octoblisk::testing::torus(1.0, 0.4, 40, 20));
     writeMesh(folder_.path() / "box.obj", *octoblisk::testing::boxMesh({0.3, 0.2, 0.4}));
@@ -28,7 +30,7 @@ class CheckParts : public CheckCommand {
     double angle = 0.0;
     for (int i = 0; i < kPoses; ++i) {
       place += 0.1 * Vec3(part(random), part(random), part(random));
-      if (place.norm() > 1.8 || place.norm() < 0.8) place = 1.3 * place.normalized();
+      if (place.norm() > 2.4 || place.norm() < 1.1) place = 1.7 * place.normalized();
       angle += 0.1 * part(random);
       poses.push_back({Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix(), place});
     }
@@ -46,6 +48,17 @@ class CheckParts : public CheckCommand {
 
   std::string content(const std::string& name) const { return contentOf(folder_.path() / name); }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
+
+  /// Waits until the unfinished result has answers; false where that does not come.
+  bool waitForAnswers(const std::string& result) const {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point latest = Clock::now() + std::chrono::minutes(2);
+    while (content(result + ".partial").find("# checksum") == std::string::npos) {
+      if (exists(result) || Clock::now() > latest) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
 
   /// All that a summary tells but times.
   static std::string withoutTimes(const std::string& told) {
