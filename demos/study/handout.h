@@ -19,7 +19,7 @@ class Handout {
   ItemRange next(std::size_t groups);
 
   std::size_t groupsLeft() const;
-  void clear() { ranges_.clear(), next_range_ = 0; }
+  void clear() { next_range_ = ranges_.size(); }
 
  private:
   std::vector<ItemRange> ranges_;
