@@ -1,25 +1,24 @@
 // octoblisk check: tells for each pose of a file whether two meshes collide, exactly.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
-#include "models/mesh_file.h"
-#include "report/progress_bar.h"
+#include "commands/study_options.h"
+#include "octoblisk/batch.h"
+#include "study/exact_number.h"
+#include "study/node_inputs.h"
+#include "study/run_study.h"
 #include "toolpath/pose_check.h"
-#include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -28,154 +27,94 @@ struct CheckRequest {
   std::string fixed;
   std::string moving;
   std::string poses;
-  std::string out;
+  StudyTarget target;
   PoseCheckOptions options;
 };
 
-/// The most remarkable of the poses' numbers.
-struct Extreme {
-  double value = 0.0;
-  std::size_t pose = 0;
-};
-
-struct CheckSummary {
-  std::size_t poses = 0;
-  std::size_t colliding = 0;       ///< surfaces meet
-  std::size_t inside = 0;          ///< they do not, yet one mesh lies in the other
-  std::size_t ways = 0;            ///< from a pose to the next
-  std::size_t met_on_the_way = 0;  ///< ways that come within the tolerance
-  std::size_t unsettled = 0;       ///< of these, not proved either way
-  std::optional<Extreme> least_clearance, greatest_depth;
-  std::chrono::duration<double, std::micro> time{};  ///< of all answers together
-
-  bool isClean() const { return colliding + inside + met_on_the_way == 0; }
-};
-
-ClusteredOctree readTree(const std::string& file) {
-  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(readMesh(file)));
+std::string columnsOf(const PoseCheckOptions& options) {
+  return std::string("pose,colliding,triangle_fixed,triangle_moving") +
+         (options.clearance ? ",clearance" : "") + (options.depth ? ",depth" : "") +
+         (options.continuous ? ",fraction" : "");
 }
 
-/// Opens the file for writing, which must be none of the files read. Throws std::runtime_error naming it.
-std::ofstream openResult(const CheckRequest& request) {
-  for (const std::string& input : {request.fixed, request.moving, request.poses}) {
-    std::error_code ignored;  // there is no such file yet
-    if (std::filesystem::equivalent(request.out, input, ignored)) {
-      throw std::runtime_error(request.out + ": cannot be both read and written");
-    }
-  }
-  if (request.out == "-") {
-    throw std::runtime_error("-: the summary goes to standard output, the result to a file: name one");
-  }
-  std::ofstream result(request.out);
-  if (!result) throw std::runtime_error(request.out + ": cannot be written");
-  return result;
-}
+/// Nothing for none.
+std::string poseField(const std::optional<double>& value) { return value ? ',' + exactText(*value) : ","; }
 
-/// A number so that it is read back as it is; nothing for none.
-std::string field(const std::optional<double>& value) {
-  if (!value) return ",";
-  std::ostringstream text;
-  text << ',' << std::setprecision(17) << *value;
-  return text.str();
-}
-
-void write(std::ostream& result, std::size_t pose, const PoseAnswer& answer,
-           const PoseCheckOptions& options) {
-  result << pose << ',' << (answer.touching ? '1' : '0') << ',';
-  if (answer.touching) result << answer.touching->a;
-  result << ',';
-  if (answer.touching) result << answer.touching->b;
-  if (options.clearance) result << field(answer.clearance);
-  if (options.depth) result << field(answer.depth);
+std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
+  std::string row = std::to_string(pose) + (answer.touching ? ",1," : ",0,");
+  if (answer.touching) row += std::to_string(answer.touching->a);
+  row += ',';
+  if (answer.touching) row += std::to_string(answer.touching->b);
+  if (options.clearance) row += poseField(answer.clearance);
+  if (options.depth) row += poseField(answer.depth);
   if (options.continuous) {
     const bool has_way = pose > 0;
     const double free = answer.on_the_way ? answer.on_the_way->fraction : 1.0;
-    result << field(has_way ? std::optional(free) : std::nullopt);
+    row += poseField(has_way ? std::optional(free) : std::nullopt);
   }
-  result << '\n';
-}
-
-void count(std::size_t pose, const PoseAnswer& answer, CheckSummary& summary) {
-  summary.colliding += answer.touching.has_value();
-  summary.inside += !answer.touching && answer.depth.value_or(0.0) > 0.0;
-  summary.met_on_the_way += answer.on_the_way.has_value();
-  summary.unsettled += answer.on_the_way && !answer.on_the_way->converged;
-  std::optional<Extreme>&least = summary.least_clearance, &greatest = summary.greatest_depth;
-  if (answer.clearance && (!least || *answer.clearance < least->value)) least = {*answer.clearance, pose};
-  if (answer.depth && (!greatest || *answer.depth > greatest->value)) greatest = {*answer.depth, pose};
-}
-
-CheckSummary checkPoses(PoseCheck& poses_check, const std::vector<Pose>& poses,
-                        const PoseCheckOptions& options, std::ostream& result) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::size_t kAtOnce = 256;
-  CheckSummary summary;
-  summary.poses = poses.size();
-  summary.ways = options.continuous ? poses.size() - 1 : 0;
-  result << "pose,colliding,triangle_fixed,triangle_moving" << (options.clearance ? ",clearance" : "")
-         << (options.depth ? ",depth" : "") << (options.continuous ? ",fraction" : "") << '\n';
-  ProgressBar progress(std::cerr, poses.size());
-  for (std::size_t begin = 0; begin < poses.size(); begin += kAtOnce) {
-    const std::size_t end = std::min(begin + kAtOnce, poses.size());
-    const Clock::time_point start = Clock::now();
-    const std::vector<PoseAnswer> answers = poses_check.answer(poses, begin, end);
-    summary.time += Clock::now() - start;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      write(result, begin + i, answers[i], options);
-      count(begin + i, answers[i], summary);
-    }
-    progress.update(end);
-  }
-  return summary;
+  return row + '\n';
 }
 
 /// Says which file cannot be asked for depths.
-PoseCheck poseCheck(const CheckRequest& request, const ClusteredOctree& fixed,
-                    const ClusteredOctree& moving) try {
-  return PoseCheck(fixed, moving, request.options);
+std::unique_ptr<PoseCheck> poseCheck(const CheckRequest& request, const ClusteredOctree& fixed,
+                                     const ClusteredOctree& moving) try {
+  return std::make_unique<PoseCheck>(fixed, moving, request.options);
 } catch (const std::invalid_argument& error) {
   throw std::runtime_error(request.fixed + ": " + error.what());
 }
 
-CheckSummary check(const CheckRequest& request) {
-  const std::vector<Pose> moving_in_fixed = readPoses(request.poses);
-  const ClusteredOctree fixed = readTree(request.fixed);
-  const ClusteredOctree moving = readTree(request.moving);
-  PoseCheck poses_check = poseCheck(request, fixed, moving);
-  std::ofstream result = openResult(request);  // after all input is known to be good: it empties the file
-  const CheckSummary summary = checkPoses(poses_check, moving_in_fixed, request.options, result);
-  result.close();
-  if (!result) throw std::runtime_error(request.out + ": cannot be written to its end");
-  return summary;
+/// What the file of answers depends on.
+Study studyOf(const CheckRequest& request, const ClusteredOctree& fixed, const ClusteredOctree& moving,
+              std::span<const Pose> poses) {
+  Study study;
+  study.name = kCheckName;
+  study.columns = columnsOf(request.options);
+  study.items = poses.size();
+  study.group = kPosesAtOnce;
+  study.inputs = {{"fixed", fingerprintOf(fixed.mesh())},
+                  {"moving", fingerprintOf(moving.mesh())},
+                  {"poses", fingerprintOf(poses)}};
+  study.options = optionsLine(request.options);
+  return study;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
-void tell(const CheckSummary& summary, const PoseCheckOptions& options) {
-  std::cout << counted(summary.poses, "pose", "poses") << ": " << summary.colliding << " colliding, ";
-  if (options.depth) std::cout << summary.inside << " with one mesh wholly inside the other, ";
-  std::cout << summary.poses - summary.colliding - summary.inside << " clear; " << std::fixed
-            << std::setprecision(2) << summary.time.count() / static_cast<double>(summary.poses)
-            << " us a pose\n"
-            << std::defaultfloat << std::setprecision(6);
-  if (const auto& least = summary.least_clearance) {
-    std::cout << "Least clearance: " << least->value << " at pose " << least->pose << '\n';
-  }
-  if (const auto& greatest = summary.greatest_depth) {
-    std::cout << "Greatest depth: " << greatest->value << " at pose " << greatest->pose << '\n';
-  }
-  if (options.continuous) {
-    std::cout << counted(summary.ways, "way", "ways")
-              << " between poses: " << summary.ways - summary.met_on_the_way << " free, "
-              << summary.met_on_the_way << " not proved to keep " << options.tolerance;
-    if (summary.met_on_the_way > 0) {
-      std::cout << " (" << summary.met_on_the_way - summary.unsettled << " come nearer, " << summary.unsettled
-                << " undecided)";
+std::vector<AnsweredGroup> answerPoses(PoseCheck& poses_check, std::span<const Pose> poses, ItemRange items,
+                                       const PoseCheckOptions& options) {
+  const std::vector<PoseAnswer> answers = poses_check.answer(poses, items.begin, items.end);
+  std::vector<AnsweredGroup> groups;
+  for (std::size_t begin = items.begin; begin < items.end; begin += kPosesAtOnce) {
+    AnsweredGroup& group = groups.emplace_back();
+    group.items = {begin, std::min(items.end, begin + kPosesAtOnce)};
+    CheckSummary summary;
+    for (std::size_t pose = begin; pose < group.items.end; ++pose) {
+      const PoseAnswer& answer = answers[pose - items.begin];
+      group.rows += rowOfPose(pose, answer, options);
+      summary.count(pose, answer, options);
     }
-    std::cout << '\n';
+    group.tally = tallyOf(summary);
   }
+  return groups;
+}
+
+/// The exit code; 0 at all ranks but the first.
+int check(CheckRequest request) {
+  Ranks ranks;
+  PoseCheckOptions& options = request.options;
+  if (options.threads == 0) options.threads = ranks.threadsEach();
+  const SharedPoses moving_in_fixed = posesOnceANode(ranks, request.poses);
+  const ClusteredOctree fixed = treeOnceANode(ranks, request.fixed);
+  const ClusteredOctree moving = treeOnceANode(ranks, request.moving);
+  std::unique_ptr<PoseCheck> poses_check;
+  ranks.together([&] { poses_check = poseCheck(request, fixed, moving); });
+  const Study study = studyOf(request, fixed, moving, moving_in_fixed.poses);
+  const StudyOutcome outcome = runStudy(
+      study, request.target, {request.fixed, request.moving, request.poses}, ranks,
+      [&](ItemRange items) { return answerPoses(*poses_check, moving_in_fixed.poses, items, options); });
+  if (!ranks.isFirst()) return 0;
+  const CheckSummary summary = summaryOfTallies(outcome.tallies);
+  const std::optional a_pose = outcome.time / static_cast<double>(outcome.answered);
+  tell(std::cout, summary, options, outcome.answered > 0 ? a_pose : std::nullopt);
+  return summary.isClean() ? 0 : 1;
 }
 
 }  // namespace
@@ -200,13 +139,10 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
           "in mesh units and a unit quaternion")
       ->required()
       ->check(notEmpty());
-  command
-      .add_option(
-          "-o,--out", request->out,
-          "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
-          "of triangles that meet where colliding is 1; then the columns of the options below")
-      ->required()
-      ->check(notEmpty());
+  addStudyOptions(
+      command, request->target,
+      "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
+      "of triangles that meet where colliding is 1; then the columns of the options below");
   PoseCheckOptions& options = request->options;
   command.add_flag("--clearance", options.clearance,
                    "Column clearance: the least distance of the surfaces, in mesh units; 0 where they meet");
@@ -228,21 +164,18 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       ->check(numberFrom(1e-9, 1e9));
   command
       .add_option("--threads", options.threads,
-                  "Threads; 0: all that the machine has. The answers are the same")
+                  "Threads; 0: all that the machine has, or a share of them each under mpirun. The answers "
+                  "are the same")
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
   command.footer(
-      "Mesh files are read with coordinates rounded to 32-bit floats.\n"
+      "Mesh files are read with coordinates rounded to 32-bit floats.\n" + studyFooter() +
       "Exit codes: 0 all poses clear, and with --continuous all ways between them free; 1 any pose where "
       "the\n"
       "surfaces meet, with --depth one mesh is inside the other, or with --continuous a way not proved "
       "free;\n"
-      "2 bad input: no file is written then, and one of an earlier run stays as it was.");
-  command.callback([request, &exit_code] {
-    const CheckSummary summary = check(*request);
-    tell(summary, request->options);
-    exit_code = summary.isClean() ? 0 : 1;
-  });
+      "2 bad input: no file is written then, and one of an earlier run stays as it was; 130, 143 stopped.");
+  command.callback([request, &exit_code] { exit_code = check(*request); });
 }
 
 }  // namespace octoblisk::demos

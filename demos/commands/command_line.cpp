@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <ios>
 #include <iostream>
 
 #include "commands/commands.h"
 #include "commands/subcommand_names.h"
+#include "study/launch.h"
+#include "study/stop_signal.h"
 
 namespace octoblisk::demos {
 
@@ -25,18 +28,28 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
   addGrindCommand(app, exit_code);
   addMakeCommand(app, exit_code);
   addCheckCommand(app, exit_code);
+  addMergeCommand(app, exit_code);
   addPaperCommand(app, exit_code);
 
+  // Of several processes, one speaks, and its exit code counts.
+  const bool is_first = launchedAs().rank == 0;
+  if (!is_first) {
+    std::cout.setstate(std::ios::failbit);
+    std::cerr.setstate(std::ios::failbit);
+  }
   try {
     requireKnownSubcommands(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    exit_code = app.exit(error) == 0 ? 0 : 2;
+  } catch (const Stopped& stopped) {
+    std::cerr << "octoblisk: " << stopped.what() << '\n';
+    exit_code = stopped.exitCode();
   } catch (const std::exception& error) {
     std::cerr << "octoblisk: " << error.what() << '\n';
-    return 2;
+    exit_code = 2;
   }
-  return exit_code;
+  return is_first ? exit_code : 0;
 }
 
 }  // namespace octoblisk::demos

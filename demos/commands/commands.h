@@ -9,6 +9,7 @@ namespace octoblisk::demos {
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
+void addMergeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos

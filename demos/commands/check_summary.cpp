@@ -1,0 +1,134 @@
+#include "commands/check_summary.h"
+
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+#include "paper/number_text.h"
+#include "study/exact_number.h"
+
+namespace octoblisk::demos {
+namespace {
+
+const std::string kClearanceWord = "clearance", kDepthWord = "depth", kContinuousWord = "continuous",
+                  kToleranceWord = "tolerance", kLeastWord = "least", kGreatestWord = "greatest";
+
+void keepLess(std::optional<Extreme>& kept, const std::optional<Extreme>& later) {
+  if (later && (!kept || later->value < kept->value)) kept = later;
+}
+
+void keepGreater(std::optional<Extreme>& kept, const std::optional<Extreme>& later) {
+  if (later && (!kept || later->value > kept->value)) kept = later;
+}
+
+}  // namespace
+
+void CheckSummary::count(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
+  ++poses;
+  colliding += answer.touching.has_value();
+  inside += !answer.touching && answer.depth.value_or(0.0) > 0.0;
+  ways += options.continuous && pose > 0;
+  met_on_the_way += answer.on_the_way.has_value();
+  unsettled += answer.on_the_way && !answer.on_the_way->converged;
+  if (answer.clearance) keepLess(least_clearance, Extreme{*answer.clearance, pose});
+  if (answer.depth) keepGreater(greatest_depth, Extreme{*answer.depth, pose});
+}
+
+void CheckSummary::add(const CheckSummary& later) {
+  poses += later.poses;
+  colliding += later.colliding;
+  inside += later.inside;
+  ways += later.ways;
+  met_on_the_way += later.met_on_the_way;
+  unsettled += later.unsettled;
+  keepLess(least_clearance, later.least_clearance);
+  keepGreater(greatest_depth, later.greatest_depth);
+}
+
+std::string tallyOf(const CheckSummary& summary) {
+  std::string line = std::to_string(summary.poses);
+  for (const std::size_t number :
+       {summary.colliding, summary.inside, summary.ways, summary.met_on_the_way, summary.unsettled}) {
+    line += ' ' + std::to_string(number);
+  }
+  const auto append = [&](const std::string& name, const std::optional<Extreme>& extreme) {
+    if (!extreme) return;
+    line += ' ' + name + ' ' + exactText(extreme->value) + ' ' + std::to_string(extreme->pose);
+  };
+  append(kLeastWord, summary.least_clearance);
+  append(kGreatestWord, summary.greatest_depth);
+  return line;
+}
+
+CheckSummary summaryOfTally(const std::string& tally) {
+  CheckSummary summary;
+  std::istringstream words(tally);
+  words >> summary.poses >> summary.colliding >> summary.inside >> summary.ways >> summary.met_on_the_way >>
+      summary.unsettled;
+  bool is_right = !words.fail();
+  for (std::string name; is_right && words >> name;) {
+    Extreme extreme;
+    is_right = (name == kLeastWord || name == kGreatestWord) && words >> extreme.value >> extreme.pose;
+    (name == kLeastWord ? summary.least_clearance : summary.greatest_depth) = extreme;
+  }
+  if (!is_right) throw std::invalid_argument("has a tally of no check: " + tally);
+  return summary;
+}
+
+CheckSummary summaryOfTallies(std::span<const std::string> tallies) {
+  CheckSummary summary;
+  for (const std::string& tally : tallies) summary.add(summaryOfTally(tally));
+  return summary;
+}
+
+std::string optionsLine(const PoseCheckOptions& options) {
+  std::string line;
+  const auto append = [&](const std::string& word) { line += (line.empty() ? "" : " ") + word; };
+  if (options.clearance) append(kClearanceWord);
+  if (options.depth) append(kDepthWord);
+  if (options.continuous) append(kContinuousWord);
+  if (options.depth || options.continuous) append(kToleranceWord + ' ' + exactText(options.tolerance));
+  return line.empty() ? "none" : line;
+}
+
+PoseCheckOptions optionsOfLine(const std::string& line) {
+  PoseCheckOptions options;
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    options.clearance |= word == kClearanceWord;
+    options.depth |= word == kDepthWord;
+    options.continuous |= word == kContinuousWord;
+    if (word == kToleranceWord) words >> options.tolerance;
+  }
+  return options;
+}
+
+void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
+          std::optional<std::chrono::duration<double, std::micro>> a_pose) {
+  stream << countedText(summary.poses, "pose", "poses") << ": " << summary.colliding << " colliding, ";
+  if (options.depth) stream << summary.inside << " with one mesh wholly inside the other, ";
+  stream << summary.poses - summary.colliding - summary.inside << " clear";
+  if (a_pose) {
+    stream << "; " << std::fixed << std::setprecision(2) << a_pose->count() << " us a pose"
+           << std::defaultfloat << std::setprecision(6);
+  }
+  stream << '\n';
+  if (const auto& least = summary.least_clearance) {
+    stream << "Least clearance: " << least->value << " at pose " << least->pose << '\n';
+  }
+  if (const auto& greatest = summary.greatest_depth) {
+    stream << "Greatest depth: " << greatest->value << " at pose " << greatest->pose << '\n';
+  }
+  if (options.continuous) {
+    stream << countedText(summary.ways, "way", "ways")
+           << " between poses: " << summary.ways - summary.met_on_the_way << " free, "
+           << summary.met_on_the_way << " not proved to keep " << options.tolerance;
+    if (summary.met_on_the_way > 0) {
+      stream << " (" << summary.met_on_the_way - summary.unsettled << " come nearer, " << summary.unsettled
+             << " undecided)";
+    }
+    stream << '\n';
+  }
+}
+
+}  // namespace octoblisk::demos

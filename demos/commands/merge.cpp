@@ -1,0 +1,57 @@
+// octoblisk merge: makes the table of a study of the parts that --shard wrote.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "commands/check_summary.h"
+#include "commands/commands.h"
+#include "commands/option_checks.h"
+#include "study/merge_parts.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct MergeRequest {
+  std::vector<std::string> parts;
+  std::string out;
+};
+
+/// Tells what the study's own subcommand does, and returns its exit code.
+int tellStudy(const MergedStudy& merged) {
+  if (merged.study.name == kCheckName) {
+    const CheckSummary summary = summaryOfTallies(merged.tallies);
+    tell(std::cout, summary, optionsOfLine(merged.study.options), std::nullopt);
+    return summary.isClean() ? 0 : 1;
+  }
+  std::cout << merged.study.items << " items of a study by " << merged.study.name << '\n';
+  return 0;
+}
+
+}  // namespace
+
+void addMergeCommand(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "merge",
+      "Make the table of a study of the parts that its subcommand wrote when told --shard: the same file, "
+      "byte\n"
+      "for byte, as without.");
+  const auto request = std::make_shared<MergeRequest>();
+  command.add_option("PART", request->parts, "All parts, in any order")->required()->check(notEmpty());
+  command.add_option("-o,--out", request->out, "CSV file to write")->required()->check(notEmpty());
+  command.footer(
+      "Refused are parts that are unfinished, damaged, of other inputs or options, overlap, or leave a gap.\n"
+      "Exit codes: as the study's subcommand, octoblisk check: 0 clear, 1 not all clear; 2 bad input: no "
+      "file "
+      "is\n"
+      "written then, and one of an earlier run stays as it was.");
+  command.callback([request, &exit_code] {
+    const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
+    exit_code = tellStudy(mergeParts(parts, request->out));
+  });
+}
+
+}  // namespace octoblisk::demos

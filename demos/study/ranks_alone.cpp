@@ -1,0 +1,39 @@
+// Ranks without MPI.
+#include <stdexcept>
+#include <string>
+
+#include "octoblisk/parallel.h"
+#include "study/answer_alone.h"
+#include "study/launch.h"
+#include "study/ranks.h"
+
+namespace octoblisk::demos {
+
+struct Ranks::Joined {};
+
+Ranks::Ranks() {
+  if (launchedAs().count == 1) return;
+  throw std::runtime_error("this is one of " + std::to_string(launchedAs().count) +
+                           " processes of a launcher, but was built without MPI, -DOCTOBLISK_BUILD_MPI=ON");
+}
+
+Ranks::~Ranks() = default;
+
+bool Ranks::isFirst() const { return true; }
+int Ranks::count() const { return 1; }
+int Ranks::countOnNode() const { return 1; }
+int Ranks::threadsEach() const { return threadCount(0); }
+void Ranks::together(const std::function<void()>& step) { step(); }
+
+SharedBytes Ranks::onceANode(const std::function<std::vector<std::byte>()>& make) {
+  return alignedCopy(make());
+}
+
+bool Ranks::haveAllTheSame(std::uint64_t) { return true; }
+
+void Ranks::answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
+                      const std::function<bool()>& stop) {
+  answerAlone(handout, answer, take, stop);
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,85 @@
+#include "study/run_study.h"
+
+#include <exception>
+#include <iostream>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "octoblisk/checksum.h"
+#include "report/progress_bar.h"
+#include "study/stop_signal.h"
+#include "study/study_journal.h"
+
+namespace octoblisk::demos {
+namespace {
+
+Stopped stoppedAt(const StudyJournal& journal, std::size_t items, const std::string& out) {
+  const std::string done = std::to_string(journal.answered()) + " of " + std::to_string(items) + " answers";
+  const bool is_left = journal.answered() > 0 && !isDevice(out);
+  return {is_left ? "stopped; " + journal.unfinished().string() + " holds " + done + ": go on with --resume"
+                  : "stopped at " + done + ", which are lost",
+          StopSignal::received()};
+}
+
+void requireSameAtAll(Ranks& ranks, const std::string& head) {
+  if (ranks.haveAllTheSame(xxh64(std::as_bytes(std::span(head))))) return;
+  throw std::runtime_error("files of the same name differ from node to node: is their folder one of all?");
+}
+
+}  // namespace
+
+void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
+  for (const std::filesystem::path& input : files_read) {
+    std::error_code ignored;  // there is no such file yet
+    if (std::filesystem::equivalent(out, input, ignored)) {
+      throw std::runtime_error(out + ": cannot be both read and written");
+    }
+  }
+  if (out == "-") {
+    throw std::runtime_error("-: the summary goes to standard output, the result to a file: name one");
+  }
+}
+
+StudyOutcome runStudy(const Study& study, const StudyTarget& target,
+                      const std::vector<std::filesystem::path>& files_read, Ranks& ranks,
+                      const AnswerItems& answer) {
+  const ItemRange part = itemsOf(study, target.shard.value_or(Shard{}));
+  requireSameAtAll(ranks, headOf(study, part));
+  std::optional<StudyJournal> journal;
+  ranks.together([&] {
+    if (!ranks.isFirst()) return;
+    requireNotRead(target.out, files_read);
+    using Form = StudyJournal::Form;
+    journal.emplace(study, part, target.out, target.shard ? Form::part : Form::table, target.resume);
+  });
+  Handout handout(journal ? journal->missing() : std::vector<ItemRange>{}, study.group);
+  const std::size_t answered_before = journal ? journal->answered() : 0;
+  ProgressBar progress(std::cerr, part.size());
+  const auto take = [&](std::span<const AnsweredGroup> groups) {
+    journal->add(groups);
+    progress.update(journal->answered());
+  };
+  StudyOutcome outcome;
+  const StopSignal stop_signal;
+  std::exception_ptr failure;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    ranks.answerAll(handout, answer, take, [] { return StopSignal::received() != 0; });
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  outcome.time = std::chrono::steady_clock::now() - start;
+  ranks.together([&] {
+    if (failure) std::rethrow_exception(failure);
+    if (!journal) return;
+    if (!journal->missing().empty()) throw stoppedAt(*journal, part.size(), target.out);
+    journal->finish();
+  });
+  if (!journal) return outcome;
+  outcome.tallies = journal->tallies();
+  outcome.answered = journal->answered() - answered_before;
+  return outcome;
+}
+
+}  // namespace octoblisk::demos

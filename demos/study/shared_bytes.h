@@ -1,0 +1,28 @@
+// Bytes that several may read.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+
+namespace octoblisk::demos {
+
+/// Bytes that begin at a multiple of 64, as tree_blob.h wants them, and who keeps them.
+struct SharedBytes {
+  std::span<const std::byte> bytes;
+  std::shared_ptr<const void> owner;
+};
+
+inline constexpr std::size_t kSharedAlignment = 64;
+
+inline SharedBytes alignedCopy(std::span<const std::byte> bytes) {
+  constexpr std::align_val_t kAligned{kSharedAlignment};
+  const std::shared_ptr<std::byte> copy(static_cast<std::byte*>(::operator new(bytes.size() + 1, kAligned)),
+                                        [](std::byte* memory) { ::operator delete(memory, kAligned); });
+  if (!bytes.empty()) std::memcpy(copy.get(), bytes.data(), bytes.size());
+  return {{copy.get(), bytes.size()}, copy};
+}
+
+}  // namespace octoblisk::demos

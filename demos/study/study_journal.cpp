@@ -1,0 +1,193 @@
+#include "study/study_journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "octoblisk/tree_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+std::string_view textIn(const MappedFile& file) {
+  return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+}
+
+/// Whether the name still is that of the open file.
+bool isStillNamed(const std::filesystem::path& name, std::FILE* file) {
+  struct stat opened = {}, named = {};
+  return ::fstat(::fileno(file), &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+std::filesystem::path behindLinks(const std::filesystem::path& file) {
+  return std::filesystem::is_symlink(file) ? std::filesystem::weakly_canonical(file) : file;
+}
+
+}  // namespace
+
+StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path out, Form form, bool resume)
+    : study_(std::move(study)),
+      out_(std::move(out)),
+      form_(form),
+      resume_(resume),
+      named_(!isDevice(out_)),
+      head_(headOf(study_, part)) {
+  part_.study = study_;
+  part_.items = part;
+  if (std::filesystem::is_directory(out_)) refuse(out_, "this is a folder, not a file");
+  if (named_) out_ = behindLinks(out_);
+  if (!named_ && resume_) refuse(out_, "is no file that could be resumed");
+  open();
+  if (named_) readBack();
+  if (part_.groups.empty() && resume_ && form_ == Form::part && isDoneAlready()) return;
+  if (!goesToItsEnd()) {
+    removeIfEmpty();
+    refuse(out_, "cannot be written");
+  }
+}
+
+StudyJournal::~StudyJournal() { removeIfEmpty(); }
+
+/// What was cut off goes; so does a head without answers, which may be another study's.
+bool StudyJournal::goesToItsEnd() {
+  if (part_.groups.empty()) part_.sound_bytes = 0;
+  const auto size = static_cast<off_t>(part_.sound_bytes);
+  if (::ftruncate(::fileno(file_.get()), size) != 0 || std::fseek(file_.get(), 0, SEEK_END) != 0)
+    return false;
+  if (part_.sound_bytes > 0) return true;
+  part_.sound_bytes = head_.size();
+  return std::fwrite(head_.data(), 1, head_.size(), file_.get()) == head_.size();
+}
+
+void StudyJournal::removeIfEmpty() {
+  std::error_code ignored;
+  if (file_ && named_ && part_.groups.empty()) std::filesystem::remove(unfinished(), ignored);
+}
+
+void StudyJournal::open() {
+  if (named_) {
+    const int opened = ::open(unfinished().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (opened >= 0) file_.reset(::fdopen(opened, "r+b"));
+  } else {
+    file_.reset(std::tmpfile());
+  }
+  if (!file_) refuse(out_, "cannot be written");
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  // File systems without locks do without.
+  const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (named_ && (is_locked || !isStillNamed(unfinished(), file_.get()))) {
+    file_.reset();  // it is not ours to remove
+    refuse(out_, "another run is writing it");
+  }
+}
+
+/// Finds what an earlier run left in the open file.
+void StudyJournal::readBack() try {
+  const MappedFile mapped(unfinished());
+  const std::string_view text = textIn(mapped);
+  if (text.size() < head_.size() && head_.starts_with(text)) return;  // it did not come far
+  PartText found = readPart(text);
+  if (found.groups.empty()) return;
+  if (!resume_) {
+    throw std::invalid_argument("holds the answers of an unfinished run: go on with --resume, or remove it");
+  }
+  const std::string difference = differenceOf(study_, found.study);
+  if (!difference.empty()) throw std::invalid_argument("was begun with other " + difference);
+  if (found.items != part_.items) {
+    throw std::invalid_argument("was begun as another part: items " + std::to_string(found.items.begin) +
+                                " to " + std::to_string(found.items.end));
+  }
+  if (!text.starts_with(head_)) throw std::invalid_argument("is damaged: its head is not as it was written");
+  part_ = std::move(found);
+} catch (const std::invalid_argument& error) {
+  file_.reset();
+  refuse(unfinished(), error.what());
+}
+
+/// Whether OUT is this part, whole: then it stays.
+bool StudyJournal::isDoneAlready() try {
+  const MappedFile mapped(out_);
+  PartText found = readPart(textIn(mapped));
+  finished_ =
+      differenceOf(study_, found.study).empty() && found.items == part_.items && missingItems(found).empty();
+  if (finished_) part_ = std::move(found);
+  if (finished_) std::filesystem::remove(unfinished());
+  return finished_;
+} catch (const std::exception&) {  // no such file, or the result of something else
+  return false;
+}
+
+std::size_t StudyJournal::answered() const {
+  std::size_t count = 0;
+  for (const GroupInText& group : part_.groups) count += group.items.size();
+  return count;
+}
+
+void StudyJournal::add(std::span<const AnsweredGroup> groups) {
+  std::string text;
+  std::vector<GroupInText> added;
+  for (const AnsweredGroup& group : groups) {
+    text += textOf(group, head_);
+    const std::size_t begin = part_.sound_bytes + text.size() - group.rows.size();
+    added.push_back({group.items, begin, group.rows.size(), group.tally});
+  }
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
+    refuse(out_, "cannot be written to its end; what was answered is in " + unfinished().string());
+  }
+  part_.sound_bytes += text.size();
+  part_.groups.insert(part_.groups.end(), added.begin(), added.end());
+}
+
+std::string StudyJournal::rowsOf(const GroupInText& group) {
+  std::string rows(group.bytes, '\0');
+  if (std::fseek(file_.get(), static_cast<long>(group.begin), SEEK_SET) != 0 ||
+      std::fread(rows.data(), 1, rows.size(), file_.get()) != rows.size()) {
+    refuse(unfinished(), "cannot be read back");
+  }
+  return rows;
+}
+
+void StudyJournal::finish() {
+  if (finished_) return;
+  std::ranges::sort(part_.groups, {}, [](const GroupInText& group) { return group.items.begin; });
+  NewFile whole(out_);
+  whole.write(form_ == Form::part ? head_ : study_.columns + '\n');
+  for (const GroupInText& group : part_.groups) {
+    const std::string rows = rowsOf(group);
+    whole.write(form_ == Form::part ? textOf({group.items, rows, group.tally}, head_) : rows);
+  }
+  whole.keep();
+  std::error_code ignored;
+  if (named_) std::filesystem::remove(unfinished(), ignored);
+  file_.reset();
+  finished_ = true;
+}
+
+std::vector<std::string> StudyJournal::tallies() const {
+  std::vector<GroupInText> groups = part_.groups;
+  std::ranges::sort(groups, {}, [](const GroupInText& group) { return group.items.begin; });
+  std::vector<std::string> result;
+  for (GroupInText& group : groups) result.push_back(std::move(group.tally));
+  return result;
+}
+
+std::filesystem::path StudyJournal::unfinished() const {
+  std::filesystem::path name = out_;
+  name += ".partial";
+  return name;
+}
+
+void StudyJournal::refuse(const std::filesystem::path& file, const std::string& message) const {
+  throw std::runtime_error(file.string() + ": " + message);
+}
+
+}  // namespace octoblisk::demos

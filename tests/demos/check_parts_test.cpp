@@ -1,0 +1,140 @@
+// octoblisk check by parts, with breaks, and octoblisk merge.
+#include "demos/check_parts.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <string>
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST_F(CheckParts, ShardsMergeToTheFileAndTheWordsOfThePlainRun) {
+  for (const std::string& columns : {std::string(), all_columns_}) {
+    const Outcome plain = run(check_ + columns + "--out plain.csv");
+    ASSERT_EQ(plain.exit_code, 1) << plain.error;
+    for (const int count : {1, 2, 3, 7}) {
+      std::string parts;
+      for (int i = count; i >= 1; --i) {  // the order does not count
+        const std::string name = "part" + std::to_string(i);
+        const Outcome part = run(check_ + columns + "--threads " + std::to_string(i) + " --shard " +
+                                 std::to_string(i) + "/" + std::to_string(count) + " --out " + name);
+        ASSERT_LE(part.exit_code, 1) << part.error;
+        parts += name + ' ';
+      }
+      const Outcome merged = run("merge " + parts + "--out merged.csv");
+      EXPECT_EQ(merged.exit_code, 1) << merged.error;
+      EXPECT_EQ(content("merged.csv"), content("plain.csv")) << count << " shards";
+      EXPECT_EQ(withoutTimes(merged.out), withoutTimes(plain.out));
+    }
+  }
+  const std::string told = run(check_ + "--out plain.csv").out;
+  const int colliding = std::stoi(told.substr(told.find(": ") + 2));
+  EXPECT_GT(colliding, 0.3 * kPoses);
+  EXPECT_LT(colliding, 0.7 * kPoses);
+}
+
+TEST_F(CheckParts, PartsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
+  const auto part = [&](const std::string& options, const std::string& name) {
+    const Outcome outcome = run(options + " --out " + name);
+    ASSERT_LE(outcome.exit_code, 1) << outcome.error;
+  };
+  part(check_ + "--shard 1/2", "first");
+  part(check_ + "--clearance --shard 2/2", "columns");
+  part(check_ + "--shard 2/2 --threads 2 --tolerance 0.01", "second");
+  part("check --fixed box.obj --moving box.obj --poses poses.csv --shard 2/2", "fixed");
+  part("check --fixed ring.obj --moving ring.obj --poses poses.csv --shard 2/2", "moving");
+  std::string poses = content("poses.csv");
+  const std::size_t last = poses.rfind('\n', poses.size() - 2) + 1;
+  folder_.write("poses.csv", poses.substr(0, last) + "9" + poses.substr(last));
+  part(check_ + "--shard 2/2", "poses");
+  for (const auto& [name, what] :
+       {std::pair("columns", "options"), {"fixed", "fixed"}, {"moving", "moving"}, {"poses", "poses"}}) {
+    const Outcome outcome = run(std::string("merge first ") + name + " --out merged.csv");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.error,
+              std::string("octoblisk: ") + name + ": is of another study than first: other " + what + "\n");
+    EXPECT_FALSE(exists("merged.csv"));
+  }
+  EXPECT_LE(run("merge second first --out merged.csv").exit_code, 1)
+      << "threads, and a tolerance of nothing asked for, do not count";
+}
+
+TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
+  for (const std::string wrong : {"0/2", "3/2", "2", "a/b", "1/2/3"}) {
+    const Outcome outcome = run(check_ + "--out out.csv --shard " + wrong);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.error, StartsWith("--shard: '" + wrong + "' is no part of a whole"));
+  }
+  for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
+    expectRefused(check_.substr(6) + options + "--out missing/out.csv",
+                  "missing/out.csv: cannot be written\n");
+    expectRefused(check_.substr(6) + options + "--out .", ".: this is a folder");
+    expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: cannot be both");
+  }
+  expectRefused(check_.substr(6) + "--resume --out /dev/null", "/dev/null: is no file that could be resumed");
+  EXPECT_EQ(run("merge poses.csv --out merged.csv").error,
+            "octoblisk: poses.csv: is no part of a study: its first line is another\n");
+  EXPECT_EQ(run("merge missing --out merged.csv").error, "octoblisk: missing: no such file\n");
+  EXPECT_EQ(run("merge --out merged.csv").exit_code, 2);
+  EXPECT_FALSE(exists("merged.csv"));
+  EXPECT_FALSE(exists("out.csv"));
+  EXPECT_FALSE(exists("out.csv.partial"));
+}
+
+TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
+  ASSERT_EQ(run(check_ + all_columns_ + "--out plain.csv").exit_code, 1);
+  ASSERT_EQ(run(check_ + all_columns_ + "--shard 1/1 --out whole").exit_code, 1);
+  const std::string whole = content("whole");
+  const Outcome plain = run(check_ + all_columns_ + "--out plain.csv");
+  for (int i = 0; i <= 12; ++i) {
+    folder_.write("resumed.csv.partial", whole.substr(0, whole.size() * i / 12));
+    const Outcome resumed = run(check_ + all_columns_ + "--resume --out resumed.csv");
+    EXPECT_EQ(resumed.exit_code, 1) << resumed.error;
+    EXPECT_EQ(content("resumed.csv"), content("plain.csv")) << i;
+    EXPECT_EQ(withoutTimes(resumed.out), withoutTimes(plain.out)) << i;
+    EXPECT_FALSE(exists("resumed.csv.partial"));
+  }
+}
+
+TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
+  repeatPoses(8);
+  const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
+  ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
+
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string command = "cd '" + folder_.path().string() + "' && exec '" OCTOBLISK_COMMAND "' " +
+                                arguments + "stopped.csv >stdout.txt 2>stderr.txt </dev/null";
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  EXPECT_TRUE(waitForAnswers("stopped.csv"));
+  ::kill(child, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped; stopped.csv.partial holds "));
+  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers: go on with --resume\n"));
+  EXPECT_FALSE(exists("stopped.csv"));
+  const Outcome refused = run(arguments + "stopped.csv");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.error,
+              StartsWith("octoblisk: stopped.csv.partial: holds the answers of an unfinished run"));
+  EXPECT_EQ(run(arguments + "stopped.csv --resume").exit_code, 1);
+  EXPECT_EQ(content("stopped.csv"), content("plain.csv"));
+}
+
+TEST_F(CheckParts, ResultsMayGoToAPipe) {
+  ASSERT_EQ(run(check_ + "--out plain.csv").exit_code, 1);
+  ASSERT_EQ(run(check_ + "--out /dev/stderr 2>&1 >/dev/null | cat >piped.csv; true").exit_code, 0);
+  EXPECT_EQ(content("piped.csv"), content("plain.csv"));
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
