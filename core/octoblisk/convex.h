@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "octoblisk/hull_faces.h"
 #include "octoblisk/types.h"
 
 namespace octoblisk {
@@ -25,6 +26,8 @@ class Convex {
   virtual Vec3 middle() const { return Vec3::Zero(); }
   /// Points whose hull is the core, where they are few: searches leave out more with them. Else none.
   virtual std::span<const Vec3> points() const { return {}; }
+  /// The faces and edges of the hull of points(), where they are known: they make contacts exact and fast.
+  virtual HullFaces faces() const { return {}; }
 
   /// The core's box along the axes of its frame.
   Aabb coreBounds() const {
@@ -48,7 +51,7 @@ const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
 
 /// A few points whose hull holds a body's core: its own, or in `room` the corners of its box.
 std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room);
-inline constexpr std::size_t kMostPointsRoundCore = 64;
+inline constexpr std::size_t kMostPointsRoundCore = HullFaceList::kMostPoints;
 
 /// The hull of some points, grown by a radius.
 class ConvexHull final : public Convex {
@@ -59,25 +62,32 @@ class ConvexHull final : public Convex {
   Vec3 support(const Vec3& direction) const override;
   double radius() const override { return radius_; }
   std::span<const Vec3> points() const override { return points_; }
+  HullFaces faces() const override { return faces_.view(); }
 
  private:
   std::vector<Vec3> points_;
+  HullFaceList faces_;
   double radius_;
 };
 
 /// A box, in the frame that its centre and axes are given in.
 class ConvexBox final : public Convex {
  public:
-  explicit ConvexBox(const Obb& box) : box_(box) {}
+  explicit ConvexBox(const Obb& box);
 
   Vec3 middle() const override { return box_.center; }
   Vec3 support(const Vec3& direction) const override {
     const Vec3 local = box_.axes.transpose() * direction;
     return box_.center + box_.axes * (local.array() < 0.0).select(-box_.half_extents, box_.half_extents);
   }
+  std::span<const Vec3> points() const override { return points_; }
+  HullFaces faces() const override { return {faces_, edges_}; }
 
  private:
   Obb box_;
+  std::array<Vec3, 8> points_;     // bit k of the index: which end of axis k
+  std::array<HullFace, 6> faces_;  // 2k and 2k + 1: the lower and the upper end of axis k
+  std::array<HullEdge, 12> edges_;
 };
 
 }  // namespace octoblisk

@@ -16,7 +16,7 @@ namespace octoblisk {
 namespace {
 
 /// The corners of a shape's core, if it is the hull of a few.
-void cornersOfCore(const btConvexShape& shape, std::vector<Vec3>& corners) {
+void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
   corners.clear();
   switch (shape.getShapeType()) {
     case SPHERE_SHAPE_PROXYTYPE:
@@ -52,35 +52,42 @@ void cornersOfCore(const btConvexShape& shape, std::vector<Vec3>& corners) {
 /// Bullet's convex shapes are a core and a margin round it, as ours are.
 class BulletConvex final : public Convex {
  public:
-  /// `corners` is room for those of the core.
-  BulletConvex(const btConvexShape& shape, std::vector<Vec3>& corners)
-      : shape_(shape), corners_(corners), margin_(double(shape.getMarginNonVirtual())) {
-    cornersOfCore(shape, corners);
-  }
+  BulletConvex(const btConvexShape& shape, const CoreCorners& core)
+      : shape_(shape), core_(core), margin_(double(shape.getMarginNonVirtual())) {}
 
   Vec3 support(const Vec3& direction) const override {
-    if (!corners_.empty()) return farthest(corners_, direction);
+    if (!core_.points().empty()) return farthest(core_.points(), direction);
     return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
   }
   double radius() const override { return margin_; }
   double precision() const override {
-    return corners_.empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
+    return core_.points().empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
   }
-  std::span<const Vec3> points() const override { return corners_; }
+  std::span<const Vec3> points() const override { return core_.points(); }
+  HullFaces faces() const override { return core_.faces(); }
 
  private:
   const btConvexShape& shape_;
-  const std::vector<Vec3>& corners_;
+  const CoreCorners& core_;
   const double margin_;
 };
 
 }  // namespace
 
+void CoreCorners::update(const btConvexShape& shape) {
+  readCorners(shape, read_);
+  if (read_ == points_) return;
+  std::swap(read_, points_);
+  faces_.find(points_);
+}
+
 void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                        const btCollisionObjectWrapper& other, double reach,
                                        std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), corners_);
+  const auto& convex_shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
+  core_.update(convex_shape);
+  const BulletConvex convex(convex_shape, core_);
   const Pose convex_in_mesh =
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape.tree(), convex, convex_in_mesh, reach, near_, found);

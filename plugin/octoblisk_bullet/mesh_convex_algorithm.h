@@ -1,11 +1,29 @@
 // Our shape against a convex one.
 #pragma once
 
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include "octoblisk/hull_faces.h"
 #include "octoblisk/internal_edges.h"
 #include "octoblisk/near_triangles.h"
 #include "octoblisk_bullet/mesh_algorithm.h"
 
 namespace octoblisk {
+
+/// The core of a convex shape where it is the hull of a few points; none of another.
+class CoreCorners {
+ public:
+  /// As the shape is now: it may have been scaled, or given points, since the last time. Allocates nothing
+  /// where it has not.
+  void update(const btConvexShape& shape);
+
+  std::span<const Vec3> points() const { return points_; }
+  HullFaces faces() const { return faces_.view(); }
+
+ private:
+  std::vector<Vec3> points_, read_;
+  HullFaceList faces_;
+};
 
 class MeshConvexAlgorithm final : public MeshAlgorithm {
  public:
@@ -18,7 +36,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
                     std::vector<Contact>& found) override;
   void trianglesHaveMoved() override { near_.forget(); }
 
-  std::vector<Vec3> corners_;  // of the convex shape, as it is at this step
+  CoreCorners core_;
   NearTriangles near_;
   InternalEdges internal_edges_;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "octoblisk/closest_point.h"
 #include "octoblisk/epa.h"
 #include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
@@ -96,6 +97,129 @@ TEST(TriangleConvex, sliversAndSegmentsInBoxesEqualTheThirteenAxes) {
   }
   EXPECT_GT(hits, kCases * 3 / 10);
   EXPECT_LT(hits, kCases * 7 / 10);
+}
+
+/// A body without what is known of it but its support: what GJK and EPA are left to find.
+class SupportAlone final : public Convex {
+ public:
+  explicit SupportAlone(const Convex& convex) : convex_(convex) {}
+  Vec3 support(const Vec3& direction) const override { return convex_.support(direction); }
+  double radius() const override { return convex_.radius(); }
+  Vec3 middle() const override { return convex_.middle(); }
+
+ private:
+  const Convex& convex_;
+};
+
+struct Agreement {
+  int cases = 0, cores_meet = 0, normals_differ = 0;
+};
+
+/// The contact by axes, or a closed form, against that by search: distances are equal, normals are where the
+/// way out is the only one, the points are on the two bodies and the distance apart.
+void expectAsSearched(const Triangle& triangle, const Convex& convex, double size, Agreement& seen) {
+  const auto found = contactOf(triangle, convex, 1e4),
+             searched = contactOf(triangle, SupportAlone(convex), 1e4);
+  ASSERT_TRUE(found && searched) << "case " << seen.cases;
+  ASSERT_NEAR(found->distance, searched->distance, 1e-9 * size) << "case " << seen.cases;
+  ASSERT_NEAR(found->normal.norm(), 1.0, 1e-12);
+  const Vec3 end = found->point_on_b + found->distance * found->normal;
+  ASSERT_LE((end - found->point_on_a).norm(), 1e-9 * size) << "case " << seen.cases;
+  ASSERT_LE((closestPoint(triangle, found->point_on_a) - found->point_on_a).norm(), 1e-8 * size)
+      << "case " << seen.cases;
+  const Vec3 on_core = found->point_on_b - convex.radius() * found->normal;
+  const auto at_point = contactOf({on_core, on_core, on_core}, SupportAlone(convex), 1e4);
+  ASSERT_LE(at_point->distance, 1e-8 * size - convex.radius()) << "case " << seen.cases;
+  // It parts the two, or tells them apart, by itself.
+  const double low = std::min(
+      {found->normal.dot(triangle[0]), found->normal.dot(triangle[1]), found->normal.dot(triangle[2])});
+  const double high = found->normal.dot(convex.support(found->normal)) + convex.radius();
+  ASSERT_NEAR(low - high, found->distance, 1e-8 * size) << "case " << seen.cases;
+  ++seen.cases;
+  seen.cores_meet += found->distance < -convex.radius();
+  seen.normals_differ += found->normal.dot(searched->normal) < 1.0 - 1e-6;
+}
+
+TEST(TriangleConvex, hullsByTheirFacesEqualSearches) {
+  std::mt19937_64 random(22);
+  Agreement seen;
+  for (int i = 0; i < 30'000; ++i) {
+    std::vector<Vec3> points;
+    for (int p = 0; p < 4 + i % 29; ++p) points.push_back(randomPoint(random, 1).normalized());
+    const ConvexHull hull(points, i % 3 ? 0.0 : 0.1);
+    ASSERT_FALSE(hull.faces().empty());
+    const double size = std::pow(10.0, uniform(random, -2, 2));  // of the triangle: small and large ones
+    Triangle triangle = randomTriangle(random, size);
+    const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0, to = randomPoint(random, 1.1);
+    for (Vec3& corner : triangle) corner += to - middle;
+    expectAsSearched(triangle, hull, 3.0 + 3.0 * size, seen);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.cores_meet, seen.cases * 3 / 10);
+  EXPECT_LT(seen.cores_meet, seen.cases * 7 / 10);
+  EXPECT_LT(seen.normals_differ, seen.cases / 1000);  // two ways out as long
+}
+
+/// A narrow triangle that still has a normal, a large one, or one along the axes.
+Triangle awkwardTriangleWithNormal(std::mt19937_64& random, int kind) {
+  if (kind != 0) return awkwardTriangle(random, kind + 2);
+  Triangle t = randomTriangle(random, 1.5);
+  const double width = std::pow(10.0, uniform(random, -5, -1));
+  t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]) + randomPoint(random, width);
+  return t;
+}
+
+TEST(TriangleConvex, awkwardTrianglesInHullsEqualSearches) {
+  std::mt19937_64 random(23);
+  Agreement seen;
+  for (int i = 0; i < 40'000; ++i) {
+    const Triangle triangle = awkwardTriangleWithNormal(random, i % 3);
+    const bool aligned = i % 3 == 2;  // a hull with its corners on the triangles' grid
+    std::vector<Vec3> points;
+    for (int p = 0; p < 4 + i % 20; ++p) {
+      const Vec3 point = randomPoint(random, 1.2);
+      points.push_back(aligned ? Vec3((2.0 * point).array().round() * 0.5) : point);
+    }
+    const ConvexHull hull(points);
+    const double size = triangle[0].norm() + triangle[1].norm() + triangle[2].norm() + 3.0;
+    expectAsSearched(triangle, hull, size, seen);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.cores_meet, seen.cases * 3 / 10);
+  EXPECT_LT(seen.cores_meet, seen.cases * 7 / 10);
+}
+
+TEST(TriangleConvex, spheresAndCapsulesEqualSearches) {
+  std::mt19937_64 random(24);
+  Agreement seen;
+  for (int i = 0; i < 30'000; ++i) {
+    const Triangle triangle =
+        i % 4 == 0 ? awkwardTriangleWithNormal(random, i / 4 % 3) : randomTriangle(random, 1.2);
+    Vec3 from = randomPoint(random, 1), to = randomPoint(random, 1);
+    if (i % 7 == 0) {  // along the triangle, and in it
+      from = triangle[0] + 0.4 * (triangle[1] - triangle[0]) + 0.3 * (triangle[2] - triangle[0]);
+      to = from + uniform(random, -1, 1) * (triangle[1] - triangle[0]);
+    }
+    const ConvexHull body(i % 3 ? std::vector<Vec3>{from, to} : std::vector<Vec3>{from},
+                          uniform(random, 0, 0.5));
+    const double size = triangle[0].norm() + triangle[1].norm() + triangle[2].norm() + 3.0;
+    expectAsSearched(triangle, body, size, seen);
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(seen.cores_meet, seen.cases / 10);  // a capsule's axis through the triangle
+}
+
+TEST(TriangleConvex, flatOnEachOtherTheyTouchInTheMiddle) {
+  // A box on a floor, over the floor's end by half: what they share is 1 x 2.
+  const Triangle floor = {Vec3(0, -100, 0), Vec3(0, 100, 0), Vec3(-100, 0, 0)};
+  for (const double height : {0.0, 0.01, -0.01}) {
+    const ConvexBox box({Vec3(0, 0, 1 + height), Mat3::Identity(), Vec3::Ones()});
+    const auto contact = contactOf(floor, box, 0.1);
+    ASSERT_TRUE(contact);
+    EXPECT_NEAR(contact->distance, height, 1e-12);
+    EXPECT_NEAR(contact->normal.z(), -1.0, 1e-12);
+    EXPECT_TRUE(contact->point_on_b.isApprox(Vec3(-0.5, 0, height), 1e-6)) << contact->point_on_b.transpose();
+  }
 }
 
 TEST(TriangleConvex, depthFromAFlatSimplex) {
