@@ -143,7 +143,7 @@ std::vector<Claim> detectionClaims(const DetectionResult& result) {
   claims.push_back(
       {"Table 3: false positives of the traditional and the improved method, of the clear poses held off the "
        "blade",
-       "not given",
+       "–",
        std::to_string(alarms(kTraditional)) + " and " + std::to_string(alarms(kImproved)) + " of " +
            std::to_string(result.rows.front().lifted.clear)});
   return claims;

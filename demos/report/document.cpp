@@ -157,12 +157,12 @@ std::string htmlFigure(const Figure& figure, const std::filesystem::path& folder
 /// Wide tables scroll under their first column; figures stand side by side where there is room.
 constexpr std::string_view kStyle =
     "body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#21262e}"
-    "nav a{margin-right:1.2rem}figure{margin:1rem 0}figcaption{color:#5c6675}"
+    "nav a{display:inline-block;margin-right:1.2rem}figure{margin:1rem 0}figcaption{color:#5c6675}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
     ".table figcaption{font-weight:bold;color:inherit;font-size:.9rem;padding:.3rem 0}"
     "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:left;vertical-align:top}"
     "th{background:#eef1f4}td{background:#fff}td.n,th.n{text-align:right}td.n{white-space:nowrap}"
-    "th:first-child:not(.n),td:first-child:not(.n){position:sticky;left:0;min-width:6rem;max-width:45vw}"
+    "th:first-child:not(.n),td:first-child:not(.n){position:sticky;left:0;min-width:7.5rem;max-width:45vw}"
     ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(24rem,100%),1fr));gap:0 1rem}"
     "img{max-width:100%}";
 

@@ -120,8 +120,7 @@ TEST(RobotTotals, ofTwoRunsByHand) {
 TEST(AlgorithmChart, hasEveryStepAndNoBoxOverAnother) {
   const FlowChart chart = algorithmChart();
   const std::string svg = svgOf(chart);
-  for (const char* words :
-       {"principal", "k-means", "octree", "axes (eq. 11)", ">yes<", ">no<", "</svg>"}) {
+  for (const char* words : {"principal", "k-means", "octree", "axes (eq. 11)", ">yes<", ">no<", "</svg>"}) {
     EXPECT_THAT(svg, HasSubstr(words));
   }
   for (std::size_t i = 0; i < chart.boxes.size(); ++i) {
