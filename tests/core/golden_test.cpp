@@ -49,7 +49,7 @@ const std::vector<Golden> kGolden = {
     {"contacts of convex bodies", 0xec73aca49ae3db7fu},
     {"distance", 0x46ec8a306b220886u},
     {"rays", 0x1547be03d967fea6u},
-    {"motions", 0x6dff5da6f4c41260u},
+    {"motions", 0xb57082999be5c340u},
     {"sweeps", 0xfdf5a53f089dff03u},
     {"solids", 0x7f60464654bb3ca2u},
 };
@@ -167,7 +167,7 @@ std::uint64_t hashOfMotions(const Scene& scene, const ClusteredOctree& a, const 
   Answers answers;
   for (std::size_t i = 0; i + 1 < scene.poses.size(); i += 2) {
     const Motion motion(scene.poses[i], scene.poses[i + 1]);
-    answers.add(relativeLengthBound(a, Motion::about({}, {}, scene.poses[i].translation), b, motion));
+    answers.add(relativeLengthBound(a, Motion::about({}, Vec3::Zero(), scene.poses[i].translation), b, motion));
     for (int step = 0; step <= 100; ++step) {
       const Pose pose = motion.at(0.01 * step);
       answers.add(pose.translation);
