@@ -12,8 +12,52 @@
 namespace octoblisk {
 namespace {
 
+// What follows is written so that it gives the same bits for every width of registers, with fused
+// multiply-add or without: Eigen's own sums and products of many rows do not.
+
+/// In four lanes: f(i) of the first four rows, of the next four, … and of the rest.
+template <typename Four, typename One>
+float sumOfRows(Eigen::Index rows, const Four& four, const One& one) {
+  Eigen::Array4f lanes = Eigen::Array4f::Zero();
+  Eigen::Index row = 0;
+  for (; row + 4 <= rows; row += 4) lanes += four(row);
+  for (Eigen::Index lane = 0; row < rows; ++row, ++lane) lanes[lane] += one(row);
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+Eigen::RowVector3f meanOf(const VertexSample& points) {
+  Eigen::RowVector3f sum;
+  for (int k = 0; k < 3; ++k) {
+    const auto column = points.col(k).array();
+    sum[k] = sumOfRows(
+        points.rows(), [&](Eigen::Index row) { return column.segment<4>(row); },
+        [&](Eigen::Index row) { return column[row]; });
+  }
+  return sum / static_cast<float>(points.rows());
+}
+
+Eigen::Matrix3f covarianceOf(const VertexSample& centred) {
+  Eigen::Matrix3f covariance;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const auto one = centred.col(i).array(), other = centred.col(j).array();
+      covariance(i, j) = covariance(j, i) = sumOfRows(
+          centred.rows(), [&](Eigen::Index row) { return one.segment<4>(row) * other.segment<4>(row); },
+          [&](Eigen::Index row) { return one[row] * other[row]; });
+    }
+  }
+  return covariance / static_cast<float>(centred.rows());
+}
+
+void project(const VertexSample& points, const Eigen::Matrix3f& axes, VertexSample& local) {
+  local.resize(points.rows(), 3);
+  for (int k = 0; k < 3; ++k) {
+    local.col(k) = points.col(0) * axes(0, k) + points.col(1) * axes(1, k) + points.col(2) * axes(2, k);
+  }
+}
+
 Eigen::Matrix3f principalFrame(const VertexSample& centred) {
-  const Eigen::Matrix3f covariance = centred.transpose() * centred / static_cast<float>(centred.rows());
+  const Eigen::Matrix3f covariance = covarianceOf(centred);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance);
   const Eigen::Vector3f longest = solver.eigenvectors().col(2);
@@ -111,11 +155,12 @@ void sampleVertices(std::span<const TriangleRecord> records, std::span<const std
 }
 
 BoxF fitBox(const VertexSample& points, float slack) {
-  const Eigen::RowVector3f mean = points.colwise().mean();
+  const Eigen::RowVector3f mean = meanOf(points);
   const VertexSample centred = points.rowwise() - mean;
   BoxF box;
   box.axes = principalFrame(centred);
-  VertexSample local = centred.lazyProduct(box.axes);
+  VertexSample local;
+  project(centred, box.axes, local);
 
   Eigen::RowVector3f extent = local.colwise().maxCoeff() - local.colwise().minCoeff();
   int thinnest = 0;
@@ -126,7 +171,7 @@ BoxF fitBox(const VertexSample& points, float slack) {
   box.axes.col(u) = turn.cosine * axis_u + turn.sine * axis_v;
   box.axes.col(v) = turn.cosine * axis_v - turn.sine * axis_u;
 
-  local = centred.lazyProduct(box.axes);
+  project(centred, box.axes, local);
   const Eigen::Vector3f low = local.colwise().minCoeff(), high = local.colwise().maxCoeff();
   box.half_extents = 0.5f * (high - low);
   box.center = mean.transpose() + box.axes * (0.5f * (low + high));

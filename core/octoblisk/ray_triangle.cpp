@@ -61,11 +61,11 @@ enum class Verdict { missed, crossed, open };
 Verdict quickly(const Vec3& origin, const Vec3& direction, const Triangle& triangle, LineCrossing& found) {
   constexpr double kRounding =
       16 * 0x1p-53;  // of the sum of a triple product's terms: twice Shewchuk's bound
-  constexpr double kSmallest = 1e-300;
+  constexpr double kProductUnderflow = 1e-300;
   const Vec3 a = triangle[0] - origin, b = triangle[1] - origin, c = triangle[2] - origin;
   const double way = direction.cwiseAbs().sum();
   const double reach = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).maxCoeff();
-  const double side_error = kRounding * 2.0 * reach * reach * way + kSmallest;
+  const double side_error = kRounding * 2.0 * reach * reach * way + kProductUnderflow;
   const Vec3 turned_a = direction.cross(a), turned_b = direction.cross(b);
   const double ab = turned_a.dot(b), bc = turned_b.dot(c), ca = -turned_a.dot(c);
   const double least = std::min({ab, bc, ca}), greatest = std::max({ab, bc, ca});
@@ -77,7 +77,8 @@ Verdict quickly(const Vec3& origin, const Vec3& direction, const Triangle& trian
   const double size = to_b.cwiseAbs().cwiseMax(to_c.cwiseAbs()).maxCoeff();
   const double height = a.dot(normal), rate = direction.dot(normal);
   const double error = kRounding / kRelativeError * 2.0 * size * size;
-  if (!(std::abs(height) > error * 3.0 * reach + kSmallest && std::abs(rate) > error * way + kSmallest)) {
+  if (!(std::abs(height) > error * 3.0 * reach + kProductUnderflow &&
+        std::abs(rate) > error * way + kProductUnderflow)) {
     return Verdict::open;
   }
   if ((height > 0.0) != (rate > 0.0)) return Verdict::missed;

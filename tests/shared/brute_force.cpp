@@ -40,8 +40,8 @@ void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b
 
 bool separated(const IntVec& axis, const std::array<IntVec, 3>& a, const std::array<IntVec, 3>& b) {
   const auto along = [&](const IntVec& point) { return axis.dot(point); };
-  const auto [low_a, high_a] = std::ranges::minmax({along(a[0]), along(a[1]), along(a[2])});
-  const auto [low_b, high_b] = std::ranges::minmax({along(b[0]), along(b[1]), along(b[2])});
+  const auto [low_a, high_a] = std::minmax({along(a[0]), along(a[1]), along(a[2])});
+  const auto [low_b, high_b] = std::minmax({along(b[0]), along(b[1]), along(b[2])});
   return high_a < low_b || high_b < low_a;
 }
 
@@ -107,7 +107,7 @@ double boxTriangleOverlap(const Obb& box, const Triangle& triangle) {
     if (axis.norm() < 1e-12) continue;
     const Vec3 unit = axis.normalized();
     const auto [low, high] =
-        std::ranges::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
+        std::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
     const double radius = unit.cwiseAbs().dot(box.half_extents);
     least = std::min({least, radius - low, radius + high});
   }
