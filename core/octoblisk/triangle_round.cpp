@@ -137,8 +137,7 @@ CoreContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const Vec3 scaled = scaledNormal(triangle), facing = scaled.normalized();
   const double height = facing.dot(point - triangle[0]);
   // Nearer than the triangle is wide, its own normal is better than the difference of two points.
-  const bool is_over =
-      std::abs(height) >= (1.0 - kTouching) * distance && distance * distance < scaled.norm();
+  const bool is_over = distance * distance < scaled.norm() && isOverTriangle(triangle, facing, point);
   if (is_over || distance <= kTouching * (point - triangle[0]).norm()) {
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);
     return {std::abs(height), normal, closest, closest - std::abs(height) * normal};
