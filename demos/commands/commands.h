@@ -6,6 +6,7 @@
 
 namespace octoblisk::demos {
 
+void addBladesCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
