@@ -11,5 +11,6 @@ void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
+void addPathCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos
