@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "models/welded_surface.h"
 #include "octoblisk/closest_point.h"
-#include "octoblisk/clustered_octree.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -66,26 +64,21 @@ BladeAnatomy anatomyOf(const BladeContours& contours) {
   return blade;
 }
 
-/// The backward side of each blade, blade 1 first.
-std::vector<ClusteredOctree> backwardSides(const TriangleMesh& blisk, const BladeSides& sides, int count) {
-  std::vector<std::vector<TriangleMesh::Indices>> triangles(count);
-  for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
-    if (sides.part_of_triangle[t] != BladePart::kBackward) continue;
-    triangles[sides.blade_of_triangle[t] - 1].push_back(blisk.triangles()[t]);
+double distanceToLine(const std::vector<ContourPoint>& line, const Vec3& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Vec3& from = line[k - 1].position;
+    const Vec3& to = line[k].position;
+    least = std::min(least, distance(Triangle{from, to, to}, point));
   }
-  std::vector<ClusteredOctree> trees;
-  for (auto& of_blade : triangles) {
-    std::vector<Vec3> vertices;  // those of the side alone
-    for (TriangleMesh::Indices& corners : of_blade) {
-      for (std::uint32_t& corner : corners) {
-        vertices.push_back(blisk.vertices()[corner]);
-        corner = static_cast<std::uint32_t>(vertices.size() - 1);
-      }
-    }
-    trees.push_back(ClusteredOctree::build(
-        std::make_shared<const TriangleMesh>(std::move(vertices), std::move(of_blade))));
-  }
-  return trees;
+  return least;
+}
+
+double gapBetween(const std::vector<ContourPoint>& a, const std::vector<ContourPoint>& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ContourPoint& point : a) least = std::min(least, distanceToLine(b, point.position));
+  for (const ContourPoint& point : b) least = std::min(least, distanceToLine(a, point.position));
+  return least;
 }
 
 }  // namespace
@@ -110,15 +103,11 @@ BliskAnatomy findAnatomy(const TriangleMesh& blisk, const BladesFound& found) {
     area += 0.5 * scaledNormal(blisk.triangle(t)).norm();
     ++blade.triangles;
   }
-  const std::vector<ClusteredOctree> sides = backwardSides(blisk, anatomy.sides, found.count);
   double camber = 0.0;
   for (int k = 0; k < found.count; ++k) {
     BladeAnatomy& blade = anatomy.blades[k];
-    blade.channel_width = std::numeric_limits<double>::infinity();
-    for (const ContourPoint& point : at_mid_height[k].forward) {
-      const auto across = closestPoint(sides[(k + 1) % found.count], point.position, blade.channel_width);
-      if (across) blade.channel_width = across->distance;
-    }
+    const BladeContour& next = at_mid_height[(k + 1) % found.count];
+    blade.channel_width = gapBetween(at_mid_height[k].forward, next.backward);
     camber += blade.camber / found.count;
   }
   constexpr double kLeastCamber = 0.003;

@@ -21,6 +21,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kGreatestError = 0.005;  // of the tip radius
+constexpr int kLeastBlades = 3;  // about an axis tried: any ring is two alike halves about its diameter
 
 struct SurfaceMoments {
   double area = 0.0;
@@ -146,7 +147,8 @@ BliskFound findBlisk(const TriangleMesh& mesh) {
   for (BliskAxis axis : principalAxes(mesh)) {
     axis.direction = upright(axis.direction);
     std::optional<BliskFound> found = repeatingAbout(mesh, axis);
-    if (!found) continue;
+    const bool is_enough = found && found->blades.count >= kLeastBlades;
+    if (!is_enough) continue;
     if (const auto finer = axisOfBlades(mesh, found->blades)) {
       std::optional<BliskFound> again = repeatingAbout(mesh, *finer);
       if (again && again->repeat_error < found->repeat_error) found = std::move(again);
