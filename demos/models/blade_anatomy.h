@@ -20,8 +20,8 @@ struct BladeAnatomy {
   /// How far the blade's middle bulges forward off its chord, in chords: the mean over a contour, taken over
   /// the middle of the height. Below 0 it bulges backward.
   double camber = 0.0;
-  /// The least distance from the contour at mid height of this blade's forward side to the backward side of
-  /// the next blade, with which it bounds a channel.
+  /// The least distance, at mid height, of this blade's forward side from the next blade's backward side: of
+  /// the contours there. The two sides bound a channel.
   double channel_width = 0.0;
 };
 
