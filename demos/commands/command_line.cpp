@@ -26,6 +26,8 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
 
   int exit_code = 0;
   addGrindCommand(app, exit_code);
+  addBladesCommand(app, exit_code);
+  addPathCommand(app, exit_code);
   addMakeCommand(app, exit_code);
   addCheckCommand(app, exit_code);
   addMergeCommand(app, exit_code);

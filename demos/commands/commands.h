@@ -6,10 +6,12 @@
 
 namespace octoblisk::demos {
 
+void addBladesCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
 void addMergeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
+void addPathCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos

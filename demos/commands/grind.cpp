@@ -27,6 +27,7 @@
 #include "report/grinding_report.h"
 #include "report/progress_bar.h"
 #include "toolpath/grinding_path.h"
+#include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -70,8 +71,24 @@ std::vector<ToolPart> toolParts(const std::string& belt_file) {
   return parts;
 }
 
-std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk, const BladesFound& blades) {
-  if (!request.path.empty()) return readPoses(request.path);
+void warn(const std::string& of, const std::string& what) {
+  std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
+}
+
+/// The poses of the user's file, a table or a CL file.
+std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk) {
+  const PathFile path = readPathFile(file, blisk);
+  for (const ClSkipped& skipped : path.unknown) {
+    warn(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is passed over");
+  }
+  std::vector<Pose> poses;
+  for (const ToolMove& move : path.moves) poses.push_back(move.tool_in_blisk);
+  return poses;
+}
+
+std::vector<Pose> pathOf(const GrindRequest& request, const ClusteredOctree& blisk,
+                         const BladesFound& blades) {
+  if (!request.path.empty()) return readPath(request.path, blisk);
   if (blades.count == 0) {
     throw std::invalid_argument(
         nameOfBlisk(request) +
@@ -81,7 +98,7 @@ std::vector<Pose> pathOf(const GrindRequest& request, const TriangleMesh& blisk,
   GrindingPathOptions options;
   options.blade = request.ground_blade.value_or(1);
   options.wheel_radius = belt.contact_wheel_radius + belt.thickness;
-  return makeGrindingPath(blisk, blades, options);
+  return makeGrindingPath(blisk.mesh(), blades, options);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -138,10 +155,6 @@ void requireNoInputAmongTables(const GrindRequest& request) {
       throw std::runtime_error(file.string() + ": cannot be both read and written");
     }
   }
-}
-
-void warn(const std::string& of, const std::string& what) {
-  std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
 }
 
 /// What is checked otherwise than one may think.
@@ -232,7 +245,7 @@ int grind(const GrindRequest& request) {
                                 ": the blisk has " + std::to_string(blades.count) +
                                 " blades, numbered from 1");
   }
-  const std::vector<Pose> path = pathOf(request, run.blisk->mesh(), blades);
+  const std::vector<Pose> path = pathOf(request, *run.blisk, blades);
   PartDepths depths(run.blisk, run.parts, request.max_depth);
   for (std::size_t part = 0; part < run.parts.size(); ++part) run.depth_kinds.push_back(depths.kindOf(part));
   warnOf(request, run, blades);
@@ -273,9 +286,10 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
           "built-in grinder with belt, wheels and arm")
       ->check(notEmpty());
   command
-      .add_option(
-          "--path", request->path,
-          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: along a blade's side")
+      .add_option("--path", request->path,
+                  "CSV file x,y,z,qw,qx,qy,qz[,feed]: the belt in the blisk's frame (mm); or an APT CL file, "
+                  "whose tool axis "
+                  "is the arm; default: along a blade's side")
       ->check(notEmpty());
   command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")
       ->required()

@@ -48,9 +48,11 @@ std::string atLine(const std::filesystem::path& file, std::size_t line, const st
   return file.string() + ":" + std::to_string(line) + ": " + message;
 }
 
-std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string& header) {
+std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string& header,
+                            const std::string& longer_header) {
   std::ifstream stream = openForReading(file);
-  const std::vector<std::string_view> wanted = cells(header);
+  std::string_view used_header = header;
+  std::vector<std::string_view> wanted = cells(header);
   std::vector<CsvRow> rows;
   bool in_body = false;
   std::string text;
@@ -63,8 +65,12 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string
     if (line == 1 && content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
     content = trimmed(content);
     if (content.empty() || content.front() == '#') continue;
-    const std::vector<std::string_view> found = cells(content);
+    std::vector<std::string_view> found = cells(content);
     if (!in_body) {
+      if (!longer_header.empty() && found == cells(longer_header)) {
+        used_header = longer_header;
+        wanted = found = cells(used_header);  // of a text that stays
+      }
       if (found != wanted) {
         throw std::runtime_error(
             atLine(file, line, "the header is " + inQuotes(content) + "; it must be '" + header + "'"));
@@ -73,9 +79,10 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string
       continue;
     }
     if (found.size() != wanted.size()) {
-      throw std::runtime_error(atLine(
-          file, line,
-          std::to_string(found.size()) + " columns; '" + header + "' has " + std::to_string(wanted.size())));
+      throw std::runtime_error(atLine(file, line,
+                                      std::to_string(found.size()) + " columns; '" +
+                                          std::string(used_header) + "' has " +
+                                          std::to_string(wanted.size())));
     }
     CsvRow row{line, {}};
     for (const std::string_view cell : found) row.values.push_back(finiteNumber(cell, file, line));

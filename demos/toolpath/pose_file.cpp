@@ -13,6 +13,7 @@ namespace octoblisk::demos {
 namespace {
 
 const std::string kHeader = "x,y,z,qw,qx,qy,qz";
+const std::string kHeaderWithFeed = kHeader + ",feed";
 // Quaternions are turned into matrices and back with digits to spare, lest a round trip loses any.
 using Quaternion = Eigen::Quaternion<long double>;
 constexpr double kNormTolerance = 1e-3;  ///< beyond rounding to a few digits, it is no rotation but a mistake
@@ -33,27 +34,66 @@ Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
   return {quaternion.normalized().toRotationMatrix().cast<double>(), translation};
 }
 
+std::vector<CsvRow> readRows(const std::filesystem::path& file) {
+  std::vector<CsvRow> rows = readCsv(file, kHeader, kHeaderWithFeed);
+  if (rows.empty()) throw std::runtime_error(file.string() + ": no poses below the header");
+  return rows;
+}
+
+void write(std::ostream& stream, const Pose& pose) {
+  const Vec3& t = pose.translation;
+  const Eigen::Quaterniond q = Quaternion(pose.rotation.cast<long double>()).normalized().cast<double>();
+  stream << t.x() << ',' << t.y() << ',' << t.z() << ',' << q.w() << ',' << q.x() << ',' << q.y() << ','
+         << q.z();
+}
+
+std::ofstream openForWriting(const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  stream.precision(std::numeric_limits<double>::max_digits10);
+  return stream;
+}
+
+void closeWritten(std::ofstream& stream, const std::filesystem::path& file) {
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
 }  // namespace
 
 std::vector<Pose> readPoses(const std::filesystem::path& file) {
   std::vector<Pose> poses;
-  for (const CsvRow& row : readCsv(file, kHeader)) poses.push_back(poseOf(row, file));
-  if (poses.empty()) throw std::runtime_error(file.string() + ": no poses below the header");
+  for (const CsvRow& row : readRows(file)) poses.push_back(poseOf(row, file));
   return poses;
 }
 
+std::vector<ToolMove> readMoves(const std::filesystem::path& file) {
+  std::vector<ToolMove> moves;
+  for (const CsvRow& row : readRows(file)) {
+    const double feed = row.values.size() > 7 ? row.values[7] : 0.0;
+    if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed is below 0"));
+    moves.push_back({poseOf(row, file), feed});
+  }
+  return moves;
+}
+
 void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) {
-  std::ofstream stream(file);
-  stream.precision(std::numeric_limits<double>::max_digits10);
+  std::ofstream stream = openForWriting(file);
   stream << kHeader << '\n';
   for (const Pose& pose : poses) {
-    const Vec3& t = pose.translation;
-    const Eigen::Quaterniond q = Quaternion(pose.rotation.cast<long double>()).normalized().cast<double>();
-    stream << t.x() << ',' << t.y() << ',' << t.z() << ',' << q.w() << ',' << q.x() << ',' << q.y() << ','
-           << q.z() << '\n';
+    write(stream, pose);
+    stream << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  closeWritten(stream, file);
+}
+
+void writeMoves(const std::filesystem::path& file, std::span<const ToolMove> moves) {
+  std::ofstream stream = openForWriting(file);
+  stream << kHeaderWithFeed << '\n';
+  for (const ToolMove& move : moves) {
+    write(stream, move.tool_in_blisk);
+    stream << ',' << move.feed << '\n';
+  }
+  closeWritten(stream, file);
 }
 
 }  // namespace octoblisk::demos

@@ -1,0 +1,143 @@
+// octoblisk blades: finds the axis, blades, sides, edges and channels of a blisk's mesh.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "commands/axis_option.h"
+#include "commands/commands.h"
+#include "commands/convex_option.h"
+#include "commands/option_checks.h"
+#include "models/blade_anatomy.h"
+#include "models/blisk_axis.h"
+#include "models/embedded_assets.h"
+#include "models/mesh_file.h"
+#include "report/blade_picture.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct BladesRequest {
+  std::string blisk, axis, convex;  // empty: the built-in blisk, found, found
+  std::string out;
+  bool no_picture = false;
+};
+
+std::string textOf(const Vec3& v) {
+  std::ostringstream text;
+  text << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
+  return text.str();
+}
+
+void writeBlades(const BliskFound& found, const BliskAnatomy& anatomy, BladeSide convex_side,
+                 const std::filesystem::path& file) {
+  const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
+  std::ofstream stream(file);
+  stream.precision(9);
+  stream << "blade,angle_deg,triangles,convex_area_mm2,concave_area_mm2,tip_area_mm2,camber_chords";
+  for (const char* edge : {"leading", "trailing"}) {
+    for (const char* end : {"root", "tip"}) {
+      for (const char axis : {'x', 'y', 'z'}) stream << ',' << edge << '_' << end << '_' << axis << "_mm";
+    }
+  }
+  stream << ",channel_from_side,channel_to_blade,channel_to_side,channel_width_mm\n";
+  const bool forward_convex = convex_side == BladeSide::kForward;
+  for (std::size_t k = 0; k < anatomy.blades.size(); ++k) {
+    const BladeAnatomy& blade = anatomy.blades[k];
+    const double convex = forward_convex ? blade.forward_area : blade.backward_area;
+    const double concave = forward_convex ? blade.backward_area : blade.forward_area;
+    stream << k + 1 << ',' << blade.angle * 180.0 / std::numbers::pi << ',' << blade.triangles << ','
+           << convex << ',' << concave << ',' << blade.tip_area << ','
+           << (forward_convex ? blade.camber : -blade.camber);
+    for (const auto* edge : {&blade.leading, &blade.trailing}) {
+      for (const Vec3& end : {edge->front(), edge->back()}) {
+        const Vec3 in_mesh = blisk_in_mesh * end;
+        stream << ',' << in_mesh.x() << ',' << in_mesh.y() << ',' << in_mesh.z();
+      }
+    }
+    stream << ',' << (forward_convex ? "convex" : "concave") << ',' << (k + 1) % anatomy.blades.size() + 1
+           << ',' << (forward_convex ? "concave" : "convex") << ',' << blade.channel_width << '\n';
+  }
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+void tell(const BladesRequest& request, const BliskFound& found, const BliskAnatomy& anatomy,
+          BladeSide convex_side) {
+  const BladesFound& blades = found.blades;
+  const auto of_hub = std::ranges::count(anatomy.sides.blade_of_triangle, 0);
+  std::cout << blades.count << " blades round the axis " << textOf(found.axis.direction) << " through "
+            << textOf(found.axis.point) << (request.axis.empty() ? ", found" : ", as told")
+            << "; turned by one pitch they lie on the mesh within " << found.repeat_error << " mm\n";
+  std::cout << (blades.shrouded ? "Hub and shroud: " : "Hub: ") << of_hub << " triangles, hub up to radius "
+            << blades.root_radius << " mm; blades up to " << blades.tip_radius << " mm\n";
+  const auto by_width = [](const BladeAnatomy& a, const BladeAnatomy& b) {
+    return a.channel_width < b.channel_width;
+  };
+  const auto [narrow, wide] = std::minmax_element(anatomy.blades.begin(), anatomy.blades.end(), by_width);
+  const bool forward_convex = convex_side == BladeSide::kForward;
+  std::cout << "Convex sides face "
+            << (forward_convex ? "forward, towards greater" : "backward, towards lesser") << " angles"
+            << (request.convex.empty() ? "" : ", as told")
+            << "; leading edges are taken to be where the axis begins (--axis turns it round)\n";
+  std::cout << "Channels, from a blade's " << (forward_convex ? "convex" : "concave")
+            << " side to the next one's " << (forward_convex ? "concave" : "convex")
+            << " side: " << narrow->channel_width << " to " << wide->channel_width << " mm at mid height\n";
+}
+
+int findAndTell(const BladesRequest& request) {
+  const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
+  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk);
+  const BliskFound found = bliskAbout(request.axis, mesh, name);
+  const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
+  const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
+  const BladeSide convex_side = convexSide(request.convex, anatomy, name);
+
+  const std::filesystem::path out = request.out;
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+  writeBlades(found, anatomy, convex_side, out / "blades.csv");
+  if (!request.no_picture) {
+    writePng(bladePicture(blisk, found, anatomy, convex_side), (out / "blades.png").string());
+  }
+  tell(request, found, anatomy, convex_side);
+  std::cout << "Table: " << (out / "blades.csv").string() << '\n';
+  if (!request.no_picture) std::cout << "Picture: " << (out / "blades.png").string() << '\n';
+  return 0;
+}
+
+}  // namespace
+
+void addBladesCommand(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "blades",
+      "Find axis, hub, blades, their sides and edges, and the channels between them, from a mesh alone");
+  const auto request = std::make_shared<BladesRequest>();
+  command
+      .add_option("--blisk", request->blisk,
+                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+      ->check(notEmpty());
+  addAxisOption(command, request->axis);
+  addConvexOption(command, request->convex);
+  command.add_option("-o,--out", request->out, "Folder for blades.csv and blades.png; made where missing")
+      ->required()
+      ->check(notEmpty());
+  command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
+  command.footer(
+      "blades.csv has a line a blade: the angle of its leading edge at the tip, the areas of its sides, "
+      "where\n"
+      "its edges end, in the mesh's frame, and the channel to the next blade: the sides that bound it and\n"
+      "their least distance at mid height. Angles are about the axis, from the mesh's x direction; blade 1\n"
+      "is nearest to angle 0. What way the stream goes is not to be seen: leading edges are taken to be at\n"
+      "the axis' beginning. Blades of several kinds (splitters) are not found.\n"
+      "Exit codes: 0 found, 2 bad input, or no blisk.");
+  command.callback([request, &exit_code] { exit_code = findAndTell(*request); });
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,143 @@
+// octoblisk path: writes a toolpath along a blade.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "commands/axis_option.h"
+#include "commands/commands.h"
+#include "commands/convex_option.h"
+#include "commands/option_checks.h"
+#include "models/blade_anatomy.h"
+#include "models/blisk_axis.h"
+#include "models/embedded_assets.h"
+#include "models/length_limit.h"
+#include "models/mesh_file.h"
+#include "toolpath/cl_file.h"
+#include "toolpath/pose_file.h"
+#include "toolpath/surface_path.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct PathRequest {
+  std::string blisk, axis, convex;  // empty: the built-in blisk, found, found
+  int blade = 1;
+  std::string side = "convex";
+  std::string pattern = "transversal";
+  std::string format = "csv";
+  std::string out;
+  SurfacePathOptions options;
+};
+
+PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, const std::string& name) {
+  if (request.side == "leading") return PathRegion::kLeadingEdge;
+  const BladeSide convex = convexSide(request.convex, anatomy, name);
+  const bool is_forward = (request.side == "convex") == (convex == BladeSide::kForward);
+  return is_forward ? PathRegion::kForward : PathRegion::kBackward;
+}
+
+int makePath(PathRequest request) {
+  const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
+  std::error_code ignored;  // mostly there is no such file
+  if (std::filesystem::equivalent(request.out, request.blisk, ignored)) {
+    throw std::runtime_error(request.out + ": cannot be both read and written");
+  }
+  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk);
+  const BliskFound found = bliskAbout(request.axis, mesh, name);
+  if (request.blade > found.blades.count) {
+    throw std::invalid_argument("--blade " + std::to_string(request.blade) + ": " + name + " has " +
+                                std::to_string(found.blades.count) + " blades, numbered from 1");
+  }
+  const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
+  const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
+  SurfacePathOptions& options = request.options;
+  options.region = regionOf(request, anatomy, name);
+  options.pattern =
+      request.pattern == "longitudinal" ? PathPattern::kLongitudinal : PathPattern::kTransversal;
+  SurfacePath path = makeSurfacePath(BladeContours(blisk, anatomy.sides, request.blade), options);
+
+  const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
+  for (ToolMove& move : path.moves) move.tool_in_blisk = blisk_in_mesh * move.tool_in_blisk;
+  if (request.format == "apt") {
+    writeClFile(request.out, path.moves);
+  } else {
+    writeMoves(request.out, path.moves);
+  }
+  const int passes = *std::ranges::max_element(path.pass_of_move) + 1;
+  const bool is_edge = request.side == "leading";
+  std::cout << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
+            << (passes == 1 ? " pass " : " passes ") << (is_edge ? "round the leading edge" : "on the ")
+            << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
+            << found.blades.count << ", at most " << options.step_over << " mm apart\n";
+  return 0;
+}
+
+}  // namespace
+
+void addPathCommand(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "path", "Write a toolpath of the belt grinder along a side of a blade, or round its leading edge");
+  const auto request = std::make_shared<PathRequest>();
+  SurfacePathOptions& options = request->options;
+  command
+      .add_option("--blisk", request->blisk,
+                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+      ->check(notEmpty());
+  addAxisOption(command, request->axis);
+  addConvexOption(command, request->convex);
+  command.option_defaults()->always_capture_default();
+  command
+      .add_option("--blade", request->blade, "Number of the blade, from 1, as 'octoblisk blades' tells them")
+      ->check(wholeNumberFrom(1, 10'000));
+  command.add_option("--side", request->side, "What is ground: convex or concave side, or leading edge")
+      ->check(CLI::IsMember({"convex", "concave", "leading"}));
+  command
+      .add_option(
+          "--pattern", request->pattern,
+          "longitudinal: passes along the blade's length; transversal: along its chord, or round the edge")
+      ->check(CLI::IsMember({"longitudinal", "transversal"}));
+  command.add_option("--format", request->format, "csv: a table of poses with feeds; apt: a CL file")
+      ->check(CLI::IsMember({"csv", "apt"}));
+  command.add_option("-o,--out", request->out, "File to write")->required()->check(notEmpty());
+  const auto addLength = [&](const std::string& option, double& value, const std::string& help, bool above) {
+    command.add_option(option, value, help)->check(numberFrom(0.0, kMaxLength, above));
+  };
+  addLength("--step-over", options.step_over, "mm from pass to pass at most, on the surface", true);
+  addLength("--pose-step", options.pose_step, "mm from pose to pose at most", true);
+  addLength("--edge-margin", options.edge_margin, "mm left out of a side along its leading and trailing edge",
+            false);
+  addLength("--edge-reach", options.edge_reach, "mm that passes reach to either side of the leading edge",
+            true);
+  addLength("--depth", options.depth, "mm that the belt is pressed into the surface", false);
+  addLength("--wheel-radius", options.wheel_radius, "mm, of the contact wheel with the belt", true);
+  addLength("--retract", options.retract, "mm of approach and retraction, along the arm", false);
+  const auto addAngle = [&](const std::string& option, double& value, const std::string& help) {
+    command.add_option(option, value, help)->check(numberFrom(-89.0, 89.0));
+  };
+  addAngle("--tilt", options.tilt, "Degrees of the arm off the surface, about the contact wheel's axis");
+  addAngle("--lead", options.lead, "Degrees of the arm along the surface, towards the trailing edge");
+  command
+      .add_option("--turn-step", options.greatest_turn,
+                  "Degrees that the surface turns from pose to pose at most")
+      ->check(numberFrom(0.01, 90.0));
+  command.add_option("--feed", options.feed, "mm/min")->check(numberFrom(0.0, 1e9, true));
+  command
+      .add_option("--height-from", options.height_from,
+                  "Part of the blade's height, root 0 to tip 1, to grind from")
+      ->check(numberFrom(0.0, 1.0));
+  command.add_option("--height-to", options.height_to, "And to")->check(numberFrom(0.0, 1.0));
+  command.footer(
+      "Poses are those of the belt in the mesh's frame: contact wheel at the origin, its axis along z, arm\n"
+      "along +x. Approach and retraction are rapid: feed 0 in the table. A CL file tells the wheel's axis "
+      "by\n"
+      "three more numbers, GOTO/x,y,z,i,j,k,u,v,w. Whether anything is touched that must not be is for\n"
+      "'octoblisk grind --path' to say.\n"
+      "Exit codes: 0 written, 2 bad input.");
+  command.callback([request, &exit_code] { exit_code = makePath(*request); });
+}
+
+}  // namespace octoblisk::demos
