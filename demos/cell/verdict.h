@@ -22,14 +22,14 @@ std::string nameOf(Verdict verdict);
 
 /// Depths and distances in mm.
 struct VerdictRules {
-  std::size_t grinding_part = 0;     ///< the part that may touch: the belt; kNoPart: none
-  int ground_blade = 1;              ///< the blade that it may touch; 0: none
-  double max_depth = 0.1;            ///< that a part may be pressed into what it may touch
-  std::vector<double> max_depths;    ///< the same of each part; empty: max_depth for all
-  std::vector<AllowedPair> allowed;  ///< what else may touch
+  std::size_t grinding_part = 0;          ///< the part that may touch: the belt; kNoPart: none
+  int ground_blade = 1;                   ///< the blade that it may touch; 0: none
+  double max_depth = 0.1;                 ///< that a part may be pressed into what it may touch
+  std::vector<double> max_depths = {};    ///< the same of each part; empty: max_depth for all
+  std::vector<AllowedPair> allowed = {};  ///< what else may touch
   /// Below which a clearance is a near miss; by default every contact that is apart is one.
   double near_miss = std::numeric_limits<double>::infinity();
-  std::vector<PairMargin> margins;  ///< of some pairs; of several rows for a pair the last counts
+  std::vector<PairMargin> margins = {};  ///< of some pairs; of several rows for a pair the last counts
 
   bool allows(std::size_t part, int blade) const;
   double maxDepth(std::size_t part) const { return max_depths.empty() ? max_depth : max_depths[part]; }

@@ -140,15 +140,15 @@ TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
-  const GrindingJob job = randomJob(150);
+  const GrindingJob job = randomJob(80);
   const GrindingRun run = runGrinding(job);
   const ClusteredOctree& blisk = *job.blisk;
   int hit = 0, free = 0;
   for (std::size_t i = 1; i < run.poses.size(); ++i) {
     const auto touchesSomewhere = [&](double up_to) {
       const Motion way(job.path[i - 1], job.path[i]);
-      for (int k = 0; k <= 400; ++k) {
-        const Pose pose = way.at(up_to * k / 400.0);
+      for (int k = 0; k <= 150; ++k) {
+        const Pose pose = way.at(up_to * k / 150.0);
         for (const ToolPart& part : job.parts) {
           if (distance(blisk, *part.tree, pose).distance == 0.0) return true;
         }

@@ -76,8 +76,8 @@ TEST_F(ToolFiles, rulesAreThoseOfTheRows) {
 TEST_F(ToolFiles, whatIsWrongIsNamed) {
   const std::string belt = R"({"name": "belt", "mesh": "belt.ply"})";
   const auto parts = [](const std::string& list) { return "{\"parts\": [" + list + "]}"; };
-  const auto row = [&](const std::string& table, const std::string& row) {
-    return "{\"parts\": [" + belt + "], \"" + table + "\": [" + row + "]}";
+  const auto row = [&](const std::string& table, const std::string& content) {
+    return "{\"parts\": [" + belt + "], \"" + table + "\": [" + content + "]}";
   };
   const std::pair<std::string, const char*> cases[] = {
       {"", ":1: this is no JSON"},
