@@ -3,6 +3,8 @@
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "cell/grinding_run.h"
 #include "cell/tool_assembly.h"
 #include "models/embedded_assets.h"
@@ -61,9 +63,9 @@ TEST(GrindingRun, verdicts_vs_fcl) {
   const std::vector<Pose> whole = makeGrindingPath(job.blisk->mesh(), job.blades);
   for (std::size_t pose = 0; pose < whole.size(); pose += 7) {
     job.path.push_back(whole[pose]);
-    Pose shifted = whole[pose];  // into the next blade, or the hub
-    shifted.translation += Vec3(-2.0, 3.0, 1.0) * static_cast<double>(pose % 5);
-    job.path.push_back(shifted);
+    const double angle = (8.0 + 1.5 * static_cast<double>(pose % 5)) * std::numbers::pi / 180.0;
+    const Pose towards_next_blade{Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(), Vec3::Zero()};
+    job.path.push_back(towards_next_blade * whole[pose]);
   }
   const GrindingRun run = runGrinding(job);
 
