@@ -46,6 +46,11 @@ class DepthQuery {
   /// (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
+  /// Replaces `found` by the triangles of B that meet A's surface or lie inside A, in no particular order:
+  /// no others have a point in A. A must be closed.
+  void meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
+                       std::vector<std::uint32_t>& found);
+
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   enum class Side : std::uint8_t { unknown, outside, inside, on_surface };

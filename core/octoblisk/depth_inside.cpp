@@ -6,6 +6,14 @@
 
 namespace octoblisk {
 
+void DepthQuery::meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
+                                 std::vector<std::uint32_t>& found) {
+  prepare(a, b, b_in_a, 0.0);
+  findCrossings();
+  findInside();
+  found = marked_;
+}
+
 void DepthQuery::findCrossings() {
   touchingPairs(a_->tree(), b_->tree(), b_in_a_, crossings_);
   std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });

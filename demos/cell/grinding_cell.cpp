@@ -3,40 +3,24 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "octoblisk/contacts.h"
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/kinematic_body.h"
 #include "octoblisk_bullet/register.h"
 
 namespace octoblisk::demos {
-namespace {
-
-/// Whether Bullet reports any point of a pair.
-class AnyPoint final : public btCollisionWorld::ContactResultCallback {
- public:
-  explicit AnyPoint(double reach) { m_closestDistanceThreshold = btScalar(reach); }
-
-  btScalar addSingleResult(btManifoldPoint&, const btCollisionObjectWrapper*, int, int,
-                           const btCollisionObjectWrapper*, int, int) override {
-    found_ = true;
-    return 0;
-  }
-  bool found() const { return found_; }
-
- private:
-  bool found_ = false;
-};
-
-}  // namespace
 
 class GrindingCell::World {
  public:
-  World(std::shared_ptr<const ClusteredOctree> blisk, const std::vector<ToolPart>& parts)
+  World(std::shared_ptr<const ClusteredOctree> blisk, const std::vector<ToolPart>& parts,
+        const std::vector<double>& reaches)
       : world_(&dispatcher_, &broadphase_, &solver_, &configuration_), blisk_(std::move(blisk)) {
     registerAlgorithm(&dispatcher_);
     world_.addRigidBody(&blisk_.body);
-    for (const ToolPart& part : parts) {
-      parts_.push_back(std::make_unique<Body>(part.tree));
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      parts_.push_back(std::make_unique<Body>(parts[part].tree));
+      parts_.back()->shape.setContactBreakingThreshold(btScalar(reaches[part]));
       addKinematicBody(world_, parts_.back()->body);
     }
   }
@@ -52,13 +36,16 @@ class GrindingCell::World {
 
   void move(const Pose& tool_in_blisk) {
     for (const auto& part : parts_) part->body.setWorldTransform(toBullet(tool_in_blisk));
+    world_.updateAabbs();
+    world_.computeOverlappingPairs();
   }
 
-  /// Whether Bullet finds the part within reach of the blisk.
-  bool isNear(std::size_t part, double reach) {
-    AnyPoint any(reach);
-    world_.contactPairTest(&blisk_.body, &parts_[part]->body, any);
-    return any.found();
+  /// Whether the broadphase has a pair of the part with the blisk. Bullet gives up bodies beyond 1 km.
+  bool mayBeNear(std::size_t part) {
+    if (parts_[part]->body.getActivationState() == DISABLE_SIMULATION) return true;
+    btBroadphaseProxy *of_blisk = blisk_.body.getBroadphaseHandle(),
+                      *of_part = parts_[part]->body.getBroadphaseHandle();
+    return broadphase_.getOverlappingPairCache()->findPair(of_blisk, of_part) != nullptr;
   }
 
  private:
@@ -73,7 +60,7 @@ class GrindingCell::World {
 
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
-  btDbvtBroadphase broadphase_;
+  ClusteredOctreeBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
   Body blisk_;
@@ -82,7 +69,13 @@ class GrindingCell::World {
 
 GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                            double reach)
-    : parts_(std::move(parts)), reach_(reach), world_(std::make_unique<World>(std::move(blisk), parts_)) {}
+    : GrindingCell(std::move(blisk), parts, std::vector<double>(parts.size(), reach)) {}
+
+GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+                           std::vector<double> reaches)
+    : parts_(std::move(parts)),
+      reaches_(std::move(reaches)),
+      world_(std::make_unique<World>(std::move(blisk), parts_, reaches_)) {}
 
 GrindingCell::~GrindingCell() = default;
 
@@ -92,9 +85,9 @@ std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   std::vector<PartContact> found;
   world_->move(tool_in_blisk);
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (!world_->isNear(part, reach_)) continue;
+    if (!world_->mayBeNear(part)) continue;
     // A manifold holds a few points of a patch, which may stand for others that are worse: ask for all.
-    contacts(blisk(), *parts_[part].tree, tool_in_blisk, reach_, contacts_);
+    contacts(blisk(), *parts_[part].tree, tool_in_blisk, reaches_[part], contacts_);
     for (const Contact& contact : contacts_) found.push_back({part, contact});
   }
   return found;

@@ -1,4 +1,4 @@
-// A headless Bullet world with a blisk in it and a belt grinder that is moved along a path.
+// A headless Bullet world with a blisk in it and a belt grinder that is moved along a path. One a thread.
 #pragma once
 
 #include <memory>
@@ -27,6 +27,10 @@ class GrindingCell {
  public:
   /// Contacts are reported up to the distance `reach` (mm, > 0).
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double reach);
+
+  /// The same with a reach for each part.
+  GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+               std::vector<double> reaches);
   ~GrindingCell();
   GrindingCell(const GrindingCell&) = delete;
   GrindingCell& operator=(const GrindingCell&) = delete;
@@ -34,14 +38,15 @@ class GrindingCell {
   const ClusteredOctree& blisk() const;
   const std::vector<ToolPart>& parts() const { return parts_; }
 
-  /// Moves the tool there, asks Bullet which parts come within reach of the blisk, and finds all contacts of
-  /// those: of every pair of triangles, part by part, by ascending triangles.
+  /// Moves the tool there, asks Bullet's broadphase (clustered_octree_broadphase.h) which parts may come
+  /// within reach of the blisk, and finds all contacts of those: of every pair of triangles, part by part, by
+  /// ascending triangles. The answer does not depend on the poses before.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
 
  private:
   class World;
   std::vector<ToolPart> parts_;
-  double reach_;
+  std::vector<double> reaches_;
   std::vector<Contact> contacts_;  ///< of one part; kept for its memory
   std::unique_ptr<World> world_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -43,26 +44,34 @@ class PartDepths {
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 
+  /// The same with a limit for each part.
+  PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+             std::vector<double> limits, int threads = 0);
+
   DepthKind kindOf(std::size_t part) const;
 
   /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; but none whose
   /// depth is that of pairs.
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
+  /// The same of one part each: part and pose of the same index.
+  std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
+                                                std::span<const Pose> tool_in_blisk);
+
  private:
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
-                     const Pose& b_in_a) const;
+                     const Pose& b_in_a, double limit) const;
+  std::vector<std::uint32_t> fineInside(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
-  double limit_;
-  double tolerance_;
+  std::vector<double> limits_;  // of each part
   octoblisk::Surface blisk_surface_;
   std::vector<octoblisk::Surface> part_surfaces_;
-  std::vector<std::uint32_t> fine_;  // triangles of the blisk
-  std::vector<DepthQuery> queries_;  // one a thread
+  std::map<double, std::vector<char>> fine_;  // by limit: which triangles of the blisk are
+  std::vector<DepthQuery> queries_;           // one a thread
 };
 
 /// The depths of pairs of triangles: for each part that touches, its deepest contact.

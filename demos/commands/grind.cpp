@@ -1,31 +1,27 @@
 // octoblisk grind: moves the belt grinder along a path and tells what touches what.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <span>
-#include <sstream>
 
-#include "cell/grinding_cell.h"
-#include "cell/part_depths.h"
-#include "cell/reduce_contacts.h"
-#include "cell/verdict.h"
+#include "cell/grinding_run.h"
+#include "cell/tool_assembly.h"
+#include "cell/tool_file.h"
 #include "commands/commands.h"
+#include "commands/interrupt.h"
 #include "commands/option_checks.h"
 #include "models/belt_grinder.h"
-#include "models/blade_finder.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
-#include "models/mesh_file.h"
 #include "models/open_edges.h"
-#include "models/orientation.h"
 #include "models/shared_tree.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
+#include "report/grinding_words.h"
 #include "report/progress_bar.h"
+#include "report/whole_files.h"
 #include "toolpath/grinding_path.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
@@ -34,41 +30,26 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr int kMostBlades = 10'000;
-constexpr int kMostNearMiss = 5;  // mm; the pairs of triangles within reach grow with its square
 
 struct GrindRequest {
-  std::string blisk, belt, path;  // files; empty: the defaults
+  std::string blisk, belt, tool, path;  // files; empty: the defaults
   std::string out;
   std::optional<int> ground_blade;
   double max_depth = 0.1;  // mm
   double near_miss = 0.5;  // mm
+  bool continuous = true;
   bool no_pictures = false;
+  int threads = 0;
 };
 
 std::string nameOfBlisk(const GrindRequest& request) {
   return request.blisk.empty() ? "the blisk" : request.blisk;
 }
 
-/// A mesh of the user's, facing outward: depths and normals are measured along the triangles' outward
-/// normals.
-TriangleMesh readOutward(const std::string& file) {
-  TriangleMesh mesh = readMesh(file);
-  if (enclosedVolume(mesh) >= 0.0) return mesh;
-  std::cout << file << ": its triangles face inward; they are taken turned round\n";
-  return turned(mesh);
-}
-
-/// The whole default grinder, or the user's belt alone: the default wheels and arm need not fit it.
-std::vector<ToolPart> toolParts(const std::string& belt_file) {
-  std::vector<ToolPart> parts;
-  if (!belt_file.empty()) {
-    parts.push_back({"belt", treeOf(readOutward(belt_file))});
-    return parts;
-  }
-  for (EmbeddedPart& part : embeddedBeltGrinder()) {
-    parts.push_back({std::move(part.name), treeOf(std::move(part.mesh))});
-  }
-  return parts;
+ToolAssembly toolAsked(const GrindRequest& request) {
+  if (!request.tool.empty()) return toolOf(request.tool, request.max_depth);
+  if (!request.belt.empty()) return beltAlone(request.belt, request.max_depth);
+  return builtInTool(request.max_depth);
 }
 
 void warn(const std::string& of, const std::string& what) {
@@ -101,58 +82,35 @@ std::vector<Pose> pathOf(const GrindRequest& request, const ClusteredOctree& bli
   return makeGrindingPath(blisk.mesh(), blades, options);
 }
 
-using Clock = std::chrono::steady_clock;
-using Seconds = std::chrono::duration<double>;
-
-void movePath(GrindingCell& cell, const std::vector<Pose>& path, const BladesFound& blades,
-              GrindingRun& run) {
-  ProgressBar progress(std::cerr, path.size());
-  Seconds spent{};
-  for (const Pose& pose : path) {
-    const auto start = Clock::now();
-    const std::vector<PartContact> all = cell.contactsAt(pose);
-    spent += Clock::now() - start;
-    PoseReport report;
-    report.tool_in_blisk = pose;
-    report.contacts = reduceContacts(all, blades.blade_of_triangle);
-    for (const PartContact& found : report.contacts) {
-      report.blades.push_back(blades.blade_of_triangle[found.contact.triangle_a]);
-    }
-    run.poses.push_back(std::move(report));
-    progress.update(run.poses.size());
+/// The blade that is ground: that asked for, or the path's; to be found where the path is the user's.
+void chooseGroundBlade(const GrindRequest& request, GrindingJob& job) {
+  const int blades = job.blades.count;
+  if (request.ground_blade && (*request.ground_blade < 1 || *request.ground_blade > blades)) {
+    throw std::invalid_argument("--ground-blade " + std::to_string(*request.ground_blade) +
+                                ": the blisk has " + std::to_string(blades) + " blades, numbered from 1");
   }
-  run.contact_seconds_a_pose = spent.count() / static_cast<double>(path.size());
-}
-
-/// How deep the parts are at each pose: as solids, or by pairs of triangles where there are none.
-void measureDepths(PartDepths& depths, const std::vector<Pose>& path, GrindingRun& run) {
-  constexpr std::size_t kAtOnce = 16;  // for the progress bar's sake
-  ProgressBar progress(std::cerr, path.size());
-  const auto start = Clock::now();
-  for (std::size_t begin = 0; begin < path.size(); begin += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, path.size() - begin);
-    std::vector<std::vector<PartDepth>> found = depths.measure(std::span(path).subspan(begin, count));
-    for (std::size_t i = 0; i < count; ++i) run.poses[begin + i].depths = std::move(found[i]);
-    progress.update(begin + count);
+  if (request.ground_blade && job.rules.grinding_part == kNoPart) {
+    throw std::invalid_argument("--ground-blade: no part may touch it: " + request.tool +
+                                " has no row of \"allowed\" with \"ground\"");
   }
-  run.depth_seconds_a_pose = Seconds(Clock::now() - start).count() / static_cast<double>(path.size());
-  for (PoseReport& pose : run.poses) {
-    for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
-      if (run.depth_kinds[deepest.part] == DepthKind::of_pairs) pose.depths.push_back(deepest);
-    }
-    for (const PartDepth& deepest : pose.depths) {
-      pose.depth_blades.push_back(run.blade_of_triangle[deepest.triangle_of_blisk]);
-    }
+  if (const int named = greatestBladeNamed(job.rules); named > blades) {
+    throw std::invalid_argument(request.tool + ": blade " + std::to_string(named) + ": the blisk has " +
+                                std::to_string(blades) + " blades, numbered from 1");
   }
+  job.rules.ground_blade = request.ground_blade.value_or(request.path.empty() ? 1 : 0);
+  job.find_ground_blade =
+      !request.ground_blade && !request.path.empty() && job.rules.grinding_part != kNoPart;
 }
 
 /// Refuses to write a table over a file that is read; path.csv is kept where it is the path read.
 void requireNoInputAmongTables(const GrindRequest& request) {
   for (const char* table : {"poses.csv", "contacts.csv", "summary.json"}) {
     const std::filesystem::path file = std::filesystem::path(request.out) / table;
-    std::error_code ignored;  // mostly there is no such file
-    if (std::filesystem::equivalent(request.path, file, ignored)) {
-      throw std::runtime_error(file.string() + ": cannot be both read and written");
+    for (const std::string& input : {request.path, request.tool}) {
+      std::error_code ignored;  // mostly there is no such file
+      if (std::filesystem::equivalent(input, file, ignored)) {
+        throw std::runtime_error(file.string() + ": cannot be both read and written");
+      }
     }
   }
 }
@@ -171,10 +129,11 @@ void warnOf(const GrindRequest& request, const GrindingRun& run, const BladesFou
   const auto is_of = [&](DepthKind kind) {
     return std::ranges::find(run.depth_kinds, kind) != run.depth_kinds.end();
   };
-  const std::string open_belt = request.belt.empty() ? "the belt grinder" : request.belt;
-  if (is_of(DepthKind::of_part)) {
-    warn(open_belt, describe(openEdges(run.parts.front().tree->mesh())) +
-                        ": its depth is that of its surface in the blisk");
+  for (std::size_t part = 0; part < run.parts.size(); ++part) {
+    if (run.depth_kinds[part] != DepthKind::of_part) continue;
+    warn(request.belt.empty() ? run.parts[part].name : request.belt,
+         describe(openEdges(run.parts[part].tree->mesh())) +
+             ": its depth is that of its surface in the blisk");
   }
   if (is_of(DepthKind::of_pairs)) {
     warn(nameOfBlisk(request),
@@ -184,37 +143,8 @@ void warnOf(const GrindRequest& request, const GrindingRun& run, const BladesFou
   }
 }
 
-/// "poses 20-79, 228": the runs that interfere, the first of them where they are many.
-std::string listOf(const std::vector<PoseRange>& ranges) {
-  constexpr std::size_t kMost = 12;
-  std::ostringstream text;
-  text << "poses ";
-  for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
-    text << (i > 0 ? ", " : "") << ranges[i].first;
-    if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
-  }
-  if (ranges.size() > kMost) text << " and " << ranges.size() - kMost << " more runs (summary.json)";
-  return text.str();
-}
-
 void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
-  const int blade = run.rules.ground_blade;
-  const std::string blades = std::to_string(run.blade_count);
-  std::cout << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ");
-  if (blade == 0) {
-    std::cout << "no blade ground (the blisk has " << blades << ")";
-  } else {
-    std::cout << "ground blade " << blade << " of " << blades << " (intended up to " << run.rules.max_depth
-              << " mm deep)";
-  }
-  std::cout << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
-            << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
-            << run.count(Verdict::interference) << " interference\n";
-  const PoseReport& shown = run.poses[poseToShow(run)];
-  if (shown.verdict == Verdict::interference) {
-    std::cout << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
-    std::cout << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
-  }
+  std::cout << inWords(run);
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
   if (pictures) {
@@ -223,49 +153,66 @@ void tell(const GrindingRun& run, const std::filesystem::path& out, bool picture
   }
 }
 
+/// The job done, with a bar and Ctrl-C.
+GrindingRun runWatched(const GrindingJob& job) {
+  const InterruptWatch interrupt;
+  std::optional<ProgressBar> bar;
+  std::string task_shown;
+  RunWatch watch;
+  watch.progress = [&](const std::string& task, std::size_t done) {
+    if (task != task_shown) bar.emplace(std::cerr, job.path.size());
+    task_shown = task;
+    bar->update(done);
+  };
+  watch.stop = [] { return InterruptWatch::interrupted(); };
+  GrindingRun run = runGrinding(job, watch);
+  if (run.poses.empty()) throw std::runtime_error("stopped before a pose was done: nothing is written");
+  return run;
+}
+
+void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const GrindRequest& request) {
+  const std::filesystem::path out = request.out;
+  std::error_code ignored;  // mostly there is no such file
+  WholeFiles files;
+  if (!std::filesystem::equivalent(request.path, out / "path.csv", ignored)) {
+    writePoses(files.add(out / "path.csv"), path);
+  }
+  writePoseVerdicts(run, files.add(out / "poses.csv"));
+  writeContacts(run, files.add(out / "contacts.csv"));
+  writeSummary(run, files.add(out / "summary.json"));
+  if (!request.no_pictures) {
+    writePng(overviewOf(run), files.add(out / "overview.png").string());
+    writePng(closeupOf(run), files.add(out / "closeup.png").string());
+  }
+  files.finish();
+}
+
 int grind(const GrindRequest& request) {
   requireNoInputAmongTables(request);
-  const std::filesystem::path out = request.out;
+  ToolAssembly tool = toolAsked(request);
+  GrindingJob job;
+  job.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readOutward(request.blisk, tool.notes));
+  for (const std::string& note : tool.notes) std::cout << note << '\n';
+  job.blades = findBlades(job.blisk->mesh());
+  job.parts = std::move(tool.parts);
+  job.rules = std::move(tool.rules);
+  job.rules.near_miss = request.near_miss;
+  job.continuous = request.continuous;
+  job.threads = request.threads;
+  chooseGroundBlade(request, job);
+  job.path = pathOf(request, *job.blisk, job.blades);
+
   std::error_code error;
-  std::filesystem::create_directories(out, error);
+  std::filesystem::create_directories(request.out, error);
   if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
-
-  GrindingRun run;
+  GrindingRun run = runWatched(job);
   run.blisk_name = request.blisk.empty() ? "default" : request.blisk;
-  run.belt_name = request.belt.empty() ? "default" : request.belt;
+  run.tool_name = !request.tool.empty() ? request.tool : request.belt.empty() ? "default" : request.belt;
   run.path_name = request.path.empty() ? "generated" : request.path;
-  run.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readOutward(request.blisk));
-  run.parts = toolParts(request.belt);
-  run.near_miss = request.near_miss;
-  const BladesFound blades = findBlades(run.blisk->mesh());
-  run.blade_count = blades.count;
-  run.blade_of_triangle = blades.blade_of_triangle;
-  if (request.ground_blade && (*request.ground_blade < 1 || *request.ground_blade > blades.count)) {
-    throw std::invalid_argument("--ground-blade " + std::to_string(*request.ground_blade) +
-                                ": the blisk has " + std::to_string(blades.count) +
-                                " blades, numbered from 1");
-  }
-  const std::vector<Pose> path = pathOf(request, *run.blisk, blades);
-  PartDepths depths(run.blisk, run.parts, request.max_depth);
-  for (std::size_t part = 0; part < run.parts.size(); ++part) run.depth_kinds.push_back(depths.kindOf(part));
-  warnOf(request, run, blades);
-  const bool is_input = std::filesystem::equivalent(request.path, out / "path.csv", error);
-  if (!is_input) writePoses(out / "path.csv", path);
-
-  GrindingCell cell(run.blisk, run.parts, request.near_miss);
-  movePath(cell, path, blades, run);
-  measureDepths(depths, path, run);
-  const int default_blade = request.path.empty() ? 1 : mostTouchedBlade(run.poses, run.rules.grinding_part);
-  run.rules.ground_blade = request.ground_blade.value_or(default_blade);
-  run.rules.max_depth = request.max_depth;
-  judge(run.poses, run.rules);
-
-  writePoseVerdicts(run, out / "poses.csv");
-  writeContacts(run, out / "contacts.csv");
-  writeSummary(run, out / "summary.json");
-  if (!request.no_pictures) writePictures(run, out);
-  tell(run, out, !request.no_pictures);
-  return run.count(Verdict::interference) > 0 ? 1 : 0;
+  warnOf(request, run, job.blades);
+  writeAll(run, job.path, request);
+  tell(run, request.out, !request.no_pictures);
+  return run.interferes() ? 1 : 0;
 }
 
 }  // namespace
@@ -285,6 +232,13 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
           "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
           "built-in grinder with belt, wheels and arm")
       ->check(notEmpty());
+  CLI::Option* const belt = command.get_option("--belt");
+  command
+      .add_option("--tool", request->tool,
+                  "JSON file of a tool's parts, what each may touch and how far it must keep from the rest; "
+                  "'octoblisk make grinder' writes one")
+      ->check(notEmpty())
+      ->excludes(belt);
   command
       .add_option("--path", request->path,
                   "CSV file x,y,z,qw,qx,qy,qz[,feed]: the belt in the blisk's frame (mm); or an APT CL file, "
@@ -302,20 +256,33 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
   command
       .add_option("--max-depth", request->max_depth,
                   "mm that the belt may be pressed into the ground blade: how deep the deepest point of one "
-                  "lies in the "
-                  "other")
+                  "lies in the other; a tool's file may say otherwise")
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str();
   command
       .add_option("--near-miss", request->near_miss,
-                  "mm below which a clearance is reported; above 0, at most " + std::to_string(kMostNearMiss))
+                  "mm below which a clearance is reported, where the tool's file has no margin for the pair; "
+                  "above 0, at most 5")
       ->check(numberFrom(0.0, kMostNearMiss, true))
       ->capture_default_str();
+  command
+      .add_flag("--continuous,!--poses-only", request->continuous,
+                "Check the moves between the poses as well, or the poses alone")
+      ->capture_default_str();
+  command
+      .add_option("--threads", request->threads,
+                  "Threads; 0: all that the machine has. The answers are the same")
+      ->capture_default_str()
+      ->check(wholeNumberFrom(0, 1024));
   command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
   command.footer(
-      "Tables, in OUT:\n"
-      "  poses.csv     the verdict of each pose, with part and blade of its worst touch and the part's "
-      "depth\n"
+      "Tables, in OUT; none is written before the end, Ctrl-C keeps the poses done (\"partial\": true):\n"
+      "  poses.csv     the verdict of each pose; part, blade, side (forward: towards greater angles), point\n"
+      "                and normal of its worst touch, or of where it is nearest, and the part's depth; the\n"
+      "                clearance from all that must not be touched; the move from the pose before: free, "
+      "hit\n"
+      "                (of what neither pose touches), too deep, or not proved, and the fraction that is "
+      "free\n"
       "  contacts.csv  contacts, a few of each patch of touch, each with a verdict of its own: triangles,\n"
       "                points and normal in the blisk's frame; the normal points from the part into the\n"
       "                blisk; the depth is that of the pair of triangles alone\n"
@@ -323,10 +290,10 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "  path.csv      the path\n"
       "Blades are numbered from 1 by angle; blade 0 is hub or shroud. Poses and triangles are counted from\n"
       "0. A negative depth is a clearance. Verdicts go by how deep the deepest point of a part lies in the\n"
-      "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with "
-      "a\n"
-      "warning. A part wholly inside the blisk is interference.\n"
-      "Exit codes: 0 no interference, 1 interference found, 2 bad input.");
+      "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with\n"
+      "a warning. A part wholly inside the blisk is interference. On a move the contact wheel's centre goes\n"
+      "straight while the tool turns evenly; coming within 0.001 mm is a hit.\n"
+      "Exit codes: 0 no interference at any pose or move, 1 interference found, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }
 

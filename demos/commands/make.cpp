@@ -1,18 +1,23 @@
 // octoblisk make: writes a generated blisk or a part of the belt grinder to a mesh file.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "cell/tool_file.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/length_limit.h"
 #include "models/mesh_file.h"
+#include "report/whole_files.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -131,14 +136,8 @@ struct GrinderRequest {
   BeltParameters belt;
 };
 
-void addGrinderPart(CLI::App& make, const std::string& name, const std::string& description,
-                    TriangleMesh (*makePart)(const BeltParameters&)) {
-  CLI::App& command = *make.add_subcommand(name, description);
-  const auto request = std::make_shared<GrinderRequest>();
-  BeltParameters& belt = request->belt;
-  addOut(command, request->out);
-
-  // Every part takes the whole grinder's sizes, so that the parts made with the same ones fit together.
+/// Every part takes the whole grinder's sizes, so that the parts made with the same ones fit together.
+void addSizes(CLI::App& command, BeltParameters& belt) {
   const auto addOption = [&](const std::string& option, auto& value, const std::string& help) {
     return command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
   };
@@ -147,6 +146,7 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   };
   addParameter("--width", belt.width, "mm, of the belt");
   addParameter("--thickness", belt.thickness, "mm, of the belt");
+  addParameter("--abrasive", belt.abrasive, "mm of the belt's thickness that are its contact side");
   addParameter("--contact-wheel-radius", belt.contact_wheel_radius, "mm, of the belt's inner surface there");
   addParameter("--drive-wheel-radius", belt.drive_wheel_radius, "mm, of the belt's inner surface there");
   addParameter("--wheel-distance", belt.wheel_distance, "mm, between the wheels' centres");
@@ -157,8 +157,60 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   addParameter("--arm-start", belt.arm_start, "mm, from the contact wheel's centre");
   addParameter("--arm-width", belt.arm_width, "mm, along the wheels' axes");
   addParameter("--arm-height", belt.arm_height, "mm, between the strands");
+}
 
+void addGrinderPart(CLI::App& make, const std::string& name, const std::string& description,
+                    TriangleMesh (*makePart)(const BeltParameters&)) {
+  CLI::App& command = *make.add_subcommand(name, description);
+  const auto request = std::make_shared<GrinderRequest>();
+  addOut(command, request->out);
+  addSizes(command, request->belt);
   command.callback([request, makePart] { writeAndTell(request->out, makePart(request->belt)); });
+}
+
+/// All parts, and the file for 'octoblisk grind --tool'.
+void makeGrinderFiles(const GrinderRequest& request) {
+  constexpr double kOfBelt = 0.5, kOfOthers = 1.0, kOfBackAtWork = 0.2;  // near misses, mm: assumed
+  const std::pair<const char*, TriangleMesh (*)(const BeltParameters&)> parts[] = {
+      {"belt contact side", makeBeltContactSide},
+      {"belt back", makeBeltBack},
+      {"contact wheel", makeContactWheel},
+      {"drive wheel", makeDriveWheel},
+      {"arm", makeArm}};
+  std::vector<TriangleMesh> meshes;  // before any is written: sizes may be refused
+  for (const auto& [name, makePart] : parts) meshes.push_back(makePart(request.belt));
+
+  const std::filesystem::path out = request.out;
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+  ToolFile tool;
+  WholeFiles files;
+  for (std::size_t part = 0; part < meshes.size(); ++part) {
+    std::string file = parts[part].first;
+    std::ranges::replace(file, ' ', '_');
+    file += ".ply";
+    writeMesh(files.add(out / file), meshes[part]);
+    tool.parts.push_back({parts[part].first, file, {}});
+  }
+  tool.parts.front().max_depth = 0.1;
+  tool.allowed = {{std::size_t{0}, {BladeChoice::Kind::ground, 0}}};
+  tool.margins = {{std::nullopt, {BladeChoice::Kind::any, 0}, kOfOthers},
+                  {std::size_t{0}, {BladeChoice::Kind::any, 0}, kOfBelt},
+                  {std::size_t{1}, {BladeChoice::Kind::any, 0}, kOfBelt},
+                  {std::size_t{1}, {BladeChoice::Kind::ground, 0}, kOfBackAtWork}};
+  writeToolFile(files.add(out / "tool.json"), tool);
+  files.finish();
+  std::cout << (out / "tool.json").string() << ": " << tool.parts.size() << " parts, meshes beside it\n";
+}
+
+void addGrinder(CLI::App& make) {
+  CLI::App& command = *make.add_subcommand(
+      "grinder", "The whole grinder: a mesh a part, and the tool.json of 'octoblisk grind --tool'");
+  const auto request = std::make_shared<GrinderRequest>();
+  command.add_option("-o,--out", request->out, "Folder; made where missing")->required()->check(notEmpty());
+  addSizes(command, request->belt);
+  command.callback([request] { makeGrinderFiles(*request); });
 }
 
 }  // namespace
@@ -168,6 +220,7 @@ void addMakeCommand(CLI::App& app, int&) {
   make.require_subcommand(1);
   make.option_defaults()->always_capture_default();
   addBlisk(make);
+  addGrinder(make);
   addGrinderPart(make, "belt", "The abrasive belt: contact wheel at the origin, arm along +x", makeBelt);
   addGrinderPart(make, "contact-wheel", "The small wheel at the origin, axis z", makeContactWheel);
   addGrinderPart(make, "drive-wheel", "The great wheel at the arm's far end", makeDriveWheel);

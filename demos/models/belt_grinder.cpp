@@ -173,10 +173,8 @@ TriangleMesh box(const Vec3& low, const Vec3& high) {
                                             {1, 7, 5}});
 }
 
-}  // namespace
-
-TriangleMesh makeBelt(const BeltParameters& p) {
-  requireUsable(p);
+/// A closed band between two heights above the belt's inner surface.
+TriangleMesh band(const BeltParameters& p, double low, double high) {
   const BeltPath path(p);
   const int outer_points = p.points_per_station / 2;
   const int inner_points = p.points_per_station - outer_points;
@@ -186,11 +184,11 @@ TriangleMesh makeBelt(const BeltParameters& p) {
     const auto [point, normal] = path.at(static_cast<double>(station) / p.stations);
     for (int k = 0; k < outer_points; ++k) {
       const double z = p.width * (static_cast<double>(k) / (outer_points - 1) - 0.5);
-      vertices.push_back(point + p.thickness * normal + Vec3(0.0, 0.0, z));
+      vertices.push_back(point + high * normal + Vec3(0.0, 0.0, z));
     }
     for (int k = 0; k < inner_points; ++k) {
       const double z = p.width * (0.5 - static_cast<double>(k) / (inner_points - 1));
-      vertices.push_back(point + Vec3(0.0, 0.0, z));
+      vertices.push_back(point + low * normal + Vec3(0.0, 0.0, z));
     }
   }
 
@@ -206,6 +204,30 @@ TriangleMesh makeBelt(const BeltParameters& p) {
     }
   }
   return TriangleMesh(std::move(vertices), std::move(triangles));
+}
+
+void requireTwoLayers(const BeltParameters& p) {
+  require(p.abrasive > 0.0 && p.abrasive < p.thickness,
+          "the abrasive must be thicker than 0 and thinner than the belt");
+}
+
+}  // namespace
+
+TriangleMesh makeBelt(const BeltParameters& p) {
+  requireUsable(p);
+  return band(p, 0.0, p.thickness);
+}
+
+TriangleMesh makeBeltContactSide(const BeltParameters& p) {
+  requireUsable(p);
+  requireTwoLayers(p);
+  return band(p, p.thickness - p.abrasive, p.thickness);
+}
+
+TriangleMesh makeBeltBack(const BeltParameters& p) {
+  requireUsable(p);
+  requireTwoLayers(p);
+  return band(p, 0.0, p.thickness - p.abrasive);
 }
 
 TriangleMesh makeContactWheel(const BeltParameters& p) {

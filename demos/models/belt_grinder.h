@@ -23,6 +23,7 @@ struct BeltParameters {
   double arm_start = 15.0;            ///< x of the arm's end at the contact wheel
   double arm_width = 16.0;            ///< along z
   double arm_height = 8.0;            ///< along y, between the strands
+  double abrasive = 0.5;              ///< of the belt's thickness: its contact side, the rest is its back
 };
 
 /// The belt as a closed band of stations · points_per_station vertices (station by station, each beginning at
@@ -32,6 +33,11 @@ struct BeltParameters {
 /// This and the functions below throw std::invalid_argument, naming the parameter, on sizes that make no
 /// belt grinder: not above 0, wheels that overlap, too few stations to go round the wheels.
 TriangleMesh makeBelt(const BeltParameters& parameters = {});
+
+/// The belt in two bands that share a surface: the abrasive one outside, which is there to touch, and its
+/// back. Each with the vertices of a belt.
+TriangleMesh makeBeltContactSide(const BeltParameters& parameters = {});
+TriangleMesh makeBeltBack(const BeltParameters& parameters = {});
 
 TriangleMesh makeContactWheel(const BeltParameters& parameters = {});
 TriangleMesh makeDriveWheel(const BeltParameters& parameters = {});

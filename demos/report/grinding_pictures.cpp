@@ -14,11 +14,11 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kCloseUp = 26.0;             // half the side of the cube that the close-up shows, mm
-constexpr int kBoxDepth = 4;                  // of the tree's boxes in the close-up
+constexpr double kCloseUp = 26.0;  // half the side of the cube that the close-up shows, mm
+constexpr int kBoxDepth = 4;       // of the tree's boxes in the close-up
 
 Color colorOf(const std::string& part) {
-  if (part == "belt") return palette::kSand;
+  if (part.starts_with("belt")) return palette::kSand;
   return part == "arm" ? palette::kSlate : palette::kSky;
 }
 

@@ -4,7 +4,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
+
+#include "cell/blade_side.h"
+#include "cell/moves.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -37,11 +41,59 @@ std::string nameOf(DepthKind kind) {
   return {};
 }
 
-}  // namespace
-
-std::size_t GrindingRun::count(Verdict verdict) const {
-  return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
+std::string nameOf(MoveReport::Outcome outcome) {
+  switch (outcome) {
+    case MoveReport::Outcome::free:
+      return "free";
+    case MoveReport::Outcome::hit:
+      return "hit";
+    case MoveReport::Outcome::too_deep:
+      return "too deep";
+    case MoveReport::Outcome::not_proved:
+      return "not proved";
+  }
+  return {};
 }
+
+void writeTouch(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  const std::optional<WorstTouch> worst = worstOrNearest(pose);
+  if (!worst) {
+    stream << ",,,,,,,,,,";
+    return;
+  }
+  stream << run.parts[worst->part].name << ',' << worst->blade << ',' << worst->depth << ','
+         << sideOf(run.blisk->mesh(), worst->triangle_of_blisk, worst->blade);
+  for (const double value : worst->point_on_blisk) stream << ',' << value;
+  for (const double value : worst->normal) {
+    stream << ',';
+    if (!worst->normal.isZero()) stream << value;
+  }
+  stream << ',';
+}
+
+void writeClearance(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  if (const auto& nearest = pose.clearance) {
+    stream << nearest->clearance.distance << ',' << run.parts[nearest->part].name << ',' << nearest->blade
+           << ',';
+  } else {
+    stream << ",,,";
+  }
+}
+
+void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  if (!pose.move) {
+    stream << ",,,\n";
+    return;
+  }
+  stream << nameOf(pose.move->outcome) << ',' << pose.move->fraction << ',';
+  if (pose.move->outcome == MoveReport::Outcome::free) {
+    stream << ",\n";
+  } else {
+    stream << run.parts[pose.move->at.part].name << ',' << pose.move->at.blade << '\n';
+  }
+}
+
+}  // namespace
 
 std::vector<PoseRange> interferingRanges(const GrindingRun& run) {
   std::vector<PoseRange> ranges;
@@ -57,15 +109,15 @@ std::vector<PoseRange> interferingRanges(const GrindingRun& run) {
 void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file) {
   std::ofstream stream = openForWriting(file);
   stream.precision(9);
-  stream << "pose,verdict,part,blade,depth_mm\n";
+  stream
+      << "pose,verdict,part,blade,depth_mm,side,blisk_x_mm,blisk_y_mm,blisk_z_mm,normal_x,normal_y,normal_z,"
+         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     stream << p << ',' << nameOf(pose.verdict) << ',';
-    if (const std::optional<WorstTouch> worst = worstTouch(pose)) {
-      stream << run.parts[worst->part].name << ',' << worst->blade << ',' << worst->depth << '\n';
-    } else {
-      stream << ",,\n";
-    }
+    writeTouch(run, pose, stream);
+    writeClearance(run, pose, stream);
+    writeMove(run, pose, stream);
   }
   finish(stream, file);
 }
@@ -97,6 +149,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     parts.push_back({{"name", run.parts[part].name},
                      {"triangles", run.parts[part].tree->stats().triangles},
+                     {"max_depth_mm", run.rules.maxDepth(part)},
                      {"depth_mm_is", nameOf(run.depth_kinds[part])}});
   }
   nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
@@ -105,15 +158,31 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   const int blade = run.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
+  double depth_bound = 0.0;
+  for (const PoseReport& pose : run.poses) {
+    if (pose.move) depth_bound = std::max(depth_bound, pose.move->depth_bound);
+  }
+  nlohmann::ordered_json moves;  // null where they were not checked
+  if (run.continuous) {
+    moves = {{"total", run.poses.empty() ? 0 : run.poses.size() - 1},
+             {"free", run.count(MoveReport::Outcome::free)},
+             {"hit", run.count(MoveReport::Outcome::hit)},
+             {"too_deep", run.count(MoveReport::Outcome::too_deep)},
+             {"not_proved", run.count(MoveReport::Outcome::not_proved)},
+             {"proved_to_mm", kMoveTolerance},
+             {"depth_on_moves_at_most_mm", depth_bound}};
+  }
   const nlohmann::ordered_json summary = {
+      {"partial", run.isPartial()},
+      {"poses_of_path", run.path_poses},
       {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.blade_count}}},
-      {"belt", run.belt_name},
+      {"tool", run.tool_name},
       {"path", run.path_name},
       {"parts", parts},
       {"limits",
        {{"ground_blade", ground_blade},
         {"max_depth_mm", run.rules.max_depth},
-        {"near_miss_mm", run.near_miss}}},
+        {"near_miss_mm", run.rules.near_miss}}},
       {"poses",
        {{"total", run.poses.size()},
         {"clear", run.count(Verdict::clear)},
@@ -121,13 +190,17 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
         {"near_miss", run.count(Verdict::near_miss)},
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", ranges},
+      {"moves", moves},
       {"tree",
        {{"nodes_of_up_to_8_boxes", tree.nodes},
         {"leaf_boxes", tree.leaves},
         {"boxes_round_deepest_leaf", tree.depth},
         {"leaf_boxes_mm3", tree.leaf_volume}}},
       {"mean_us_a_pose",
-       {{"contacts", run.contact_seconds_a_pose * 1e6}, {"depths", run.depth_seconds_a_pose * 1e6}}}};
+       {{"contacts", run.contact_seconds_a_pose * 1e6},
+        {"depths", run.depth_seconds_a_pose * 1e6},
+        {"clearances", run.clearance_seconds_a_pose * 1e6},
+        {"moves", run.move_seconds_a_pose * 1e6}}}};
   std::ofstream stream = openForWriting(file);
   stream << summary.dump(2) << '\n';
   finish(stream, file);

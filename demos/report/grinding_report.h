@@ -5,26 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cell/verdict.h"
+#include "cell/grinding_run.h"
 
 namespace octoblisk::demos {
-
-/// A finished run, as the reports need it.
-struct GrindingRun {
-  std::string blisk_name, belt_name, path_name;  ///< where they came from
-  std::shared_ptr<const ClusteredOctree> blisk;
-  std::vector<ToolPart> parts;
-  std::vector<DepthKind> depth_kinds;  ///< of each part
-  int blade_count = 0;
-  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
-  VerdictRules rules;
-  double near_miss = 0.0;               ///< mm
-  double contact_seconds_a_pose = 0.0;  ///< mean: Bullet's answer which parts are near, and their contacts
-  double depth_seconds_a_pose = 0.0;    ///< mean, of all threads together
-  std::vector<PoseReport> poses;
-
-  std::size_t count(Verdict verdict) const;
-};
 
 /// Poses first to last, counted from 0.
 struct PoseRange {
@@ -34,9 +17,10 @@ struct PoseRange {
 /// The runs of poses that interfere.
 std::vector<PoseRange> interferingRanges(const GrindingRun& run);
 
-/// poses.csv: for each pose its verdict, and part, blade and depth of its worst touch (empty where it has
-/// no contact). The depth is that of the part as a solid. Throws std::runtime_error naming a file that can't
-/// be written.
+/// poses.csv: for each pose its verdict, and part, blade, side, point, normal and depth of its worst touch,
+/// or else of where it comes nearest; how far it is from what it must not touch; and what happens on the way
+/// from the pose before (empty at the first). The depth is that of the part as a solid; a clearance is a
+/// negative depth. Throws std::runtime_error naming a file that can't be written.
 void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file);
 
 /// contacts.csv: a row for each contact of the reports, each with a verdict of its own. The depth is that of
@@ -45,7 +29,8 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
 void writeContacts(const GrindingRun& run, const std::filesystem::path& file);
 
 /// summary.json: limits (ground_blade: null where no blade was ground), counts, the ranges of poses that
-/// interfere ("first" to "last", both included), the tree. Throws as above.
+/// interfere ("first" to "last", both included), the tree; "partial" where not all poses were done. Throws as
+/// above.
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

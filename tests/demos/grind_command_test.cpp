@@ -206,7 +206,20 @@ TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
   EXPECT_THAT(outcome.out, HasSubstr("no blade ground (the blisk has 24)"));
   EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
   EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
-  EXPECT_EQ(contentOf(file("run/poses.csv")), "pose,verdict,part,blade,depth_mm\n0,clear,,,\n1,clear,,,\n");
+  EXPECT_THAT(contentOf(file("run/poses.csv")), StartsWith("pose,verdict,part,blade,depth_mm,side,"));
+  const auto table = readTable(file("run/poses.csv"));
+  ASSERT_EQ(table.size(), 2u);
+  for (const auto& row : table) {
+    EXPECT_EQ(row.at("verdict"), "clear");
+    EXPECT_GT(std::stod(row.at("clearance_mm")), 10.0);
+    EXPECT_EQ(std::stod(row.at("depth_mm")), -std::stod(row.at("clearance_mm"))) << "where it is nearest";
+    const Vec3 normal(std::stod(row.at("normal_x")), std::stod(row.at("normal_y")),
+                      std::stod(row.at("normal_z")));
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-6);
+  }
+  EXPECT_EQ(table[0].at("move"), "");
+  EXPECT_EQ(table[1].at("move"), "free");
+  EXPECT_EQ(table[1].at("move_fraction"), "1");
   EXPECT_GT(std::filesystem::file_size(file("run/overview.png")), 10'000u);
   EXPECT_GT(std::filesystem::file_size(file("run/closeup.png")), 1'000u);
 }
@@ -245,6 +258,73 @@ TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   EXPECT_THAT(outcome.out, HasSubstr("on hub or shroud"));
   EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
+}
+
+TEST_F(GrindCommand, aMoveThroughABladeIsInterferenceAtClearPoses) {
+  // In by the axis of a channel, and round the rim to the next: straight through the blades.
+  folder_.write("jump.csv",
+                "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n0,300,0,0.7071067811865476,0,0,0.7071067811865476\n");
+  const Outcome outcome = run("--path jump.csv --no-pictures --out run");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
+  EXPECT_THAT(outcome.out, HasSubstr("moves that hit what must not be touched: 1,"));
+  const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
+  EXPECT_EQ(summary["moves"]["hit"], 1);
+  EXPECT_EQ(summary["partial"], false);
+  const auto table = readTable(file("run/poses.csv"));
+  EXPECT_EQ(table.at(1).at("move"), "hit");
+  EXPECT_NE(table.at(1).at("move_part"), "");
+  const double fraction = std::stod(table.at(1).at("move_fraction"));
+  EXPECT_GT(fraction, 0.0);
+  EXPECT_LT(fraction, 0.5);
+
+  const Outcome poses_only = run("--path jump.csv --poses-only --no-pictures --out run");
+  EXPECT_EQ(poses_only.exit_code, 0);
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["moves"].is_null());
+}
+
+TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make grinder --out tool").exit_code, 0);
+  ASSERT_LE(run("--poses-only --no-pictures --out built_in").exit_code, 1);
+  const Outcome outcome = run("--tool tool/tool.json --poses-only --no-pictures --out own");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.error, "");
+  const auto summary = nlohmann::json::parse(contentOf(file("own/summary.json")));
+  EXPECT_EQ(summary["parts"].size(), 5u);
+  const auto own = readTable(file("own/poses.csv")), built_in = readTable(file("built_in/poses.csv"));
+  ASSERT_EQ(own.size(), built_in.size());
+  std::size_t intended = 0, differ = 0;
+  for (std::size_t pose = 0; pose < own.size(); ++pose) {
+    intended += own[pose].at("verdict") == "intended contact";
+    differ += own[pose].at("verdict") != built_in[pose].at("verdict");
+    if (own[pose].at("verdict") == "intended contact") EXPECT_EQ(own[pose].at("part"), "belt contact side");
+  }
+  EXPECT_GT(intended, own.size() / 4);
+  EXPECT_LT(differ, own.size() / 5) << "but where margins differ";
+
+  // An edited table: the belt may touch nothing.
+  std::string edited = contentOf(file("tool/tool.json"));
+  edited.replace(edited.find("\"ground\""), 8, "2");
+  folder_.write("tool/edited.json", edited);
+  ASSERT_EQ(run("--tool tool/edited.json --poses-only --no-pictures --out edited").exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(contentOf(file("edited/summary.json")))["poses"]["intended_contact"], 0);
+  EXPECT_THAT(run("--tool tool/edited.json --ground-blade 3 --out edited").error,
+              HasSubstr("no part may touch it"));
+  edited.replace(edited.find("\"blade\": 2"), 10, "\"blade\": 99");
+  folder_.write("tool/edited.json", edited);
+  EXPECT_THAT(run("--tool tool/edited.json --out edited").error, HasSubstr("blade 99: the blisk has 24"));
+}
+
+TEST_F(GrindCommand, badInputLeavesTheTablesOfAnEarlierRun) {
+  folder_.write("away.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n");
+  ASSERT_EQ(run("--path away.csv --no-pictures --out run").exit_code, 0);
+  const std::string before = contentOf(file("run/poses.csv"));
+  folder_.write("bad.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n300,0\n");
+  EXPECT_EQ(run("--path bad.csv --no-pictures --out run").exit_code, 2);
+  EXPECT_EQ(contentOf(file("run/poses.csv")), before);
+  for (const auto& entry : std::filesystem::directory_iterator(file("run"))) {
+    EXPECT_THAT(entry.path().filename().string(), ::testing::Not(StartsWith("unfinished")));
+  }
 }
 
 TEST_F(GrindCommand, neverWritesATableOverThePathItReads) {

@@ -1,0 +1,64 @@
+// A run of the grinder along a path: all that is found at its poses and between them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/verdict.h"
+#include "models/blade_finder.h"
+
+namespace octoblisk::demos {
+
+/// A finished run, as the reports need it.
+struct GrindingRun {
+  std::string blisk_name, tool_name, path_name;  ///< where they came from
+  std::shared_ptr<const ClusteredOctree> blisk;
+  std::vector<ToolPart> parts;
+  std::vector<DepthKind> depth_kinds;  ///< of each part
+  int blade_count = 0;
+  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
+  VerdictRules rules;
+  bool continuous = false;        ///< whether moves were checked
+  std::size_t path_poses = 0;     ///< of the whole path
+  std::vector<PoseReport> poses;  ///< those that were done: the first of the path
+  /// Means of all threads together, s a pose.
+  double contact_seconds_a_pose = 0.0;    ///< Bullet's answer which parts are near, and their contacts
+  double depth_seconds_a_pose = 0.0;      ///< how deep the parts are
+  double clearance_seconds_a_pose = 0.0;  ///< how far they are from what they must not touch
+  double move_seconds_a_pose = 0.0;       ///< what happens between the poses
+
+  bool isPartial() const { return poses.size() < path_poses; }
+  std::size_t count(Verdict verdict) const;              ///< poses
+  std::size_t count(MoveReport::Outcome outcome) const;  ///< moves
+  /// Whether a pose or a move interferes; a move that was not settled does not.
+  bool interferes() const;
+};
+
+/// What a run is asked.
+struct GrindingJob {
+  std::shared_ptr<const ClusteredOctree> blisk;  ///< faces outward
+  BladesFound blades;                            ///< of its mesh
+  std::vector<ToolPart> parts;
+  VerdictRules rules;  ///< its ground blade is found if `find_ground_blade`; near_miss must be finite
+  bool find_ground_blade = false;  ///< as that which the grinding part touches at the most poses
+  std::vector<Pose> path;          ///< at least one pose
+  bool continuous = true;          ///< whether moves are checked
+  int threads = 0;                 ///< 0: as many as the machine runs at once; the answers are the same
+};
+
+/// What is told of a run, and asked, meanwhile: in the thread that runs it.
+struct RunWatch {
+  /// Tells that so many of the path's poses are done, of the task named.
+  std::function<void(const std::string& task, std::size_t done)> progress;
+  std::function<bool()> stop;  ///< whether to leave the rest of the path
+};
+
+/// The job done: judged poses with their contacts (as reduceContacts keeps them), depths, clearances and
+/// moves. Stopped, it has the poses done by then. The names are left to the caller.
+GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch = {});
+
+}  // namespace octoblisk::demos

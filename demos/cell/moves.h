@@ -1,0 +1,60 @@
+// What happens between the poses of a path.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cell/obstacles.h"
+#include "cell/part_depths.h"
+#include "cell/verdict.h"
+#include "octoblisk/motion.h"
+
+namespace octoblisk::demos {
+
+/// Moves that come as near as this to what must not be touched have hit it, mm.
+inline constexpr double kMoveTolerance = 1e-3;
+
+/// The depth of what may touch is measured at steps in which no point of the part that may touch within them
+/// goes farther, mm. Between two it may be deeper than at both by half of that: MoveReport::depth_bound.
+inline constexpr double kDepthStep = 1.0;
+
+class MoveCheck {
+ public:
+  /// All must outlive it. `depths`: of the same parts.
+  MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
+            std::span<const int> blade_of_triangle, const VerdictRules& rules, const Obstacles& obstacles,
+            PartDepths& depths, int threads);
+
+  /// Sets `move` of all poses but the first: that from the pose before. Poses must be judged and have their
+  /// clearances (pose_clearances.h). A move is asked what it touches that neither of its poses does: by
+  /// conservative advancement (octoblisk/sweep.h), so nothing is passed through; and how deep what may touch
+  /// gets, at steps. The answers do not depend on the number of threads.
+  void check(std::span<PoseReport> poses);
+
+ private:
+  struct Sample;
+  /// Of a part that may touch: all but what is near the tool's origin, which turns move little.
+  struct FarPart {
+    std::shared_ptr<const ClusteredOctree> tree;  ///< null where nothing is near, or nothing far
+    double near_radius = 0.0;                     ///< of all the rest about the origin
+  };
+
+  static FarPart farPartOf(const TriangleMesh& part);
+  double wayOfTouch(std::size_t part, const Motion& way) const;
+  void sweepMove(const PoseReport& from, PoseReport& to) const;
+  void addSamples(std::size_t pose, const PoseReport& from, PoseReport& to,
+                  std::vector<Sample>& samples) const;
+  void apply(std::span<const Sample> of_one_part, const PoseReport& from, PoseReport& to) const;
+
+  std::shared_ptr<const ClusteredOctree> blisk_;
+  std::span<const ToolPart> parts_;
+  std::span<const int> blade_of_triangle_;
+  const VerdictRules& rules_;
+  const Obstacles& obstacles_;
+  PartDepths& depths_;
+  std::vector<FarPart> far_parts_;  // of each part
+  int threads_;
+};
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,40 @@
+// What is said of pairs of a tool's part and a blade: who may touch whom, and who must keep how far away.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace octoblisk::demos {
+
+/// No part of the tool.
+inline constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
+
+/// The blades that a row of a table is about.
+struct BladeChoice {
+  enum class Kind {
+    any,     ///< all blades, hub and shroud
+    hub,     ///< hub and shroud: blade 0
+    ground,  ///< the blade that is ground, whichever it is
+    number,
+  };
+  Kind kind = Kind::any;
+  int number = 0;  ///< where it is a number: from 1
+
+  bool includes(int blade, int ground_blade) const;
+};
+
+/// A part that may touch some blades; none: every part.
+struct AllowedPair {
+  std::optional<std::size_t> part;
+  BladeChoice blade;
+};
+
+/// The clearance below which a part is a near miss of some blades.
+struct PairMargin {
+  std::optional<std::size_t> part;  ///< none: every part
+  BladeChoice blade;
+  double near_miss = 0.0;  ///< mm
+};
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,77 @@
+#include "report/grinding_words.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "cell/moves.h"
+#include "report/grinding_pictures.h"
+#include "report/grinding_report.h"
+
+namespace octoblisk::demos {
+namespace {
+
+/// "poses 20-79, 228": the runs that interfere, the first of them where they are many.
+std::string listOf(const std::vector<PoseRange>& ranges) {
+  constexpr std::size_t kMost = 12;
+  std::ostringstream text;
+  text << "poses ";
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
+    text << (i > 0 ? ", " : "") << ranges[i].first;
+    if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
+  }
+  if (ranges.size() > kMost) text << " and " << ranges.size() - kMost << " more runs (summary.json)";
+  return text.str();
+}
+
+/// "blade 3", "hub or shroud".
+std::string nameOfBlade(int blade) { return blade == 0 ? "hub or shroud" : "blade " + std::to_string(blade); }
+
+void tellMoves(const GrindingRun& run, std::ostream& text) {
+  using Outcome = MoveReport::Outcome;
+  const std::size_t hits = run.count(Outcome::hit), deep = run.count(Outcome::too_deep),
+                    open = run.count(Outcome::not_proved);
+  text << "Between the poses: ";
+  if (hits + deep + open == 0) {
+    text << "nothing is touched that is not at the poses\n";
+    return;
+  }
+  text << "moves that hit what must not be touched: " << hits << ", that are too deep: " << deep
+       << ", undecided within " << kMoveTolerance << " mm: " << open << '\n';
+  const auto first = std::ranges::find_if(
+      run.poses, [](const PoseReport& pose) { return pose.move && pose.move->outcome != Outcome::free; });
+  text << "First: after " << first->move->fraction << " of the move to pose " << first - run.poses.begin()
+       << ", " << run.parts[first->move->at.part].name << " on " << nameOfBlade(first->move->at.blade)
+       << '\n';
+}
+
+}  // namespace
+
+std::string inWords(const GrindingRun& run) {
+  std::ostringstream text;
+  const int blade = run.rules.ground_blade;
+  const std::string blades = std::to_string(run.blade_count);
+  if (run.isPartial())
+    text << "Stopped: " << run.poses.size() << " of " << run.path_poses << " poses are done\n";
+  text << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ");
+  if (blade == 0) {
+    text << "no blade ground (the blisk has " << blades << ")";
+  } else {
+    text << "ground blade " << blade << " of " << blades;
+    if (run.rules.grinding_part != kNoPart) {
+      text << " (intended up to " << run.rules.maxDepth(run.rules.grinding_part) << " mm deep)";
+    }
+  }
+  text << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
+       << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
+       << run.count(Verdict::interference) << " interference\n";
+  const PoseReport& shown = run.poses[poseToShow(run)];
+  if (shown.verdict == Verdict::interference) {
+    text << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
+    text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
+  }
+  if (run.continuous) tellMoves(run, text);
+  return text.str();
+}
+
+}  // namespace octoblisk::demos

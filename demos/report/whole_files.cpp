@@ -1,0 +1,38 @@
+#include "report/whole_files.h"
+
+#include <stdexcept>
+#include <system_error>
+
+namespace octoblisk::demos {
+namespace {
+
+std::filesystem::path unfinished(const std::filesystem::path& file) {
+  return file.parent_path() / ("unfinished-" + file.filename().string());
+}
+
+}  // namespace
+
+WholeFiles::~WholeFiles() {
+  for (const std::filesystem::path& file : files_) {
+    std::error_code ignored;
+    std::filesystem::remove(unfinished(file), ignored);
+  }
+}
+
+std::filesystem::path WholeFiles::add(const std::filesystem::path& file) {
+  files_.push_back(file);
+  return unfinished(file);
+}
+
+void WholeFiles::finish() {
+  while (!files_.empty()) {
+    std::error_code error;
+    std::filesystem::rename(unfinished(files_.back()), files_.back(), error);
+    if (error) {
+      throw std::runtime_error(files_.back().string() + ": cannot be written: " + error.message());
+    }
+    files_.pop_back();
+  }
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,28 @@
+// Files that are there whole, or not at all.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace octoblisk::demos {
+
+/// Files are written under other names, and get their own together at the end: until then, and where it does
+/// not come to that, those of an earlier run stay as they are.
+class WholeFiles {
+ public:
+  WholeFiles() = default;
+  ~WholeFiles();  ///< removes what was not finished
+  WholeFiles(const WholeFiles&) = delete;
+  WholeFiles& operator=(const WholeFiles&) = delete;
+
+  /// The name to write a file under, beside it and with its extension.
+  std::filesystem::path add(const std::filesystem::path& file);
+
+  /// Gives all files their names. Throws std::runtime_error naming a file that cannot be written.
+  void finish();
+
+ private:
+  std::vector<std::filesystem::path> files_;
+};
+
+}  // namespace octoblisk::demos

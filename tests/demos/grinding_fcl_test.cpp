@@ -1,0 +1,118 @@
+// The verdicts of a run against FCL.
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "cell/grinding_run.h"
+#include "cell/tool_assembly.h"
+#include "models/embedded_assets.h"
+#include "models/shared_tree.h"
+#include "toolpath/grinding_path.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+/// The triangles of a mesh for which keeps(triangle).
+template <typename Keeps>
+std::shared_ptr<Model> modelOf(const TriangleMesh& mesh, const Keeps& keeps) {
+  auto model = std::make_shared<Model>();
+  std::vector<fcl::Triangle> triangles;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [i, j, k] = mesh.triangles()[t];
+    if (keeps(t)) triangles.emplace_back(i, j, k);
+  }
+  model->beginModel();
+  model->addSubModel(mesh.vertices(), triangles);
+  model->endModel();
+  return model;
+}
+
+fcl::Transform3d transformOf(const Pose& pose) {
+  fcl::Transform3d transform = fcl::Transform3d::Identity();
+  transform.linear() = pose.rotation;
+  transform.translation() = pose.translation;
+  return transform;
+}
+
+bool touch(const Model& blisk, const Model& part, const Pose& pose) {
+  fcl::CollisionResultd result;
+  return fcl::collide<double>(&blisk, fcl::Transform3d::Identity(), &part, transformOf(pose),
+                              fcl::CollisionRequestd(), result) > 0;
+}
+
+double distanceOf(const Model& blisk, const Model& part, const Pose& pose) {
+  fcl::DistanceResultd result;
+  return fcl::distance<double>(&blisk, fcl::Transform3d::Identity(), &part, transformOf(pose),
+                               fcl::DistanceRequestd(), result);
+}
+
+TEST(GrindingRun, verdicts_vs_fcl) {
+  GrindingJob job;
+  job.blisk = treeOf(embeddedBlisk());
+  job.blades = findBlades(job.blisk->mesh());
+  ToolAssembly tool = builtInTool(0.1);
+  job.parts = tool.parts;
+  job.rules = tool.rules;
+  job.rules.ground_blade = 1;
+  job.rules.near_miss = 0.5;
+  job.continuous = false;
+  const std::vector<Pose> whole = makeGrindingPath(job.blisk->mesh(), job.blades);
+  for (std::size_t pose = 0; pose < whole.size(); pose += 7) {
+    job.path.push_back(whole[pose]);
+    const double angle = (8.0 + 1.5 * static_cast<double>(pose % 5)) * std::numbers::pi / 180.0;
+    const Pose towards_next_blade{Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(), Vec3::Zero()};
+    job.path.push_back(towards_next_blade * whole[pose]);
+  }
+  const GrindingRun run = runGrinding(job);
+
+  const TriangleMesh& mesh = job.blisk->mesh();
+  const auto is_ground = [&](std::size_t t) { return job.blades.blade_of_triangle[t] == 1; };
+  const auto ground = modelOf(mesh, is_ground);
+  const auto others = modelOf(mesh, [&](std::size_t t) { return !is_ground(t); });
+  const auto all = modelOf(mesh, [](std::size_t) { return true; });
+  std::vector<std::shared_ptr<Model>> parts;
+  for (const ToolPart& part : job.parts)
+    parts.push_back(modelOf(part.tree->mesh(), [](std::size_t) { return true; }));
+
+  int forbidden = 0, intended = 0, clear = 0;
+  for (const PoseReport& pose : run.poses) {
+    const Pose& place = pose.tool_in_blisk;
+    bool touches_forbidden = false;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const Model& obstacle = part == 0 ? *others : *all;
+      const bool touches = touch(obstacle, *parts[part], place);
+      touches_forbidden |= touches;
+      least = std::min(least, touches ? 0.0 : distanceOf(obstacle, *parts[part], place));
+    }
+    ASSERT_EQ(pose.clearance->clearance.distance == 0.0, touches_forbidden);
+    if (touches_forbidden) {
+      EXPECT_EQ(pose.verdict, Verdict::interference);
+      ++forbidden;
+      continue;
+    }
+    EXPECT_NEAR(pose.clearance->clearance.distance, least, 1e-6);
+    if (touch(*ground, *parts[0], place)) {
+      ++intended;
+      const bool too_deep = !pose.depths.empty() && pose.depths.front().depth > 0.1;
+      EXPECT_EQ(pose.verdict, too_deep       ? Verdict::interference
+                              : least <= 0.5 ? Verdict::near_miss
+                                             : Verdict::intended_contact);
+    } else {
+      ++clear;
+      EXPECT_EQ(pose.verdict, least <= 0.5 ? Verdict::near_miss : Verdict::clear);
+    }
+  }
+  const auto count = static_cast<int>(run.poses.size());
+  EXPECT_GT(forbidden, count * 3 / 10);
+  EXPECT_LT(forbidden, count * 7 / 10);
+  EXPECT_GT(intended, count / 10);
+  EXPECT_GT(clear, count / 20);
+}
+
+}  // namespace
+}  // namespace octoblisk::demos

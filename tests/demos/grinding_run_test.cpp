@@ -1,0 +1,208 @@
+// Runs along a path: what happens between the poses, by closed forms; stops; threads.
+#include "cell/grinding_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <numbers>
+#include <random>
+
+#include "cell/moves.h"
+#include "commands/interrupt.h"
+#include "demos/block.h"
+#include "models/shared_tree.h"
+#include "report/progress_bar.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using Outcome = MoveReport::Outcome;
+
+Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+
+/// One part against a mesh that is blade `blade`; no blade is ground.
+GrindingJob jobOf(const TriangleMesh& blisk, int blade, const TriangleMesh& part, std::vector<Pose> path) {
+  GrindingJob job;
+  job.blisk = treeOf(blisk);
+  job.blades.count = std::max(blade, 0);
+  job.blades.blade_of_triangle.assign(blisk.triangleCount(), blade);
+  job.parts = {{"part", treeOf(part)}};
+  job.rules.ground_blade = 0;
+  job.rules.near_miss = 0.2;
+  job.path = std::move(path);
+  job.threads = 2;
+  return job;
+}
+
+TEST(GrindingRun, aMoveThroughAThinWallHitsItWhereItStands) {
+  constexpr double kWall = 0.01, kPart = 0.5, kFrom = -3.0, kTo = 3.0;
+  const GrindingRun run = runGrinding(jobOf(block({kWall, 5, 5}, 2), 0, block({kPart, kPart, kPart}, 2),
+                                            {at(-4, 0, 0), at(kFrom, 0, 0), at(kTo, 0.1, 0), at(4, 0, 0)}));
+  ASSERT_EQ(run.poses.size(), 4u);
+  EXPECT_EQ(run.count(Verdict::clear), 4u);
+  EXPECT_FALSE(run.poses[0].move.has_value());
+  EXPECT_EQ(run.poses[1].move->outcome, Outcome::free);
+  EXPECT_EQ(run.poses[1].move->fraction, 1.0);
+  EXPECT_EQ(run.poses[3].move->outcome, Outcome::free);
+  const MoveReport& hit = *run.poses[2].move;
+  EXPECT_EQ(hit.outcome, Outcome::hit);
+  const double touches_at = (-kWall - kPart - kFrom) / (kTo - kFrom);
+  EXPECT_LE(hit.fraction, touches_at);
+  EXPECT_GE(hit.fraction, touches_at - 1.2 * kMoveTolerance / (kTo - kFrom));
+  EXPECT_EQ(hit.at.blade, 0);
+  EXPECT_NEAR(hit.at.clearance.point_on_a.x(), -kWall, 1e-9);
+  EXPECT_TRUE(run.interferes());
+  EXPECT_NEAR(run.poses[1].clearance->clearance.distance, -kWall - kPart - kFrom, 1e-9);
+}
+
+TEST(GrindingRun, aTurnHitsWhereTheBarMeetsThePostsCorner) {
+  constexpr double kHalf = 0.1, kFar = 3.0;
+  TriangleMesh post = block({kHalf, kHalf, 1}, 1);
+  std::vector<Vec3> vertices = post.vertices();
+  for (Vec3& vertex : vertices) vertex.y() += kFar;
+  post = TriangleMesh(vertices, post.triangles());
+  const double turn = 2.0 * std::numbers::pi / 3.0;
+  Pose turned;
+  turned.rotation = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+  const GrindingRun run = runGrinding(jobOf(post, 0, block({5, kHalf, kHalf}, 2), {Pose(), turned}));
+  // The corner (half, far - half) is as far from the bar's axis as the bar is thick.
+  const double x = kHalf, y = kFar - kHalf;
+  const double angle = std::acos(kHalf / std::hypot(x, y)) - std::atan2(x, y);
+  ASSERT_EQ(run.poses[1].move->outcome, Outcome::hit);
+  EXPECT_NEAR(run.poses[1].move->fraction, angle / turn, 1e-3);
+  EXPECT_LE(run.poses[1].move->fraction, angle / turn);
+}
+
+TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
+  GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-3, 0, 0), at(3, 0, 0)});
+  job.rules.ground_blade = 1;
+  const GrindingRun run = runGrinding(job);
+  EXPECT_EQ(run.poses[1].move->outcome, Outcome::too_deep);
+  EXPECT_GT(run.poses[1].move->fraction, 0.25);
+  EXPECT_LT(run.poses[1].move->fraction, 0.75);
+  EXPECT_TRUE(run.interferes());
+  EXPECT_FALSE(run.poses[0].clearance.has_value()) << "nothing is forbidden";
+}
+
+TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
+  constexpr double kDepth = 0.05, kSlide = 3.0;
+  GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2),
+                          {at(-1.5 + kDepth, 0, 0), at(-1.5 + kDepth, kSlide, 0)});
+  job.rules.ground_blade = 1;
+  const GrindingRun run = runGrinding(job);
+  EXPECT_EQ(run.count(Verdict::intended_contact), 2u);
+  const MoveReport& move = *run.poses[1].move;
+  EXPECT_EQ(move.outcome, Outcome::free);
+  EXPECT_GE(move.depth_bound, kDepth - 1e-3);
+  EXPECT_LE(move.depth_bound, kDepth + 0.5 * kDepthStep + 1e-3);
+  EXPECT_FALSE(run.interferes());
+}
+
+/// Poses at random in a fan of blades.
+GrindingJob randomJob(int poses) {
+  const auto fan = testing::fan(9, 10);
+  GrindingJob job = jobOf(*fan, 1, *testing::torus(0.3, 0.08, 20, 12), {});
+  std::mt19937_64 random(71);
+  for (int& blade : job.blades.blade_of_triangle) blade = static_cast<int>(random() % 3);
+  job.blades.count = 2;
+  job.parts.push_back({"box", treeOf(testing::boxMesh({0.2, 0.1, 0.1}))});
+  for (int i = 0; i < poses; ++i) job.path.push_back(testing::randomPose(random, 1.6));
+  return job;
+}
+
+TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
+  GrindingJob job = randomJob(150);
+  job.find_ground_blade = true;
+  std::vector<GrindingRun> runs;
+  for (const int threads : {1, 3}) {
+    job.threads = threads;
+    runs.push_back(runGrinding(job));
+  }
+  EXPECT_NE(runs[0].rules.ground_blade, 0);
+  EXPECT_EQ(runs[0].rules.ground_blade, runs[1].rules.ground_blade);
+  ASSERT_EQ(runs[0].poses.size(), runs[1].poses.size());
+  std::size_t hit = 0;
+  for (std::size_t i = 0; i < runs[0].poses.size(); ++i) {
+    const PoseReport &one = runs[0].poses[i], &other = runs[1].poses[i];
+    ASSERT_EQ(one.verdict, other.verdict);
+    ASSERT_EQ(one.contacts.size(), other.contacts.size());
+    ASSERT_EQ(one.part_clearances, other.part_clearances);
+    ASSERT_EQ(one.clearance->clearance.point_on_a, other.clearance->clearance.point_on_a);
+    if (i == 0) continue;
+    ASSERT_EQ(one.move->outcome, other.move->outcome);
+    ASSERT_EQ(one.move->fraction, other.move->fraction);
+    ASSERT_EQ(one.move->depth_bound, other.move->depth_bound);
+    hit += one.move->outcome == Outcome::hit;
+  }
+  EXPECT_GT(hit, 10u);
+}
+
+TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
+  const GrindingJob job = randomJob(80);
+  const GrindingRun run = runGrinding(job);
+  const ClusteredOctree& blisk = *job.blisk;
+  int hit = 0, free = 0;
+  for (std::size_t i = 1; i < run.poses.size(); ++i) {
+    const auto touchesSomewhere = [&](double up_to) {
+      const Motion way(job.path[i - 1], job.path[i]);
+      for (int k = 0; k <= 150; ++k) {
+        const Pose pose = way.at(up_to * k / 150.0);
+        for (const ToolPart& part : job.parts) {
+          if (distance(blisk, *part.tree, pose).distance == 0.0) return true;
+        }
+      }
+      return false;
+    };
+    const bool ends_touch = run.poses[i - 1].clearance->clearance.distance == 0.0 ||
+                            run.poses[i].clearance->clearance.distance == 0.0;
+    const MoveReport& move = *run.poses[i].move;
+    if (ends_touch) continue;
+    (move.outcome == Outcome::free ? free : hit) += 1;
+    ASSERT_NE(move.outcome == Outcome::free && touchesSomewhere(1.0), true) << "pose " << i;
+    ASSERT_FALSE(touchesSomewhere(move.fraction)) << "pose " << i;
+  }
+  EXPECT_GT(hit, (hit + free) * 3 / 10);
+  EXPECT_GT(free, 3);
+}
+
+TEST(GrindingRun, stoppedItKeepsThePosesDone) {
+  GrindingJob job = randomJob(150);
+  job.threads = 1;
+  std::size_t done = 0;
+  RunWatch watch;
+  watch.progress = [&](const std::string&, std::size_t poses) { done = poses; };
+  watch.stop = [&] { return done > 0; };
+  const GrindingRun run = runGrinding(job, watch);
+  EXPECT_TRUE(run.isPartial());
+  EXPECT_EQ(run.path_poses, 150u);
+  EXPECT_EQ(run.poses.size(), done);
+  EXPECT_LT(done, 150u);
+  const GrindingRun whole = runGrinding(job);
+  EXPECT_FALSE(whole.isPartial());
+  for (std::size_t i = 0; i < done; ++i) EXPECT_EQ(run.poses[i].verdict, whole.poses[i].verdict);
+}
+
+TEST(InterruptWatch, notesTheFirstSignalAndGivesTheHandlerBack) {
+  struct sigaction before = {}, after = {};
+  sigaction(SIGINT, nullptr, &before);
+  {
+    const InterruptWatch watch;
+    EXPECT_FALSE(InterruptWatch::interrupted());
+    std::raise(SIGINT);
+    EXPECT_TRUE(InterruptWatch::interrupted());
+  }
+  sigaction(SIGINT, nullptr, &after);
+  EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
+TEST(ProgressBar, rateAndTimeLeft) {
+  EXPECT_EQ(rateAndTimeLeft(0, 10, 1.0), "");
+  EXPECT_EQ(rateAndTimeLeft(500, 1000, 5.0), "100 a second, 5 s left");
+  EXPECT_EQ(rateAndTimeLeft(10, 1010, 4.0), "2.5 a second, 6 min 40 s left");
+  EXPECT_EQ(rateAndTimeLeft(1, 3601, 2.0), "0.5 a second, 2 h 0 min 0 s left");
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
