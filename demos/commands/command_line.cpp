@@ -23,6 +23,8 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
 
   int exit_code = 0;
   addGrindCommand(app, exit_code);
+  addAccessCommand(app, exit_code);
+  addRepairCommand(app, exit_code);
   addMakeCommand(app, exit_code);
   addCheckCommand(app, exit_code);
   addPaperCommand(app, exit_code);

@@ -6,9 +6,11 @@
 
 namespace octoblisk::demos {
 
+void addAccessCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
+void addRepairCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos
