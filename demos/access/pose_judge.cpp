@@ -6,22 +6,27 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cell/fine_features.h"
 #include "models/shared_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/parallel.h"
+#include "octoblisk/triangles_in_box.h"
 
 namespace octoblisk::demos {
 namespace {
 
 constexpr std::size_t kPosesOfTrail = 64;  // then memory begins afresh, whatever the number of threads
 constexpr int kMostSteps = 32;             // of a climb
-// As PartDepths measures; what is between is left to it.
+// As PartDepths measures.
 constexpr double kPartOfLimit = 0.01;
 constexpr double kLeastTolerance = 1e-4;  // mm
 constexpr double kLeastFine = 0.01;       // mm
+constexpr double kFiner = 0.1;            // where the limit is between the bounds
+constexpr double kCoarse = 0.5;           // part of the limit: of the first question
+constexpr int kDepthOfBoxes = 3;          // of the belt's tree
 
 std::shared_ptr<const ClusteredOctree> treeOfSome(const TriangleMesh& mesh,
                                                   const std::vector<std::uint32_t>& triangles) {
@@ -67,6 +72,7 @@ struct PoseJudge::Trail {
 struct PoseJudge::Worker {
   DepthQuery depth_query;
   std::vector<Contact> contacts;
+  std::vector<std::uint32_t> candidates;
 };
 
 PoseJudge::PoseJudge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
@@ -88,8 +94,10 @@ PoseJudge::PoseJudge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<T
   }
   ground_blade_ = treeOfSome(blisk_->mesh(), ground);
   rest_ = treeOfSome(blisk_->mesh(), rest_triangles_);
-  depths_ = std::make_unique<PartDepths>(blisk_, std::vector<ToolPart>{parts_[rules_.grinding_part]},
-                                         rules_.max_depth, threads);
+  if (!blisk_surface_.isClosed()) return;
+  fine_triangles_ = fineFeatures(blisk_surface_, std::max(rules_.max_depth, kLeastFine), threads);
+  fine_ = treeOfSome(blisk_->mesh(), fine_triangles_);
+  belt_boxes_ = parts_[rules_.grinding_part].tree->boxes(kDepthOfBoxes);
 }
 
 PoseJudge::~PoseJudge() = default;
@@ -107,44 +115,18 @@ std::uint32_t PoseJudge::numberInBlisk(std::size_t part, std::uint32_t triangle)
 
 std::vector<PoseState> PoseJudge::judge(std::span<const Pose> tool_in_blisk) {
   std::vector<PoseState> states(tool_in_blisk.size());
-  std::vector<char> undecided(states.size(), 0);
   const std::size_t trails = (states.size() + kPosesOfTrail - 1) / kPosesOfTrail;
   parallelFor(trails, threads(), [&](std::size_t index, std::size_t thread) {
     Trail trail(*this);
     const std::size_t end = std::min(states.size(), (index + 1) * kPosesOfTrail);
     for (std::size_t i = index * kPosesOfTrail; i < end; ++i) {
-      bool open = false;
-      states[i] = stateAt(tool_in_blisk[i], trail, workers_[thread], open);
-      undecided[i] = open;
+      states[i] = stateAt(tool_in_blisk[i], trail, workers_[thread]);
     }
   });
-
-  std::vector<std::size_t> left;
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!undecided[i]) continue;
-    left.push_back(i);
-    poses.push_back(tool_in_blisk[i]);
-  }
-  if (left.empty()) return states;
-  const std::vector<std::vector<PartDepth>> depths = depths_->measure(poses);
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    if (isFree(depths[k])) continue;
-    const PartDepth& deepest = depths[k].front();
-    states[left[k]].obstacle =
-        Obstacle{rules_.grinding_part, rules_.ground_blade, !deepest.is_inside, deepest.is_inside};
-  }
   return states;
 }
 
-bool PoseJudge::isFree(const std::vector<PartDepth>& depths) const {
-  return std::ranges::none_of(depths, [&](const PartDepth& deepest) {
-    return deepest.is_inside || deepest.depth > rules_.max_depth;
-  });
-}
-
-/// What the quick questions tell; where they do not tell the belt's depth, `undecided` is set.
-PoseState PoseJudge::stateAt(const Pose& pose, Trail& trail, Worker& worker, bool& undecided) const {
+PoseState PoseJudge::stateAt(const Pose& pose, Trail& trail, Worker& worker) const {
   PoseState state;
   // The part that was in the way a moment ago is likely to be so still.
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -163,10 +145,9 @@ PoseState PoseJudge::stateAt(const Pose& pose, Trail& trail, Worker& worker, boo
   }
   if (!touching) return state;
   state.grinds = true;
-  const Depth depth = depthAt(pose, touching->b, trail, worker);
-  undecided = depth == Depth::undecided;
-  if (depth == Depth::beyond)
+  if (isTooDeep(pose, touching->b, trail, worker)) {
     state.obstacle = Obstacle{rules_.grinding_part, rules_.ground_blade, true, false};
+  }
   return state;
 }
 
@@ -200,26 +181,55 @@ bool PoseJudge::isNested(std::size_t part, const Pose& pose) const {
   return false;
 }
 
-/// Whether the belt, which touches the ground blade and nothing else, is within the greatest depth.
-PoseJudge::Depth PoseJudge::depthAt(const Pose& pose, std::uint32_t touching_triangle, Trail& trail,
-                                    Worker& worker) const {
+/// Whether the belt, which touches the ground blade and nothing else, is beyond the greatest depth: what
+/// PartDepths would say, but by coarser questions first.
+bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Trail& trail,
+                          Worker& worker) const {
   const double limit = rules_.max_depth;
   const octoblisk::Surface& belt = part_surfaces_[rules_.grinding_part];
   if (!blisk_surface_.isClosed()) {
     contacts(*blisk_, belt.tree(), pose, 0.0, worker.contacts);
-    const bool deep = std::ranges::any_of(worker.contacts,
-                                          [&](const Contact& contact) { return -contact.distance > limit; });
-    return deep ? Depth::beyond : Depth::within;
+    return std::ranges::any_of(worker.contacts,
+                               [&](const Contact& contact) { return -contact.distance > limit; });
   }
-  if (climbsBeyond(pose, touching_triangle, trail)) return Depth::beyond;
+  if (climbsBeyond(pose, touching_triangle, trail)) return true;
+  const auto ask = [&](double tolerance) {
+    return worker.depth_query.deepest(blisk_surface_, belt, pose, tolerance);
+  };
   const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
-  const GougeDepth of_belt = worker.depth_query.deepest(blisk_surface_, belt, pose, tolerance);
-  if (of_belt.depth > limit) return Depth::beyond;
-  if (of_belt.upper_bound > limit) return Depth::undecided;
-  if (!belt.isClosed()) return Depth::within;
-  // A fine feature of the blisk is no deeper than its deepest point.
-  const GougeDepth of_blisk = worker.depth_query.deepest(belt, blisk_surface_, pose.inverse(), tolerance);
-  return of_blisk.upper_bound <= std::max(limit, kLeastFine) ? Depth::within : Depth::undecided;
+  const GougeDepth coarse = ask(std::max(kCoarse * limit, kLeastTolerance));
+  if (coarse.depth > limit + tolerance) return true;
+  if (coarse.upper_bound > limit) {
+    GougeDepth found = ask(tolerance);
+    if (found.depth <= limit && found.upper_bound > limit) found = ask(kFiner * tolerance);
+    if (found.depth > limit) return true;
+  }
+  return belt.isClosed() && isFineFeatureTooDeep(pose, worker);
+}
+
+/// Whether a point of the blisk's fine features is too deep in the belt.
+bool PoseJudge::isFineFeatureTooDeep(const Pose& pose, Worker& worker) const {
+  if (!fine_) return false;
+  const double limit = std::max(rules_.max_depth, kLeastFine);
+  const octoblisk::Surface& belt = part_surfaces_[rules_.grinding_part];
+  const auto ask = [&](double tolerance) {
+    return worker.depth_query.deepest(belt, blisk_surface_, pose.inverse(), tolerance);
+  };
+  GougeDepth of_blisk = ask(kCoarse * limit);
+  if (of_blisk.depth <= limit && of_blisk.upper_bound > limit) of_blisk = ask(kPartOfLimit * limit);
+  if (of_blisk.upper_bound <= limit) return false;
+  // No point of the blisk is farther inside than this from the belt's surface, and so from its boxes.
+  worker.candidates.clear();
+  for (const Obb& box : belt_boxes_) {
+    forEachTriangleIn(*fine_, pose * box, of_blisk.upper_bound, [&](std::uint32_t triangle) {
+      worker.candidates.push_back(fine_triangles_[triangle]);
+      return false;
+    });
+  }
+  std::ranges::sort(worker.candidates);
+  const auto repeated = std::ranges::unique(worker.candidates);
+  worker.candidates.erase(repeated.begin(), repeated.end());
+  return deepestBeyond(blisk_->mesh(), worker.candidates, belt, pose.inverse(), limit).has_value();
 }
 
 double PoseJudge::depthOfCorner(const Pose& pose, std::uint32_t corner) const {

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "cell/part_depths.h"
+#include "cell/grinding_cell.h"
+#include "octoblisk/depth.h"
 #include "octoblisk/path_query.h"
 
 namespace octoblisk::demos {
@@ -34,8 +35,8 @@ struct PoseState {
 
 /// The blisk, parted into the ground blade and the rest, and the tool. A pose is free where no part touches
 /// the blisk, comes nearer than the margin or lies in it, but for the belt on the ground blade; there the
-/// belt may be as deep as PartDepths says that it may. Without a margin the free poses are those that
-/// octoblisk grind does not call interference.
+/// belt may be as deep as PartDepths (cell/part_depths.h) says. Without a margin the free poses are those
+/// that octoblisk grind does not call interference.
 class PoseJudge {
  public:
   /// `threads` as in parallelFor's threadCount. Throws std::invalid_argument where the blades' numbers are
@@ -66,15 +67,14 @@ class PoseJudge {
  private:
   struct Trail;   // what is remembered from pose to pose
   struct Worker;  // a thread's memory
-  enum class Depth { within, beyond, undecided };
 
-  PoseState stateAt(const Pose& pose, Trail& trail, Worker& worker, bool& undecided) const;
+  PoseState stateAt(const Pose& pose, Trail& trail, Worker& worker) const;
   std::optional<Obstacle> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
   bool isNested(std::size_t part, const Pose& pose) const;
-  Depth depthAt(const Pose& pose, std::uint32_t touching_triangle, Trail& trail, Worker& worker) const;
+  bool isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Trail& trail, Worker& worker) const;
+  bool isFineFeatureTooDeep(const Pose& pose, Worker& worker) const;
   bool climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, Trail& trail) const;
   double depthOfCorner(const Pose& pose, std::uint32_t corner) const;
-  bool isFree(const std::vector<PartDepth>& depths) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
@@ -84,7 +84,9 @@ class PoseJudge {
   std::vector<octoblisk::Surface> part_surfaces_;
   std::shared_ptr<const ClusteredOctree> ground_blade_, rest_;  // null: no triangles
   std::vector<std::uint32_t> rest_triangles_;                   // their numbers in the blisk
-  std::unique_ptr<PartDepths> depths_;                          // of the belt, where a blade is ground
+  std::vector<std::uint32_t> fine_triangles_;                   // of a closed blisk: fine_features.h
+  std::shared_ptr<const ClusteredOctree> fine_;                 // of these; null: none
+  std::vector<Obb> belt_boxes_;
   std::vector<Worker> workers_;
 };
 
