@@ -13,7 +13,6 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/parallel.h"
-#include "octoblisk/triangles_in_box.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -26,7 +25,6 @@ constexpr double kLeastTolerance = 1e-4;  // mm
 constexpr double kLeastFine = 0.01;       // mm
 constexpr double kFiner = 0.1;            // where the limit is between the bounds
 constexpr double kCoarse = 0.5;           // part of the limit: of the first question
-constexpr int kDepthOfBoxes = 3;          // of the belt's tree
 
 std::shared_ptr<const ClusteredOctree> treeOfSome(const TriangleMesh& mesh,
                                                   const std::vector<std::uint32_t>& triangles) {
@@ -72,7 +70,9 @@ struct PoseJudge::Trail {
 struct PoseJudge::Worker {
   DepthQuery depth_query;
   std::vector<Contact> contacts;
-  std::vector<std::uint32_t> candidates;
+  std::vector<TrianglePair> touching;
+  std::vector<char> seen;                // of the blisk's triangles
+  std::vector<std::uint32_t> swallowed;  // by the belt, in whole or part
 };
 
 PoseJudge::PoseJudge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
@@ -96,8 +96,6 @@ PoseJudge::PoseJudge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<T
   rest_ = treeOfSome(blisk_->mesh(), rest_triangles_);
   if (!blisk_surface_.isClosed()) return;
   fine_triangles_ = fineFeatures(blisk_surface_, std::max(rules_.max_depth, kLeastFine), threads);
-  fine_ = treeOfSome(blisk_->mesh(), fine_triangles_);
-  belt_boxes_ = parts_[rules_.grinding_part].tree->boxes(kDepthOfBoxes);
 }
 
 PoseJudge::~PoseJudge() = default;
@@ -192,6 +190,7 @@ bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Tra
     return std::ranges::any_of(worker.contacts,
                                [&](const Contact& contact) { return -contact.distance > limit; });
   }
+  if (partsWhenLifted(pose)) return false;
   if (climbsBeyond(pose, touching_triangle, trail)) return true;
   const auto ask = [&](double tolerance) {
     return worker.depth_query.deepest(blisk_surface_, belt, pose, tolerance);
@@ -207,29 +206,60 @@ bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Tra
   return belt.isClosed() && isFineFeatureTooDeep(pose, worker);
 }
 
-/// Whether a point of the blisk's fine features is too deep in the belt.
+/// Whether the belt, shifted by the greatest depth in some direction, does not touch the blisk: then no point
+/// of either is deeper in the other, as from a deeper one every such shift ends inside.
+bool PoseJudge::partsWhenLifted(const Pose& pose) const {
+  const ClusteredOctree& belt = *parts_[rules_.grinding_part].tree;
+  const Vec3 off = pose.translation - closestPoint(*ground_blade_, pose.translation)->point;
+  if (off.isZero()) return false;
+  const Vec3 up = off.normalized(), across = up.unitOrthogonal(), along = up.cross(across);
+  constexpr double kSlope = 0.3;
+  for (const Vec3& direction : {up, Vec3(up + kSlope * across), Vec3(up - kSlope * across),
+                                Vec3(up + kSlope * along), Vec3(up - kSlope * along)}) {
+    Pose lifted = pose;
+    lifted.translation += rules_.max_depth * direction.normalized();
+    if (!collide(*blisk_, belt, lifted) && !isNested(rules_.grinding_part, lifted)) return true;
+  }
+  return false;
+}
+
+/// Whether a point of the blisk's fine features is too deep in the belt. Of these only triangles count that
+/// meet the belt's surface, or that hang together with such inside the belt.
 bool PoseJudge::isFineFeatureTooDeep(const Pose& pose, Worker& worker) const {
-  if (!fine_) return false;
   const double limit = std::max(rules_.max_depth, kLeastFine);
   const octoblisk::Surface& belt = part_surfaces_[rules_.grinding_part];
-  const auto ask = [&](double tolerance) {
-    return worker.depth_query.deepest(belt, blisk_surface_, pose.inverse(), tolerance);
+  const Pose blisk_in_belt = pose.inverse();
+  // No feature is deeper than the deepest point.
+  const GougeDepth deepest = worker.depth_query.deepest(belt, blisk_surface_, blisk_in_belt, kCoarse * limit);
+  if (deepest.upper_bound <= limit) return false;
+  const auto is_in_belt = [&](std::uint32_t corner) {
+    return locate(belt, blisk_in_belt * blisk_surface_.position(corner)) == PointLocation::inside;
   };
-  GougeDepth of_blisk = ask(kCoarse * limit);
-  if (of_blisk.depth <= limit && of_blisk.upper_bound > limit) of_blisk = ask(kPartOfLimit * limit);
-  if (of_blisk.upper_bound <= limit) return false;
-  // No point of the blisk is farther inside than this from the belt's surface, and so from its boxes.
-  worker.candidates.clear();
-  for (const Obb& box : belt_boxes_) {
-    forEachTriangleIn(*fine_, pose * box, of_blisk.upper_bound, [&](std::uint32_t triangle) {
-      worker.candidates.push_back(fine_triangles_[triangle]);
-      return false;
-    });
+  worker.seen.resize(blade_of_triangle_.size(), 0);
+  worker.swallowed.clear();
+  const auto add = [&](std::uint32_t triangle) {
+    if (worker.seen[triangle]) return;
+    worker.seen[triangle] = 1;
+    worker.swallowed.push_back(triangle);
+  };
+  touchingPairs(*blisk_, belt.tree(), pose, worker.touching);
+  for (const TrianglePair& pair : worker.touching) add(pair.a);
+  for (std::size_t k = 0; k < blisk_surface_.partCount(); ++k) {  // a part may be wholly in the belt
+    const std::uint32_t corner = blisk_surface_.cornerOfPart(k);
+    if (is_in_belt(corner)) add(blisk_surface_.star(corner).front());
   }
-  std::ranges::sort(worker.candidates);
-  const auto repeated = std::ranges::unique(worker.candidates);
-  worker.candidates.erase(repeated.begin(), repeated.end());
-  return deepestBeyond(blisk_->mesh(), worker.candidates, belt, pose.inverse(), limit).has_value();
+  std::set<std::uint32_t> known_corners;
+  for (std::size_t next = 0; next < worker.swallowed.size(); ++next) {
+    for (const std::uint32_t corner : blisk_surface_.corners(worker.swallowed[next])) {
+      if (!known_corners.insert(corner).second || !is_in_belt(corner)) continue;
+      for (const std::uint32_t triangle : blisk_surface_.star(corner)) add(triangle);
+    }
+  }
+  for (const std::uint32_t triangle : worker.swallowed) worker.seen[triangle] = 0;
+  std::erase_if(worker.swallowed, [&](std::uint32_t triangle) {
+    return !std::ranges::binary_search(fine_triangles_, triangle);
+  });
+  return deepestBeyond(blisk_->mesh(), worker.swallowed, belt, blisk_in_belt, limit).has_value();
 }
 
 double PoseJudge::depthOfCorner(const Pose& pose, std::uint32_t corner) const {

@@ -72,6 +72,7 @@ class PoseJudge {
   std::optional<Obstacle> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
   bool isNested(std::size_t part, const Pose& pose) const;
   bool isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Trail& trail, Worker& worker) const;
+  bool partsWhenLifted(const Pose& pose) const;
   bool isFineFeatureTooDeep(const Pose& pose, Worker& worker) const;
   bool climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, Trail& trail) const;
   double depthOfCorner(const Pose& pose, std::uint32_t corner) const;
@@ -85,8 +86,6 @@ class PoseJudge {
   std::shared_ptr<const ClusteredOctree> ground_blade_, rest_;  // null: no triangles
   std::vector<std::uint32_t> rest_triangles_;                   // their numbers in the blisk
   std::vector<std::uint32_t> fine_triangles_;                   // of a closed blisk: fine_features.h
-  std::shared_ptr<const ClusteredOctree> fine_;                 // of these; null: none
-  std::vector<Obb> belt_boxes_;
   std::vector<Worker> workers_;
 };
 
