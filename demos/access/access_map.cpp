@@ -44,7 +44,7 @@ std::vector<ObstacleCount> countsOf(std::span<const PoseState> states) {
   return counts;
 }
 
-SiteAccess summed(std::span<const PoseState> states, const AccessOptions& options) {
+SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& options) {
   const auto tilts = static_cast<std::size_t>(options.tilts);
   SiteAccess access;
   for (std::size_t lead = 0; lead < options.leads.size(); ++lead) {
@@ -95,7 +95,8 @@ std::vector<SiteAccess> accessOf(PoseJudge& judge, std::span<const ContactSite> 
     }
     const std::vector<PoseState> states = judge.judge(poses);
     for (std::size_t s = begin; s < end; ++s) {
-      found.push_back(summed(std::span(states).subspan((s - begin) * poses_of_site, poses_of_site), options));
+      found.push_back(
+          accessAt(std::span(states).subspan((s - begin) * poses_of_site, poses_of_site), options));
     }
     if (progress) progress(end);
   }

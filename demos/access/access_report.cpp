@@ -27,25 +27,27 @@ void closeTable(std::ofstream& stream, const std::filesystem::path& file) {
 }
 
 /// A step of the picture's colours: ranges of tilt up to so many degrees.
-struct Step {
+struct WidthStep {
   double most;
   Color color;
   const char* text;
 };
 
 /// Light to dark but for "none", which stands out.
-constexpr std::array kSteps = {
-    Step{-1.0, palette::kVermilion, "nowhere free"}, Step{10.0, {0.94f, 0.89f, 0.62f}, "up to 10° free"},
-    Step{30.0, {0.70f, 0.83f, 0.58f}, "30°"},        Step{60.0, {0.38f, 0.72f, 0.63f}, "60°"},
-    Step{90.0, {0.18f, 0.53f, 0.66f}, "90°"},        Step{1e9, {0.15f, 0.29f, 0.53f}, "more"}};
+constexpr std::array kWidthSteps = {WidthStep{-1.0, palette::kVermilion, "nowhere free"},
+                                    WidthStep{10.0, {0.94f, 0.89f, 0.62f}, "up to 10° free"},
+                                    WidthStep{30.0, {0.70f, 0.83f, 0.58f}, "30°"},
+                                    WidthStep{60.0, {0.38f, 0.72f, 0.63f}, "60°"},
+                                    WidthStep{90.0, {0.18f, 0.53f, 0.66f}, "90°"},
+                                    WidthStep{1e9, {0.15f, 0.29f, 0.53f}, "more"}};
 
 double widestOf(const SiteAccess& access) {
   return access.widest ? access.ranges[*access.widest].width() : -1.0;
 }
 
-Color colorOf(const SiteAccess& access) {
+Color widthColor(const SiteAccess& access) {
   const double widest = widestOf(access);
-  return std::ranges::find_if(kSteps, [&](const Step& step) { return widest <= step.most; })->color;
+  return std::ranges::find_if(kWidthSteps, [&](const WidthStep& step) { return widest <= step.most; })->color;
 }
 
 Image::Pixel pixelOf(const Color& color) {
@@ -54,7 +56,7 @@ Image::Pixel pixelOf(const Color& color) {
 }
 
 /// The rectangle of the unrolled side that is seen.
-struct Extent {
+struct MapExtent {
   double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
   double height_min = arc_min, height_max = -arc_min;
 
@@ -155,13 +157,13 @@ Image accessPicture(const AccessRun& run, int width, int height) {
   for (std::size_t s = 0; s < run.sites.size(); ++s) {
     if (!std::isfinite(run.sites[s].arc)) continue;
     sites.push_back(run.sites[s]);
-    colors.push_back(colorOf(run.access[s]));
+    colors.push_back(widthColor(run.access[s]));
   }
   if (run.of_path) {
     const double half = halfSpacing(sites);
     for (ContactSite& site : sites) site.half_width = site.half_height = half;
   }
-  Extent extent;
+  MapExtent extent;
   for (const ContactSite& site : sites) extent.extend(site);
 
   Annotation annotation;
@@ -171,7 +173,7 @@ Image accessPicture(const AccessRun& run, int width, int height) {
               "above the blade's root";
   if (run.rules.margin > 0.0) subtitle << "; margin " << run.rules.margin << " mm";
   annotation.subtitle = subtitle.str();
-  for (const Step& step : kSteps) annotation.legend.push_back({step.color, step.text});
+  for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});
   annotation.length_unit = "mm";
 
   Image page(width, height, {255, 255, 255, 255});

@@ -150,7 +150,7 @@ Pose layingPose(const Vec3& point, const Vec3& normal, double distance) {
   return pose;
 }
 
-double partOf(int index, int count) { return count > 1 ? static_cast<double>(index) / (count - 1) : 0.5; }
+double partOfGrid(int index, int count) { return count > 1 ? static_cast<double>(index) / (count - 1) : 0.5; }
 
 }  // namespace
 
@@ -170,14 +170,14 @@ std::vector<ContactSite> sitesOnBlade(const TriangleMesh& blisk, const BladesFou
   const double height = blades.tip_radius - blades.root_radius;
   std::vector<ContactSite> sites;
   for (int row = 0; row < options.rows; ++row) {
-    const double span = std::lerp(options.span_from, options.span_to, partOf(row, options.rows));
+    const double span = std::lerp(options.span_from, options.span_to, partOfGrid(row, options.rows));
     const auto section = sectionAt(cutter, blades.root_radius + span * height);
     if (!section) continue;
     const std::vector<SectionPoint>& line = options.forward_side ? section->forward : section->backward;
     const double length = lengthOf(line);
     for (int column = 0; column < options.columns; ++column) {
-      const double part =
-          std::lerp(options.clear_of_edges, 1.0 - options.clear_of_edges, partOf(column, options.columns));
+      const double part = std::lerp(options.clear_of_edges, 1.0 - options.clear_of_edges,
+                                    partOfGrid(column, options.columns));
       const auto closest = closestPoint(side.tree(), pointAlong(line, part * length));
       ContactSite site;
       site.point = closest->point;

@@ -18,13 +18,13 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr std::size_t kPosesOfTrail = 64;  // then memory begins afresh, whatever the number of threads
-constexpr int kMostSteps = 32;             // of a climb
+constexpr int kMostClimbs = 32;            // of a climb
 // As PartDepths measures.
-constexpr double kPartOfLimit = 0.01;
-constexpr double kLeastTolerance = 1e-4;  // mm
-constexpr double kLeastFine = 0.01;       // mm
-constexpr double kFiner = 0.1;            // where the limit is between the bounds
-constexpr double kCoarse = 0.5;           // part of the limit: of the first question
+constexpr double kJudgedPart = 0.01;
+constexpr double kLeastJudged = 1e-4;     // mm
+constexpr double kLeastFineLimit = 0.01;  // mm
+constexpr double kJudgedFiner = 0.1;      // where the limit is between the bounds
+constexpr double kFirstPart = 0.5;        // part of the limit: of the first question
 
 std::shared_ptr<const ClusteredOctree> treeOfSome(const TriangleMesh& mesh,
                                                   const std::vector<std::uint32_t>& triangles) {
@@ -95,7 +95,7 @@ PoseJudge::PoseJudge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<T
   ground_blade_ = treeOfSome(blisk_->mesh(), ground);
   rest_ = treeOfSome(blisk_->mesh(), rest_triangles_);
   if (!blisk_surface_.isClosed()) return;
-  fine_triangles_ = fineFeatures(blisk_surface_, std::max(rules_.max_depth, kLeastFine), threads);
+  fine_triangles_ = fineFeatures(blisk_surface_, std::max(rules_.max_depth, kLeastFineLimit), threads);
 }
 
 PoseJudge::~PoseJudge() = default;
@@ -195,12 +195,12 @@ bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Tra
   const auto ask = [&](double tolerance) {
     return worker.depth_query.deepest(blisk_surface_, belt, pose, tolerance);
   };
-  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
-  const GougeDepth coarse = ask(std::max(kCoarse * limit, kLeastTolerance));
+  const double tolerance = std::max(kJudgedPart * limit, kLeastJudged);
+  const GougeDepth coarse = ask(std::max(kFirstPart * limit, kLeastJudged));
   if (coarse.depth > limit + tolerance) return true;
   if (coarse.upper_bound > limit) {
     GougeDepth found = ask(tolerance);
-    if (found.depth <= limit && found.upper_bound > limit) found = ask(kFiner * tolerance);
+    if (found.depth <= limit && found.upper_bound > limit) found = ask(kJudgedFiner * tolerance);
     if (found.depth > limit) return true;
   }
   return belt.isClosed() && isFineFeatureTooDeep(pose, worker);
@@ -226,11 +226,12 @@ bool PoseJudge::partsWhenLifted(const Pose& pose) const {
 /// Whether a point of the blisk's fine features is too deep in the belt. Of these only triangles count that
 /// meet the belt's surface, or that hang together with such inside the belt.
 bool PoseJudge::isFineFeatureTooDeep(const Pose& pose, Worker& worker) const {
-  const double limit = std::max(rules_.max_depth, kLeastFine);
+  const double limit = std::max(rules_.max_depth, kLeastFineLimit);
   const octoblisk::Surface& belt = part_surfaces_[rules_.grinding_part];
   const Pose blisk_in_belt = pose.inverse();
   // No feature is deeper than the deepest point.
-  const GougeDepth deepest = worker.depth_query.deepest(belt, blisk_surface_, blisk_in_belt, kCoarse * limit);
+  const GougeDepth deepest =
+      worker.depth_query.deepest(belt, blisk_surface_, blisk_in_belt, kFirstPart * limit);
   if (deepest.upper_bound <= limit) return false;
   const auto is_in_belt = [&](std::uint32_t corner) {
     return locate(belt, blisk_in_belt * blisk_surface_.position(corner)) == PointLocation::inside;
@@ -272,7 +273,7 @@ double PoseJudge::depthOfCorner(const Pose& pose, std::uint32_t corner) const {
 /// than the limit beyond all tolerances, false where it is not known.
 bool PoseJudge::climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, Trail& trail) const {
   const octoblisk::Surface& belt = part_surfaces_[rules_.grinding_part];
-  const double beyond = (1.0 + kPartOfLimit) * rules_.max_depth + kLeastTolerance;
+  const double beyond = (1.0 + kJudgedPart) * rules_.max_depth + kLeastJudged;
   if (trail.deep_corner && depthOfCorner(pose, *trail.deep_corner) > beyond) return true;
   double deepest = -1.0;
   std::uint32_t at = 0;
@@ -289,7 +290,7 @@ bool PoseJudge::climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, 
     return rises;
   };
   look(touching_triangle);
-  for (int step = 0; step < kMostSteps && deepest <= beyond; ++step) {
+  for (int step = 0; step < kMostClimbs && deepest <= beyond; ++step) {
     bool rises = false;
     for (const std::uint32_t triangle : belt.star(at)) {
       rises = look(triangle);

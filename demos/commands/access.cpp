@@ -85,15 +85,15 @@ std::vector<ContactSite> gridOf(AccessRequest request, const GrinderInput& input
   return sitesOnBlade(input.blisk->mesh(), input.blades, request.grid);
 }
 
-std::string counted(std::size_t count, const std::string& one) {
+std::string numberOf(std::size_t count, const std::string& one) {
   return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
 }
 
 void tellAccess(const AccessRun& run, const std::filesystem::path& out, bool picture) {
   const std::size_t none = run.nowhereFree();
-  std::cout << counted(run.sites.size(), "point") << " of blade " << run.rules.ground_blade << ", "
-            << counted(static_cast<std::size_t>(run.options.tilts), "tilt") << " at "
-            << counted(run.options.leads.size(), "lead")
+  std::cout << numberOf(run.sites.size(), "point") << " of blade " << run.rules.ground_blade << ", "
+            << numberOf(static_cast<std::size_t>(run.options.tilts), "tilt") << " at "
+            << numberOf(run.options.leads.size(), "lead")
             << " each: " << std::round(1000.0 * run.freeFraction()) / 10.0 << " % free; " << none
             << " nowhere free\n";
   std::map<std::string, std::size_t> in_the_way;
@@ -101,7 +101,7 @@ void tellAccess(const AccessRun& run, const std::filesystem::path& out, bool pic
     if (access.free == 0) ++in_the_way[describe(access.in_the_way.front().obstacle, run.parts)];
   }
   for (const auto& [what, times] : in_the_way) {
-    std::cout << "  mostly in the way there: " << what << ", at " << counted(times, "point") << '\n';
+    std::cout << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
   }
   std::cout << "Tables: " << (out / "points.csv").string() << ", " << (out / "ranges.csv").string() << '\n';
   if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
@@ -209,7 +209,7 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       "At tilt 0 of a grid the arm lies along the surface, away from the axis, and at 90 it stands square "
       "to\n"
       "it; lead turns the arm towards the wheels' axis. Free is what grind does not call interference, and\n"
-      "keeps the margin. Points are counted from 0.\n"
+      "keeps the margin. Points are numberOf from 0.\n"
       "Exit codes: 0 every point has a free pose, 1 some have none, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = access(*request); });
 }

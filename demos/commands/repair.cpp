@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "commands/commands.h"
@@ -30,16 +32,16 @@ struct RepairRequest {
 
 void tellChanges(const PathRepair& repair) {
   double tilt = 0.0, slide = 0.0, retract = 0.0;
-  std::size_t lost = 0;
+  std::size_t without = 0;
   for (const PoseRepair& pose : repair.poses) {
     tilt = std::max(tilt, std::abs(pose.change.tilt));
     slide = std::max(slide, std::abs(pose.change.slide));
     retract = std::max(retract, pose.change.retract);
-    lost += pose.before.grinds && !pose.after.grinds && !pose.after.obstacle;
+    without += !pose.change.isNone() && !pose.after.grinds && !pose.after.obstacle;
   }
-  std::cout << "Changed: " << repair.changed() << " poses, tilt up to " << tilt << " degrees, slide up to "
-            << slide << " mm, retraction up to " << retract << " mm; " << lost
-            << " of them no longer touch the ground blade\n";
+  std::cout << "Changed: " << repair.changed() << (repair.changed() == 1 ? " pose" : " poses")
+            << ", tilt up to " << tilt << " degrees, slide up to " << slide << " mm, retraction up to "
+            << retract << " mm; " << without << " of them free without touching the ground blade\n";
 }
 
 void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
@@ -61,9 +63,23 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
             << '\n';
 }
 
+/// Throws naming the option whose spacing no step from pose to pose could bridge.
+void requireBridged(const ChangeLimits& limits) {
+  const std::tuple<const char*, double, double> changes[] = {
+      {"tilt", limits.tilt_grid, limits.tilt_per_pose},
+      {"slide", limits.slide_grid, limits.slide_per_pose},
+      {"retract", limits.retract_grid, limits.retract_per_pose}};
+  for (const auto& [name, grid, per_pose] : changes) {
+    if (grid <= per_pose) continue;
+    throw std::invalid_argument("--" + std::string(name) + "-grid: is above --" + name +
+                                "-per-pose, so that it could not be changed");
+  }
+}
+
 int repair(const RepairRequest& request) {
   const GrinderFiles& files = request.files;
   requireNotRead(files, {"path.csv", "changes.csv"});
+  requireBridged(request.options.limits);
   const ChangeGrid usable(request.options.limits);  // refuses what is no use before anything is read
   const bool own_path = !files.path.empty();
   std::vector<Pose> path = own_path ? readPoses(files.path) : std::vector<Pose>{};

@@ -15,23 +15,22 @@ constexpr double kTiltCost = 1.0;      // a degree
 constexpr double kSlideCost = 1.0;     // a mm
 constexpr double kRetractCost = 20.0;  // a mm
 constexpr double kStepPart = 0.25;     // of these, for a change from pose to pose
-constexpr double kRounding = 1e-9;
 
 /// 0 and multiples of the spacing either way.
-std::vector<double> evenly(double most, double spacing) {
-  const auto steps = static_cast<int>(std::floor(most / spacing + kRounding));
+std::vector<double> bothWays(double most, double spacing) {
+  const auto steps = static_cast<int>(std::floor(most / spacing + kGridRounding));
   std::vector<double> values;
   for (int k = -steps; k <= steps; ++k) values.push_back(k * spacing);
   return values;
 }
 
 /// 0 up to the most: ten steps of the spacing, then wider and wider, but by no more than may be gone at once.
-std::vector<double> widening(double most, double spacing, double widest) {
+std::vector<double> wideningSteps(double most, double spacing, double widest) {
   constexpr int kEven = 10;
   constexpr double kGrowth = 1.25;
   std::vector<double> values = {0.0};
   double step = spacing;
-  while (values.back() + step <= most + kRounding) {
+  while (values.back() + step <= most + kGridRounding) {
     values.push_back(values.back() + step);
     if (static_cast<int>(values.size()) > kEven) step = std::min(kGrowth * step, widest);
   }
@@ -61,18 +60,19 @@ ChangeGrid::ChangeGrid(const ChangeLimits& limits) : limits_(limits) {
       {{limits.slide_grid, limits.slide_per_pose}, "slide"},
       {{limits.retract_grid, limits.retract_per_pose}, "retraction"}};
   for (const auto& [values, name] : spacings) {
-    require(std::isfinite(values.first) && values.first > 0.0 && values.first <= values.second + kRounding,
-            std::string("the spacing of the ") + name +
-                " must be above 0 and no more than its change from pose to pose");
+    require(
+        std::isfinite(values.first) && values.first > 0.0 && values.first <= values.second + kGridRounding,
+        std::string("the spacing of the ") + name +
+            " must be above 0 and no more than its change from pose to pose");
   }
   const double expected = (2.0 * limits.tilt / limits.tilt_grid + 1.0) *
                           (2.0 * limits.slide / limits.slide_grid + 1.0) *
                           (limits.retract / limits.retract_per_pose + 1.0);
   const std::string too_many = "there are too many changes to choose from: widen a spacing or narrow a range";
   require(expected < static_cast<double>(kMostNodes), too_many);
-  tilts_ = evenly(limits.tilt, limits.tilt_grid);
-  slides_ = evenly(limits.slide, limits.slide_grid);
-  retracts_ = widening(limits.retract, limits.retract_grid, limits.retract_per_pose);
+  tilts_ = bothWays(limits.tilt, limits.tilt_grid);
+  slides_ = bothWays(limits.slide, limits.slide_grid);
+  retracts_ = wideningSteps(limits.retract, limits.retract_grid, limits.retract_per_pose);
   require(size() <= kMostNodes, too_many);
   no_change_ = node(tilts_.size() / 2, slides_.size() / 2, 0);
 }

@@ -38,6 +38,9 @@ struct ChangeLimits {
   double retract_per_pose = 2.0;  ///< change from a pose to the next
 };
 
+/// Values of the grid count as equal within this.
+inline constexpr double kGridRounding = 1e-9;
+
 /// All combinations; "nodes", numbered with the retraction running first, then the slide, then the tilt.
 class ChangeGrid {
  public:

@@ -8,7 +8,6 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kBlocked = 1e7;  // beyond the cost of any free way
-constexpr double kRounding = 1e-9;
 
 /// For each of a row of values the least of the costs before plus that of the step between; rows are `count`
 /// values apart by `stride`. The arg of the least is handed on.
@@ -19,10 +18,11 @@ void relaxRow(const std::vector<double>& values, double most_change, std::size_t
               const StepCost& step_cost) {
   std::size_t low = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    while (values[k] - values[low] > most_change + kRounding) ++low;
+    while (values[k] - values[low] > most_change + kGridRounding) ++low;
     double least = std::numeric_limits<double>::infinity();
     std::uint16_t from = 0;
-    for (std::size_t j = low; j < values.size() && values[j] - values[k] <= most_change + kRounding; ++j) {
+    for (std::size_t j = low; j < values.size() && values[j] - values[k] <= most_change + kGridRounding;
+         ++j) {
       const double here = cost[first + j * stride] + step_cost(values[k] - values[j]);
       if (here >= least) continue;
       least = here;
@@ -88,8 +88,8 @@ void LayeredSearch::relaxBlocked(const std::vector<double>& costs, std::uint32_t
     const double tilt = std::abs(target.tilt - source.tilt);
     const double slide = std::abs(target.slide - source.slide);
     const double retract = std::abs(target.retract - source.retract);
-    if (tilt > limits.tilt_per_pose + kRounding || slide > limits.slide_per_pose + kRounding ||
-        retract > limits.retract_per_pose + kRounding) {
+    if (tilt > limits.tilt_per_pose + kGridRounding || slide > limits.slide_per_pose + kGridRounding ||
+        retract > limits.retract_per_pose + kGridRounding) {
       continue;
     }
     const double here = costs[from] + grid_->tiltStepCost(tilt) + grid_->slideStepCost(slide) +

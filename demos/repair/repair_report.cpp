@@ -14,7 +14,7 @@ std::string stateText(const PoseState& state) {
   return state.grinds ? "grinds" : "free";
 }
 
-std::string textOf(const std::optional<Obstacle>& obstacle, std::span<const ToolPart> parts) {
+std::string obstacleText(const std::optional<Obstacle>& obstacle, std::span<const ToolPart> parts) {
   return obstacle ? describe(*obstacle, parts) : std::string();
 }
 
@@ -45,10 +45,10 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
             "in_the_way_of_move_to_it\n";
   for (std::size_t p = 0; p < repair.poses.size(); ++p) {
     const PoseRepair& pose = repair.poses[p];
-    stream << p << ',' << stateText(pose.before) << ',' << textOf(pose.before.obstacle, parts) << ','
+    stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts) << ','
            << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
-           << stateText(pose.after) << ',' << textOf(pose.after.obstacle, parts) << ','
-           << textOf(pose.move, parts) << '\n';
+           << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts) << ','
+           << obstacleText(pose.move, parts) << '\n';
   }
   stream.close();
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
@@ -57,8 +57,8 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
 std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts) {
   std::vector<std::string> of_poses, of_moves, runs;
   for (const PoseRepair& pose : repair.poses) {
-    of_poses.push_back(textOf(pose.after.obstacle, parts));
-    of_moves.push_back(textOf(pose.move, parts));
+    of_poses.push_back(obstacleText(pose.after.obstacle, parts));
+    of_moves.push_back(obstacleText(pose.move, parts));
   }
   addRuns(of_poses, "pose", "poses", runs);
   addRuns(of_moves, "move to pose", "moves to poses", runs);
