@@ -7,7 +7,8 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kBlocked = 1e7;  // beyond the cost of any free way
+constexpr double kBlocked = 1e9;  // beyond the cost of any free way
+constexpr double kAvoided = 1e5;  // beyond the cost of a pose and its neighbours
 
 /// For each of a row of values the least of the costs before plus that of the step between; rows are `count`
 /// values apart by `stride`. The arg of the least is handed on.
@@ -36,12 +37,18 @@ void relaxRow(const std::vector<double>& values, double most_change, std::size_t
 }  // namespace
 
 LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
-    : grid_(&grid), poses_(poses), costs_(grid.size()), blocked_(poses * grid.size(), 0) {
+    : grid_(&grid),
+      poses_(poses),
+      costs_(grid.size()),
+      blocked_(poses * grid.size(), 0),
+      least_retract_(poses, 0) {
   for (std::uint32_t node = 0; node < costs_.size(); ++node) costs_[node] = grid.cost(grid.change(node));
 }
 
 double LayeredSearch::nodeCost(std::size_t pose, std::uint32_t node) const {
-  return costs_[node] + (blocked_[pose * costs_.size() + node] ? kBlocked : 0.0);
+  const bool is_avoided = node % grid_->retracts().size() < least_retract_[pose];
+  return costs_[node] + (blocked_[pose * costs_.size() + node] ? kBlocked : 0.0) +
+         (is_avoided ? kAvoided : 0.0);
 }
 
 // The cost of a step is a sum over the three values, so that each can be gone through by itself.

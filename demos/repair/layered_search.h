@@ -30,6 +30,10 @@ class LayeredSearch {
   /// Takes back what was said of the steps to a pose.
   void unblockSteps(std::size_t pose) { blocked_steps_.erase(pose); }
 
+  /// Has the way keep off a pose's nodes of a lesser retraction than that of the index, whatever it costs,
+  /// unless others are blocked.
+  void avoidBelow(std::size_t pose, std::size_t retract) { least_retract_[pose] = retract; }
+
   /// The node of each pose. Of ways of equal cost always the same.
   std::vector<std::uint32_t> cheapest() const;
 
@@ -49,8 +53,9 @@ class LayeredSearch {
 
   const ChangeGrid* grid_;
   std::size_t poses_;
-  std::vector<double> costs_;  // of each node, were it free
-  std::vector<char> blocked_;  // of each pose and node
+  std::vector<double> costs_;               // of each node, were it free
+  std::vector<char> blocked_;               // of each pose and node
+  std::vector<std::size_t> least_retract_;  // of each pose: lesser ones are avoided
   std::map<std::size_t, std::map<std::uint32_t, std::set<std::uint32_t>>> blocked_steps_;  // pose, to, from
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMostAtOnce = 256;  // changes of a pose
 constexpr std::size_t kMostTriesAMove = 32;
+constexpr std::size_t kTriesBeforeRetracting = 2;
+constexpr std::size_t kMostDoublings = 4;
 
 /// The search for one path: what is known of its nodes and steps.
 class Repairer {
@@ -31,7 +33,8 @@ class Repairer {
         by_cost_(grid_.size()),
         next_(path.size(), 0),
         at_once_(path.size(), 1),
-        tries_(path.size(), 0) {
+        tries_(path.size(), 0),
+        least_retract_(path.size(), 0) {
     std::iota(by_cost_.begin(), by_cost_.end(), 0u);
     std::ranges::stable_sort(by_cost_, {},
                              [&](std::uint32_t node) { return grid_.cost(grid_.change(node)); });
@@ -126,9 +129,32 @@ class Repairer {
       }
       any_blocked = true;
       search_.blockStep(p, way[p - 1], way[p]);
-      if (++tries_[p] > kMostTriesAMove) search_.unblockSteps(p);
+      if (++tries_[p] > kMostTriesAMove) {
+        giveUpMove(p);
+      } else if (tries_[p] % kTriesBeforeRetracting == 0) {
+        retractMove(p, way);
+      }
     }
     return any_blocked;
+  }
+
+  /// Both ends of a move that is blocked again and again have to retract, each time by twice as many steps.
+  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way) {
+    const std::size_t retracts = grid_.retracts().size();
+    const std::size_t more = std::size_t{1}
+                             << std::min(tries_[pose] / kTriesBeforeRetracting - 1, kMostDoublings);
+    for (const std::size_t end : {pose - 1, pose}) {
+      least_retract_[end] = std::min(retracts - 1, std::max(least_retract_[end], way[end] % retracts + more));
+      search_.avoidBelow(end, least_retract_[end]);
+    }
+  }
+
+  void giveUpMove(std::size_t pose) {
+    search_.unblockSteps(pose);
+    for (const std::size_t end : {pose - 1, pose}) {
+      least_retract_[end] = 0;
+      search_.avoidBelow(end, 0);
+    }
   }
 
   PoseJudge& judge_;
@@ -137,11 +163,12 @@ class Repairer {
   RepairOptions options_;
   ChangeGrid grid_;
   LayeredSearch search_;
-  std::vector<char> known_;             // of each pose and node
-  std::vector<std::uint32_t> by_cost_;  // the nodes
-  std::vector<std::size_t> next_;       // of each pose: the first in by_cost_ that may be unknown
-  std::vector<std::size_t> at_once_;    // of each pose: nodes to be judged together
-  std::vector<std::size_t> tries_;      // of each pose: moves to it that were blocked
+  std::vector<char> known_;                 // of each pose and node
+  std::vector<std::uint32_t> by_cost_;      // the nodes
+  std::vector<std::size_t> next_;           // of each pose: the first in by_cost_ that may be unknown
+  std::vector<std::size_t> at_once_;        // of each pose: nodes to be judged together
+  std::vector<std::size_t> tries_;          // of each pose: moves to it that were blocked
+  std::vector<std::size_t> least_retract_;  // of each pose: indices of the grid's retractions
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
 };
 
