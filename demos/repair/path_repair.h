@@ -36,16 +36,16 @@ struct PathRepair {
   bool isFree() const { return posesLeft() + movesLeft() == 0; }
 };
 
-/// For each pose a change on the grid so that as few poses and moves as can be are left interfering, and
-/// among those ways the one of least cost (change_grid.h), with no more change from a pose to the next than
-/// the limits say. Poses are judged only when the cheapest way (layered_search.h) leads through them; where
-/// one is blocked, the next cheapest are judged with it, each time twice as many. Of the moves to a pose, a
-/// few dozen are tried before what is in their way is left there. At last the whole repaired path is judged
-/// again.
+/// For each pose a change on the grid so that as few poses as can be are left interfering, and among those
+/// ways the one of least cost (change_grid.h), with no more change from a pose to the next than the limits
+/// say. Poses are judged only when the cheapest way (layered_search.h) leads through them; where one is
+/// blocked, the next cheapest are judged with it, each time twice as many. Where a move is blocked, other
+/// changes are tried at its ends, and every other time they are retracted farther than would be cheapest;
+/// after a few dozen tries what is in its way is left there. At last the whole repaired path is judged again.
 ///
 /// The answer is the same for any number of threads. `off_surface`: for each pose the unit direction of a
 /// lift. `progress` is told how many poses have a change that holds so far.
-/// Throws std::invalid_argument for an empty path, as many directions, or a limit out of its range.
+/// Throws std::invalid_argument for an empty path, another number of directions, or a limit out of its range.
 PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
                       const RepairOptions& options, const std::function<void(std::size_t)>& progress = {});
 

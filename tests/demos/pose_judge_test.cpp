@@ -111,7 +111,7 @@ TriangleMesh slot(double half_gap) {
 }
 
 TEST(PoseJudge, equalsEveryPairOfTrianglesOfASlotAndABar) {
-  const TriangleMesh walls = slot(6.0), bar = block({15, 2, 3}, 2);
+  const TriangleMesh walls = slot(6.6), bar = block({15, 2, 3}, 2);
   PoseJudge judge(treeOf(walls), {{"bar", treeOf(bar)}}, std::vector<int>(walls.triangleCount(), 0),
                   {.ground_blade = 0}, 2);
   std::mt19937 random(11);
