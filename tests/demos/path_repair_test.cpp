@@ -95,7 +95,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   double most = 0.0;
   for (const PoseRepair& pose : repair.poses) most = std::max(most, pose.change.retract);
   EXPECT_GT(most, 3.5);
-  EXPECT_LT(most, 6.0);
+  EXPECT_LT(most, 8.0) << "moves that were blocked had it retracted farther than the least";
 
   const PathRepair alone = repaired(solid, path, options, 1);
   for (std::size_t p = 0; p < path.size(); ++p) {
