@@ -28,6 +28,8 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
   addGrindCommand(app, exit_code);
   addBladesCommand(app, exit_code);
   addPathCommand(app, exit_code);
+  addAccessCommand(app, exit_code);
+  addRepairCommand(app, exit_code);
   addMakeCommand(app, exit_code);
   addCheckCommand(app, exit_code);
   addMergeCommand(app, exit_code);

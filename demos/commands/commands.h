@@ -6,6 +6,7 @@
 
 namespace octoblisk::demos {
 
+void addAccessCommand(CLI::App& app, int& exit_code);
 void addBladesCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
@@ -13,5 +14,6 @@ void addMakeCommand(CLI::App& app, int& exit_code);
 void addMergeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
 void addPathCommand(CLI::App& app, int& exit_code);
+void addRepairCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos

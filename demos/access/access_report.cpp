@@ -1,0 +1,212 @@
+#include "access/access_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "report/annotation.h"
+#include "report/picture.h"
+
+namespace octoblisk::demos {
+namespace {
+
+std::ofstream openTable(const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  stream.precision(9);
+  return stream;
+}
+
+void closeTable(std::ofstream& stream, const std::filesystem::path& file) {
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+/// A step of the picture's colours: ranges of tilt up to so many degrees.
+struct WidthStep {
+  double most;
+  Color color;
+  const char* text;
+};
+
+/// Light to dark but for "none", which stands out.
+constexpr std::array kWidthSteps = {WidthStep{-1.0, palette::kVermilion, "nowhere free"},
+                                    WidthStep{10.0, {0.94f, 0.89f, 0.62f}, "up to 10° free"},
+                                    WidthStep{30.0, {0.70f, 0.83f, 0.58f}, "30°"},
+                                    WidthStep{60.0, {0.38f, 0.72f, 0.63f}, "60°"},
+                                    WidthStep{90.0, {0.18f, 0.53f, 0.66f}, "90°"},
+                                    WidthStep{1e9, {0.15f, 0.29f, 0.53f}, "more"}};
+
+double widestOf(const SiteAccess& access) {
+  return access.widest ? access.ranges[*access.widest].width() : -1.0;
+}
+
+Color widthColor(const SiteAccess& access) {
+  const double widest = widestOf(access);
+  return std::ranges::find_if(kWidthSteps, [&](const WidthStep& step) { return widest <= step.most; })->color;
+}
+
+Image::Pixel pixelOf(const Color& color) {
+  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::lround(255.0f * value)); };
+  return {byte(color.r), byte(color.g), byte(color.b), 255};
+}
+
+/// The rectangle of the unrolled side that is seen.
+struct MapExtent {
+  double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
+  double height_min = arc_min, height_max = -arc_min;
+
+  void extend(const ContactSite& site) {
+    arc_min = std::min(arc_min, site.arc - site.half_width);
+    arc_max = std::max(arc_max, site.arc + site.half_width);
+    height_min = std::min(height_min, site.height - site.half_height);
+    height_max = std::max(height_max, site.height + site.half_height);
+  }
+};
+
+/// Points of a path have no cells: half of the way to the nearest other that is not at the same place.
+double halfSpacing(std::span<const ContactSite> sites) {
+  constexpr double kSamePlace = 0.05;  // mm
+  constexpr double kAlone = 1.0;       // mm
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const ContactSite& site : sites) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ContactSite& other : sites) {
+      const double way = std::hypot(site.arc - other.arc, site.height - other.height);
+      if (way > kSamePlace) nearest = std::min(nearest, way);
+    }
+    if (!std::isfinite(nearest)) continue;
+    sum += nearest;
+    ++count;
+  }
+  return count > 0 ? 0.5 * sum / static_cast<double>(count) : kAlone;
+}
+
+}  // namespace
+
+std::string describe(const Obstacle& obstacle, std::span<const ToolPart> parts) {
+  const std::string& part = parts[obstacle.part].name;
+  const std::string blade = "blade " + std::to_string(obstacle.blade);
+  if (obstacle.is_inside) return part + " wholly inside";
+  if (obstacle.too_deep) return part + " too deep in " + blade;
+  return part + " on " + (obstacle.blade == 0 ? "hub or shroud" : blade);
+}
+
+std::size_t AccessRun::nowhereFree() const {
+  return static_cast<std::size_t>(std::ranges::count(access, std::size_t{0}, &SiteAccess::free));
+}
+
+double AccessRun::freeFraction() const {
+  std::size_t free = 0;
+  for (const SiteAccess& site : access) free += site.free;
+  const std::size_t asked = access.size() * options.leads.size() * static_cast<std::size_t>(options.tilts);
+  return asked > 0 ? static_cast<double>(free) / static_cast<double>(asked) : 0.0;
+}
+
+void writePoints(const AccessRun& run, const std::filesystem::path& file) {
+  std::ofstream stream = openTable(file);
+  stream << "point,pose,x_mm,y_mm,z_mm,normal_x,normal_y,normal_z,height_mm,arc_mm,free_fraction,"
+            "lead_deg,tilt_from_deg,tilt_to_deg,lead_from_deg,lead_to_deg,part,blade\n";
+  const double asked = static_cast<double>(run.options.leads.size()) * run.options.tilts;
+  for (std::size_t s = 0; s < run.sites.size(); ++s) {
+    const ContactSite& site = run.sites[s];
+    const SiteAccess& access = run.access[s];
+    stream << s << ',';
+    if (run.of_path) stream << site.pose;
+    for (const Vec3& v : {site.point, site.normal}) stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
+    stream << ',' << site.height << ',';
+    if (std::isfinite(site.arc)) stream << site.arc;
+    stream << ',' << static_cast<double>(access.free) / asked;
+    if (access.widest) {
+      const FreeRange& widest = access.ranges[*access.widest];
+      stream << ',' << run.options.leads[widest.lead] << ',' << widest.tilt_from << ',' << widest.tilt_to
+             << ',' << access.lead_from << ',' << access.lead_to;
+    } else {
+      stream << ",,,,,";
+    }
+    if (access.in_the_way.empty()) {
+      stream << ",,\n";
+    } else {
+      const Obstacle& most = access.in_the_way.front().obstacle;
+      stream << ',' << run.parts[most.part].name << ',' << most.blade << '\n';
+    }
+  }
+  closeTable(stream, file);
+}
+
+void writeRanges(const AccessRun& run, const std::filesystem::path& file) {
+  std::ofstream stream = openTable(file);
+  stream << "point,lead_deg,tilt_from_deg,tilt_to_deg\n";
+  for (std::size_t s = 0; s < run.sites.size(); ++s) {
+    for (const FreeRange& range : run.access[s].ranges) {
+      stream << s << ',' << run.options.leads[range.lead] << ',' << range.tilt_from << ',' << range.tilt_to
+             << '\n';
+    }
+  }
+  closeTable(stream, file);
+}
+
+Image accessPicture(const AccessRun& run, int width, int height) {
+  std::vector<ContactSite> sites;
+  std::vector<Color> colors;
+  for (std::size_t s = 0; s < run.sites.size(); ++s) {
+    if (!std::isfinite(run.sites[s].arc)) continue;
+    sites.push_back(run.sites[s]);
+    colors.push_back(widthColor(run.access[s]));
+  }
+  if (run.of_path) {
+    const double half = halfSpacing(sites);
+    for (ContactSite& site : sites) site.half_width = site.half_height = half;
+  }
+  MapExtent extent;
+  for (const ContactSite& site : sites) extent.extend(site);
+
+  Annotation annotation;
+  annotation.title = "Accessibility of blade " + std::to_string(run.rules.ground_blade);
+  std::ostringstream subtitle;
+  subtitle << "widest free range of tilt at each point; right: arc length from the leading edge, up: height "
+              "above the blade's root";
+  if (run.rules.margin > 0.0) subtitle << "; margin " << run.rules.margin << " mm";
+  annotation.subtitle = subtitle.str();
+  for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});
+  annotation.length_unit = "mm";
+
+  Image page(width, height, {255, 255, 255, 255});
+  const Layout layout(annotation, width, height);
+  constexpr double kUsed = 0.92;
+  double unit = 1.0;  // pixels of 1 mm
+  if (!sites.empty()) {
+    unit = kUsed * std::min(width / std::max(1e-9, extent.arc_max - extent.arc_min),
+                            layout.sceneHeight() / std::max(1e-9, extent.height_max - extent.height_min));
+  }
+  const double left = 0.5 * width - 0.5 * unit * (extent.arc_min + extent.arc_max);
+  const double bottom =
+      layout.sceneTop() + 0.5 * layout.sceneHeight() + 0.5 * unit * (extent.height_min + extent.height_max);
+  for (std::size_t s = 0; s < sites.size(); ++s) {
+    const ContactSite& site = sites[s];
+    const auto column = [&](double arc) {
+      return std::clamp(static_cast<int>(std::lround(left + unit * arc)), 0, width);
+    };
+    const auto row = [&](double above) {
+      return std::clamp(static_cast<int>(std::lround(bottom - unit * above)), layout.sceneTop(),
+                        layout.sceneTop() + layout.sceneHeight());
+    };
+    const Image::Pixel pixel = pixelOf(colors[s]);
+    const int first = column(site.arc - site.half_width);
+    const int last = std::max(first + 1, column(site.arc + site.half_width));
+    const int top = row(site.height + site.half_height);
+    const int low = std::max(top + 1, row(site.height - site.half_height));
+    for (int y = top; y < low && y < height; ++y) {
+      for (int x = first; x < last && x < width; ++x) page.at(x, y) = pixel;
+    }
+  }
+  annotate(page, annotation, layout, unit, "");
+  return page;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,164 @@
+// octoblisk repair: makes a path free of interference, changing as little as can be.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "commands/commands.h"
+#include "commands/grinder_input.h"
+#include "commands/option_checks.h"
+#include "models/length_limit.h"
+#include "repair/path_repair.h"
+#include "repair/repair_report.h"
+#include "report/progress_bar.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr double kLeastClearance = 1e-3;  // mm, of moves
+constexpr double kMarginOfMoves = 0.5;    // part of the poses' margin
+
+struct RepairRequest {
+  GrinderFiles files;
+  RepairOptions options;
+};
+
+void tellChanges(const PathRepair& repair) {
+  double tilt = 0.0, slide = 0.0, retract = 0.0;
+  std::size_t without = 0;
+  for (const PoseRepair& pose : repair.poses) {
+    tilt = std::max(tilt, std::abs(pose.change.tilt));
+    slide = std::max(slide, std::abs(pose.change.slide));
+    retract = std::max(retract, pose.change.retract);
+    without += !pose.change.isNone() && !pose.after.grinds && !pose.after.obstacle;
+  }
+  std::cout << "Changed: " << repair.changed() << (repair.changed() == 1 ? " pose" : " poses")
+            << ", tilt up to " << tilt << " degrees, slide up to " << slide << " mm, retraction up to "
+            << retract << " mm; " << without << " of them free without touching the ground blade\n";
+}
+
+void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
+                const std::filesystem::path& out) {
+  std::cout << repair.poses.size() << (repair.poses.size() == 1 ? " pose, " : " poses, ");
+  if (blade == 0) {
+    std::cout << "no blade ground";
+  } else {
+    std::cout << "ground blade " << blade << " of " << input.blades.count;
+  }
+  std::cout << ": " << repair.interferedBefore() << " interfered, " << repair.posesLeft() << " and "
+            << repair.movesLeft() << " moves between free poses are left\n";
+  if (repair.changed() > 0) tellChanges(repair);
+  constexpr std::size_t kMost = 20;
+  const std::vector<std::string> left = describeLeft(repair, input.parts);
+  for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
+  if (left.size() > kMost) std::cout << "Left: " << left.size() - kMost << " more runs (changes.csv)\n";
+  std::cout << "Path: " << (out / "path.csv").string() << ", changes: " << (out / "changes.csv").string()
+            << '\n';
+}
+
+/// Throws naming the option whose spacing no step from pose to pose could bridge.
+void requireBridged(const ChangeLimits& limits) {
+  const std::tuple<const char*, double, double> changes[] = {
+      {"tilt", limits.tilt_grid, limits.tilt_per_pose},
+      {"slide", limits.slide_grid, limits.slide_per_pose},
+      {"retract", limits.retract_grid, limits.retract_per_pose}};
+  for (const auto& [name, grid, per_pose] : changes) {
+    if (grid <= per_pose) continue;
+    throw std::invalid_argument("--" + std::string(name) + "-grid: is above --" + name +
+                                "-per-pose, so that it could not be changed");
+  }
+}
+
+int repair(const RepairRequest& request) {
+  const GrinderFiles& files = request.files;
+  requireNotRead(files, {"path.csv", "changes.csv"});
+  requireBridged(request.options.limits);
+  const ChangeGrid usable(request.options.limits);  // refuses what is no use before anything is read
+  const bool own_path = !files.path.empty();
+  std::vector<Pose> path = own_path ? readPoses(files.path) : std::vector<Pose>{};
+  const GrinderInput input = readGrinder(files);
+  if (!own_path) path = builtInPath(input, files.ground_blade.value_or(1));
+  const ReachRules rules{0, groundBladeOf(files, input, path), files.max_depth, files.margin};
+  warnOfInput(input);
+  makeFolder(files.out);
+
+  PoseJudge judge(input.blisk, input.parts, input.blades.blade_of_triangle, rules, files.threads);
+  RepairOptions options = request.options;
+  options.moves.clearance = std::max(kMarginOfMoves * files.margin, kLeastClearance);
+  PathRepair repaired;
+  {
+    ProgressBar progress(std::cerr, path.size());
+    repaired = repairPath(judge, path, directionsOffSurface(judge, path), options,
+                          [&](std::size_t settled) { progress.update(settled); });
+  }
+  const std::filesystem::path out = files.out;
+  writePoses(out / "path.csv", repaired.path);
+  writeChanges(repaired, input.parts, out / "changes.csv");
+  tellRepair(repaired, input, rules.ground_blade, out);
+  return repaired.isFree() ? 0 : 1;
+}
+
+}  // namespace
+
+void addRepairCommand(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "repair",
+      "Make a path of the belt grinder free of interference by tilt, slide along the wheels' axis and\n"
+      "retraction, smooth from pose to pose and as little as can be; poses and the moves between them are\n"
+      "checked. What cannot be repaired is named.");
+  const auto request = std::make_shared<RepairRequest>();
+  addGrinderOptions(command, request->files);
+  command
+      .add_option(
+          "--path", request->files.path,
+          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: the path that grind "
+          "makes")
+      ->check(notEmpty());
+  ChangeLimits& limits = request->options.limits;
+  const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {
+    command.add_option(name, value, help)
+        ->check(numberFrom(0.0, kMaxLength, above))
+        ->capture_default_str()
+        ->group("Changes");
+  };
+  add_limit("--tilt", limits.tilt, "Degrees of tilt at most, either way; about the wheels' axis", false);
+  add_limit("--tilt-per-pose", limits.tilt_per_pose,
+            "Degrees that the tilt may change from a pose to the next", true);
+  add_limit("--tilt-grid", limits.tilt_grid, "Degrees between tilts that are tried", true);
+  add_limit("--slide", limits.slide, "mm of slide at most, either way; along the wheels' axis", false);
+  add_limit("--slide-per-pose", limits.slide_per_pose, "mm that the slide may change from a pose to the next",
+            true);
+  add_limit("--slide-grid", limits.slide_grid, "mm between slides that are tried", true);
+  add_limit("--retract", limits.retract,
+            "mm of retraction at most: the first off the surface, all beyond along the arm", false);
+  add_limit("--retract-per-pose", limits.retract_per_pose,
+            "mm that the retraction may change from a pose to the next", true);
+  add_limit("--retract-grid", limits.retract_grid,
+            "mm between the first ten retractions that are tried; wider beyond", true);
+  add_limit("--move-step", request->options.moves.step,
+            "mm between the poses of a move at which the belt's depth in the ground blade is asked for",
+            true);
+  command.footer(
+      "Written, in OUT:\n"
+      "  path.csv     the repaired path, as many poses\n"
+      "  changes.csv  for each pose: what it was, tilt, slide and retraction against it, what it is now, "
+      "and\n"
+      "               what is in the way of it or of the move to it\n"
+      "The tilt turns the tool about z through its origin, which keeps a contact wheel where it is. Poses "
+      "are\n"
+      "free where grind calls them no interference, with the margin. Moves are straight and turn evenly; "
+      "all\n"
+      "that must not touch keeps half of the margin on them, 1 um at least, continuously, and the belt's\n"
+      "depth in the ground blade is asked for every --move-step. Poses are counted from 0.\n"
+      "Exit codes: 0 the repaired path is free, 1 something is left interfering, 2 bad input.");
+  command.callback([request, &exit_code] { exit_code = repair(*request); });
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,240 @@
+#include "repair/path_repair.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "models/require.h"
+#include "octoblisk/closest_point.h"
+#include "repair/layered_search.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr std::size_t kMostAtOnce = 256;  // changes of a pose
+constexpr std::size_t kMostTriesAMove = 32;
+constexpr std::size_t kTriesBeforeRetracting = 2;
+constexpr std::size_t kMostDoublings = 4;
+
+/// The search for one path: what is known of its nodes and steps.
+class Repairer {
+ public:
+  Repairer(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
+           const RepairOptions& options)
+      : judge_(judge),
+        path_(path),
+        off_surface_(off_surface),
+        options_(options),
+        grid_(options.limits),
+        search_(grid_, path.size()),
+        known_(path.size() * grid_.size(), 0),
+        by_cost_(grid_.size()),
+        next_(path.size(), 0),
+        at_once_(path.size(), 1),
+        tries_(path.size(), 0),
+        least_retract_(path.size(), 0) {
+    std::iota(by_cost_.begin(), by_cost_.end(), 0u);
+    std::ranges::stable_sort(by_cost_, {},
+                             [&](std::uint32_t node) { return grid_.cost(grid_.change(node)); });
+  }
+
+  std::vector<std::uint32_t> run(const std::function<void(std::size_t)>& progress) {
+    for (;;) {
+      std::vector<std::uint32_t> way = search_.cheapest();
+      if (judgePoses(way)) {
+        if (progress) progress(settled(way));
+        continue;
+      }
+      if (judgeMoves(way)) continue;
+      if (progress) progress(path_.size());
+      return way;
+    }
+  }
+
+  Pose pose(std::size_t index, std::uint32_t node) const {
+    return changedPose(path_[index], off_surface_[index], grid_.change(node));
+  }
+  const ChangeGrid& grid() const { return grid_; }
+  std::size_t asked(std::size_t pose) const {
+    const auto begin = known_.begin() + static_cast<std::ptrdiff_t>(pose * grid_.size());
+    const auto end = begin + static_cast<std::ptrdiff_t>(grid_.size());
+    return grid_.size() - static_cast<std::size_t>(std::count(begin, end, kUnknown));
+  }
+
+ private:
+  static constexpr char kUnknown = 0, kFree = 1, kBlocked = 2;
+
+  char& known(std::size_t pose, std::uint32_t node) { return known_[pose * grid_.size() + node]; }
+
+  std::size_t settled(const std::vector<std::uint32_t>& way) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < way.size(); ++p) count += known(p, way[p]) == kFree;
+    return count;
+  }
+
+  /// Judges what is not known of the way's nodes, and with those that turned out blocked before the next
+  /// cheapest ones. Whether a node of the way is blocked that was not known to be.
+  bool judgePoses(const std::vector<std::uint32_t>& way) {
+    std::vector<std::pair<std::size_t, std::uint32_t>> asked;
+    std::vector<Pose> poses;
+    const auto ask = [&](std::size_t p, std::uint32_t node) {
+      asked.emplace_back(p, node);
+      poses.push_back(pose(p, node));
+    };
+    for (std::size_t p = 0; p < way.size(); ++p) {
+      if (known(p, way[p]) != kUnknown) continue;
+      ask(p, way[p]);
+      for (std::size_t more = 1; more < at_once_[p] && next_[p] < by_cost_.size(); ++next_[p]) {
+        const std::uint32_t node = by_cost_[next_[p]];
+        if (node == way[p] || known(p, node) != kUnknown) continue;
+        ask(p, node);
+        ++more;
+      }
+    }
+    const std::vector<PoseState> states = judge_.judge(poses);
+    bool any_blocked = false;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const auto [p, node] = asked[k];
+      const bool is_free = !states[k].obstacle;
+      known(p, node) = is_free ? kFree : kBlocked;
+      if (is_free) continue;
+      search_.blockNode(p, node);
+      if (node != way[p]) continue;
+      any_blocked = true;
+      at_once_[p] = std::min(2 * at_once_[p], kMostAtOnce);
+    }
+    return any_blocked;
+  }
+
+  /// The same for the moves between free poses.
+  bool judgeMoves(const std::vector<std::uint32_t>& way) {
+    std::vector<std::size_t> asked;
+    std::vector<Move> moves;
+    for (std::size_t p = 1; p < way.size(); ++p) {
+      if (tries_[p] > kMostTriesAMove) continue;
+      if (known(p - 1, way[p - 1]) != kFree || known(p, way[p]) != kFree) continue;
+      if (free_moves_.contains({p, way[p - 1], way[p]})) continue;
+      asked.push_back(p);
+      moves.push_back({pose(p - 1, way[p - 1]), pose(p, way[p])});
+    }
+    const auto found = checkMoves(judge_, moves, options_.moves);
+    bool any_blocked = false;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const std::size_t p = asked[k];
+      if (!found[k]) {
+        free_moves_.insert({p, way[p - 1], way[p]});
+        continue;
+      }
+      any_blocked = true;
+      search_.blockStep(p, way[p - 1], way[p]);
+      if (++tries_[p] > kMostTriesAMove) {
+        giveUpMove(p);
+      } else if (tries_[p] % kTriesBeforeRetracting == 0) {
+        retractMove(p, way);
+      }
+    }
+    return any_blocked;
+  }
+
+  /// Both ends of a move that is blocked again and again have to retract, each time by twice as many steps.
+  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way) {
+    const std::size_t retracts = grid_.retracts().size();
+    const std::size_t more = std::size_t{1}
+                             << std::min(tries_[pose] / kTriesBeforeRetracting - 1, kMostDoublings);
+    for (const std::size_t end : {pose - 1, pose}) {
+      least_retract_[end] = std::min(retracts - 1, std::max(least_retract_[end], way[end] % retracts + more));
+      search_.avoidBelow(end, least_retract_[end]);
+    }
+  }
+
+  void giveUpMove(std::size_t pose) {
+    search_.unblockSteps(pose);
+    for (const std::size_t end : {pose - 1, pose}) {
+      least_retract_[end] = 0;
+      search_.avoidBelow(end, 0);
+    }
+  }
+
+  PoseJudge& judge_;
+  std::span<const Pose> path_;
+  std::span<const Vec3> off_surface_;
+  RepairOptions options_;
+  ChangeGrid grid_;
+  LayeredSearch search_;
+  std::vector<char> known_;                 // of each pose and node
+  std::vector<std::uint32_t> by_cost_;      // the nodes
+  std::vector<std::size_t> next_;           // of each pose: the first in by_cost_ that may be unknown
+  std::vector<std::size_t> at_once_;        // of each pose: nodes to be judged together
+  std::vector<std::size_t> tries_;          // of each pose: moves to it that were blocked
+  std::vector<std::size_t> least_retract_;  // of each pose: indices of the grid's retractions
+  std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
+};
+
+}  // namespace
+
+std::size_t PathRepair::interferedBefore() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.before.obstacle.has_value(); }));
+}
+
+std::size_t PathRepair::posesLeft() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.after.obstacle.has_value(); }));
+}
+
+std::size_t PathRepair::movesLeft() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.move.has_value(); }));
+}
+
+std::size_t PathRepair::changed() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(poses, [](const PoseRepair& pose) { return !pose.change.isNone(); }));
+}
+
+PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
+                      const RepairOptions& options, const std::function<void(std::size_t)>& progress) {
+  require(!path.empty(), "a path of no poses cannot be repaired");
+  require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
+  Repairer repairer(judge, path, off_surface, options);
+  const std::vector<std::uint32_t> way = repairer.run(progress);
+
+  PathRepair repair;
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    const Change change = repairer.grid().change(way[p]);
+    // What is not changed stays to the last bit.
+    repair.path.push_back(change.isNone() ? path[p] : repairer.pose(p, way[p]));
+    repair.poses.push_back({});
+    repair.poses.back().change = change;
+    repair.poses.back().asked = repairer.asked(p);
+  }
+  const std::vector<PoseState> before = judge.judge(path), after = judge.judge(repair.path);
+  std::vector<Move> moves;
+  std::vector<std::size_t> move_to;
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    repair.poses[p].before = before[p];
+    repair.poses[p].after = after[p];
+    if (p == 0 || after[p - 1].obstacle || after[p].obstacle) continue;
+    moves.push_back({repair.path[p - 1], repair.path[p]});
+    move_to.push_back(p);
+  }
+  const auto in_the_way = checkMoves(judge, moves, options.moves);
+  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = in_the_way[k];
+  return repair;
+}
+
+std::vector<Vec3> directionsOffSurface(const PoseJudge& judge, std::span<const Pose> path) {
+  std::vector<Vec3> directions;
+  for (const Pose& pose : path) {
+    Vec3 direction = Vec3::Zero();
+    if (const ClusteredOctree* blade = judge.groundBlade()) {
+      direction = pose.translation - closestPoint(*blade, pose.translation)->point;
+    }
+    directions.push_back(direction.isZero() ? Vec3(pose.rotation.col(0)) : direction.normalized());
+  }
+  return directions;
+}
+
+}  // namespace octoblisk::demos

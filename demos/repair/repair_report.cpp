@@ -1,0 +1,68 @@
+#include "repair/repair_report.h"
+
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "access/access_report.h"
+
+namespace octoblisk::demos {
+namespace {
+
+std::string stateText(const PoseState& state) {
+  if (state.obstacle) return "interference";
+  return state.grinds ? "grinds" : "free";
+}
+
+std::string obstacleText(const std::optional<Obstacle>& obstacle, std::span<const ToolPart> parts) {
+  return obstacle ? describe(*obstacle, parts) : std::string();
+}
+
+/// Runs of equal texts; empty ones are nothing.
+void addRuns(const std::vector<std::string>& texts, const std::string& one, const std::string& many,
+             std::vector<std::string>& runs) {
+  for (std::size_t first = 0; first < texts.size();) {
+    std::size_t last = first;
+    while (last + 1 < texts.size() && texts[last + 1] == texts[first]) ++last;
+    if (!texts[first].empty()) {
+      const std::string range = first == last
+                                    ? one + ' ' + std::to_string(first)
+                                    : many + ' ' + std::to_string(first) + '-' + std::to_string(last);
+      runs.push_back(range + ": " + texts[first]);
+    }
+    first = last + 1;
+  }
+}
+
+}  // namespace
+
+void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
+                  const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  stream.precision(9);
+  stream << "pose,before,in_the_way_before,tilt_deg,slide_mm,retract_mm,after,in_the_way_after,"
+            "in_the_way_of_move_to_it\n";
+  for (std::size_t p = 0; p < repair.poses.size(); ++p) {
+    const PoseRepair& pose = repair.poses[p];
+    stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts) << ','
+           << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
+           << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts) << ','
+           << obstacleText(pose.move, parts) << '\n';
+  }
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts) {
+  std::vector<std::string> of_poses, of_moves, runs;
+  for (const PoseRepair& pose : repair.poses) {
+    of_poses.push_back(obstacleText(pose.after.obstacle, parts));
+    of_moves.push_back(obstacleText(pose.move, parts));
+  }
+  addRuns(of_poses, "pose", "poses", runs);
+  addRuns(of_moves, "move to pose", "moves to poses", runs);
+  return runs;
+}
+
+}  // namespace octoblisk::demos

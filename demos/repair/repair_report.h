@@ -1,0 +1,21 @@
+// What is told of a repaired path: a table and a summary.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "repair/path_repair.h"
+
+namespace octoblisk::demos {
+
+/// changes.csv: a row for each pose. Throws std::runtime_error naming a file that can't be written.
+void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
+                  const std::filesystem::path& file);
+
+/// "poses 3-5: arm on hub or shroud", "moves to poses 7-8: belt on blade 2": runs of poses, and of moves,
+/// left with the same in their way.
+std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,163 @@
+// The cheapest way through layers, against a search over every pair of nodes.
+#include "repair/layered_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace octoblisk::demos {
+namespace {
+
+using Step = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
+
+/// Blocked nodes and steps first, then cost.
+struct Price {
+  int blocked = 0;
+  double cost = 0.0;
+  auto operator<=>(const Price&) const = default;
+};
+
+struct Scene {
+  ChangeGrid grid;
+  std::size_t poses;
+  std::set<std::pair<std::size_t, std::uint32_t>> blocked;
+  std::set<Step> blocked_steps;
+
+  bool within(std::uint32_t from, std::uint32_t to) const {
+    const Change a = grid.change(from), b = grid.change(to);
+    const ChangeLimits& limits = grid.limits();
+    return std::abs(a.tilt - b.tilt) <= limits.tilt_per_pose + 1e-9 &&
+           std::abs(a.slide - b.slide) <= limits.slide_per_pose + 1e-9 &&
+           std::abs(a.retract - b.retract) <= limits.retract_per_pose + 1e-9;
+  }
+  Price ofNode(std::size_t pose, std::uint32_t node) const {
+    return {blocked.contains({pose, node}) ? 1 : 0, grid.cost(grid.change(node))};
+  }
+  Price ofStep(std::size_t pose, std::uint32_t from, std::uint32_t to) const {
+    const Change a = grid.change(from), b = grid.change(to);
+    return {blocked_steps.contains({pose, from, to}) ? 1 : 0,
+            grid.tiltStepCost(a.tilt - b.tilt) + grid.slideStepCost(a.slide - b.slide) +
+                grid.retractStepCost(a.retract - b.retract)};
+  }
+  Price ofWay(const std::vector<std::uint32_t>& way) const {
+    Price sum;
+    const auto add = [&](const Price& price) {
+      sum.blocked += price.blocked;
+      sum.cost += price.cost;
+    };
+    for (std::size_t p = 0; p < way.size(); ++p) {
+      add(ofNode(p, way[p]));
+      if (p > 0) add(ofStep(p, way[p - 1], way[p]));
+    }
+    return sum;
+  }
+  /// Of the best way, by all pairs of nodes.
+  Price best() const {
+    std::vector<Price> layer;
+    for (std::uint32_t node = 0; node < grid.size(); ++node) layer.push_back(ofNode(0, node));
+    for (std::size_t pose = 1; pose < poses; ++pose) {
+      std::vector<Price> next(grid.size(), Price{1 << 20, 0.0});
+      for (std::uint32_t from = 0; from < grid.size(); ++from) {
+        for (std::uint32_t to = 0; to < grid.size(); ++to) {
+          if (!within(from, to)) continue;
+          const Price node = ofNode(pose, to), step = ofStep(pose, from, to);
+          next[to] = std::min(next[to], Price{layer[from].blocked + node.blocked + step.blocked,
+                                              layer[from].cost + node.cost + step.cost});
+        }
+      }
+      layer = next;
+    }
+    return *std::ranges::min_element(layer);
+  }
+};
+
+TEST(LayeredSearch, isTheBestOfAllPairsOfNodes) {
+  std::mt19937 random(3);
+  const auto chance = [&](double part) {
+    return std::uniform_real_distribution<double>(0, 1)(random) < part;
+  };
+  std::size_t with_blocked = 0, scenes = 60;
+  for (std::size_t s = 0; s < scenes; ++s) {
+    const ChangeLimits limits{.tilt = 4,
+                              .tilt_grid = 2,
+                              .tilt_per_pose = 2,
+                              .slide = 2,
+                              .slide_grid = 1,
+                              .slide_per_pose = s % 2 ? 1.0 : 2.0,
+                              .retract = 1.0,
+                              .retract_grid = 0.25,
+                              .retract_per_pose = 0.5};
+    Scene scene{ChangeGrid(limits), 6, {}, {}};
+    LayeredSearch search(scene.grid, scene.poses);
+    const double density = s % 3 == 0 ? 0.4 : 0.985;
+    for (std::size_t p = 0; p < scene.poses; ++p) {
+      for (std::uint32_t node = 0; node < scene.grid.size(); ++node) {
+        if (!chance(density)) continue;
+        scene.blocked.insert({p, node});
+        search.blockNode(p, node);
+      }
+    }
+    // What the first few answers lead over is blocked as well.
+    for (int k = 0; k < 5; ++k) {
+      const auto way = search.cheapest();
+      const std::size_t p = 1 + random() % (scene.poses - 1);
+      scene.blocked_steps.insert({p, way[p - 1], way[p]});
+      search.blockStep(p, way[p - 1], way[p]);
+    }
+    const auto way = search.cheapest();
+    for (std::size_t p = 1; p < way.size(); ++p) ASSERT_TRUE(scene.within(way[p - 1], way[p])) << "too far";
+    const Price found = scene.ofWay(way), best = scene.best();
+    EXPECT_EQ(found.blocked, best.blocked) << "scene " << s;
+    EXPECT_NEAR(found.cost, best.cost, 1e-5) << "scene " << s;
+    with_blocked += best.blocked > 0;
+  }
+  EXPECT_GT(with_blocked, scenes * 3 / 10) << "some scenes have no free way";
+  EXPECT_LT(with_blocked, scenes * 7 / 10);
+}
+
+TEST(LayeredSearch, changesNothingWhereNothingIsBlocked) {
+  const ChangeGrid grid({});
+  EXPECT_TRUE(grid.change(grid.noChange()).isNone());
+  for (const std::uint32_t node : LayeredSearch(grid, 3).cheapest()) EXPECT_EQ(node, grid.noChange());
+}
+
+TEST(ChangeGrid, refusesWhatCannotBeGone) {
+  const auto refused = [](const ChangeLimits& limits) {
+    try {
+      const ChangeGrid grid(limits);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused({}), "");
+  EXPECT_NE(refused({.tilt = -1}).find("tilt"), std::string::npos);
+  EXPECT_NE(refused({.slide_grid = 3, .slide_per_pose = 2}).find("slide"), std::string::npos);
+  EXPECT_NE(refused({.retract_grid = 0}).find("retraction"), std::string::npos);
+  EXPECT_NE(refused({.tilt = 180, .tilt_grid = 0.01}).find("too many"), std::string::npos);
+}
+
+TEST(ChangeGrid, changedPoseGoesWhereItSays) {
+  Pose pose;
+  pose.rotation = Mat3(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()));
+  pose.translation = Vec3(10, 20, 30);
+  const Vec3 off = Vec3(0, 1, 1).normalized();
+  const Pose slid = changedPose(pose, off, {.slide = 2.0});
+  EXPECT_NEAR((slid.translation - pose * Vec3(0, 0, 2)).norm(), 0.0, 1e-12);
+  const Pose lifted = changedPose(pose, off, {.retract = 0.4});
+  EXPECT_NEAR((lifted.translation - pose.translation - 0.4 * off).norm(), 0.0, 1e-12);
+  const Pose retracted = changedPose(pose, off, {.retract = 5.0});
+  EXPECT_NEAR((retracted.translation - pose * Vec3(4, 0, 0) - off).norm(), 0.0, 1e-12);
+  const Pose tilted = changedPose(pose, off, {.tilt = 90.0});
+  EXPECT_NEAR((tilted * Vec3(1, 0, 0) - pose * Vec3(0, 1, 0)).norm(), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace octoblisk::demos

@@ -1,0 +1,140 @@
+// Repaired paths, judged again by every pair of triangles.
+#include "repair/path_repair.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "demos/block.h"
+#include "models/shared_tree.h"
+#include "repair/repair_report.h"
+#include "shared/brute_force.h"
+
+namespace octoblisk::demos {
+namespace {
+
+TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by) {
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& v : vertices) v += by;
+  return {vertices, mesh.triangles()};
+}
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+  std::vector<Vec3> vertices = a.vertices();
+  vertices.insert(vertices.end(), b.vertices().begin(), b.vertices().end());
+  std::vector<TriangleMesh::Indices> triangles = a.triangles();
+  const auto first = static_cast<std::uint32_t>(a.vertices().size());
+  for (const auto& [i, j, k] : b.triangles()) triangles.push_back({first + i, first + j, first + k});
+  return {vertices, triangles};
+}
+
+/// The tool's arm points up.
+Pose standing(double x, double y, double z) {
+  Pose pose;
+  pose.rotation.col(0) = Vec3::UnitZ();
+  pose.rotation.col(1) = Vec3::UnitX();
+  pose.rotation.col(2) = Vec3::UnitY();
+  pose.translation = Vec3(x, y, z);
+  return pose;
+}
+
+/// A floor whose top is z = 0, with a ridge across, from x = -3 to 3 and up to z = 4.
+TriangleMesh ridge() {
+  return joined(moved(block({40, 20, 5}, 4), {0, 0, -5}), moved(block({3, 19, 3}, 3), {0, 0, 1}));
+}
+
+class PathRepairOver : public ::testing::Test {
+ protected:
+  PathRepair repaired(const TriangleMesh& solid, const std::vector<Pose>& path, const RepairOptions& options,
+                      int threads = 0) {
+    judge_ = std::make_unique<PoseJudge>(treeOf(solid), std::vector<ToolPart>{{"bit", treeOf(bit_)}},
+                                         std::vector<int>(solid.triangleCount(), 0),
+                                         ReachRules{.ground_blade = 0}, threads);
+    return repairPath(*judge_, path, directionsOffSurface(*judge_, path), options);
+  }
+
+  const TriangleMesh bit_ = block({1, 1, 1}, 2);
+  std::unique_ptr<PoseJudge> judge_;
+};
+
+TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
+  const TriangleMesh solid = ridge();
+  std::vector<Pose> path;
+  for (int x = -20; x <= 20; ++x) path.push_back(standing(x, 0.2, 1.5));
+  RepairOptions options;
+  options.limits = {.tilt = 10, .slide = 4, .retract = 10, .retract_grid = 0.2, .retract_per_pose = 1.5};
+  const PathRepair repair = repaired(solid, path, options);
+  ASSERT_EQ(repair.path.size(), path.size());
+  EXPECT_TRUE(repair.isFree());
+  EXPECT_EQ(repair.interferedBefore(), 9u) << "the bit is 2 wide, the ridge 6";
+  EXPECT_EQ(repair.posesLeft() + repair.movesLeft(), 0u);
+  EXPECT_GT(repair.changed(), 9u) << "a way up and down";
+  EXPECT_LT(repair.changed(), 29u) << "no more than needs be";
+  EXPECT_TRUE(describeLeft(repair, judge_->parts()).empty());
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    EXPECT_TRUE(testing::bruteForcePairs(solid, bit_, repair.path[p]).empty()) << "pose " << p;
+    const bool touched = !testing::bruteForcePairs(solid, bit_, path[p]).empty();
+    EXPECT_EQ(repair.poses[p].before.obstacle.has_value(),
+              touched || std::abs(path[p].translation.x()) < 2.0);
+    const Change& change = repair.poses[p].change;
+    if (change.isNone()) {
+      EXPECT_EQ(repair.path[p].translation, path[p].translation) << "to the last bit";
+    }
+    if (p == 0) continue;
+    const Change& last = repair.poses[p - 1].change;
+    EXPECT_LE(std::abs(change.tilt - last.tilt), options.limits.tilt_per_pose + 1e-9);
+    EXPECT_LE(std::abs(change.slide - last.slide), options.limits.slide_per_pose + 1e-9);
+    EXPECT_LE(std::abs(change.retract - last.retract), options.limits.retract_per_pose + 1e-9);
+    const Motion motion(repair.path[p - 1], repair.path[p]);
+    for (int k = 1; k < 20; ++k) {
+      ASSERT_TRUE(testing::bruteForcePairs(solid, bit_, motion.at(k / 20.0)).empty())
+          << "on the way to " << p;
+    }
+  }
+  // 3.5 mm are needed at the least.
+  double most = 0.0;
+  for (const PoseRepair& pose : repair.poses) most = std::max(most, pose.change.retract);
+  EXPECT_GT(most, 3.5);
+  EXPECT_LT(most, 8.0) << "moves that were blocked had it retracted farther than the least";
+
+  const PathRepair alone = repaired(solid, path, options, 1);
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    EXPECT_EQ(alone.path[p].translation, repair.path[p].translation) << "whatever the number of threads";
+    EXPECT_EQ(alone.path[p].rotation, repair.path[p].rotation);
+  }
+}
+
+TEST_F(PathRepairOver, whatCannotBeRepairedIsLeftAndNamed) {
+  const TriangleMesh solid = ridge();
+  // Ten millimetres below the floor's top there is no way out within two.
+  const std::vector<Pose> path = {standing(-20, 0, 3.0), standing(-18, 0, -5.0), standing(-16, 0, 3.0)};
+  RepairOptions options;
+  options.limits = {.tilt = 4, .slide = 2, .retract = 2, .retract_per_pose = 2};
+  const PathRepair repair = repaired(solid, path, options);
+  EXPECT_FALSE(repair.isFree());
+  EXPECT_EQ(repair.posesLeft(), 1u);
+  const auto left = describeLeft(repair, judge_->parts());
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0], "pose 1: bit wholly inside");
+  EXPECT_EQ(repair.poses[1].asked, ChangeGrid(options.limits).size()) << "all was tried";
+}
+
+TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
+  const TriangleMesh wall = block({0.01, 20, 20}, 3);
+  const std::vector<Pose> path = {standing(-3, 0, 0), standing(3, 0, 0), standing(6, 0, 0)};
+  RepairOptions options;
+  options.limits = {.tilt = 0, .slide = 0, .retract = 1, .retract_per_pose = 1};
+  options.moves.step = 100.0;  // nothing is judged between
+  const PathRepair repair = repaired(wall, path, options);
+  EXPECT_EQ(repair.posesLeft(), 0u);
+  EXPECT_EQ(repair.movesLeft(), 1u);
+  EXPECT_FALSE(repair.isFree());
+  const auto left = describeLeft(repair, judge_->parts());
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0], "move to pose 1: bit on hub or shroud");
+}
+
+TEST_F(PathRepairOver, refusesAnEmptyPath) { EXPECT_THROW(repaired(ridge(), {}, {}), std::invalid_argument); }
+
+}  // namespace
+}  // namespace octoblisk::demos

@@ -1,0 +1,127 @@
+// octoblisk repair, between two runs of octoblisk grind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class RepairCommand : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) { return runOctoblisk(folder_.path(), arguments); }
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
+  /// The poses that grind calls interference.
+  std::set<std::size_t> interfering(const std::string& folder) const {
+    std::set<std::size_t> poses;
+    const auto summary = nlohmann::json::parse(contentOf(file(folder + "/summary.json")));
+    for (const auto& range : summary["interfering_poses"]) {
+      for (std::size_t pose = range["first"]; pose <= range["last"]; ++pose) poses.insert(pose);
+    }
+    return poses;
+  }
+
+  /// The poses that changes.csv says are left.
+  std::set<std::size_t> left(const std::string& folder) const {
+    std::set<std::size_t> poses;
+    std::istringstream stream(contentOf(file(folder + "/changes.csv")));
+    std::string line;
+    for (std::size_t row = 0; std::getline(stream, line); ++row) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (int column = 0; column <= 6; ++column) std::getline(cells, cell, ',');
+      if (cell == "interference") poses.insert(row - 1);
+    }
+    return poses;
+  }
+
+  /// The part [from, to) of a path.
+  void cut(const std::string& from_file, std::size_t from, std::size_t to, const std::string& to_file) const {
+    const std::vector<Pose> path = readPoses(file(from_file));
+    ASSERT_LE(to, path.size());
+    writePoses(file(to_file), std::span(path).subspan(from, to - from));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(RepairCommand, grindRepairGrindOfTheDefaultBliskEndsClean) {
+  ASSERT_EQ(run("grind --no-pictures --out first").exit_code, 1);
+  cut("first/path.csv", 222, 242, "part.csv");
+  ASSERT_EQ(run("grind --path part.csv --no-pictures --out before").exit_code, 1);
+  EXPECT_GE(interfering("before").size(), 4u);
+  const Outcome repaired = run("repair --path part.csv --out repaired");
+  EXPECT_EQ(repaired.exit_code, 0) << repaired.out << repaired.error;
+  EXPECT_EQ(repaired.error, "");
+  EXPECT_THAT(repaired.out, HasSubstr("20 poses, ground blade 1 of 24"));
+  EXPECT_TRUE(left("repaired").empty());
+  const Outcome after = run("grind --path repaired/path.csv --ground-blade 1 --no-pictures --out after");
+  EXPECT_EQ(after.exit_code, 0) << after.out;
+  EXPECT_EQ(readPoses(file("repaired/path.csv")).size(), 20u);
+  EXPECT_THAT(contentOf(file("repaired/changes.csv")), HasSubstr("belt too deep in blade 1"));
+
+  // What is free already stays as it is.
+  const Outcome again = run("repair --path repaired/path.csv --ground-blade 1 --out again");
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.out, HasSubstr(": 0 interfered, 0 and 0 moves between free poses are left"));
+  EXPECT_THAT(again.out, ::testing::Not(HasSubstr("Changed:")));
+}
+
+TEST_F(RepairCommand, ofAShroudedBliskNamesWhatIsLeftAsGrindDoes) {
+  ASSERT_EQ(run("make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
+  ASSERT_EQ(run("grind --blisk s.ply --no-pictures --out first").exit_code, 1);
+  cut("first/path.csv", 14, 30, "part.csv");
+  const Outcome repaired =
+      run("repair --blisk s.ply --ground-blade 1 --path part.csv --tilt 8 --slide 4 "
+          "--retract 4 --out repaired");
+  ASSERT_LE(repaired.exit_code, 1) << repaired.error;
+  ASSERT_LE(run("grind --blisk s.ply --ground-blade 1 --path repaired/path.csv --no-pictures --out after")
+                .exit_code,
+            1);
+  EXPECT_EQ(left("repaired"), interfering("after"));
+  EXPECT_FALSE(left("repaired").empty()) << "the arm cannot go through a shroud";
+  EXPECT_EQ(repaired.exit_code, 1);
+  EXPECT_THAT(repaired.out, HasSubstr("\nLeft: pose"));
+}
+
+TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
+  folder_.write("short.csv", "x,y,z,qw,qx,qy,qz\n1,2,3\n");
+  folder_.write("path.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n");
+  const std::pair<const char*, const char*> cases[] = {
+      {"--path missing.csv --out run", "missing.csv"},
+      {"--path short.csv --out run", "short.csv:2"},
+      {"--path path.csv --out .", "path.csv: cannot be both read and written"},
+      {"--tilt-grid 5 --out run", "--tilt-grid: is above --tilt-per-pose"},
+      {"--ground-blade 99 --out run", "--ground-blade 99"},
+      {"--tilt 1000 --tilt-grid 0.01 --out run", "too many changes"}};
+  for (const auto& [arguments, named] : cases) {
+    const Outcome outcome = run("repair " + std::string(arguments));
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: "));
+    EXPECT_THAT(outcome.error, HasSubstr(named));
+    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    EXPECT_FALSE(std::filesystem::exists(file("run")));
+  }
+  for (const char* arguments :
+       {"--tilt -1 --out run", "--retract-grid 0 --out run", "--move-step nan --out run"}) {
+    const Outcome outcome = run("repair " + std::string(arguments));
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.error, StartsWith("--")) << "names the option";
+  }
+  EXPECT_THAT(run("repair --help").out, HasSubstr("changes.csv"));
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
