@@ -19,7 +19,9 @@ TEST(Turn, sineAndCosineAreThoseOfTheCLibrary) {
       const auto [sine, cosine] = sineCosine(angle);
       EXPECT_NEAR(sine, static_cast<double>(sinl(angle)), 4e-16) << angle;
       EXPECT_NEAR(cosine, static_cast<double>(cosl(angle)), 4e-16) << angle;
-      if (size < 1.0) EXPECT_NEAR(sine, angle, 1e-16 * size);
+      if (size < 1.0) {
+        EXPECT_NEAR(sine, angle, 1e-16 * size);
+      }
     }
   }
   // Of a great angle, as far as a double tells it.
