@@ -98,12 +98,11 @@ Closest closestOnSimplex(const Simplex& simplex) {
 }
 
 void keepOnly(Simplex& simplex, const Closest& closest) {
-  Simplex kept;
-  for (int c = 0; c < closest.count; ++c) {
-    kept.point[static_cast<std::size_t>(kept.count++)] =
-        simplex.point[static_cast<std::size_t>(closest.corner[static_cast<std::size_t>(c)])];
-  }
-  simplex = kept;
+  std::array<SupportPoint, 3> kept;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(closest.count); ++c)
+    kept[c] = simplex.point[static_cast<std::size_t>(closest.corner[c])];
+  std::copy_n(kept.begin(), closest.count, simplex.point.begin());
+  simplex.count = closest.count;
 }
 
 }  // namespace
@@ -142,17 +141,17 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
       return result;
     }
     if (squared - bound <= rounding * std::sqrt(squared)) break;
-    Simplex grown = simplex;
-    grown.point[static_cast<std::size_t>(grown.count++)] = next;
-    const Closest step = closestOnSimplex(grown);
+    simplex.point[static_cast<std::size_t>(simplex.count++)] = next;
+    const Closest step = closestOnSimplex(simplex);
     if (step.count == 4) {
-      simplex = grown;
       result.overlap = true;
       break;
     }
-    if (step.point.squaredNorm() >= squared) break;  // rounding: no progress any more
-    keepOnly(grown, step);
-    simplex = grown;
+    if (step.point.squaredNorm() >= squared) {  // rounding: no progress any more
+      --simplex.count;
+      break;
+    }
+    keepOnly(simplex, step);
     closest = step;
     for (int c = 0; c < closest.count; ++c) closest.corner[static_cast<std::size_t>(c)] = c;
   }
