@@ -59,7 +59,7 @@ BladeAnatomy anatomyOf(const BladeContours& contours) {
   }
   blade.camber /= cambers;
   const double angle = angleOf(blade.leading.back());
-  constexpr double kRounding = 1e-9;  // lest angle 0 becomes a whole turn
+  constexpr double kRounding = 1e-6;  // of the file: lest angle 0 becomes a whole turn
   blade.angle = angle < -kRounding ? angle + kWholeTurn : std::max(0.0, angle);
   return blade;
 }
