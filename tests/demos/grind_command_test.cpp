@@ -297,20 +297,21 @@ TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
   for (std::size_t pose = 0; pose < own.size(); ++pose) {
     intended += own[pose].at("verdict") == "intended contact";
     differ += own[pose].at("verdict") != built_in[pose].at("verdict");
-    if (own[pose].at("verdict") == "intended contact") EXPECT_EQ(own[pose].at("part"), "belt contact side");
+    if (own[pose].at("verdict") != "intended contact") continue;
+    EXPECT_EQ(own[pose].at("part"), "belt contact side");
   }
   EXPECT_GT(intended, own.size() / 4);
   EXPECT_LT(differ, own.size() / 5) << "but where margins differ";
 
   // An edited table: the belt may touch nothing.
   std::string edited = contentOf(file("tool/tool.json"));
-  edited.replace(edited.find("\"ground\""), 8, "2");
+  edited.replace(edited.find("\"ground\""), 8, std::string("2"));
   folder_.write("tool/edited.json", edited);
   ASSERT_EQ(run("--tool tool/edited.json --poses-only --no-pictures --out edited").exit_code, 1);
   EXPECT_EQ(nlohmann::json::parse(contentOf(file("edited/summary.json")))["poses"]["intended_contact"], 0);
   EXPECT_THAT(run("--tool tool/edited.json --ground-blade 3 --out edited").error,
               HasSubstr("no part may touch it"));
-  edited.replace(edited.find("\"blade\": 2"), 10, "\"blade\": 99");
+  edited.replace(edited.find("\"blade\": 2"), 10, std::string("\"blade\": 99"));
   folder_.write("tool/edited.json", edited);
   EXPECT_THAT(run("--tool tool/edited.json --out edited").error, HasSubstr("blade 99: the blisk has 24"));
 }
