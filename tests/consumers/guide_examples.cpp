@@ -91,7 +91,7 @@ void runUnits() {
 }
 
 void runHowItWorks() {
-  const auto mesh = std::make_shared<const octoblisk::TriangleMesh>(meshOf(64, 1, btScalar(0.2)));
+  const auto mesh = std::make_shared<const octoblisk::TriangleMesh>(meshOf(128, 1, btScalar(0.2)));
   const auto tree = octoblisk::ClusteredOctree::build(mesh);
   expect(isNear(volumeLeft(tree, 0), 1, 1e-6), "how-it-works: the root's box is all");
   expect(volumeLeft(tree, 1) < 0.9 && volumeLeft(tree, 64) < volumeLeft(tree, 1),

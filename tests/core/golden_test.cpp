@@ -46,7 +46,7 @@ const std::vector<Golden> kGolden = {
     {"collide with a soup", 0x60f3a3c57a5449bbu},
     {"contacts", 0xb844e809c9adfbfau},
     {"contacts with a soup", 0xd20a55c5069f0fd8u},
-    {"contacts of convex bodies", 0xec73aca49ae3db7fu},
+    {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
     {"distance", 0x46ec8a306b220886u},
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},

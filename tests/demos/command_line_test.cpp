@@ -22,9 +22,12 @@ TEST_F(CommandLine, AnUnknownSubcommandIsNamedWithTheNearest) {
     return outcome.error;
   };
   EXPECT_EQ(refusal("chek --fixed a"),
-            "octoblisk: 'chek' is no subcommand; did you mean 'check'? There are: grind, make, check, merge, paper\n");
+            "octoblisk: 'chek' is no subcommand; did you mean 'check'? There are: grind, blades, path, "
+            "access, repair, make, check, merge, paper\n");
   EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
-  EXPECT_EQ(refusal("polish"), "octoblisk: 'polish' is no subcommand; there are: grind, make, check, merge, paper\n");
+  EXPECT_EQ(refusal("polish"),
+            "octoblisk: 'polish' is no subcommand; there are: grind, blades, path, access, repair, make, "
+            "check, merge, paper\n");
 }
 
 TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {
