@@ -34,7 +34,7 @@ struct FreeRange {
 
 /// How often a part is in the way of a blade; of several kinds of being so, the first found.
 struct ObstacleCount {
-  Obstacle obstacle;
+  Hindrance obstacle;
   std::size_t times = 0;
 };
 

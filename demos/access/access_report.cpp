@@ -89,7 +89,7 @@ double halfSpacing(std::span<const ContactSite> sites) {
 
 }  // namespace
 
-std::string describe(const Obstacle& obstacle, std::span<const ToolPart> parts) {
+std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts) {
   const std::string& part = parts[obstacle.part].name;
   const std::string blade = "blade " + std::to_string(obstacle.blade);
   if (obstacle.is_inside) return part + " wholly inside";
@@ -132,7 +132,7 @@ void writePoints(const AccessRun& run, const std::filesystem::path& file) {
     if (access.in_the_way.empty()) {
       stream << ",,\n";
     } else {
-      const Obstacle& most = access.in_the_way.front().obstacle;
+      const Hindrance& most = access.in_the_way.front().obstacle;
       stream << ',' << run.parts[most.part].name << ',' << most.blade << '\n';
     }
   }

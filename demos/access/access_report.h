@@ -12,7 +12,7 @@
 namespace octoblisk::demos {
 
 /// "belt on blade 2", "arm on hub or shroud", "belt too deep in blade 1", "arm wholly inside".
-std::string describe(const Obstacle& obstacle, std::span<const ToolPart> parts);
+std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts);
 
 /// A finished map, as the reports need it.
 struct AccessRun {

@@ -138,19 +138,19 @@ PoseState PoseJudge::stateAt(const Pose& pose, Trail& trail, Worker& worker) con
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (touching && part == rules_.grinding_part) continue;
     if (!isNested(part, pose)) continue;
-    state.obstacle = Obstacle{part, 0, false, true};
+    state.obstacle = Hindrance{part, 0, false, true};
     return state;
   }
   if (!touching) return state;
   state.grinds = true;
   if (isTooDeep(pose, touching->b, trail, worker)) {
-    state.obstacle = Obstacle{rules_.grinding_part, rules_.ground_blade, true, false};
+    state.obstacle = Hindrance{rules_.grinding_part, rules_.ground_blade, true, false};
   }
   return state;
 }
 
 /// A touch that no part may have, or a clearance below the margin.
-std::optional<Obstacle> PoseJudge::hitBy(std::size_t part, const Pose& pose, Trail& trail) const {
+std::optional<Hindrance> PoseJudge::hitBy(std::size_t part, const Pose& pose, Trail& trail) const {
   if (!trail.queries[part]) return std::nullopt;
   std::uint32_t triangle = kNoTriangle;
   if (rules_.margin > 0.0) {
@@ -160,7 +160,7 @@ std::optional<Obstacle> PoseJudge::hitBy(std::size_t part, const Pose& pose, Tra
     triangle = pair->a;
   }
   if (triangle == kNoTriangle) return std::nullopt;
-  return Obstacle{part, blade_of_triangle_[numberInBlisk(part, triangle)], false, false};
+  return Hindrance{part, blade_of_triangle_[numberInBlisk(part, triangle)], false, false};
 }
 
 /// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse.

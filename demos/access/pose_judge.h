@@ -21,7 +21,7 @@ struct ReachRules {
 };
 
 /// What is in the way of a pose.
-struct Obstacle {
+struct Hindrance {
   std::size_t part = 0;    ///< of the tool
   int blade = 0;           ///< 0: hub or shroud
   bool too_deep = false;   ///< the belt in the blade that it grinds
@@ -29,8 +29,8 @@ struct Obstacle {
 };
 
 struct PoseState {
-  std::optional<Obstacle> obstacle;  ///< none: the pose is free
-  bool grinds = false;               ///< a free pose's belt touches the blade that it grinds
+  std::optional<Hindrance> obstacle;  ///< none: the pose is free
+  bool grinds = false;                ///< a free pose's belt touches the blade that it grinds
 };
 
 /// The blisk, parted into the ground blade and the rest, and the tool. A pose is free where no part touches
@@ -69,7 +69,7 @@ class PoseJudge {
   struct Worker;  // a thread's memory
 
   PoseState stateAt(const Pose& pose, Trail& trail, Worker& worker) const;
-  std::optional<Obstacle> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
+  std::optional<Hindrance> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
   bool isNested(std::size_t part, const Pose& pose) const;
   bool isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Trail& trail, Worker& worker) const;
   bool partsWhenLifted(const Pose& pose) const;

@@ -22,7 +22,7 @@ std::vector<Pose> posesBetween(const Move& move, double rim, double step) {
   return poses;
 }
 
-std::optional<Obstacle> sweptInto(const PoseJudge& judge, const Move& move, double clearance) {
+std::optional<Hindrance> sweptInto(const PoseJudge& judge, const Move& move, double clearance) {
   const Motion motion(move.from, move.to);
   for (std::size_t part = 0; part < judge.parts().size(); ++part) {
     const ClusteredOctree* forbidden = judge.forbiddenTo(part);
@@ -31,15 +31,15 @@ std::optional<Obstacle> sweptInto(const PoseJudge& judge, const Move& move, doub
     if (!impact) continue;
     const std::uint32_t triangle = impact->clearance.triangle_a;
     const int blade = triangle == kNoTriangle ? 0 : judge.bladeOf(judge.numberInBlisk(part, triangle));
-    return Obstacle{part, blade, false, false};
+    return Hindrance{part, blade, false, false};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<std::optional<Obstacle>> checkMoves(PoseJudge& judge, std::span<const Move> moves,
-                                                const MoveCheckOptions& options) {
+std::vector<std::optional<Hindrance>> checkMoves(PoseJudge& judge, std::span<const Move> moves,
+                                                 const MoveCheckOptions& options) {
   const Aabb& belt = judge.parts()[judge.rules().grinding_part].tree->mesh().bounds();
   const double rim = std::max(kLeastRim, -belt.min.x());
   std::vector<Pose> between;
@@ -50,7 +50,7 @@ std::vector<std::optional<Obstacle>> checkMoves(PoseJudge& judge, std::span<cons
       move_of.push_back(m);
     }
   }
-  std::vector<std::optional<Obstacle>> found(moves.size());
+  std::vector<std::optional<Hindrance>> found(moves.size());
   const std::vector<PoseState> states = judge.judge(between);
   for (std::size_t k = 0; k < states.size(); ++k) {
     if (states[k].obstacle && !found[move_of[k]]) found[move_of[k]] = states[k].obstacle;

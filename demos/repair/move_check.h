@@ -25,7 +25,7 @@ struct MoveCheckOptions {
 /// grinds touches all the way: poses between are judged instead, so close to each other that the contact
 /// wheel's centre goes, and its rim turns, by no more than the step together. The ends themselves are not
 /// judged.
-std::vector<std::optional<Obstacle>> checkMoves(PoseJudge& judge, std::span<const Move> moves,
-                                                const MoveCheckOptions& options);
+std::vector<std::optional<Hindrance>> checkMoves(PoseJudge& judge, std::span<const Move> moves,
+                                                 const MoveCheckOptions& options);
 
 }  // namespace octoblisk::demos

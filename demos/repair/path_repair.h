@@ -20,9 +20,9 @@ struct RepairOptions {
 
 struct PoseRepair {
   Change change;
-  PoseState before, after;       ///< of the path's own pose, and of the repaired one
-  std::optional<Obstacle> move;  ///< what is in the way of the move from the pose before
-  std::size_t asked = 0;         ///< changes that were judged
+  PoseState before, after;        ///< of the path's own pose, and of the repaired one
+  std::optional<Hindrance> move;  ///< what is in the way of the move from the pose before
+  std::size_t asked = 0;          ///< changes that were judged
 };
 
 struct PathRepair {

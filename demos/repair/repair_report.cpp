@@ -14,7 +14,7 @@ std::string stateText(const PoseState& state) {
   return state.grinds ? "grinds" : "free";
 }
 
-std::string obstacleText(const std::optional<Obstacle>& obstacle, std::span<const ToolPart> parts) {
+std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<const ToolPart> parts) {
   return obstacle ? describe(*obstacle, parts) : std::string();
 }
 
