@@ -189,6 +189,7 @@ void write(const char* path, const std::vector<Row>& rows) {
 }
 
 int run(int argc, char** argv) {
+  if (argc > 1 && argv[1][0] == '-') throw std::runtime_error("usage: broadphase_gain [rows] [blisk file...]");
   std::vector<Row> rows;
   const auto report = [&](const GrindingScene& scene) {
     addRanges(scene, rows);
