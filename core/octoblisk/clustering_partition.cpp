@@ -75,7 +75,7 @@ class Sorter {
  private:
   std::size_t cluster_count_;
   std::array<Eight, 6> normals_ = {Eight::Zero(), Eight::Zero(), Eight::Zero(),
-                                    Eight::Zero(), Eight::Zero(), Eight::Zero()};
+                                   Eight::Zero(), Eight::Zero(), Eight::Zero()};
   Eight offsets_ = Eight::Zero();
   std::array<std::uint8_t, 1u << (kLanes - 1)> clusters_;
 };

@@ -1,7 +1,6 @@
 #include "octoblisk/surface_contacts.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 #include "octoblisk/triangle_feature.h"
@@ -9,18 +8,28 @@
 namespace octoblisk {
 namespace {
 
-std::uint64_t hashOf(std::uint32_t triangle, const Vec3& position) {
-  std::uint64_t hash = triangle;
-  for (const double x : position) {
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15u;  // -0 is 0
-    hash ^= hash >> 32;
-  }
-  return hash;
+/// The same for the same position; for others hardly ever.
+double keyOf(const Vec3& position) {
+  return position.dot(Vec3(1.0, 0.61803398874989485, 0.41421356237309505));
 }
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
   while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
   return contact;
+}
+
+/// Sorts the contacts by one of their triangles and calls visit(contacts) for those of each.
+template <typename Visit>
+void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
+                  std::vector<std::uint32_t>& order, Visit&& visit) {
+  const auto triangleOf = [&](std::uint32_t c) { return contacts[c].*triangle; };
+  if (!std::ranges::is_sorted(order, {}, triangleOf)) std::ranges::sort(order, {}, triangleOf);
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(first, order.end(),
+                                   [&](std::uint32_t c) { return triangleOf(c) != triangleOf(*first); });
+    visit(std::span<const std::uint32_t>(first, last));
+    first = last;
+  }
 }
 
 }  // namespace
@@ -30,8 +39,10 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   removed_.assign(contacts.size(), kKept);
   join(contacts);
   markPast(contacts);
-  markInner(contacts, true);
-  markInner(contacts, false);
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
+               [&](Members opposite_one) { markInner(contacts, opposite_one, true); });
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
+               [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
   keepDeepest(contacts);
   std::size_t kept = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -42,31 +53,31 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
 
 /// Groups those that hang together by triangles. The root of a group is its deepest.
 void SurfaceContacts::join(const std::vector<Contact>& contacts) {
-  order_.resize(contacts.size());
-  parent_.resize(contacts.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::iota(parent_.begin(), parent_.end(), 0u);
-  for (const auto triangle : {&Contact::triangle_a, &Contact::triangle_b}) {
-    std::ranges::sort(order_, {}, [&](std::uint32_t c) { return contacts[c].*triangle; });
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-      if (contacts[order_[i]].*triangle != contacts[order_[i - 1]].*triangle) continue;
-      std::uint32_t a = rootOf(parent_, order_[i - 1]), b = rootOf(parent_, order_[i]);
+  for (auto* indices : {&parent_, &by_a_, &by_b_}) {
+    indices->resize(contacts.size());
+    std::iota(indices->begin(), indices->end(), 0u);
+  }
+  const auto joinAll = [&](Members of_one) {
+    for (const std::uint32_t c : of_one.subspan(1)) {
+      std::uint32_t a = rootOf(parent_, of_one.front()), b = rootOf(parent_, c);
       if (contacts[b].distance < contacts[a].distance) std::swap(a, b);
       parent_[b] = a;
     }
-  }
+  };
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_, joinAll);
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_, joinAll);
 }
 
 /// Gives its deepest contact back to a group of which all were removed, and the deepest of all.
 void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
   removed_[static_cast<std::size_t>(deepest)] = kKept;
-  order_.assign(parent_.size(), 0);  // of a root: whether something of its group stays
+  stays_.assign(parent_.size(), false);
   for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (removed_[c] == kKept) order_[rootOf(parent_, c)] = 1;
+    if (removed_[c] == kKept) stays_[rootOf(parent_, c)] = true;
   }
   for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (parent_[c] == c && order_[c] == 0) removed_[c] = kKept;
+    if (parent_[c] == c && !stays_[c]) removed_[c] = kKept;
   }
 }
 
@@ -85,39 +96,36 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   }
 }
 
-/// Those askew at a feature of one body's triangle beyond which another, in contact with the same triangle of
-/// the other body, leans towards it.
-void SurfaceContacts::markInner(const std::vector<Contact>& contacts, bool of_a) {
+/// Of the contacts with one triangle of the other body, those askew at a feature of this body's triangle
+/// beyond which another of them leans towards the other body.
+void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  if (opposite_one.size() < 2) return;
   const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
-  const auto oppositeOf = [&](std::uint32_t c) {
-    return of_a ? contacts[c].triangle_b : contacts[c].triangle_a;
-  };
   const auto has = [](const Triangle& triangle, const Vec3& corner) {
     return std::ranges::find(triangle, corner) != triangle.end();
   };
   corners_.clear();
-  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    for (const Vec3& corner : ownOf(c)) corners_.push_back({hashOf(oppositeOf(c), corner), c});
-  }
-  std::ranges::sort(corners_);
-
-  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+  for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
     const Triangle& own = ownOf(c);
+    if (removed_[c] != kKept || isSquare(own, contact.normal)) continue;
     const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
-    if (removed_[c] != kKept || feature == 0b111u || feature == 0 || isSquare(own, contact.normal)) continue;
+    if (feature == 0b111u || feature == 0) continue;
+    if (corners_.empty()) {
+      for (const std::uint32_t o : opposite_one) {
+        for (const Vec3& corner : ownOf(o)) corners_.push_back({keyOf(corner), o});
+      }
+      std::ranges::sort(corners_, {}, &Corner::key);
+    }
     const auto [first, second] = endsOf(feature);
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
-    const std::uint64_t hash = hashOf(oppositeOf(c), own[first]);
-    for (auto corner = std::ranges::lower_bound(corners_, hash, {}, &Corner::hash);
-         corner != corners_.end() && corner->hash == hash; ++corner) {
-      const std::uint32_t o = corner->contact;
+    for (const auto [key, o] : std::ranges::equal_range(corners_, keyOf(own[first]), {}, &Corner::key)) {
       const Contact& other = contacts[o];
       // What is wholly past the face is deeper than what meets it.
       const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
                                                     : other.distance <= 0.0 || removed_[o] == kPast;
-      if (o == c || !is_nearer || oppositeOf(o) != oppositeOf(c)) continue;
+      if (o == c || !is_nearer) continue;
       const Triangle& shares = ownOf(o);
       if (!has(shares, own[first]) || !has(shares, own[second])) continue;
       if (!leansOver(shares, own[first], own[second], towards)) continue;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "octoblisk/contact.h"
@@ -34,24 +34,25 @@ class SurfaceContacts {
   struct Pair {
     Triangle a, b;
   };
-  /// A corner of a contact's triangle, of one body, opposite a triangle of the other body.
+  /// A corner of a contact's triangle, by a number that its position makes.
   struct Corner {
-    std::uint64_t hash;  // of its position and the triangle opposite
+    double key;
     std::uint32_t contact;
-    auto operator<=>(const Corner&) const = default;
   };
+  using Members = std::span<const std::uint32_t>;
 
   void keepIn(std::vector<Contact>& contacts);
   void join(const std::vector<Contact>& contacts);
   void keepDeepest(const std::vector<Contact>& contacts);
   void markPast(const std::vector<Contact>& contacts);
-  void markInner(const std::vector<Contact>& contacts, bool of_a);
+  void markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
 
   std::vector<Pair> pairs_;  // of each contact
   std::vector<Corner> corners_;
   enum Removed : std::uint8_t { kKept, kPast, kInner };
   std::vector<Removed> removed_;
-  std::vector<std::uint32_t> order_, parent_;
+  std::vector<std::uint32_t> by_a_, by_b_, parent_;
+  std::vector<bool> stays_;  // of a root: whether something of its group does
 };
 
 }  // namespace octoblisk

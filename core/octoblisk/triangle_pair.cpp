@@ -99,15 +99,71 @@ bool allOnOneSide(const std::array<int, 3>& side) {
 /// Unit length to the last bit, however small the vector's components.
 Vec3 unit(const Vec3& vector) { return vector.stableNormalized().normalized(); }
 
-/// The foot of `point` on the plane of t, where it lies within t.
-std::optional<Vec3> footInside(const Vec3& point, const Triangle& t) {
-  const Vec3 normal = scaledNormal(t);
-  const double squared = normal.squaredNorm();
-  if (!(squared > 0.0)) return std::nullopt;
-  for (int i = 0; i < 3; ++i) {
-    if (normal.cross(t[(i + 1) % 3] - t[i]).dot(point - t[i]) < 0.0) return std::nullopt;
+/// A triangle with what heights over it need.
+struct Face {
+  const Triangle& corner;
+  Vec3 normal;  ///< outward, of twice the triangle's area
+  double squared_normal;
+  std::array<Vec3, 3> inward;  ///< from each edge, in the triangle's plane
+
+  explicit Face(const Triangle& t)
+      : corner(t), normal(scaledNormal(t)), squared_normal(normal.squaredNorm()) {
+    for (std::size_t i = 0; i < 3; ++i) inward[i] = normal.cross(t[(i + 1) % 3] - t[i]);
   }
-  return point - normal * (normal.dot(point - t[0]) / squared);
+
+  /// Over the plane, times the normal's length.
+  double height(const Vec3& point) const { return normal.dot(point - corner[0]); }
+  /// Whether a point is in the prism over the triangle.
+  bool isBelow(const Vec3& point) const {
+    return inward[0].dot(point - corner[0]) >= 0.0 && inward[1].dot(point - corner[1]) >= 0.0 &&
+           inward[2].dot(point - corner[2]) >= 0.0;
+  }
+  Vec3 foot(const Vec3& point) const { return point - normal * (height(point) / squared_normal); }
+  double longestSquared() const {
+    return std::max({(corner[1] - corner[0]).squaredNorm(), (corner[2] - corner[1]).squaredNorm(),
+                     (corner[0] - corner[2]).squaredNorm()});
+  }
+};
+
+/// The corner of `other` that is nearest to the face, where that is plain: no corner is on the other side,
+/// that one is over the face, and the face is not thin.
+std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
+  constexpr double kWide = 1e-4;  // of sin²: the normal is right to some units in the last place
+  const double longest = face.longestSquared();
+  if (!(face.squared_normal > kWide * longest * longest)) return std::nullopt;
+  const std::array<double, 3> height = {face.height(other[0]), face.height(other[1]), face.height(other[2])};
+  const auto [least, most] = std::ranges::minmax_element(height);
+  if (!(*least > 0.0) && !(*most < 0.0)) return std::nullopt;
+  const Vec3& nearest = other[static_cast<std::size_t>((*least > 0.0 ? least : most) - height.begin())];
+  return face.isBelow(nearest) ? std::optional(nearest) : std::nullopt;
+}
+
+/// The closest points of two triangles that do not meet.
+PointPair closestPair(const Triangle& a, const Triangle& b) {
+  PointPair best;
+  const Face face_a(a), face_b(b);
+  if (const std::optional<Vec3> corner = nearestOver(face_a, b)) {
+    keepCloser(best, face_a.foot(*corner), *corner);
+    return best;
+  }
+  if (const std::optional<Vec3> corner = nearestOver(face_b, a)) {
+    keepCloser(best, *corner, face_b.foot(*corner));
+    return best;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double before = best.squared_distance;
+      closestOnSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
+      if (!(best.squared_distance < before)) continue;
+      // Two planes square to the way between them part all of a from all of b: nothing is nearer.
+      const Vec3 way = best.on_b - best.on_a;
+      if (way.dot(a[(i + 2) % 3] - best.on_a) <= 0.0 && way.dot(b[(j + 2) % 3] - best.on_b) >= 0.0)
+        return best;
+    }
+    if (face_b.squared_normal > 0.0 && face_b.isBelow(a[i])) keepCloser(best, a[i], face_b.foot(a[i]));
+    if (face_a.squared_normal > 0.0 && face_a.isBelow(b[i])) keepCloser(best, face_a.foot(b[i]), b[i]);
+  }
+  return best;
 }
 
 /// A triangle clipped by the prism over another: at most six corners, were it not for rounding, by which an
@@ -122,44 +178,48 @@ struct Polygon {
   }
 };
 
-Polygon clip(const Polygon& polygon, const Vec3& inward, const Vec3& on_plane) {
-  Polygon kept;
-  for (int i = 0; i < polygon.count; ++i) {
-    const Vec3 &from = polygon.corner[i], &to = polygon.corner[(i + 1) % polygon.count];
-    const double height_from = inward.dot(from - on_plane), height_to = inward.dot(to - on_plane);
-    if (height_from >= 0.0) kept.add(from);
-    if ((height_from < 0.0) != (height_to < 0.0)) {
-      kept.add(from + (to - from) * (height_from / (height_from - height_to)));
-    }
+void clip(Polygon& polygon, const Vec3& inward, const Vec3& on_plane) {
+  std::array<double, 9> height;
+  bool is_cut = false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+    height[i] = inward.dot(polygon.corner[i] - on_plane);
+    is_cut |= height[i] < 0.0;
   }
-  return kept;
+  if (!is_cut) return;
+  const Polygon whole = polygon;
+  polygon.count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(whole.count); ++i) {
+    const std::size_t next = i + 1 < static_cast<std::size_t>(whole.count) ? i + 1 : 0;
+    const Vec3 &from = whole.corner[i], &to = whole.corner[next];
+    if (height[i] >= 0.0) polygon.add(from);
+    if ((height[i] < 0.0) != (height[next] < 0.0))
+      polygon.add(from + (to - from) * (height[i] / (height[i] - height[next])));
+  }
 }
 
-/// How deep `other` reaches below `face` within the prism over it.
+/// How deep a triangle reaches below `face` within the prism over it.
 struct Penetration {
   double depth;
-  Vec3 deepest;  ///< on other
-  Vec3 normal;   ///< unit, outward of face
+  Vec3 deepest;  ///< on the triangle
 };
 
 /// None where the face is degenerate, or so thin that its normal is all rounding.
-std::optional<Penetration> penetration(const Triangle& face, const Triangle& other) {
-  const Vec3 scaled = scaledNormal(face);
-  const double longest = std::max({(face[1] - face[0]).squaredNorm(), (face[2] - face[1]).squaredNorm(),
-                                   (face[0] - face[2]).squaredNorm()});
-  if (!(scaled.norm() > kThin * longest)) return std::nullopt;
-  const Vec3 normal = unit(scaled);
+std::optional<Penetration> penetration(const Face& face, const Triangle& other) {
+  const double longest = face.longestSquared();
+  if (!(face.squared_normal > kThin * kThin * longest * longest)) return std::nullopt;
+  const auto heightOf = [&](const Vec3& point) { return face.height(point); };
+  const auto below = [&](const Vec3& deepest) {
+    return Penetration{std::max(0.0, -heightOf(deepest) / std::sqrt(face.squared_normal)), deepest};
+  };
+  const Vec3& lowest = *std::ranges::min_element(other, {}, heightOf);
+  if (face.isBelow(lowest)) return below(lowest);
   Polygon polygon;
   for (const Vec3& corner : other) polygon.add(corner);
-  for (int i = 0; i < 3 && polygon.count > 0; ++i) {
-    polygon = clip(polygon, scaled.cross(face[(i + 1) % 3] - face[i]), face[i]);
-  }
+  for (std::size_t i = 0; i < 3 && polygon.count > 0; ++i) clip(polygon, face.inward[i], face.corner[i]);
   // The two meet: where rounding leaves nothing over the face, they do so at its rim.
-  if (polygon.count == 0) return Penetration{0.0, closestPoints(face, other).point_on_b, normal};
-  const auto depthOf = [&](const Vec3& point) { return -normal.dot(point - face[0]); };
+  if (polygon.count == 0) return Penetration{0.0, closestPair(face.corner, other).on_b};
   const std::span<const Vec3> corners(polygon.corner.data(), static_cast<std::size_t>(polygon.count));
-  const Vec3 deepest = *std::ranges::max_element(corners, {}, depthOf);
-  return Penetration{std::max(0.0, depthOf(deepest)), deepest, normal};
+  return below(*std::ranges::min_element(corners, {}, heightOf));
 }
 
 }  // namespace
@@ -179,12 +239,7 @@ bool intersects(const Triangle& a, const Triangle& b) {
 }
 
 Contact closestPoints(const Triangle& a, const Triangle& b) {
-  PointPair best;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) closestOnSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
-    if (const std::optional<Vec3> foot = footInside(a[i], b)) keepCloser(best, a[i], *foot);
-    if (const std::optional<Vec3> foot = footInside(b[i], a)) keepCloser(best, *foot, b[i]);
-  }
+  const PointPair best = closestPair(a, b);
   const double distance = std::sqrt(best.squared_distance);
   Vec3 normal = best.on_a - best.on_b;
   if (!(distance > 0.0)) normal = scaledNormal(b);
@@ -201,18 +256,21 @@ Contact contactOf(const Triangle& a, const Triangle& b) {
 }
 
 Contact meetingContact(const Triangle& a, const Triangle& b) {
-  const std::optional<Penetration> below_a = penetration(a, b), below_b = penetration(b, a);
+  const Face face_a(a), face_b(b);
+  const std::optional<Penetration> below_a = penetration(face_a, b), below_b = penetration(face_b, a);
   if (below_a && (!below_b || below_a->depth <= below_b->depth)) {
-    return {below_a->deepest + below_a->depth * below_a->normal,
+    const Vec3 outward = unit(face_a.normal);
+    return {below_a->deepest + below_a->depth * outward,
             below_a->deepest,
-            -below_a->normal,
+            -outward,
             -below_a->depth,
             kNoTriangle,
             kNoTriangle};
   }
   if (below_b) {
-    return {below_b->deepest, below_b->deepest + below_b->depth * below_b->normal,
-            below_b->normal,  -below_b->depth,
+    const Vec3 outward = unit(face_b.normal);
+    return {below_b->deepest, below_b->deepest + below_b->depth * outward,
+            outward,          -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
   // Two degenerate triangles: where they meet is known to their width.
