@@ -32,11 +32,30 @@ if(OCTOBLISK_BUILD_PLUGIN)
   octoblisk_install(octoblisk-bullet-float64 "An exact, movable concave collision shape for Bullet in double precision"
     "octoblisk-core bullet-float64" "")
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
-  DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/liboctoblisk-dev RENAME copyright COMPONENT development)
+
+# octoblisk_pack(FILE NAME): FILE as NAME.gz in the build folder, the same bytes whenever it is made.
+function(octoblisk_pack file name)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(ARCHIVE_CREATE OUTPUT ${PROJECT_BINARY_DIR}/${name}.gz PATHS ${file} FORMAT raw
+    COMPRESSION GZip COMPRESSION_LEVEL 9 MTIME "1970-01-01 00:00:00 UTC")
+endfunction()
+octoblisk_pack(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog)
+
+# octoblisk_install_documents(COMPONENT PACKAGE): what Debian wants of every package.
+function(octoblisk_install_documents component package)
+  set(folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/${package})
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} COMPONENT ${component})
+endfunction()
+octoblisk_install_documents(development liboctoblisk-dev)
+if(BUILD_SHARED_LIBS)
+  octoblisk_install_documents(libraries liboctoblisk${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()
 if(OCTOBLISK_BUILD_DEMOS)
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
-    DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/octoblisk RENAME copyright COMPONENT command)
+  octoblisk_install_documents(command octoblisk)
+  configure_file(${PROJECT_SOURCE_DIR}/demos/octoblisk.1.in ${PROJECT_BINARY_DIR}/octoblisk.1 @ONLY)
+  octoblisk_pack(${PROJECT_BINARY_DIR}/octoblisk.1 octoblisk.1)
+  install(FILES ${PROJECT_BINARY_DIR}/octoblisk.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
   if(BUILD_SHARED_LIBS)
     set_target_properties(octoblisk PROPERTIES INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
   endif()

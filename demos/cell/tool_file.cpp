@@ -97,8 +97,11 @@ ToolFilePart partOf(const Item& item, const std::filesystem::path& folder) {
   item.requireObject({"name", "mesh", "max_depth_mm"});
   ToolFilePart part{nameOfPart(item.at("name")), {}, {}};
   const Item mesh = item.at("mesh");
-  if (mesh.text().empty()) mesh.refuse("the name is empty");
-  part.mesh = folder / mesh.text();
+  const std::string name = mesh.text();
+  if (name.empty()) mesh.refuse("the name is empty");
+  const auto is_control = [](char letter) { return (letter >= 0 && letter < ' ') || letter == 0x7f; };
+  if (std::ranges::any_of(name, is_control)) mesh.refuse("a file's name must be without control characters");
+  part.mesh = folder / name;
   std::error_code ignored;
   if (!std::filesystem::exists(part.mesh, ignored)) mesh.refuse(part.mesh.string() + ": no such file");
   if (const auto depth = item.find("max_depth_mm")) part.max_depth = depth->number(0.0, kMaxLength);

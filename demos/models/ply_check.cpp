@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -49,6 +50,8 @@ PlyType plyType(std::string_view name, const TextReader& text) {
   text.fail(inQuotes(name) + " is no PLY type");
 }
 
+bool isCount(double number) { return number >= 0 && number == std::floor(number); }
+
 /// Reads the header and leaves the reader at the body's begin.
 PlyHeader readPlyHeader(TextReader& text) {
   if (text.word() != "ply") text.fail("a PLY file begins with 'ply'");
@@ -59,7 +62,9 @@ PlyHeader readPlyHeader(TextReader& text) {
       header.format = text.word();
     } else if (word == "element") {
       const std::string name(text.word());
-      header.elements.push_back({name, text.number(), {}});
+      const double count = text.number();
+      if (!isCount(count)) text.fail("the number of elements must be a whole number from 0");
+      header.elements.push_back({name, count, {}});
     } else if (word == "property") {
       if (header.elements.empty()) text.fail("a property before any element");
       PlyProperty property;
@@ -167,6 +172,7 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
     for (double k = 0; k < element.count; ++k) {
       for (const PlyProperty& property : element.properties) {
         const double values = property.is_list ? reader.number(property.count_type) : 1;
+        if (!isCount(values)) reader.fail("the length of a list must be a whole number from 0");
         const bool is_index = property.name == "vertex_indices" || property.name == "vertex_index";
         for (double v = 0; v < values; ++v) {
           const double value = reader.number(property.type);
@@ -187,6 +193,11 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
 void checkPly(std::string_view bytes, const std::string& file) {
   TextReader text(bytes, file);
   const PlyHeader header = readPlyHeader(text);
+  for (const PlyElement& element : header.elements) {
+    if (element.count <= static_cast<double>(bytes.size())) continue;  // one takes a byte at least
+    throw std::runtime_error(file + ": the file is truncated: its header announces more than its " +
+                             std::to_string(bytes.size()) + " bytes");
+  }
   if (header.format == "ascii") {
     AsciiReader reader(text);
     checkPlyBody(header, reader);

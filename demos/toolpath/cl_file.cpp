@@ -311,8 +311,11 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& bli
     const Vec3& tool_axis = file.moves[k].tool_axis;
     Vec3& axis = second_axes[k];
     if (is_told[k]) return;
-    if (axis.isZero()) axis = (before - before.dot(tool_axis) * tool_axis).normalized();
-    if (axis.isZero()) axis = tool_axis.unitOrthogonal();
+    if (axis.isZero()) {
+      constexpr double kLeastSine = 1e-6;  // less is lost to rounding
+      const Vec3 square = before - before.dot(tool_axis) * tool_axis;
+      axis = square.norm() > kLeastSine ? square.normalized() : tool_axis.unitOrthogonal();
+    }
     if (axis.dot(before) < 0.0) axis = -axis;
   };
   follow(nearest, second_axes[nearest]);

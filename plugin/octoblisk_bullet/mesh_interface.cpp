@@ -20,6 +20,16 @@ class LockedPart {
   LockedPart(const LockedPart&) = delete;
   LockedPart& operator=(const LockedPart&) = delete;
 
+  void requireUsable() const {
+    const auto require = [&](int count, const unsigned char* data, const char* what) {
+      const std::string number = std::to_string(count);
+      if (count < 0) throw unusable(number + " " + what);
+      if (count > 0 && !data) throw unusable("a null pointer to its " + number + " " + what);
+    };
+    require(vertex_count, vertices_, "vertices");
+    require(triangle_count, indices_, "triangles");
+  }
+
   Vec3 vertex(int v) const {
     const unsigned char* data = vertices_ + static_cast<std::ptrdiff_t>(v) * vertex_stride_;
     switch (vertex_type_) {
@@ -28,7 +38,7 @@ class LockedPart {
       case PHY_DOUBLE:
         return read<double>(data);
       default:
-        throw unsupported("vertex type");
+        throw unusable("an unsupported vertex type");
     }
   }
 
@@ -42,7 +52,7 @@ class LockedPart {
       case PHY_UCHAR:
         return readIndices<std::uint8_t>(data);
       default:
-        throw unsupported("index type");
+        throw unusable("an unsupported index type");
     }
   }
 
@@ -64,9 +74,8 @@ class LockedPart {
     return {corner[0], corner[1], corner[2]};
   }
 
-  std::invalid_argument unsupported(const char* what) const {
-    return std::invalid_argument("part " + std::to_string(part_) +
-                                 " of the mesh interface has an unsupported " + what);
+  std::invalid_argument unusable(const std::string& what) const {
+    return std::invalid_argument("part " + std::to_string(part_) + " of the mesh interface has " + what);
   }
 
   const btStridingMeshInterface& source_;
@@ -85,6 +94,7 @@ InterfaceMesh readMeshInterface(const btStridingMeshInterface& source) {
   std::vector<std::uint32_t> part_begin;
   for (int p = 0; p < source.getNumSubParts(); ++p) {
     const LockedPart part(source, p);
+    part.requireUsable();
     part_begin.push_back(static_cast<std::uint32_t>(triangles.size()));
     const auto first_vertex = static_cast<std::uint32_t>(vertices.size());
     for (int v = 0; v < part.vertex_count; ++v) vertices.push_back(part.vertex(v));

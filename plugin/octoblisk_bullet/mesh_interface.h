@@ -16,7 +16,8 @@ struct InterfaceMesh {
 
 /// Reads any vertex type (float, double), index type (32, 16 or 8 bits), stride and number of parts.
 /// Throws std::invalid_argument that names the part, and the triangle or vertex of the whole, where there are
-/// no triangles, a type is none of these, an index is out of range or a coordinate is not finite.
+/// no triangles, a type is none of these, a count is below 0, a pointer is null, an index is out of range or a
+/// coordinate is not finite.
 InterfaceMesh readMeshInterface(const btStridingMeshInterface& source);
 
 }  // namespace octoblisk

@@ -54,15 +54,10 @@ TEST(InstructionSets, giveTheSameBits) {
        {testing::torus(3, 1, 120, 60), testing::fan(12, 20), testing::soup(random, 5000, 10, 0.3)}) {
     for (const BuildQuality quality : {BuildQuality::standard, BuildQuality::fast}) {
       const Answers best = answers(mesh, quality);
-      std::int64_t left = hwy::SupportedTargets();
-      int tried = 0;
-      while (left != 0) {
-        left &= left - 1;  // the best comes first
-        const testing::OnlyTargets only(left);
-        EXPECT_EQ(answers(mesh, quality), best) << std::hex << left;
-        ++tried;
+      for (const std::int64_t target : testing::compiledTargets()) {
+        const testing::OnlyTargets only(target);
+        EXPECT_EQ(answers(mesh, quality), best) << std::hex << target;
       }
-      EXPECT_GE(tried, 1);
       EXPECT_GT(best.hits, 0u);
     }
   }

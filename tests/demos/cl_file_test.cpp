@@ -240,5 +240,21 @@ TEST_F(ClFileTest, SixNumbersAreCompletedByTheSurface) {
   EXPECT_THAT(messageOf<std::invalid_argument>([&] { toolMovesOf(file); }), HasSubstr("line 1"));
 }
 
+TEST_F(ClFileTest, AnArmAlongTheLastSecondAxisStillMakesARotation) {
+  std::mt19937 random(12);
+  std::normal_distribution<double> normal;
+  for (int round = 0; round < 100; ++round) {
+    const Vec3 up = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 side = up.unitOrthogonal(), other = up.cross(side);
+    const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
+        std::vector<Vec3>{9.0 * side, 9.0 * other, -9.0 * (side + other)},
+        std::vector<TriangleMesh::Indices>{{0, 1, 2}}));
+    const ClFile file{{{0.1 * up, side, up, 0.0, 1}, {0.2 * up, up, std::nullopt, 0.0, 2}}, {}};
+    for (const ToolMove& move : toolMovesOf(file, tree)) {
+      EXPECT_TRUE((move.tool_in_blisk.rotation.transpose() * move.tool_in_blisk.rotation).isIdentity(1e-12));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk::demos

@@ -194,6 +194,18 @@ TEST_F(MeshFile, RefusesEveryTruncationOfPly) {
   }
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "element face 2", "element face 2000000000")),
               HasSubstr("truncated"));
+  // Of no properties, so that nothing in the body could be missing.
+  EXPECT_THAT(refusal("m.ply", replaced(kPly, "element face 2", "element none 1e15\nelement face 2")),
+              HasSubstr("truncated"));
+}
+
+TEST_F(MeshFile, RefusesCountsThatAreNone) {
+  for (const char* count : {"-4", "3.5", "nan"}) {
+    EXPECT_THAT(refusal("m.ply", replaced(kPly, "element vertex 4", std::string("element vertex ") + count)),
+                HasSubstr("m.ply:3: the number of elements must be a whole number from 0"));
+    EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", std::string(count) + " 0 2 3")),
+                HasSubstr("m.ply:15: the length of a list must be a whole number from 0"));
+  }
 }
 
 TEST_F(MeshFile, RefusesIndicesOfNoVertex) {

@@ -160,6 +160,11 @@ TEST(Shape, refusesBadMeshes) {
   vertices[4] = 0;
   outside.getIndexedMeshArray()[0].m_indexType = PHY_FIXEDPOINT88;
   EXPECT_EQ(messageOf(&outside), "part 0 of the mesh interface has an unsupported index type");
+  outside.getIndexedMeshArray()[0].m_indexType = PHY_INTEGER;
+  outside.getIndexedMeshArray()[0].m_vertexBase = nullptr;
+  EXPECT_EQ(messageOf(&outside), "part 0 of the mesh interface has a null pointer to its 3 vertices");
+  outside.getIndexedMeshArray()[0].m_numVertices = -3;
+  EXPECT_EQ(messageOf(&outside), "part 0 of the mesh interface has -3 vertices");
   EXPECT_THROW(ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree>()), std::invalid_argument);
 }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <variant>
+#include <vector>
 
+#include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::testing {
@@ -35,10 +37,43 @@ Shape<Kernel> shapeOf(const Triangle& t) {
 }
 
 /// Whether two triangles share a point, by predicates without rounding.
+using ExactShape = Shape<CGAL::Exact_predicates_inexact_constructions_kernel>;
+inline bool exactlyMeet(const ExactShape& a, const ExactShape& b) {
+  return std::visit([](const auto& in_a, const auto& in_b) { return CGAL::do_intersect(in_a, in_b); }, a, b);
+}
 inline bool exactlyMeet(const Triangle& a, const Triangle& b) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  return std::visit([](const auto& in_a, const auto& in_b) { return CGAL::do_intersect(in_a, in_b); },
-                    shapeOf<Kernel>(a), shapeOf<Kernel>(b));
+  return exactlyMeet(shapeOf<Kernel>(a), shapeOf<Kernel>(b));
+}
+
+/// All pairs of triangles that meet, by ascending indices: bruteForcePairs, with no test of the library's.
+/// B's vertices are posed in double precision. Compile it without fused multiply-add, as the library is.
+inline std::vector<TrianglePair> exactPairs(const TriangleMesh& a, const TriangleMesh& b,
+                                            const Pose& b_in_a) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  struct Candidate {
+    Aabb bounds;
+    ExactShape shape;
+  };
+  const auto candidateOf = [](const Triangle& triangle) {
+    Candidate candidate{{}, shapeOf<Kernel>(triangle)};
+    for (const Vec3& corner : triangle) candidate.bounds.extend(corner);
+    return candidate;
+  };
+  std::vector<Candidate> posed;
+  for (std::size_t j = 0; j < b.triangleCount(); ++j) posed.push_back(candidateOf(b_in_a * b.triangle(j)));
+  std::vector<TrianglePair> pairs;
+  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
+    const Candidate in_a = candidateOf(a.triangle(i));
+    for (std::size_t j = 0; j < posed.size(); ++j) {
+      const Aabb &box = in_a.bounds, &other = posed[j].bounds;
+      if ((box.min.array() > other.max.array()).any() || (other.min.array() > box.max.array()).any())
+        continue;
+      if (exactlyMeet(in_a.shape, posed[j].shape))
+        pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
+    }
+  }
+  return pairs;
 }
 
 }  // namespace octoblisk::testing

@@ -1,6 +1,6 @@
 // Drops 500 bodies of all kinds on the blisk, again and again, for so many seconds of the clock.
 //
-//   soak [seconds = 300]
+//   body_soak [seconds = 300]
 //
 // Prints one line. Fails, with 1, where a body leaves through the floor or into the blisk, or memory grows.
 #include <btBulletDynamicsCommon.h>
@@ -214,7 +214,7 @@ int run(double seconds) {
   char was_warm[48] = "not compared: one drop alone";
   if (is_compared)
     std::snprintf(was_warm, sizeof was_warm, "%.2f MB when warm", static_cast<double>(warm) / 1e6);
-  std::printf("soak: %s, %u drops (%d to sleep), %ld steps in %.0f s, %d lost, heap %.2f MB, %s\n",
+  std::printf("body_soak: %s, %u drops (%d to sleep), %ld steps in %.0f s, %d lost, heap %.2f MB, %s\n",
               lost > 0 || grown ? "FAILED" : "ok", drops, asleep, steps, elapsed(), lost,
               static_cast<double>(heap) / 1e6, was_warm);
   return lost > 0 || grown ? 1 : 0;
@@ -226,7 +226,7 @@ int run(double seconds) {
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 300.0;
   if (!(seconds > 0.0)) {
-    std::fprintf(stderr, "usage: soak [seconds]\n");
+    std::fprintf(stderr, "usage: body_soak [seconds]\n");
     return 2;
   }
   return octoblisk::bench::run(seconds);

@@ -1,0 +1,26 @@
+// Any bytes as an STL, OBJ or PLY file, by the first byte: refused in one line, or a mesh of finite
+// coordinates and as many triangles as it has once it is written.
+#include <cmath>
+
+#include "fuzz/fuzz_input.h"
+#include "models/mesh_file.h"
+
+using namespace octoblisk;
+using namespace octoblisk::demos;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr const char* kNames[] = {"a.stl", "a.obj", "a.ply"};
+  if (size < 2) return 0;
+  const std::filesystem::path file = kNames[data[0] % std::size(kNames)];
+  try {
+    const TriangleMesh mesh = readMesh(file, fuzz::textOf(data + 1, size - 1));
+    if (mesh.vertices().size() > 3 * mesh.triangleCount()) fuzz::fail("vertices that no triangle uses");
+    for (const Vec3& vertex : mesh.vertices()) {
+      if (!vertex.allFinite()) fuzz::fail("a coordinate that is not finite");
+      if (vertex != vertex.cast<float>().cast<double>()) fuzz::fail("a coordinate that is no float");
+    }
+  } catch (const std::runtime_error& refusal) {
+    fuzz::requireClear(refusal, file);
+  }
+  return 0;
+}

@@ -1,0 +1,24 @@
+// The main of a fuzz target where libFuzzer is not: gives it every file of the folders named, once.
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int main(int argc, char** argv) {
+  int files = 0;
+  for (int k = 1; k < argc; ++k) {
+    for (const auto& entry : std::filesystem::directory_iterator(argv[k])) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+      std::printf("%s\n", entry.path().filename().c_str());
+      std::fflush(stdout);  // known when it crashes
+      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      ++files;
+    }
+  }
+  return files > 0 ? 0 : 1;
+}
