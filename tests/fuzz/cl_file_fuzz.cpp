@@ -1,8 +1,5 @@
 // Any bytes as a CL file: refused in one line, or moves with axes of unit length, square to each other, which
 // come back as they are once written.
-#include <cmath>
-#include <memory>
-
 #include "fuzz/fuzz_input.h"
 #include "shared/meshes.h"
 #include "toolpath/cl_file.h"

@@ -1,6 +1,6 @@
 // Any bytes as an STL, OBJ or PLY file, by the first byte: refused in one line, or a mesh of finite
 // coordinates and as many triangles as it has once it is written.
-#include <cmath>
+#include <iterator>
 
 #include "fuzz/fuzz_input.h"
 #include "models/mesh_file.h"
