@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import { drawSign, kColors, kSigns } from "./signs.js";
 
 const kStyles = [{ stroke: "#0a5c9e", width: 2 }, { stroke: "#7a3e9d", width: 2, dash: [7, 3] }, { stroke: "#00694a", width: 2, dash: [2, 3] }];
+const kLimit = { stroke: "#21262e", width: 1, dash: [8, 4] };
 const kOther = { stroke: "#8a93a0", width: 1.2, dash: [4, 4] };
 
 export class Chart {
@@ -116,23 +117,16 @@ export class Chart {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio;
     ctx.save();
-    ctx.font = `${11 * ratio}px system-ui, sans-serif`;
-    ctx.textAlign = "right";
-    for (const { value, name } of chart.limits) {
+    for (const { value } of chart.limits) {
       const y = plot.valToPos(value, "y", true);
       if (y < bbox.top || y > bbox.top + bbox.height) continue;
-      ctx.strokeStyle = ctx.fillStyle = "#21262e";
+      ctx.strokeStyle = kLimit.stroke;
       ctx.setLineDash([8 * ratio, 4 * ratio]);
       ctx.lineWidth = ratio;
       ctx.beginPath();
       ctx.moveTo(bbox.left, y);
       ctx.lineTo(bbox.left + bbox.width, y);
       ctx.stroke();
-      const below = value < 0, x = bbox.left + bbox.width - 4 * ratio, baseline = y + (below ? 12 : -4) * ratio;
-      ctx.fillStyle = "#ffffffe8";
-      ctx.fillRect(x - ctx.measureText(name).width - 3 * ratio, baseline - 10 * ratio, ctx.measureText(name).width + 6 * ratio, 12.5 * ratio);
-      ctx.fillStyle = "#21262e";
-      ctx.fillText(name, x, baseline);
     }
     ctx.restore();
   }
@@ -159,6 +153,7 @@ export class Chart {
     ctx.save();
     ctx.fillStyle = ctx.strokeStyle = "#000";
     ctx.lineWidth = 2 * ratio;
+    ctx.setLineDash([]);
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
@@ -179,7 +174,9 @@ export class Chart {
   /** What is what, as elements. */
   key() {
     const line = ({ name, stroke, width, dash }) => `<svg width="26" height="10" aria-hidden="true"><line x1="0" x2="26" y1="5" y2="5" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${(dash ?? []).join(" ")}"/></svg>`;
-    const spans = this.shown.map((series) => {
+    const { limits } = this.run.charts[this.chart];
+    const lines = limits.length ? [...this.shown, { ...kLimit, name: limits.map(({ name }) => name).join("; ") }] : this.shown;
+    const spans = lines.map((series) => {
       const span = document.createElement("span");
       span.innerHTML = line(series);
       span.append(series.name);

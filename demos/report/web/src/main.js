@@ -73,10 +73,12 @@ function fillLegend() {
     item.append(patch, text);
     items.push(item);
   };
-  if (run.ground_blade > 0) add(kBladeColors.ground, `blade ${run.ground_blade}, ground`);
+  if (run.ground_blade > 0) add(kBladeColors.ground, `ground blade ${run.ground_blade}`);
   add(`linear-gradient(90deg, ${kBladeColors.blades[0]} 50%, ${kBladeColors.blades[1]} 50%)`, run.blade_count ? "other blades, hub" : "blisk");
-  for (const part of run.parts.slice(0, 6)) add(part.color, part.name);
-  add("#c9705e", "blade that the pose wrongly touches");
+  const byColor = new Map();
+  for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
+  for (const [color, names] of byColor) add(color, names.join(", "));
+  add("#c9705e", "wrongly touched blade");
   const tones = new Set(["clear"]);
   for (const { name, tone } of run.verdicts) {
     if (tones.has(tone) || tone === "open") continue;
@@ -121,9 +123,9 @@ function fillTools(scene) {
   boxes.firstChild.id = "boxes";
   const group = document.createElement("span");
   group.className = "group";
-  group.append(boxes, " ", level, " ", flag("near the tool only", "near"));
-  $("tools").replaceChildren(...views, flag("tool", "tool"), flag("see-through blisk", "glass"), flag("contacts", "contacts"),
-    flag("of all poses", "everywhere"), flag("blade numbers", "numbers"), group);
+  group.append(boxes, " ", level, " ", flag("near the tool", "near"));
+  $("tools").replaceChildren(...views, flag("tool", "tool"), flag("see-through", "glass"), flag("contacts", "contacts"),
+    flag("of all poses", "everywhere"), flag("numbers", "numbers"), group);
 }
 
 function connectPlayer() {

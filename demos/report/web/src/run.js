@@ -86,8 +86,8 @@ export function sentenceOf(run, track, index) {
     pieces.push(`${run.parts[part[index]].name} on ${bladeText(blade[index])}${where}, ${millimetres(depth[index])} mm deep`);
   }
   if (clearancePart[index] !== kNone && clearance[index] > 0) {
-    pieces.push(`nearest to what must not be touched: ${run.parts[clearancePart[index]].name}, `
-      + `${millimetres(clearance[index])} mm from ${bladeText(clearanceBlade[index])}`);
+    pieces.push(`clearance from the rest ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
+      + `from ${bladeText(clearanceBlade[index])}`);
   }
   const changes = track.series.filter((series) => series.told && series.values[index] !== 0)
     .map((series) => `${series.name} ${Number(series.values[index].toFixed(3))} ${series.unit}`);

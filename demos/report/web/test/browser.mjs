@@ -1,7 +1,7 @@
 // Debian's Chromium with no network, for the tests and the pictures of the page.
 import { chromium } from "playwright-core";
 
-export async function openReport(file, { width = 1280, height = 900, timeout = 60_000 } = {}) {
+export async function openReport(file, { width = 1280, height = 900, timeout = 240_000 } = {}) {
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     timeout,
