@@ -260,9 +260,14 @@ export class ReplayScene {
   /** The blade that the pose wrongly touches glows. */
   updateBlades() {
     const { track, index, at } = this.player;
-    const hit = new Set(track.findings
-      .filter((finding) => Math.abs(finding[0] - at) < 1e-4 || finding[0] === index)
-      .filter((finding) => this.run.verdicts[finding[1]].tone === "interference").map((finding) => finding[3]));
+    if (!track.bladesHit) {
+      track.bladesHit = new Map();
+      for (const [place, verdict, , blade] of track.findings) {
+        if (this.run.verdicts[verdict].tone !== "interference") continue;
+        track.bladesHit.set(place, [...(track.bladesHit.get(place) ?? []), blade]);
+      }
+    }
+    const hit = new Set([...(track.bladesHit.get(at) ?? []), ...(track.bladesHit.get(index) ?? [])]);
     for (const [blade, material] of this.blades) {
       material.emissive = new Color(hit.has(blade) && blade !== 0 ? kHit : "#000000");
       material.emissiveIntensity = hit.has(blade) ? 0.45 : 0;
