@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "access/access_map.h"
+#include "access/access_replay.h"
 #include "access/access_report.h"
 #include "cmm/blade_section.h"
 #include "commands/commands.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/report_option.h"
 #include "models/length_limit.h"
 #include "report/annotation.h"
 #include "report/progress_bar.h"
+#include "report/replay_files.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -32,6 +35,7 @@ struct AccessRequest {
   double tilt_from = -180.0, tilt_to = 179.0, tilt_step = 1.0;  // degrees
   double lead_from = 0.0, lead_to = 0.0, lead_step = 5.0;       // degrees
   bool no_picture = false;
+  bool report = true;
 };
 
 int stepsOf(const std::string& name, double from, double to, double step) {
@@ -111,7 +115,8 @@ int access(const AccessRequest& request) {
   const GrinderFiles& files = request.files;
   AccessRun run;
   run.options = anglesOf(request);
-  requireNotRead(files, {"points.csv", "ranges.csv", "map.png"});
+  requireNotRead(
+      files, {"points.csv", "ranges.csv", "map.png", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
   const std::vector<Pose> path = files.path.empty() ? std::vector<Pose>{} : readPoses(files.path);
   const GrinderInput input = readGrinder(files);
   run.of_path = !files.path.empty();
@@ -140,6 +145,12 @@ int access(const AccessRequest& request) {
   writeRanges(run, out / "ranges.csv");
   if (!request.no_picture) writePng(accessPicture(run), (out / "map.png").string());
   tellAccess(run, out, !request.no_picture);
+  if (request.report) {
+    WholeFiles shown;
+    writeReplayFiles(accessReplay(run, input.blisk, input.blades, input.blisk_name), out, shown);
+    shown.finish();
+    std::cout << tellReplayFiles(out);
+  }
   return run.nowhereFree() > 0 ? 1 : 0;
 }
 
@@ -199,7 +210,9 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->group(grid_group);
   command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
+  addReportOption(command, request->report);
   command.footer(
+      std::string(kReportFooter) +
       "Written, in OUT:\n"
       "  points.csv  a row for each point: place and normal, height above the blade's root and arc length\n"
       "              from its leading edge (mm), free part of all tilts and leads, the widest free range of\n"

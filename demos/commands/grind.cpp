@@ -12,15 +12,19 @@
 #include "commands/commands.h"
 #include "commands/interrupt.h"
 #include "commands/option_checks.h"
+#include "commands/report_option.h"
 #include "models/belt_grinder.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
 #include "models/open_edges.h"
 #include "models/shared_tree.h"
+#include "report/grinding_frames.h"
 #include "report/grinding_pictures.h"
+#include "report/grinding_replay.h"
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
 #include "report/progress_bar.h"
+#include "report/replay_files.h"
 #include "report/whole_files.h"
 #include "toolpath/grinding_path.h"
 #include "toolpath/path_file.h"
@@ -30,6 +34,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr int kMostBlades = 10'000;
+constexpr int kMostFrames = 9'999;
 
 struct GrindRequest {
   std::string blisk, belt, tool, path;  // files; empty: the defaults
@@ -39,6 +44,8 @@ struct GrindRequest {
   double near_miss = 0.5;  // mm
   bool continuous = true;
   bool no_pictures = false;
+  bool report = true;
+  std::size_t frames = 0;
   int threads = 0;
 };
 
@@ -104,7 +111,8 @@ void chooseGroundBlade(const GrindRequest& request, GrindingJob& job) {
 
 /// Refuses to write a table over a file that is read; path.csv is kept where it is the path read.
 void requireNoInputAmongTables(const GrindRequest& request) {
-  for (const char* table : {"poses.csv", "contacts.csv", "summary.json"}) {
+  for (const char* table :
+       {"poses.csv", "contacts.csv", "summary.json", "report.html", "run.glb", "contacts.vtk", "path.vtk"}) {
     const std::filesystem::path file = std::filesystem::path(request.out) / table;
     for (const std::string& input : {request.path, request.tool}) {
       std::error_code ignored;  // mostly there is no such file
@@ -143,11 +151,17 @@ void warnOf(const GrindRequest& request, const GrindingRun& run, const BladesFou
   }
 }
 
-void tell(const GrindingRun& run, const std::filesystem::path& out, bool pictures) {
+void tell(const GrindingRun& run, const GrindRequest& request) {
+  const std::filesystem::path out = request.out;
   std::cout << inWords(run);
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
-  if (pictures) {
+  if (request.report) std::cout << tellReplayFiles(out);
+  if (request.frames > 0) {
+    std::cout << "Frames: " << (out / "frames").string() << ", " << (out / "contact_sheet.png").string()
+              << '\n';
+  }
+  if (!request.no_pictures) {
     std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string()
               << '\n';
   }
@@ -184,6 +198,8 @@ void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const Grind
     writePng(overviewOf(run), files.add(out / "overview.png").string());
     writePng(closeupOf(run), files.add(out / "closeup.png").string());
   }
+  if (request.frames > 0) writeFrames(run, request.frames, out, files);
+  if (request.report) writeReplayFiles(grindingReplay(run), out, files);
   files.finish();
 }
 
@@ -211,7 +227,7 @@ int grind(const GrindRequest& request) {
   run.path_name = request.path.empty() ? "generated" : request.path;
   warnOf(request, run, job.blades);
   writeAll(run, job.path, request);
-  tell(run, request.out, !request.no_pictures);
+  tell(run, request);
   return run.interferes() ? 1 : 0;
 }
 
@@ -275,7 +291,15 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
   command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
+  addReportOption(command, request->report);
+  command
+      .add_option(
+          "--frames", request->frames,
+          "Pictures of so many poses, evenly over the path, in OUT/frames, and contact_sheet.png of them all")
+      ->check(wholeNumberFrom(0, kMostFrames))
+      ->capture_default_str();
   command.footer(
+      std::string(kReportFooter) +
       "Tables, in OUT; none is written before the end, Ctrl-C keeps the poses done (\"partial\": true):\n"
       "  poses.csv     the verdict of each pose; part, blade, side (forward: towards greater angles), point\n"
       "                and normal of its worst touch, or of where it is nearest, and the part's depth; the\n"

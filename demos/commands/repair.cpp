@@ -10,13 +10,17 @@
 #include <tuple>
 #include <vector>
 
+#include "cell/tool_file.h"
 #include "commands/commands.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/report_option.h"
 #include "models/length_limit.h"
 #include "repair/path_repair.h"
+#include "repair/repair_replay.h"
 #include "repair/repair_report.h"
 #include "report/progress_bar.h"
+#include "report/replay_files.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -28,6 +32,7 @@ constexpr double kMarginOfMoves = 0.5;    // part of the poses' margin
 struct RepairRequest {
   GrinderFiles files;
   RepairOptions options;
+  bool report = true;
 };
 
 void tellChanges(const PathRepair& repair) {
@@ -76,9 +81,30 @@ void requireBridged(const ChangeLimits& limits) {
   }
 }
 
+/// The path as octoblisk grind judges it.
+GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
+                  const std::vector<Pose>& path) {
+  constexpr double kLeastNearMiss = 0.5;  // mm
+  GrindingJob job;
+  job.blisk = input.blisk;
+  job.blades = input.blades;
+  job.parts = input.parts;
+  job.rules.grinding_part = rules.grinding_part;
+  job.rules.ground_blade = rules.ground_blade;
+  job.rules.max_depth = rules.max_depth;
+  job.rules.near_miss = std::clamp(rules.margin, kLeastNearMiss, kMostNearMiss);
+  job.path = path;
+  job.threads = files.threads;
+  GrindingRun run = runGrinding(job);
+  run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
+  run.tool_name = files.belt.empty() ? "default" : files.belt;
+  run.path_name = files.path.empty() ? "generated" : files.path;
+  return run;
+}
+
 int repair(const RepairRequest& request) {
   const GrinderFiles& files = request.files;
-  requireNotRead(files, {"path.csv", "changes.csv"});
+  requireNotRead(files, {"path.csv", "changes.csv", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
   requireBridged(request.options.limits);
   const ChangeGrid usable(request.options.limits);  // refuses what is no use before anything is read
   const bool own_path = !files.path.empty();
@@ -102,6 +128,14 @@ int repair(const RepairRequest& request) {
   writePoses(out / "path.csv", repaired.path);
   writeChanges(repaired, input.parts, out / "changes.csv");
   tellRepair(repaired, input, rules.ground_blade, out);
+  if (request.report) {
+    WholeFiles shown;
+    writeReplayFiles(
+        repairReplay(repaired, runOf(files, input, rules, path), runOf(files, input, rules, repaired.path)),
+        out, shown);
+    shown.finish();
+    std::cout << tellReplayFiles(out);
+  }
   return repaired.isFree() ? 0 : 1;
 }
 
@@ -145,7 +179,9 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
   add_limit("--move-step", request->options.moves.step,
             "mm between the poses of a move at which the belt's depth in the ground blade is asked for",
             true);
+  addReportOption(command, request->report);
   command.footer(
+      std::string(kReportFooter) +
       "Written, in OUT:\n"
       "  path.csv     the repaired path, as many poses\n"
       "  changes.csv  for each pose: what it was, tilt, slide and retraction against it, what it is now, "

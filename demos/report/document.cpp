@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "models/input_file.h"
+#include "report/base64.h"
 #include "report/markup_text.h"
 #include "report/text_file.h"
 
@@ -109,22 +110,6 @@ std::string element(const std::string& tag, const std::string& text) {
   return '<' + tag + '>' + markupText(text) + "</" + tag + ">";
 }
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
-}
-
 std::string htmlTable(const Table& table) {
   requireRectangular(table);
   // The caption is not the table's own: it would be as narrow, or scroll away.
@@ -156,8 +141,10 @@ std::string htmlFigure(const Figure& figure, const std::filesystem::path& folder
 
 /// Wide tables scroll under their first column; figures stand side by side where there is room.
 constexpr std::string_view kStyle =
-    "body{font:16px/1.5 sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#21262e}"
-    "nav a{display:inline-block;margin-right:1.2rem}figure{margin:1rem 0}figcaption{color:#5c6675}"
+    "body{font:15px/1.45 system-ui,\"DejaVu Sans\",sans-serif;max-width:72rem;margin:1.5rem auto;padding:0 "
+    "1rem;color:#21262e}h1{font-size:1.5rem}h2{font-size:1.15rem}a{color:#0a5c9e}"
+    "a:focus-visible{outline:3px solid #0a5c9e}"
+    "nav a{display:inline-block;margin-right:1.2rem}figure{margin:1rem 0}figcaption{color:#505a68}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem}"
     ".table figcaption{font-weight:bold;color:inherit;font-size:.9rem;padding:.3rem 0}"
     "th,td{border:1px solid #c8ced6;padding:.2rem .5rem;text-align:left;vertical-align:top}"

@@ -160,8 +160,9 @@ std::size_t poseToShow(const GrindingRun& run) {
   return shown;
 }
 
-Picture overviewOf(const GrindingRun& run) {
-  const std::size_t shown = poseToShow(run);
+Picture overviewOf(const GrindingRun& run) { return overviewOf(run, poseToShow(run)); }
+
+Picture overviewOf(const GrindingRun& run, std::size_t shown) {
   const PoseReport& pose = run.poses[shown];
   Picture overview;
   overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};

@@ -18,7 +18,10 @@ std::size_t poseToShow(const GrindingRun& run);
 /// "belt wholly inside the blisk, …".
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
 
-/// The blisk with the ground blade, the path, and the tool at the pose to show.
+/// The blisk with the ground blade, the path, and the tool at a pose.
+Picture overviewOf(const GrindingRun& run, std::size_t pose);
+
+/// The same at the pose to show.
 Picture overviewOf(const GrindingRun& run);
 
 /// Where the tool touches at the pose to show, or comes nearest, with the boxes of the blisk's tree there.

@@ -1,0 +1,167 @@
+#include "access/access_replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "report/versions.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr double kNarrow = 30.0;  // degrees
+
+// Of accessVerdicts().
+enum AccessVerdict : std::size_t { kFreeWidely, kFreeNarrowly, kNowhereFree };
+
+std::vector<ReplayVerdict> accessVerdicts() {
+  return {{"free over more than 30°", Tone::intended},
+          {"free over 30° or less", Tone::near},
+          {"nowhere free", Tone::interference}};
+}
+
+double widestRange(const SiteAccess& access) {
+  return access.widest ? access.ranges[*access.widest].width() : 0.0;
+}
+
+AccessVerdict accessVerdictOf(const SiteAccess& access) {
+  if (!access.widest) return kNowhereFree;
+  return widestRange(access) > kNarrow ? kFreeWidely : kFreeNarrowly;
+}
+
+std::string degreesText(double value) {
+  std::ostringstream text;
+  text << value << "°";
+  return text.str();
+}
+
+/// What may be done at a site, and what is in the way there.
+std::string siteText(const AccessRun& run, const SiteAccess& access) {
+  std::string text;
+  if (access.widest) {
+    const FreeRange& range = access.ranges[*access.widest];
+    text = "tilt " + degreesText(range.tilt_from) + " to " + degreesText(range.tilt_to) + " at lead " +
+           degreesText(run.options.leads[range.lead]) + ", shown at their middle";
+  }
+  if (!access.in_the_way.empty()) {
+    text += (text.empty() ? "most often in the way: " : "; else most often in the way: ") +
+            describe(access.in_the_way.front().obstacle, run.parts);
+  }
+  return text;
+}
+
+Pose poseShown(const AccessRun& run, const ContactSite& site, const SiteAccess& access) {
+  if (!access.widest) return site.base;
+  const FreeRange& range = access.ranges[*access.widest];
+  return tiltedPose(site, 0.5 * (range.tilt_from + range.tilt_to), run.options.leads[range.lead]);
+}
+
+ReplayTrack accessTrack(const AccessRun& run) {
+  ReplayTrack track{.name = "points"};
+  ReplaySeries widest{.name = "widest free range of tilt", .unit = "degrees"};
+  const double asked = static_cast<double>(run.options.leads.size()) * run.options.tilts;
+  ReplaySeries share{.name = "part of all tilts and leads that is free", .unit = "%"};
+  share.chart = 1;
+  for (std::size_t s = 0; s < run.sites.size(); ++s) {
+    const ContactSite& site = run.sites[s];
+    const SiteAccess& access = run.access[s];
+    const AccessVerdict verdict = accessVerdictOf(access);
+    ReplayPose pose;
+    pose.tool_in_blisk = poseShown(run, site, access);
+    pose.verdict = verdict;
+    pose.contacts.push_back(
+        {verdict, run.rules.grinding_part, run.rules.ground_blade, site.point, Vec3(-site.normal), 0.0});
+    pose.text = siteText(run, access);
+    if (pose.text.empty()) pose.text = "nothing is in the way at any tilt";
+    track.poses.push_back(std::move(pose));
+    widest.values.push_back(widestRange(access));
+    share.values.push_back(100.0 * static_cast<double>(access.free) / asked);
+    if (verdict == kFreeWidely) continue;
+    ReplayFinding finding{.at = static_cast<double>(s), .verdict = verdict, .value = widestRange(access)};
+    if (!access.in_the_way.empty()) {
+      finding.part = access.in_the_way.front().obstacle.part;
+      finding.blade = access.in_the_way.front().obstacle.blade;
+    }
+    track.findings.push_back(std::move(finding));
+  }
+  track.series = {std::move(widest), std::move(share)};
+  return track;
+}
+
+std::vector<Table> accessFacts(const AccessRun& run, const ClusteredOctree& blisk,
+                               const std::string& blisk_name) {
+  std::ostringstream depth, margin, free;
+  depth << run.rules.max_depth << " mm";
+  margin << run.rules.margin << " mm";
+  free << std::round(1000.0 * run.freeFraction()) / 10.0 << " %";
+  Table parts{.name = "parts", .caption = "Parts of the tool", .columns = {"Part", "Triangles"}};
+  for (const auto& [name, tree] : run.parts) {
+    parts.rows.push_back({name, std::to_string(tree->mesh().triangleCount())});
+  }
+  const AccessOptions& options = run.options;
+  return {
+      parts,
+      {.name = "limits",
+       .caption = "Limits and tolerances",
+       .rows = {{"Ground blade", std::to_string(run.rules.ground_blade)},
+                {"Belt in it, at most", depth.str()},
+                {"All else keeps apart", margin.str()},
+                {"Tilts", degreesText(options.tilt_from) + " to " +
+                              degreesText(options.tilt(options.tilts - 1)) + ", every " +
+                              degreesText(options.tilt_step)},
+                {"Leads", degreesText(options.leads.front()) + " to " + degreesText(options.leads.back()) +
+                              ", " + std::to_string(options.leads.size())},
+                {"Free of all that were asked", free.str()}}},
+      {.name = "input",
+       .caption = "Input",
+       .rows = {{"Blisk", blisk_name},
+                {"its triangles", std::to_string(blisk.stats().triangles)},
+                {"Points", run.of_path ? "poses of a path" : "a grid on a blade's side"}}},
+      versionsTable()};
+}
+
+}  // namespace
+
+Replay accessReplay(const AccessRun& run, std::shared_ptr<const ClusteredOctree> blisk,
+                    const BladesFound& blades, const std::string& blisk_name) {
+  Replay replay;
+  const std::size_t none = run.nowhereFree(), points = run.sites.size();
+  replay.command = "access";
+  replay.title =
+      none == 0 ? "Every one of " + std::to_string(points) + " points can be reached"
+                : "Nowhere free at " + std::to_string(none) + " of " + std::to_string(points) + " points";
+  replay.subtitle = "Where the belt grinder may stand at points of blade " +
+                    std::to_string(run.rules.ground_blade) + " of " + std::to_string(blades.count);
+  replay.one = "point";
+  replay.many = "points";
+  replay.findings_title = "Points with little or no room";
+  replay.findings_value = "Widest, °";
+  replay.no_findings = "Every point has more than 30° of tilt free.";
+  replay.verdicts = accessVerdicts();
+  for (std::size_t v = 0; v < replay.verdicts.size(); ++v) {
+    const auto count =
+        std::ranges::count_if(run.access, [&](const SiteAccess& a) { return accessVerdictOf(a) == v; });
+    replay.counts.push_back(
+        {replay.verdicts[v].name, static_cast<std::size_t>(count), replay.verdicts[v].tone});
+  }
+  replay.blade_of_triangle = blades.blade_of_triangle;
+  replay.blade_count = blades.count;
+  replay.ground_blade = run.rules.ground_blade;
+  replay.parts = run.parts;
+  replay.charts = {
+      {.title = "Widest free range of tilt at each point", .unit = "degrees", .limits = {{kNarrow, "30°"}}},
+      {.title = "Share of tilts and leads that is free", .unit = "%"}};
+  replay.tracks.push_back(accessTrack(run));
+  replay.contacts_of_all_poses = true;
+  const std::vector<ReplayFinding>& findings = replay.tracks.front().findings;
+  if (!findings.empty()) replay.start_at = findings.front().at;
+  replay.facts = accessFacts(run, *blisk, blisk_name);
+  replay.notes.push_back(
+      "At each point the tool is shown at the middle of its widest free range of tilt, and where nothing is "
+      "free at "
+      "tilt 0 and lead 0. Points are counted from 0.");
+  replay.blisk = std::move(blisk);
+  return replay;
+}
+
+}  // namespace octoblisk::demos

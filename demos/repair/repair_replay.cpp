@@ -1,0 +1,70 @@
+#include "repair/repair_replay.h"
+
+#include <algorithm>
+
+#include "report/grinding_replay.h"
+
+namespace octoblisk::demos {
+namespace {
+
+std::string countOfPoses(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " pose" : " poses");
+}
+
+void addChanges(const PathRepair& repair, ReplayTrack& track) {
+  constexpr std::size_t kChartOfChanges = 1;
+  ReplaySeries tilt{.chart = kChartOfChanges, .name = "tilt", .unit = "°", .told = true};
+  ReplaySeries slide{.chart = kChartOfChanges, .name = "slide", .unit = "mm", .told = true};
+  ReplaySeries retract{.chart = kChartOfChanges, .name = "retraction", .unit = "mm", .told = true};
+  for (const PoseRepair& pose : repair.poses) {
+    tilt.values.push_back(pose.change.tilt);
+    slide.values.push_back(pose.change.slide);
+    retract.values.push_back(pose.change.retract);
+  }
+  for (ReplaySeries* const series : {&tilt, &slide, &retract}) track.series.push_back(std::move(*series));
+}
+
+std::string titleOf(const PathRepair& repair) {
+  if (repair.isFree()) {
+    return repair.interferedBefore() == 0
+               ? "The path is free"
+               : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none is left";
+  }
+  const std::size_t moves = repair.movesLeft();
+  return "Left interfering: " + countOfPoses(repair.posesLeft()) +
+         (moves == 0 ? std::string() : " and " + std::to_string(moves) + (moves == 1 ? " move" : " moves"));
+}
+
+}  // namespace
+
+Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const GrindingRun& after) {
+  Replay replay = grindingReplay(after);
+  replay.command = "repair";
+  replay.title = titleOf(repair);
+  replay.subtitle = countOfPoses(repair.changed()) + " of " + std::to_string(repair.poses.size()) +
+                    " are changed; choose a path beside the replay's controls to see it before and after";
+  replay.findings_title = "What is left, or comes near";
+  replay.counts = {
+      {"poses interfered", repair.interferedBefore(), Tone::near},
+      {"poses changed", repair.changed(), Tone::clear},
+      {"poses left interfering", repair.posesLeft(), Tone::interference},
+      {"moves left between free poses", repair.movesLeft(), Tone::interference},
+  };
+  replay.charts.push_back({.title = "Changes to the path", .unit = "degrees, mm"});
+  ReplayTrack repaired = std::move(replay.tracks.front());
+  repaired.name = "repaired";
+  addChanges(repair, repaired);
+  replay.tracks.clear();
+  replay.tracks.push_back(std::move(repaired));
+  replay.tracks.push_back(grindingTrack(before, "before"));
+  const auto changed =
+      std::ranges::find_if(repair.poses, [](const PoseRepair& pose) { return !pose.change.isNone(); });
+  replay.start_at = changed == repair.poses.end() ? 0.0 : static_cast<double>(changed - repair.poses.begin());
+  replay.notes.push_back(
+      "Verdicts, clearances and contacts of both paths are those of octoblisk grind, which knows nothing of "
+      "the repair. "
+      "Tilt turns the tool about its wheels' axis, slide goes along that axis, retraction off the surface.");
+  return replay;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,275 @@
+#include "report/grinding_replay.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <sstream>
+
+#include "cell/blade_side.h"
+#include "cell/moves.h"
+#include "report/grinding_pictures.h"
+#include "report/versions.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using Outcome = MoveReport::Outcome;
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+std::string shortText(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Of Replay::verdicts.
+std::size_t verdictOfMove(Outcome outcome) {
+  constexpr std::size_t kAfterPoses = 4;
+  switch (outcome) {
+    case Outcome::hit:
+      return kAfterPoses;
+    case Outcome::too_deep:
+      return kAfterPoses + 1;
+    default:
+      return kAfterPoses + 2;
+  }
+}
+
+std::optional<ReplayNearest> worstOf(const GrindingRun& run, const PoseReport& pose) {
+  const std::optional<WorstTouch> worst = worstOrNearest(pose);
+  if (!worst) return std::nullopt;
+  return ReplayNearest{worst->part, worst->blade, worst->depth,
+                       sideOf(run.blisk->mesh(), worst->triangle_of_blisk, worst->blade)};
+}
+
+ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
+  ReplayPose shown;
+  shown.tool_in_blisk = pose.tool_in_blisk;
+  shown.verdict = static_cast<std::size_t>(pose.verdict);
+  for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
+    const auto& [part, contact] = pose.contacts[c];
+    shown.contacts.push_back({static_cast<std::size_t>(pose.verdicts[c]), part, pose.blades[c],
+                              contact.point_on_a, contact.normal, 0.0 - contact.distance});
+  }
+  shown.worst = worstOf(run, pose);
+  if (pose.clearance) {
+    shown.clearance = ReplayNearest{
+        pose.clearance->part, pose.clearance->blade, 0.0 - pose.clearance->clearance.distance, {}};
+  }
+  return shown;
+}
+
+void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFinding>& findings) {
+  const PoseReport& pose = run.poses[p];
+  if (pose.move && pose.move->outcome != Outcome::free) {
+    const PartClearance& at = pose.move->at;
+    findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
+                        at.part, at.blade, sideOf(run.blisk->mesh(), at.clearance.triangle_a, at.blade),
+                        0.0 - at.clearance.distance, p});
+  }
+  if (pose.verdict != Verdict::interference && pose.verdict != Verdict::near_miss) return;
+  ReplayFinding finding{.at = static_cast<double>(p), .verdict = static_cast<std::size_t>(pose.verdict)};
+  if (const std::optional<ReplayNearest> worst = worstOf(run, pose)) {
+    finding.part = worst->part;
+    finding.blade = worst->blade;
+    finding.side = worst->side;
+    finding.value = worst->depth;
+  }
+  findings.push_back(finding);
+}
+
+std::string ofPoses(std::size_t count, std::size_t total) {
+  return std::to_string(count) + " of " + std::to_string(total) + (total == 1 ? " pose" : " poses");
+}
+
+std::string titleOf(const GrindingRun& run) {
+  const std::size_t bad = run.count(Verdict::interference);
+  const std::size_t moves = run.count(Outcome::hit) + run.count(Outcome::too_deep);
+  const std::string also = moves == 0 ? std::string()
+                                      : (bad == 0 ? std::string() : std::string(" and ")) +
+                                            std::to_string(moves) + (moves == 1 ? " move" : " moves");
+  if (bad > 0) return "Interference at " + ofPoses(bad, run.poses.size()) + also;
+  if (moves > 0) return "Interference on " + also;
+  return "No interference at " + std::to_string(run.poses.size()) +
+         (run.poses.size() == 1 ? " pose" : " poses");
+}
+
+std::string subtitleOf(const GrindingRun& run) {
+  std::string text =
+      run.isPartial() ? "Stopped after " + ofPoses(run.poses.size(), run.path_poses) + ". " : std::string();
+  const int blade = run.rules.ground_blade;
+  text += blade == 0
+              ? std::string("No blade is ground")
+              : "Blade " + std::to_string(blade) + " of " + std::to_string(run.blade_count) + " is ground";
+  const PoseReport& shown = run.poses[poseToShow(run)];
+  if (shown.verdict == Verdict::interference) {
+    text += "; worst is pose " + std::to_string(poseToShow(run)) + ", " + describeWorst(run, shown);
+  }
+  return text;
+}
+
+/// "belt alone", "blade 3", …: what a row of the rules is about.
+std::string bladeChoiceText(const BladeChoice& choice) {
+  switch (choice.kind) {
+    case BladeChoice::Kind::any:
+      return "all";
+    case BladeChoice::Kind::hub:
+      return "hub or shroud";
+    case BladeChoice::Kind::ground:
+      return "ground blade";
+    case BladeChoice::Kind::number:
+      return "blade " + std::to_string(choice.number);
+  }
+  return {};
+}
+
+Table partsTable(const GrindingRun& run) {
+  Table table{.name = "parts",
+              .caption = "Parts of the tool",
+              .columns = {"Part", "Triangles", "May touch", "Up to, mm deep", "Depth is measured"}};
+  for (std::size_t part = 0; part < run.parts.size(); ++part) {
+    std::string touches;
+    const auto add = [&](const std::string& what) {
+      if (!touches.empty()) touches += ", ";
+      touches += what;
+    };
+    if (part == run.rules.grinding_part && run.rules.ground_blade != 0) {
+      add("ground blade " + std::to_string(run.rules.ground_blade));
+    }
+    for (const AllowedPair& pair : run.rules.allowed) {
+      if (pair.part.value_or(part) == part) add(bladeChoiceText(pair.blade));
+    }
+    constexpr std::array kHow = {"as solids", "as an open surface in the solid blisk",
+                                 "triangle by triangle"};
+    const auto how = static_cast<std::size_t>(run.depth_kinds[part]);
+    table.rows.push_back({run.parts[part].name, std::to_string(run.parts[part].tree->mesh().triangleCount()),
+                          touches.empty() ? "nothing" : touches,
+                          touches.empty() ? std::string("–") : shortText(run.rules.maxDepth(part)),
+                          kHow[how]});
+  }
+  return table;
+}
+
+Table limitsTable(const GrindingRun& run) {
+  Table table{.name = "limits", .caption = "Limits and tolerances"};
+  table.rows.push_back({"Near miss", "closer than " + shortText(run.rules.near_miss) + " mm"});
+  for (const PairMargin& row : run.rules.margins) {
+    const std::string part = row.part ? run.parts[*row.part].name : std::string("every part");
+    table.rows.push_back({"Near miss, " + part, "closer than " + shortText(row.near_miss) + " mm, of " +
+                                                    bladeChoiceText(row.blade)});
+  }
+  if (run.continuous) {
+    double bound = 0.0;
+    for (const PoseReport& pose : run.poses) {
+      if (pose.move) bound = std::max(bound, pose.move->depth_bound);
+    }
+    table.rows.push_back(
+        {"Moves", "proved to stay " + shortText(kMoveTolerance) + " mm away from what must not be touched"});
+    table.rows.push_back({"Depth on moves", "at most " + shortText(bound) + " mm; measured every " +
+                                                shortText(kDepthStep) + " mm"});
+  } else {
+    table.rows.push_back({"Moves", "not checked, poses alone"});
+  }
+  table.rows.push_back({"Depths", "to 1 % of the limit"});
+  table.rows.push_back({"Touch or not", "exact on the triangles"});
+  return table;
+}
+
+Table inputTable(const GrindingRun& run) {
+  const BuildStats& tree = run.blisk->stats();
+  return {.name = "input",
+          .caption = "Input",
+          .rows = {{"Blisk", run.blisk_name},
+                   {"its triangles", std::to_string(tree.triangles)},
+                   {"its blades", std::to_string(run.blade_count)},
+                   {"its tree", std::to_string(tree.leaves) + " leaf boxes on up to " +
+                                    std::to_string(tree.depth) + " levels"},
+                   {"Tool", run.tool_name},
+                   {"Path", run.path_name},
+                   {"its poses", std::to_string(run.path_poses)}}};
+}
+
+}  // namespace
+
+std::vector<ReplayVerdict> grindingVerdicts() {
+  std::vector<ReplayVerdict> verdicts;
+  constexpr std::array kTones = {Tone::clear, Tone::intended, Tone::near, Tone::interference};
+  for (std::size_t v = 0; v < kTones.size(); ++v) {
+    verdicts.push_back({nameOf(static_cast<Verdict>(v)), kTones[v]});
+  }
+  verdicts.push_back({"move hits", Tone::interference});
+  verdicts.push_back({"move too deep", Tone::interference});
+  verdicts.push_back({"move not proved", Tone::open});
+  return verdicts;
+}
+
+ReplayTrack grindingTrack(const GrindingRun& run, const std::string& name) {
+  ReplayTrack track{.name = name};
+  ReplaySeries clearance{.name = "distance from what must not be touched", .unit = "mm"};
+  ReplaySeries depth{.name = "depth of the worst touch, below 0", .unit = "mm"};
+  for (std::size_t p = 0; p < run.poses.size(); ++p) {
+    track.poses.push_back(replayPoseOf(run, run.poses[p]));
+    const ReplayPose& shown = track.poses.back();
+    clearance.values.push_back(shown.clearance ? -shown.clearance->depth : kNoValue);
+    depth.values.push_back(shown.worst && shown.worst->depth >= 0.0 ? 0.0 - shown.worst->depth : kNoValue);
+    addFindings(run, p, track.findings);
+  }
+  track.series = {std::move(clearance), std::move(depth)};
+  return track;
+}
+
+ReplayChart clearanceChart(const GrindingRun& run) {
+  constexpr double kLinear = 0.1;  // mm
+  ReplayChart chart{.title = "Clearance and depth over the path", .unit = "mm", .linear_within = kLinear};
+  chart.limits.push_back({run.rules.near_miss, "near miss below " + shortText(run.rules.near_miss)});
+  if (run.rules.grinding_part != kNoPart) {
+    const double most = run.rules.maxDepth(run.rules.grinding_part);
+    chart.limits.push_back({-most, "deepest that is intended: " + shortText(most)});
+  }
+  return chart;
+}
+
+std::vector<Table> grindingFacts(const GrindingRun& run) {
+  return {partsTable(run), limitsTable(run), inputTable(run), versionsTable()};
+}
+
+Replay grindingReplay(const GrindingRun& run) {
+  Replay replay;
+  replay.command = "grind";
+  replay.title = titleOf(run);
+  replay.subtitle = subtitleOf(run);
+  replay.findings_title = "Offending poses and moves";
+  replay.findings_value = "Depth, mm";
+  replay.no_findings = "Nothing interferes, and nothing comes closer than the limits.";
+  replay.verdicts = grindingVerdicts();
+  for (std::size_t v = 0; v <= static_cast<std::size_t>(Verdict::interference); ++v) {
+    const auto verdict = static_cast<Verdict>(v);
+    replay.counts.push_back({nameOf(verdict), run.count(verdict), replay.verdicts[v].tone});
+  }
+  if (run.continuous) {
+    replay.counts.push_back({"moves that hit, or too deep",
+                             run.count(Outcome::hit) + run.count(Outcome::too_deep), Tone::interference});
+    if (const std::size_t open = run.count(Outcome::not_proved); open > 0) {
+      replay.counts.push_back({"moves not proved", open, Tone::open});
+    }
+  }
+  replay.blisk = run.blisk;
+  replay.blade_of_triangle = run.blade_of_triangle;
+  replay.blade_count = run.blade_count;
+  replay.ground_blade = run.rules.ground_blade;
+  replay.parts = run.parts;
+  replay.charts = {clearanceChart(run)};
+  replay.tracks.push_back(grindingTrack(run, "path"));
+  replay.start_at = static_cast<double>(poseToShow(run));
+  replay.facts = grindingFacts(run);
+  replay.notes.push_back(
+      "A negative depth is a clearance. Blades are numbered from 1 by angle; poses are counted from 0. "
+      "Normals point "
+      "from the part into the blisk, and are drawn on the part's side. Between two poses the contact wheel's "
+      "centre "
+      "goes straight while the tool turns evenly, as it was checked.");
+  return replay;
+}
+
+}  // namespace octoblisk::demos

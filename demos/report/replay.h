@@ -1,0 +1,116 @@
+// What a replay shows, whatever made it: a blisk, a tool along one path or more, and what was found there.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cell/grinding_cell.h"
+#include "report/document.h"
+
+namespace octoblisk::demos {
+
+/// How a verdict is drawn: each tone has a colour and a sign.
+enum class Tone { clear, intended, near, interference, open };
+
+struct ReplayVerdict {
+  std::string name{};
+  Tone tone = Tone::clear;
+};
+
+/// All indices of verdicts are of Replay::verdicts, those of parts of Replay::parts; points are in the
+/// blisk's frame, mm.
+struct ReplayContact {
+  std::size_t verdict = 0;
+  std::size_t part = 0;
+  int blade = 0;  ///< 0: hub or shroud
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();  ///< unit, from the part into the blisk
+  double depth = 0.0;          ///< mm; a clearance is negative
+};
+
+/// Part and blade that a pose is nearest to touching, or touches.
+struct ReplayNearest {
+  std::size_t part = 0;
+  int blade = 0;
+  double depth = 0.0;  ///< mm; a clearance is negative
+  std::string side{};  ///< "forward", "backward", or empty
+};
+
+struct ReplayPose {
+  Pose tool_in_blisk{};
+  std::size_t verdict = 0;
+  std::vector<ReplayContact> contacts{};
+  std::optional<ReplayNearest> worst{};      ///< what the verdict is from
+  std::optional<ReplayNearest> clearance{};  ///< from what must not be touched
+  std::string text{};                        ///< said instead of these two, if it is not empty
+};
+
+/// A row of the table of offences.
+struct ReplayFinding {
+  double at = 0.0;  ///< the pose, or a place between two
+  std::size_t verdict = 0;
+  std::optional<std::size_t> part{};
+  std::optional<int> blade{};
+  std::string side{};             ///< as above
+  std::optional<double> value{};  ///< of the table's last column
+  std::optional<std::size_t> move_to{};
+};
+
+/// Numbers over the path.
+struct ReplaySeries {
+  std::size_t chart = 0;  ///< of Replay::charts
+  std::string name{};
+  std::string unit{};
+  std::vector<double> values{};  ///< one a pose; NaN: none
+  bool told = false;             ///< whether it is said of each pose where it is not 0
+};
+
+struct ReplayTrack {
+  std::string name{};
+  std::vector<ReplayPose> poses{};  ///< at least one
+  std::vector<ReplaySeries> series{};
+  std::vector<ReplayFinding> findings{};
+};
+
+struct ReplayChart {
+  struct Limit {
+    double value;
+    std::string name;
+  };
+  std::string title{}, unit{};
+  double linear_within = 0.0;  ///< beyond it the scale may be logarithmic; 0: it is linear
+  std::vector<Limit> limits{};
+};
+
+struct ReplayCount {
+  std::string name{};
+  std::size_t count = 0;
+  Tone tone = Tone::clear;
+};
+
+struct Replay {
+  std::string command{}, title{}, subtitle{};
+  std::string one = "pose", many = "poses";  ///< what a track is made of
+  std::string findings_title{}, findings_value{}, no_findings{};
+  std::vector<ReplayVerdict> verdicts{};
+  std::vector<ReplayCount> counts{};
+  std::shared_ptr<const ClusteredOctree> blisk{};
+  std::vector<int> blade_of_triangle{};
+  int blade_count = 0, ground_blade = 0;
+  std::vector<ToolPart> parts{};
+  std::vector<ReplayChart> charts{};
+  std::vector<ReplayTrack> tracks{};  ///< at least one
+  std::size_t start_track = 0;
+  double start_at = 0.0;
+  bool contacts_of_all_poses = false;  ///< whether all are shown at first, and no path
+  std::vector<Table> facts{};          ///< limits, files, versions
+  std::vector<std::string> notes{};
+};
+
+/// The display's colour of a tool's part, "#rrggbb".
+std::string colorOfPart(const std::string& name, std::size_t index);
+
+}  // namespace octoblisk::demos

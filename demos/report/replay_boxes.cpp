@@ -1,0 +1,62 @@
+#include "report/replay_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace octoblisk::demos {
+namespace {
+
+/// From the box to the nearest of the places, roughly: less than 0 where one is within the ball round the
+/// box.
+double wayTo(const Obb& box, std::span<const Vec3> places) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& place : places) least = std::min(least, (place - box.center).squaredNorm());
+  return std::sqrt(least) - box.half_extents.norm();
+}
+
+std::vector<Slot> slotsBelow(const ClusteredOctree& tree, std::span<const Slot> slots) {
+  std::vector<Slot> below;
+  for (const Slot slot : slots) {
+    const Child child = tree.child(slot);
+    if (child.isLeaf()) continue;
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const Slot next{child.node(), lane};
+      if (!tree.child(next).isEmpty()) below.push_back(next);
+    }
+  }
+  return below;
+}
+
+}  // namespace
+
+ReplayBoxes replayBoxesOf(const ClusteredOctree& tree, std::span<const Vec3> places, std::size_t most) {
+  ReplayBoxes found;
+  found.deepest = tree.stats().depth - 1;
+  std::vector<Slot> level = {ClusteredOctree::kRoot};
+  bool is_whole = true;
+  for (int depth = 0; !level.empty(); ++depth) {
+    const std::size_t room = most > found.boxes.size() ? most - found.boxes.size() : 0;
+    const auto levels_left = static_cast<std::size_t>(std::max(1, found.deepest - depth + 1));
+    // A level that is cut leaves their share to those below it.
+    if (depth > 0 && (level.size() > room || !is_whole)) {
+      is_whole = false;
+      const std::size_t share = std::min(level.size(), room / levels_left);
+      std::vector<std::pair<double, std::size_t>> ways;
+      for (std::size_t i = 0; i < level.size(); ++i) ways.emplace_back(wayTo(tree.box(level[i]), places), i);
+      std::ranges::nth_element(ways, ways.begin() + static_cast<std::ptrdiff_t>(share));
+      ways.resize(share);
+      std::ranges::sort(ways, {}, &std::pair<double, std::size_t>::second);
+      std::vector<Slot> kept;
+      for (const auto& [way, i] : ways) kept.push_back(level[i]);
+      level = std::move(kept);
+    }
+    if (is_whole) found.whole_to = depth;
+    for (const Slot slot : level) found.boxes.push_back({tree.box(slot), depth, tree.child(slot).isLeaf()});
+    level = slotsBelow(tree, level);
+  }
+  return found;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,21 @@
+#include "report/replay_files.h"
+
+#include "report/replay_page.h"
+#include "report/run_glb.h"
+#include "report/vtk_file.h"
+
+namespace octoblisk::demos {
+
+void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder, WholeFiles& files) {
+  writeReplayPage(replay, files.add(folder / "report.html"));
+  writeGlb(replay, files.add(folder / "run.glb"));
+  writeVtk(replay, files.add(folder / "contacts.vtk"), files.add(folder / "path.vtk"));
+}
+
+std::string tellReplayFiles(const std::filesystem::path& folder) {
+  return "To look at: " + (folder / "report.html").string() + ", " + (folder / "run.glb").string() +
+         "; for ParaView: " + (folder / "contacts.vtk").string() + ", " + (folder / "path.vtk").string() +
+         "\n";
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,365 @@
+#include "report/replay_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "report/base64.h"
+#include "report/display_mesh.h"
+#include "report/replay_boxes.h"
+#include "report/text_file.h"
+
+// The page, made by report/web (./dev web), with a place for the run.
+__asm__(
+    ".pushsection .rodata\n"
+    "octoblisk_replay_page_begin:\n"
+    ".incbin \"" OCTOBLISK_REPLAY_PAGE
+    "\"\n"
+    "octoblisk_replay_page_end:\n"
+    ".byte 0\n"
+    ".popsection\n");
+extern "C" const char octoblisk_replay_page_begin[], octoblisk_replay_page_end[];
+
+namespace octoblisk::demos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kPlaceOfRun = "@@RUN@@";
+constexpr std::uint8_t kNoPartByte = 255;
+
+template <typename Number>
+std::string packed(const std::vector<Number>& numbers) {
+  return base64Of(std::span<const Number>(numbers));
+}
+
+const char* nameOf(Tone tone) {
+  switch (tone) {
+    case Tone::clear:
+      return "clear";
+    case Tone::intended:
+      return "intended";
+    case Tone::near:
+      return "near";
+    case Tone::interference:
+      return "interference";
+    case Tone::open:
+      return "open";
+  }
+  return "";
+}
+
+int numberOfSide(const std::string& side) { return side == "forward" ? 1 : side == "backward" ? 2 : 0; }
+
+void append(std::vector<float>& floats, const Vec3& v) {
+  for (const double value : v) floats.push_back(static_cast<float>(value));
+}
+
+/// A value between two as a 16-bit step of the way.
+std::uint16_t stepOf(double value, double low, double high) {
+  if (!(high > low)) return 0;
+  return static_cast<std::uint16_t>(
+      std::lround(std::clamp((value - low) / (high - low), 0.0, 1.0) * 65535.0));
+}
+
+Json boxJson(const Aabb& box) {
+  return {box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z()};
+}
+
+Json meshJson(const DisplayMesh& mesh) {
+  Aabb box;
+  for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
+  std::vector<std::uint16_t> steps;
+  steps.reserve(3 * mesh.vertices.size());
+  for (const Vec3& vertex : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) steps.push_back(stepOf(vertex[axis], box.min[axis], box.max[axis]));
+  }
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return {{"box", boxJson(box)}, {"vertices", packed(steps)}, {"triangles", packed(corners)}};
+}
+
+/// Points that the replay is about, a few hundred at most.
+std::vector<Vec3> placesOf(const Replay& replay) {
+  constexpr std::size_t kMost = 256;
+  std::vector<Vec3> places;
+  for (const ReplayTrack& track : replay.tracks) {
+    for (const ReplayPose& pose : track.poses) {
+      if (!pose.contacts.empty()) places.push_back(pose.contacts.front().point);
+    }
+  }
+  if (places.empty()) {
+    for (const ReplayPose& pose : replay.tracks.front().poses)
+      places.push_back(pose.tool_in_blisk.translation);
+  }
+  const std::size_t stride = (places.size() + kMost - 1) / kMost;
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < places.size(); i += stride) some.push_back(places[i]);
+  return some;
+}
+
+Json boxesJson(const ReplayBoxes& found) {
+  Aabb around;
+  double half = 0.0;
+  for (const ReplayBox& each : found.boxes) {
+    around.extend(each.box.center);
+    half = std::max(half, each.box.half_extents.maxCoeff());
+  }
+  std::vector<std::uint8_t> depths;
+  std::vector<std::uint16_t> places;
+  for (const auto& [box, depth, is_leaf] : found.boxes) {
+    constexpr int kLeafBit = 128;
+    depths.push_back(static_cast<std::uint8_t>(depth | (is_leaf ? kLeafBit : 0)));
+    for (int axis = 0; axis < 3; ++axis)
+      places.push_back(stepOf(box.center[axis], around.min[axis], around.max[axis]));
+    for (const double extent : box.half_extents) places.push_back(stepOf(extent, 0.0, half));
+    const Eigen::Quaterniond turn(box.axes);
+    for (const double value : turn.coeffs()) {  // x, y, z, w
+      places.push_back(static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(32767.0 * value))));
+    }
+  }
+  return {{"depths", packed(depths)}, {"places", packed(places)}, {"box", boxJson(around)}, {"half", half},
+          {"whole", found.whole_to},  {"deepest", found.deepest}};
+}
+
+Json posesJson(const ReplayTrack& track) {
+  std::vector<float> poses;
+  for (const ReplayPose& pose : track.poses) {
+    append(poses, pose.tool_in_blisk.translation);
+    const Eigen::Quaterniond turn(pose.tool_in_blisk.rotation);
+    for (const double value : {turn.w(), turn.x(), turn.y(), turn.z()}) {
+      poses.push_back(static_cast<float>(value));
+    }
+  }
+  return packed(poses);
+}
+
+Json nearestJson(const ReplayTrack& track) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  std::vector<std::uint8_t> part, side, clearance_part;
+  std::vector<std::uint16_t> blade, clearance_blade;
+  std::vector<float> depth, clearance;
+  const auto add = [&](const std::optional<ReplayNearest>& nearest, auto& parts, auto& blades, auto& values,
+                       double sign) {
+    parts.push_back(nearest ? static_cast<std::uint8_t>(std::min<std::size_t>(nearest->part, kNoPartByte))
+                            : kNoPartByte);
+    blades.push_back(nearest ? static_cast<std::uint16_t>(nearest->blade) : std::uint16_t{0});
+    values.push_back(nearest ? static_cast<float>(sign * nearest->depth) : kNone);
+  };
+  for (const ReplayPose& pose : track.poses) {
+    add(pose.worst, part, blade, depth, 1.0);
+    side.push_back(pose.worst ? static_cast<std::uint8_t>(numberOfSide(pose.worst->side)) : std::uint8_t{0});
+    add(pose.clearance, clearance_part, clearance_blade, clearance, -1.0);
+  }
+  return {{"part", packed(part)},
+          {"blade", packed(blade)},
+          {"side", packed(side)},
+          {"depth", packed(depth)},
+          {"clearance", packed(clearance)},
+          {"clearance_part", packed(clearance_part)},
+          {"clearance_blade", packed(clearance_blade)}};
+}
+
+/// The contacts of each pose that are drawn: the deepest where there are too many.
+Json contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_out) {
+  std::size_t total = 0;
+  for (const ReplayPose& pose : track.poses) total += pose.contacts.size();
+  const std::size_t a_pose = total > most ? std::max<std::size_t>(1, most / track.poses.size())
+                                          : std::numeric_limits<std::size_t>::max();
+  std::vector<std::uint32_t> first = {0};
+  std::vector<std::uint8_t> verdicts;
+  std::vector<float> points, normals;
+  for (const ReplayPose& pose : track.poses) {
+    std::vector<ReplayContact> contacts = pose.contacts;
+    if (contacts.size() > a_pose) {
+      std::ranges::stable_sort(contacts, [](const ReplayContact& a, const ReplayContact& b) {
+        return std::pair(a.verdict, a.depth) > std::pair(b.verdict, b.depth);
+      });
+      left_out += contacts.size() - a_pose;
+      contacts.resize(a_pose);
+    }
+    for (const ReplayContact& contact : contacts) {
+      verdicts.push_back(static_cast<std::uint8_t>(contact.verdict));
+      append(points, contact.point);
+      append(normals, contact.normal);
+    }
+    first.push_back(static_cast<std::uint32_t>(verdicts.size()));
+  }
+  return {{"first", packed(first)},
+          {"verdict", packed(verdicts)},
+          {"points", packed(points)},
+          {"normals", packed(normals)}};
+}
+
+Json findingsJson(const ReplayTrack& track) {
+  Json rows = Json::array();
+  for (const ReplayFinding& finding : track.findings) {
+    Json value;  // null
+    if (finding.value) value = *finding.value;
+    rows.push_back({finding.at, finding.verdict,
+                    finding.part ? static_cast<std::int64_t>(*finding.part) : std::int64_t{-1},
+                    finding.blade.value_or(-1), numberOfSide(finding.side), value,
+                    finding.move_to ? static_cast<std::int64_t>(*finding.move_to) : std::int64_t{-1}});
+  }
+  return rows;
+}
+
+Json trackJson(const ReplayTrack& track, const ReplayLimits& limits, std::size_t& contacts_left_out) {
+  std::vector<std::uint8_t> verdicts;
+  Json texts;  // null
+  for (const ReplayPose& pose : track.poses) {
+    verdicts.push_back(static_cast<std::uint8_t>(pose.verdict));
+    if (!pose.text.empty()) texts.push_back(pose.text);
+  }
+  if (texts.size() != track.poses.size()) texts = nullptr;
+  Json series = Json::array();
+  for (const ReplaySeries& each : track.series) {
+    std::vector<float> values;
+    for (const double value : each.values) values.push_back(static_cast<float>(value));
+    series.push_back({{"chart", each.chart},
+                      {"name", each.name},
+                      {"unit", each.unit},
+                      {"told", each.told},
+                      {"values", packed(values)}});
+  }
+  return {{"name", track.name},
+          {"poses", posesJson(track)},
+          {"verdict", packed(verdicts)},
+          {"texts", texts},
+          {"nearest", nearestJson(track)},
+          {"series", series},
+          {"contacts", contactsJson(track, limits.contacts, contacts_left_out)},
+          {"findings", findingsJson(track)}};
+}
+
+std::string withThousands(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const TriangleMesh& mesh) {
+  std::ostringstream text;
+  text.precision(2);
+  text << "Thinned for display only: " << of << " is drawn with " << withThousands(drawn.triangles.size())
+       << " of its " << withThousands(mesh.triangleCount()) << " triangles, vertices within cubes of "
+       << drawn.merged_within << " mm being merged. All numbers are of the whole mesh.";
+  return text.str();
+}
+
+/// The meshes, and a note for each that is thinned.
+void addMeshes(const Replay& replay, const ReplayLimits& limits, Json& run, std::vector<std::string>& notes) {
+  const DisplayMesh blisk =
+      displayMeshOf(replay.blisk->mesh(), replay.blade_of_triangle, limits.blisk_triangles);
+  if (blisk.merged_within > 0.0) notes.push_back(thinningNote("the blisk", blisk, replay.blisk->mesh()));
+  Json groups = Json::array();
+  for (const DisplayMesh::Group& group : blisk.groups) {
+    groups.push_back({group.number, group.first, group.count});
+  }
+  run["blisk"] = {{"mesh", meshJson(blisk)}, {"groups", groups}};
+  Json parts = Json::array();
+  for (std::size_t p = 0; p < replay.parts.size(); ++p) {
+    const auto& [name, tree] = replay.parts[p];
+    const DisplayMesh part = displayMeshOf(tree->mesh(), {}, limits.part_triangles);
+    if (part.merged_within > 0.0) notes.push_back(thinningNote(name, part, tree->mesh()));
+    parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(part)}});
+  }
+  run["parts"] = parts;
+}
+
+Json factsJson(const std::vector<Table>& facts) {
+  Json tables = Json::array();
+  for (const Table& table : facts) {
+    tables.push_back({{"title", table.caption}, {"columns", table.columns}, {"rows", table.rows}});
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string replayJson(const Replay& replay, const ReplayLimits& limits) {
+  Json verdicts = Json::array(), counts = Json::array(), charts = Json::array(), tracks = Json::array();
+  for (const ReplayVerdict& verdict : replay.verdicts) {
+    verdicts.push_back({{"name", verdict.name}, {"tone", nameOf(verdict.tone)}});
+  }
+  for (const ReplayCount& count : replay.counts) {
+    counts.push_back({{"name", count.name}, {"count", count.count}, {"tone", nameOf(count.tone)}});
+  }
+  for (const ReplayChart& chart : replay.charts) {
+    Json lines = Json::array();
+    for (const auto& [value, name] : chart.limits) lines.push_back({{"value", value}, {"name", name}});
+    charts.push_back(
+        {{"title", chart.title}, {"unit", chart.unit}, {"stretch", chart.linear_within}, {"limits", lines}});
+  }
+  std::vector<std::string> notes = replay.notes;
+  std::size_t left_out = 0;
+  for (const ReplayTrack& track : replay.tracks) tracks.push_back(trackJson(track, limits, left_out));
+  if (left_out > 0) {
+    notes.push_back("The picture leaves out " + withThousands(left_out) +
+                    " contacts, the least deep of each pose; contacts.csv has all.");
+  }
+  Json run = {{"format", 1},
+              {"command", replay.command},
+              {"title", replay.title},
+              {"subtitle", replay.subtitle},
+              {"step", {{"one", replay.one}, {"many", replay.many}}},
+              {"findings",
+               {{"title", replay.findings_title},
+                {"where", replay.one == "pose" ? "Where" : "Point"},
+                {"value", replay.findings_value},
+                {"none", replay.no_findings}}},
+              {"verdicts", verdicts},
+              {"counts", counts},
+              {"blade_count", replay.blade_count},
+              {"ground_blade", replay.ground_blade},
+              {"start", {{"track", replay.start_track}, {"at", replay.start_at}}},
+              {"everywhere", replay.contacts_of_all_poses},
+              {"charts", charts},
+              {"tracks", tracks}};
+  addMeshes(replay, limits, run, notes);
+  const ReplayBoxes boxes = replayBoxesOf(*replay.blisk, placesOf(replay), limits.boxes);
+  if (boxes.whole_to < boxes.deepest) {
+    notes.push_back("Cluster boxes below level " + std::to_string(boxes.whole_to) +
+                    " are shown near the touches alone: the tree has " +
+                    withThousands(replay.blisk->stats().leaves) + " leaves.");
+  }
+  run["boxes"] = boxesJson(boxes);
+  run["facts"] = factsJson(replay.facts);
+  run["notes"] = notes;
+
+  const std::string text = run.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+void writeReplayPage(const Replay& replay, const std::filesystem::path& file, const ReplayLimits& limits) {
+  const std::string_view page(
+      octoblisk_replay_page_begin,
+      static_cast<std::size_t>(octoblisk_replay_page_end - octoblisk_replay_page_begin));
+  const std::size_t place = page.find(kPlaceOfRun);
+  if (place == std::string_view::npos) throw std::logic_error("the page has no place for the run");
+  std::string text(page.substr(0, place));
+  text += replayJson(replay, limits);
+  text += page.substr(place + kPlaceOfRun.size());
+  writeText(file, text);
+}
+
+}  // namespace octoblisk::demos

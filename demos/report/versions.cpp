@@ -1,0 +1,22 @@
+#include "report/versions.h"
+
+#include <LinearMath/btScalar.h>
+
+#include <Eigen/Core>
+
+namespace octoblisk::demos {
+
+Table versionsTable() {
+  const int bullet = btGetVersion();
+  const std::string eigen = std::to_string(EIGEN_WORLD_VERSION) + '.' + std::to_string(EIGEN_MAJOR_VERSION) +
+                            '.' + std::to_string(EIGEN_MINOR_VERSION);
+  return {.name = "versions",
+          .caption = "Versions",
+          .rows = {{"octoblisk", OCTOBLISK_VERSION},
+                   {"Bullet",
+                    std::to_string(bullet / 100) + '.' + std::to_string(bullet % 100) + ", double precision"},
+                   {"Eigen", eigen},
+                   {"compiler", __VERSION__}}};
+}
+
+}  // namespace octoblisk::demos

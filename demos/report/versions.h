@@ -1,0 +1,11 @@
+// What made a report.
+#pragma once
+
+#include "report/document.h"
+
+namespace octoblisk::demos {
+
+/// octoblisk and the libraries that its answers rest on, a row each.
+Table versionsTable();
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,96 @@
+// The run as octoblisk wrote it into the page, with its arrays as typed arrays.
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+const floats = (base64) => new Float32Array(bytesOf(base64));
+const words = (base64) => new Uint32Array(bytesOf(base64));
+const halves = (base64) => new Uint16Array(bytesOf(base64));
+const octets = (base64) => new Uint8Array(bytesOf(base64));
+
+/** A mesh: Float32 vertices (mm) of the 16-bit steps in its box, and Uint32 corners. */
+function meshOf({ box, vertices, triangles }) {
+  const steps = halves(vertices);
+  const positions = new Float32Array(steps.length);
+  for (let i = 0; i < steps.length; ++i) {
+    const axis = i % 3;
+    positions[i] = box[axis] + (steps[i] / 65535) * (box[axis + 3] - box[axis]);
+  }
+  return { vertices: positions, triangles: words(triangles) };
+}
+
+function boxesOf({ depths, places, box, half, whole, deepest }) {
+  const raw = new Int16Array(bytesOf(places)); // centre (unsigned), half extents (unsigned), quaternion x y z w
+  const unsigned = new Uint16Array(raw.buffer);
+  const count = raw.length / 10;
+  const centers = new Float32Array(3 * count), halfExtents = new Float32Array(3 * count), turns = new Float32Array(4 * count);
+  for (let i = 0; i < count; ++i) {
+    for (let k = 0; k < 3; ++k) {
+      centers[3 * i + k] = box[k] + (unsigned[10 * i + k] / 65535) * (box[k + 3] - box[k]);
+      halfExtents[3 * i + k] = (unsigned[10 * i + 3 + k] / 65535) * half;
+    }
+    for (let k = 0; k < 4; ++k) turns[4 * i + k] = raw[10 * i + 6 + k] / 32767;
+  }
+  return { depths: octets(depths), centers, halfExtents, turns, whole, deepest };
+}
+
+function trackOf(track) {
+  const contacts = track.contacts;
+  return {
+    ...track,
+    poses: floats(track.poses),
+    verdict: octets(track.verdict),
+    nearest: track.nearest && {
+      part: octets(track.nearest.part), blade: halves(track.nearest.blade), side: octets(track.nearest.side),
+      depth: floats(track.nearest.depth), clearance: floats(track.nearest.clearance),
+      clearancePart: octets(track.nearest.clearance_part), clearanceBlade: halves(track.nearest.clearance_blade),
+    },
+    series: track.series.map((series) => ({ ...series, values: floats(series.values) })),
+    contacts: {
+      first: words(contacts.first), verdict: octets(contacts.verdict),
+      points: floats(contacts.points), normals: floats(contacts.normals),
+    },
+  };
+}
+
+export function readRun() {
+  const run = JSON.parse(document.getElementById("run").textContent);
+  run.blisk.mesh = meshOf(run.blisk.mesh);
+  for (const part of run.parts) part.mesh = meshOf(part.mesh);
+  run.boxes = boxesOf(run.boxes);
+  run.tracks = run.tracks.map(trackOf);
+  return run;
+}
+
+const kNone = 255;
+const kSides = ["", "forward", "backward"];
+
+export const bladeText = (blade) => (blade === 0 ? "hub or shroud" : `blade ${blade}`);
+
+export const millimetres = (value) => {
+  const size = Math.abs(value);
+  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+};
+
+/** What is so at a pose, in a sentence. */
+export function sentenceOf(run, track, index) {
+  const verdict = run.verdicts[track.verdict[index]].name;
+  if (track.texts) return `${verdict}${track.texts[index] ? `: ${track.texts[index]}` : ""}`;
+  const { part, blade, side, depth, clearance, clearancePart, clearanceBlade } = track.nearest;
+  const pieces = [];
+  if (part[index] !== kNone && depth[index] >= 0) {
+    const where = kSides[side[index]] ? `, ${kSides[side[index]]} side` : "";
+    pieces.push(`${run.parts[part[index]].name} on ${bladeText(blade[index])}${where}, ${millimetres(depth[index])} mm deep`);
+  }
+  if (clearancePart[index] !== kNone && clearance[index] > 0) {
+    pieces.push(`clearance from the rest ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
+      + `from ${bladeText(clearanceBlade[index])}`);
+  }
+  const changes = track.series.filter((series) => series.told && series.values[index] !== 0)
+    .map((series) => `${series.name} ${Number(series.values[index].toFixed(3))} ${series.unit}`);
+  if (changes.length) pieces.push(`changed by ${changes.join(", ")}`);
+  return verdict + (pieces.length ? `: ${pieces.join("; ")}` : "");
+}
