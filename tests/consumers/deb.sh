@@ -14,7 +14,9 @@ rm -rf "$out_dir/_CPack_Packages"
 for package in "$out_dir"/*.deb; do
   dpkg-deb --field "$package" Package Version Depends
   dpkg-deb --extract "$package" "$out_dir/root"
+  zcat "$out_dir/root/usr/share/doc/$(dpkg-deb --field "$package" Package)/changelog.gz" | grep -q '^# Changelog'
 done
+zcat "$out_dir/root/usr/share/man/man1/octoblisk.1.gz" | grep -q '^\.TH OCTOBLISK 1'
 
 # What the command is linked to is there, and in the packages that it depends on.
 command=$out_dir/root/usr/bin/octoblisk
