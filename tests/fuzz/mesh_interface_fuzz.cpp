@@ -25,8 +25,11 @@ class Bytes {
 
   template <typename Number>
   Number any() {
-    std::array<std::uint8_t, sizeof(Number)> bytes;
-    for (std::uint8_t& one : bytes) one = byte();
+    std::array<std::uint8_t, sizeof(Number)> bytes{};
+    const std::size_t count = std::min(left_, bytes.size());
+    std::copy_n(data_, count, bytes.begin());
+    data_ += count;
+    left_ -= count;
     return std::bit_cast<Number>(bytes);
   }
 
