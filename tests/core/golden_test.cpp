@@ -44,13 +44,13 @@ const std::vector<Golden> kGolden = {
     {"refit", 0x92976be164151401u},
     {"collide", 0xb26d2f877a3cbb3bu},
     {"collide with a soup", 0x60f3a3c57a5449bbu},
-    {"contacts", 0xb844e809c9adfbfau},
-    {"contacts with a soup", 0xd20a55c5069f0fd8u},
+    {"contacts", 0xe9d8b1e9d1e91fc5u},
+    {"contacts with a soup", 0x9b4e39ec3ab5122eu},
     {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
-    {"distance", 0x46ec8a306b220886u},
+    {"distance", 0x5fe48ed4605a61d3u},
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},
-    {"sweeps", 0xfdf5a53f089dff03u},
+    {"sweeps", 0x2da2e4c1a0cda5b6u},
     {"solids", 0x7f60464654bb3ca2u},
 };
 
