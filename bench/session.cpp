@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -135,6 +137,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
       try {
         run(scene);
         std::cout.flush();
+        std::fflush(nullptr);
         std::_Exit(0);  // what libraries do at exit is no matter
       } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
@@ -147,7 +150,8 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
     exit_code = 1;
     std::cerr << options.of_google[0] << ": scene " << scene << " failed"
-              << (WIFSIGNALED(status) ? " by signal " + std::to_string(WTERMSIG(status)) : std::string())
+              << (WIFSIGNALED(status) ? std::string(" by signal ") + std::to_string(WTERMSIG(status))
+                                      : std::string())
               << "; it left no rows\n";
   }
   return exit_code;

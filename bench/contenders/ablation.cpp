@@ -14,6 +14,8 @@ bool registerVariant(const std::string& name, const MakeTree& make) {
   return registerContender(std::move(contender));
 }
 
+std::string numbered(std::string name, int number) { return name += std::to_string(number); }
+
 /// The paper's partition: the blisk's blades and hub, each in k clusters, in octrees.
 MakeTree paperTree(int clusters) {
   return [clusters](const std::shared_ptr<const TriangleMesh>& mesh) {
@@ -93,8 +95,8 @@ const bool kRegistered = [] {
   registerVariant("fast-build", built({.quality = BuildQuality::fast}));
   registerVariant("compact", built({.storage = Storage::compact}));
   for (const int capacity : {1, 2, 4})
-    registerVariant("leaf-" + std::to_string(capacity), built({.leaf_capacity = capacity}));
-  for (int k = 1; k <= 8; ++k) registerVariant("paper-k" + std::to_string(k), paperTree(k));
+    registerVariant(numbered("leaf-", capacity), built({.leaf_capacity = capacity}));
+  for (int k = 1; k <= 8; ++k) registerVariant(numbered("paper-k", k), paperTree(k));
   registerVariant("axis-aligned", axisAligned(Aligned::all));
   registerVariant("axis-aligned-leaves", axisAligned(Aligned::leaves));
   registerVariant("axis-aligned-inner", axisAligned(Aligned::inner));

@@ -42,6 +42,8 @@ class ConcavePileQuery : public PileQuery {
       starts_.push_back(pile_->body(k).getWorldTransform());
     }
   }
+  /// Before what the shapes are made of goes.
+  void stop() { pile_.reset(); }
   btCollisionDispatcher* dispatcher() { return &pile_->world().dispatcher(); }
 
  private:

@@ -83,6 +83,9 @@ class GimpactPile final : public ConcavePileQuery {
     });
     btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher());
   }
+  ~GimpactPile() override { stop(); }
+  GimpactPile(const GimpactPile&) = delete;
+  GimpactPile& operator=(const GimpactPile&) = delete;
 
  private:
   std::vector<std::unique_ptr<BulletMesh>> meshes_;

@@ -1,5 +1,6 @@
 #include "report/markdown.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -52,8 +53,8 @@ MarkdownTable::MarkdownTable(std::vector<std::string> header) : header_(std::mov
 
 void MarkdownTable::add(std::vector<std::string> cells) {
   if (cells.size() != header_.size()) {
-    throw std::invalid_argument("a table of " + std::to_string(header_.size()) + " columns got " +
-                                std::to_string(cells.size()) + " cells");
+    throw std::invalid_argument(std::string("a table of ") + std::to_string(header_.size()) +
+                                " columns got " + std::to_string(cells.size()) + " cells");
   }
   rows_.push_back(std::move(cells));
 }
@@ -67,7 +68,8 @@ std::string MarkdownTable::text() const {
 }
 
 std::string spliced(const std::string& text, const std::string& name, const std::string& block) {
-  const std::string first = "<!-- " + name + " -->\n", last = "<!-- end of " + name + " -->\n";
+  const std::string first = std::string("<!-- ") + name + " -->\n";
+  const std::string last = std::string("<!-- end of ") + name + " -->\n";
   const std::size_t begin = text.find(first);
   const std::size_t end = begin == std::string::npos ? begin : text.find(last, begin);
   if (end == std::string::npos) throw std::invalid_argument("the text has no block '" + name + "'");

@@ -43,14 +43,15 @@ std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& f
     std::string title = curve.name;
     if (hasLaw(curve)) {
       const PowerLaw law = fitPowerLaw(curve.x, curve.y);
-      title += ": ^" + significant(law.exponent);
+      title += std::string(": ^") + significant(law.exponent);
       std::ostringstream formula;
       formula.precision(10);
       formula << ", [" << curve.x.front() << ':' << curve.x.back() << "] " << law.factor << "*x**("
               << law.exponent << ") with lines lw 1 dt 2" << color << " notitle";
       plots += formula.str();
     }
-    plots += ", " + data + " using 1:2 with points pt 7 ps 0.6" + color + " title " + quoted(title);
+    plots +=
+        std::string(", ") + data + " using 1:2 with points pt 7 ps 0.6" + color + " title " + quoted(title);
   }
   script << "plot" << plots.substr(1) << "\nset output\n";
   return script.str();

@@ -1,8 +1,7 @@
 #include "report/results_page.h"
 
 #include <algorithm>
-#include <functional>
-#include <optional>
+#include <iterator>
 
 #include "report/markdown.h"
 #include "report/power_law.h"
@@ -44,20 +43,20 @@ std::string ratioText(const Row& row) {
   const double ratio = number(row, "ratio");
   if (ratio == 0.0) return "";
   const std::string text = significant(ratio, ratio >= 99.5 ? 3 : 2);
-  return ratio < 1.0 && row.value("contender", "") != kOurs ? "**" + text + "**" : text;
+  return ratio < 1.0 && row.value("contender", "") != kOurs ? std::string("**") + text + "**" : text;
 }
 
 std::string differencesText(const Row& row) {
   const double differences = number(row, "differences");
   if (differences == 0.0) return "";
-  return " (" + significant(differences, 6) + " differ)";
+  return std::string(" (") + significant(differences, 6) + " differ)";
 }
 
 std::string cellOf(const Row& row) {
   std::string text = row.contains("bytes_a_triangle") ? significant(number(row, "bytes_a_triangle")) + " B"
                                                       : timeText(number(row, "mean_us"));
   const std::string ratio = ratioText(row);
-  if (!ratio.empty() && row.value("contender", "") != kOurs) text += " · " + ratio;
+  if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
   return text + differencesText(row);
 }
 
@@ -102,7 +101,8 @@ std::string machineText(const Row& context) {
   const auto item = [&](const std::string& name, const char* key) {
     if (!context.contains(key)) return;
     const Row& value = context[key];
-    text += "- " + name + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) + '\n';
+    text += std::string("- ") + name + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) +
+            '\n';
   };
   item("taken", "date");
   item("processor", "processor");
@@ -114,7 +114,7 @@ std::string machineText(const Row& context) {
   for (const auto& [key, value] : context.items()) {
     const std::string prefix = "contender ";
     if (key.starts_with(prefix))
-      text += "- " + key.substr(prefix.size()) + ": " + value.get<std::string>() + '\n';
+      text += std::string("- ") + key.substr(prefix.size()) + ": " + value.get<std::string>() + '\n';
   }
   return text + '\n';
 }
@@ -178,7 +178,7 @@ std::string ablationTable(const Rows& all) {
   }
   if (rows.empty()) return "";
   MarkdownTable table({"variant", "touching", "all pairs", "distance", "ray"});
-  const std::string scene = rows.front()["scene"];
+  const std::string scene = rows.front()["scene"].get<std::string>();
   for (const std::string& variant : valuesOf(rows, "contender")) {
     std::vector<std::string> cells = {variant};
     for (const char* query : queries) {
@@ -219,9 +219,9 @@ std::string paperTable(const Rows& all) {
                        "volume left, mm³", "false alarms", "missed"});
   for (const Row& row : rows) {
     const double clear = number(row, "clear_poses"), poses = number(row, "questions");
-    table.add({row["scene"], row.value("contender", ""), timeText(number(row, "mean_us")), ratioText(row),
-               significant(number(row, "range_mm3"), 3), significant(number(row, "leaves_left")),
-               significant(number(row, "volume_left_mm3")),
+    table.add({row["scene"].get<std::string>(), row.value("contender", ""), timeText(number(row, "mean_us")),
+               ratioText(row), significant(number(row, "range_mm3"), 3),
+               significant(number(row, "leaves_left")), significant(number(row, "volume_left_mm3")),
                significant(number(row, "false_alarms"), 6) + " of " + significant(clear, 6),
                significant(number(row, "missed"), 6) + " of " + significant(poses - clear, 6)});
   }
@@ -239,17 +239,19 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
       "many answers differ from the\nreference).\n\n## Where they were taken\n\n" +
       machineText(context);
   const auto section = [&](const std::string& title, const std::string& table) {
-    if (!table.empty()) text += "## " + title + "\n\n" + table + '\n';
+    if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';
   };
   for (const auto& [task, asks] : kSections)
-    section(asks + (" (`" + std::string(task) + "`)"), taskTable(rows, task));
+    section(std::string(asks) + " (`" + task + "`)", taskTable(rows, task));
   section("The paper's method (`paper-method`)", paperTable(rows));
   for (const Growth& growth : kGrowths) {
     const LogLogPlot plot = growthPlot(rows, growth);
     if (plot.curves.empty()) continue;
-    const std::string file = growth.task + (growth.prefix.empty() ? "" : '-' + growth.prefix) + ".svg";
-    section("Growth of " + growth.title + " with the " + growth.x_label + " (`" + growth.task + "`)",
-            "![](" + file + ")\n\n" + growthTable(plot));
+    const std::string file =
+        growth.task + (growth.prefix.empty() ? std::string() : std::string("-") + growth.prefix) + ".svg";
+    section(
+        std::string("Growth of ") + growth.title + " with the " + growth.x_label + " (`" + growth.task + "`)",
+        std::string("![](") + file + ")\n\n" + growthTable(plot));
     page.plots.push_back({file, plot});
   }
   section("One thing changed: times as slow as the default (`ablation`)", ablationTable(rows));

@@ -22,7 +22,7 @@ Rows readRows(const std::filesystem::path& file) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (const char* key : {"task", "scene"}) {
       if (rows[k].is_object() && rows[k].contains(key) && rows[k][key].is_string()) continue;
-      refuse(file, "row " + std::to_string(k) + " has no " + key);
+      refuse(file, std::string("row ") + std::to_string(k) + " has no " + key);
     }
   }
   return rows;
