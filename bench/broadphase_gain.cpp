@@ -4,13 +4,11 @@
 //   broadphase_gain [rows = broadphase.json] [blisk file...]
 //
 // Always of the default blisk; of meshes (mm, axis Z) beside, where they are given. Prints tables and writes
-// their rows.
+// their rows; those of other blisks that are there already stay.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "grinding_world.h"
@@ -19,11 +17,10 @@
 #include "models/orientation.h"
 #include "octoblisk/detection_range.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
+#include "report/rows.h"
 
 namespace octoblisk::bench {
 namespace {
-
-using Row = nlohmann::ordered_json;
 
 /// The statistics of a broadphase that holds the blisk alone.
 BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
@@ -41,7 +38,7 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
 }
 
 /// Volumes in mm³, and the part of the one box round all that they save.
-void addRanges(const GrindingScene& scene, std::vector<Row>& rows) {
+void addRanges(const GrindingScene& scene, Rows& rows) {
   constexpr std::size_t kMostClusters = 8;
   constexpr int kMostDepth = 6;
   const TriangleMesh& mesh = scene.blisk->mesh();
@@ -129,7 +126,7 @@ struct Contender {
   std::vector<double> times;
 };
 
-void addWorlds(const GrindingScene& scene, std::vector<Row>& rows) {
+void addWorlds(const GrindingScene& scene, Rows& rows) {
   constexpr int kDrives = 3;
   std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means of a step\n",
               scene.name.c_str(), scene.tool_in_blisk.size(), scene.loose.size());
@@ -180,17 +177,9 @@ TriangleMesh readOutward(const char* file) {
   return demos::enclosedVolume(mesh) >= 0.0 ? mesh : demos::turned(mesh);
 }
 
-void write(const char* path, const std::vector<Row>& rows) {
-  std::ofstream file(path);
-  for (std::size_t k = 0; k < rows.size(); ++k) file << (k == 0 ? "[\n" : ",\n") << rows[k].dump();
-  file << "\n]\n";
-  file.close();
-  if (!file) throw std::runtime_error(std::string(path) + " cannot be written");
-}
-
 int run(int argc, char** argv) {
   if (argc > 1 && argv[1][0] == '-') throw std::runtime_error("usage: broadphase_gain [rows] [blisk file...]");
-  std::vector<Row> rows;
+  Rows rows;
   const auto report = [&](const GrindingScene& scene) {
     addRanges(scene, rows);
     addWorlds(scene, rows);
@@ -198,7 +187,8 @@ int run(int argc, char** argv) {
   report(makeGrindingScene("default", demos::embeddedBlisk()));
   for (int i = 2; i < argc; ++i)
     report(makeGrindingScene(std::filesystem::path(argv[i]).stem().string(), readOutward(argv[i])));
-  write(argc > 1 ? argv[1] : "broadphase.json", rows);
+  const char* file = argc > 1 ? argv[1] : "broadphase.json";
+  writeRows(file, mergedRows(readRows(file), rows));
   return 0;
 }
 

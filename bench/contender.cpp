@@ -6,34 +6,39 @@
 namespace octoblisk::bench {
 namespace {
 
-std::vector<Contender>& registered() {
-  static std::vector<Contender> all;
+std::vector<Contender>& registered(const std::string& group) {
+  static std::map<std::string, std::vector<Contender>> groups;
+  return groups[group];
+}
+
+std::vector<std::pair<std::string, std::string>>& described() {
+  static std::vector<std::pair<std::string, std::string>> all;
   return all;
 }
 
 }  // namespace
 
-const std::vector<Contender>& contenders() { return registered(); }
+const std::vector<Contender>& contenders(const std::string& group) { return registered(group); }
 
 bool registerContender(Contender contender) {
-  std::vector<Contender>& all = registered();
+  std::vector<Contender>& all = registered(contender.group);
   const auto same = std::ranges::find(all, contender.name, &Contender::name);
   if (same != all.end()) {
-    const auto add = [&](auto maker) {
+    forEachMaker([&](auto maker) {
       if (contender.*maker) *same.*maker = std::move(contender.*maker);
-    };
-    add(&Contender::collide);
-    add(&Contender::contacts);
-    add(&Contender::world_contacts);
-    add(&Contender::world_step);
-    add(&Contender::distance);
-    add(&Contender::ray);
-    add(&Contender::build);
+    });
     return true;
   }
   all.push_back(std::move(contender));
   std::ranges::sort(all, {}, [](const Contender& c) { return std::pair(c.name != kOurs, c.name); });
   return true;
 }
+
+bool describe(const std::string& name, const std::string& about) {
+  described().emplace_back(name, about);
+  return true;
+}
+
+const std::vector<std::pair<std::string, std::string>>& descriptions() { return described(); }
 
 }  // namespace octoblisk::bench

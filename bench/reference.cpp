@@ -6,6 +6,7 @@
 #include <map>
 
 #include "octoblisk/triangle_pair.h"
+#include "shared/solids.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -27,7 +28,8 @@ void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&&
   }
 }
 
-/// Where a line meets a triangle, as a part of the way; 1 where it does not (Möller and Trumbore, 1997).
+}  // namespace
+
 double hitOf(const Triangle& triangle, const Segment& way) {
   const Vec3 direction = way.to - way.from;
   const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0], offset = way.from - triangle[0];
@@ -38,8 +40,6 @@ double hitOf(const Triangle& triangle, const Segment& way) {
   const double t = ac.dot(around) / determinant;
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= 0.0 ? std::min(t, 1.0) : 1.0;
 }
-
-}  // namespace
 
 Reference::Reference(const TriangleMesh& blisk)
     : blisk_(blisk),
@@ -125,6 +125,31 @@ double Reference::firstHit(const Segment& way) const {
     });
   }
   return first;
+}
+
+double Reference::distanceTo(const Vec3& point, double farthest) const {
+  const Vec3 reach = Vec3::Constant(farthest);
+  double least = std::numeric_limits<double>::infinity();
+  forEachCell(cellOf(point - reach), cellOf(point + reach), [&](const Cell& cell) {
+    const std::size_t index = indexOf(cell);
+    for (std::uint32_t k = begin_[index]; k < begin_[index + 1]; ++k) {
+      least = std::min(least, testing::bruteForceDistance(blisk_.triangle(triangles_[k]), point));
+    }
+  });
+  return least <= farthest ? least : std::numeric_limits<double>::infinity();
+}
+
+double Reference::firstTouch(const Segment& way, double radius) const {
+  constexpr double kTouching = 1e-4, kStep = 2.0;  // mm
+  const double length = (way.to - way.from).norm();
+  for (double gone = 0.0; gone < length;) {
+    const double farthest = radius + kStep;
+    const double apart =
+        std::min(distanceTo(way.from + gone / length * (way.to - way.from), farthest), farthest) - radius;
+    if (apart <= kTouching) return gone / length;
+    gone += apart;
+  }
+  return 1.0;
 }
 
 bool Reference::within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const {

@@ -12,6 +12,10 @@
 
 namespace octoblisk::bench {
 
+/// Where a way meets a triangle, as a part of the way; 1 where it does not (T. Möller and B. Trumbore, Fast,
+/// minimum storage ray–triangle intersection, 1997).
+double hitOf(const Triangle& triangle, const Segment& way);
+
 /// The triangles of a mesh in the cells of a uniform grid. What its boxes may meet is then tested exactly.
 class Reference {
  public:
@@ -22,6 +26,13 @@ class Reference {
 
   /// The part of the way, 0 to 1, at which a triangle is met first; 1 where none is. In double precision.
   double firstHit(const Segment& way) const;
+
+  /// The distance of a point to the nearest triangle, where that is no more than `farthest`; else infinity.
+  double distanceTo(const Vec3& point, double farthest) const;
+
+  /// The part of the way, 0 to 1, that a ball's middle has gone when the ball comes within 1e-4 mm of a
+  /// triangle, by steps no longer than the distance; 1 where it does not.
+  double firstTouch(const Segment& way, double radius) const;
 
   /// Whether some two triangles are no farther apart than `reach`.
   bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;

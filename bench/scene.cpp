@@ -1,11 +1,11 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <random>
+#include <regex>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -98,8 +98,7 @@ std::vector<Pose> shuffledOverBlades(const std::vector<Pose>& path) {
   return poses;
 }
 
-std::vector<Segment> randomWays(const TriangleMesh& blisk) {
-  constexpr int kWays = 100'000;
+std::vector<Segment> randomWays(const TriangleMesh& blisk, std::size_t count) {
   const Vec3 reach = 1.1 * blisk.bounds().max;
   std::mt19937_64 random(3);
   const auto point = [&] {
@@ -107,36 +106,78 @@ std::vector<Segment> randomWays(const TriangleMesh& blisk) {
     for (int axis = 0; axis < 3; ++axis) p[axis] = uniform(random, -reach[axis], reach[axis]);
     return Vec3(p.cast<float>().cast<double>());
   };
-  std::vector<Segment> ways(kWays);
+  std::vector<Segment> ways(count);
   for (Segment& way : ways) way = {point(), point()};
   return ways;
 }
 
-Scene makeScene(const std::string& name, std::size_t poses) {
-  const std::map<std::string, std::size_t> sizes = {{"50k", 50'000}, {"300k", 300'000}, {"1500k", 1'500'000}};
-  const auto size = sizes.find(name);
-  if (size == sizes.end()) throw std::invalid_argument("there is no scene '" + name + "'");
+/// What a name says.
+struct Sizes {
+  std::size_t blisk = 300'000;
+  std::size_t belt = 0;  // the default one
+  std::size_t bodies = 200;
+};
+
+Sizes sizesOf(const std::string& name) {
+  static const std::regex blisk("([0-9]{1,5})k"), belt("belt-([0-9]{1,4})k"), bodies("([0-9]{1,5})-bodies");
+  const auto number = [](const std::smatch& match) { return std::stoul(match[1]); };
+  std::smatch match;
+  if (std::regex_match(name, match, blisk)) return {.blisk = 1000 * number(match)};
+  if (std::regex_match(name, match, belt)) return {.belt = 1000 * number(match)};
+  if (std::regex_match(name, match, bodies)) return {.blisk = 50'000, .bodies = number(match)};
+  throw std::invalid_argument("there is no scene '" + name + "'");
+}
+
+/// Stations and points in the proportion of the default belt, twice as many triangles as points.
+demos::BeltParameters beltOf(std::size_t triangles) {
+  demos::BeltParameters parameters;
+  if (triangles == 0) return parameters;
+  const double scale =
+      std::sqrt(static_cast<double>(triangles) / (2.0 * parameters.stations * parameters.points_per_station));
+  parameters.stations = static_cast<int>(std::lround(parameters.stations * scale));
+  parameters.points_per_station = static_cast<int>(std::lround(parameters.points_per_station * scale));
+  return parameters;
+}
+
+Scene makeScene(const std::string& name, const SceneSize& size) {
+  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000, kQuickSteps = 90;
+  const Sizes sizes = sizesOf(name);
+  const demos::BeltParameters belt = beltOf(sizes.belt);
   Scene scene;
   scene.name = name;
-  scene.blisk = roundedToFloat(demos::makeDefaultBlisk(size->second).mesh);
-  scene.belt = roundedToFloat(demos::makeBelt());
+  scene.blisk = roundedToFloat(demos::makeDefaultBlisk(sizes.blisk).mesh);
+  scene.belt = roundedToFloat(demos::makeBelt(belt));
+  scene.stations = belt.stations;
+  scene.points_per_station = belt.points_per_station;
   static const std::vector<Pose> whole_path = [] {
     const TriangleMesh blisk = demos::makeDefaultBlisk(kPathTriangles).mesh;
     return makePath(blisk, demos::findBlades(blisk));
   }();
-  scene.path = stretchesOf(whole_path, poses);
+  scene.path = stretchesOf(whole_path, size.poses);
   scene.shuffled = shuffledOverBlades(scene.path);
-  scene.ways = randomWays(*scene.blisk);
+  scene.ways = randomWays(*scene.blisk, size.quick ? kQuickWays : kWays);
+  scene.bodies = sizes.bodies;
+  if (size.quick) scene.steps = kQuickSteps;
   return scene;
 }
 
 }  // namespace
 
-const Scene& sceneNamed(const std::string& name, std::size_t poses) {
-  static std::map<std::pair<std::string, std::size_t>, Scene> scenes;
-  const auto key = std::pair(name, poses);
+const Scene& sceneNamed(const std::string& name, const SceneSize& size) {
+  static std::map<std::pair<std::string, SceneSize>, Scene> scenes;
+  const auto key = std::pair(name, size);
   const auto known = scenes.find(key);
-  return known != scenes.end() ? known->second : scenes.emplace(key, makeScene(name, poses)).first->second;
+  return known != scenes.end() ? known->second : scenes.emplace(key, makeScene(name, size)).first->second;
+}
+
+std::shared_ptr<const TriangleMesh> bent(const TriangleMesh& blisk) {
+  constexpr double kHeight = 0.5, kWave = 0.05;  // mm, 1/mm
+  std::vector<Vec3> vertices = blisk.vertices();
+  for (Vec3& v : vertices) {
+    v.z() += kHeight * std::sin(kWave * v.x()) * std::cos(kWave * v.y());
+    v = v.cast<float>().cast<double>();
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), blisk.triangles());
 }
 
 }  // namespace octoblisk::bench

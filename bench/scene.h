@@ -1,6 +1,7 @@
 // What the contenders are asked about: a blisk, the belt, and the poses of a grinding path.
 #pragma once
 
+#include <compare>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,18 +22,32 @@ struct Scene {
   std::string name;
   std::shared_ptr<const TriangleMesh> blisk;
   std::shared_ptr<const TriangleMesh> belt;
-  std::vector<Pose> path;      ///< belt_in_blisk, in the order they are driven through
-  std::vector<Pose> shuffled;  ///< the same, each turned to a random blade, in random order
-  std::vector<Segment> ways;   ///< from anywhere to anywhere in a box a little larger than the blisk
+  int stations = 0, points_per_station = 0;  ///< of the belt: its vertices, station by station
+  std::vector<Pose> path;                    ///< belt_in_blisk, in the order they are driven through
+  std::vector<Pose> shuffled;                ///< the same, each turned to a random blade, in random order
+  std::vector<Segment> ways;  ///< from anywhere to anywhere in a box a little larger than the blisk
+  std::size_t bodies = 200;   ///< that fall onto the blisk
+  std::size_t steps = 360;    ///< of 1/240 s, in which they fall
 };
 
-inline constexpr const char* kSceneNames[] = {"50k", "300k", "1500k"};
+/// How much of a scene is asked for.
+struct SceneSize {
+  std::size_t poses = 0;  ///< about how many of the path, in stretches of twenty; 0: all
+  bool quick = false;     ///< fewer ways and steps too
 
-/// The default belt over the default blisk of 50,000, 300,000 or 1,500,000 triangles, made at the first call
-/// and kept. The path is the same for all: there and back over both sides of a blade in steps of about 1 mm,
-/// approach and retraction, the belt pressed in and lifted off by seeded, smooth amounts.
-/// `poses` above 0 keeps about that many, in stretches of twenty.
-/// Throws std::invalid_argument for another name.
-const Scene& sceneNamed(const std::string& name, std::size_t poses = 0);
+  auto operator<=>(const SceneSize&) const = default;
+};
+
+/// A scene, made at the first call and kept:
+///   300k          the default belt over the default blisk of about so many thousand triangles
+///   belt-20k      a belt of about so many thousand triangles over the blisk of 300k
+///   1000-bodies   so many bodies over the blisk of 50k
+/// The path is the same for all: there and back over both sides of a blade in steps of about 1 mm, approach
+/// and retraction, the belt pressed in and lifted off by seeded, smooth amounts. Throws std::invalid_argument
+/// for another name.
+const Scene& sceneNamed(const std::string& name, const SceneSize& size = {});
+
+/// The blisk with every vertex moved by up to 0.5 mm, smoothly: what a refit is for.
+std::shared_ptr<const TriangleMesh> bent(const TriangleMesh& blisk);
 
 }  // namespace octoblisk::bench

@@ -2,14 +2,20 @@
 
 #include <benchmark/benchmark.h>
 #include <sched.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+
+#include "contender.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -29,6 +35,13 @@ long numberIn(const std::string& option, const std::string& text) {
   refuse(option + " needs a whole number, not '" + text + "'");
 }
 
+std::vector<std::string> partsOf(const std::string& list) {
+  std::vector<std::string> parts;
+  std::istringstream text(list);
+  for (std::string part; std::getline(text, part, ',');) parts.push_back(part);
+  return parts;
+}
+
 void pinTo(int core) {
   cpu_set_t cores;
   CPU_ZERO(&cores);
@@ -36,6 +49,14 @@ void pinTo(int core) {
   if (sched_setaffinity(0, sizeof cores, &cores) != 0) {
     refuse("cannot be pinned to core " + std::to_string(core) + ": give another by --core");
   }
+}
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
 }
 
 std::string textOf(const Row& value) {
@@ -46,7 +67,7 @@ std::string textOf(const Row& value) {
 }
 
 /// The first seven columns, which all rows of a task have.
-void printTable(const std::vector<Row>& rows) {
+void printTable(const Rows& rows) {
   constexpr std::size_t kColumns = 7;
   constexpr int kWidth = 20;
   if (rows.empty()) return;
@@ -64,52 +85,107 @@ void printTable(const std::vector<Row>& rows) {
   }
 }
 
+/// "rays.json" → "rays-300k.json", in Google Benchmark's option for it.
+std::string forScene(const std::string& option, const std::string& scene) {
+  const std::string name = "--benchmark_out=", ending = ".json";
+  if (!option.starts_with(name) || !option.ends_with(ending)) return option;
+  return option.substr(0, option.size() - ending.size()) + '-' + scene + ending;
+}
+
 }  // namespace
 
-Session::Session(int argc, char** argv, bool pinned)
-    : core_(pinned ? static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) - 1 : -1) {
-  // Defaults that the user's own options, which come later, replace.
-  std::vector<std::string> arguments = {argv[0], "--benchmark_min_time=0.05", "--benchmark_repetitions=7",
-                                        "--benchmark_enable_random_interleaving=true",
-                                        "--benchmark_display_aggregates_only=true"};
+SessionOptions sessionOptions(int argc, char** argv, bool pinned) {
+  SessionOptions options;
+  options.core = pinned ? static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) - 1 : -1;
+  options.of_google = {argv[0]};
   for (int k = 1; k < argc; ++k) {
     const std::string argument = argv[k];
-    if (argument != "--rows" && argument != "--core" && argument != "--poses") {
-      arguments.push_back(argument);
+    if (argument == "--quick") {
+      options.quick = true;
+      continue;
+    }
+    if (argument != "--rows" && argument != "--scenes" && argument != "--core" && argument != "--poses") {
+      options.of_google.push_back(argument);
       continue;
     }
     if (++k == argc) refuse(argument + " needs a value");
-    if (argument == "--rows") rows_file_ = argv[k];
-    if (argument == "--core") core_ = static_cast<int>(numberIn(argument, argv[k]));
-    if (argument == "--poses") poses_ = static_cast<std::size_t>(std::max(0l, numberIn(argument, argv[k])));
+    if (argument == "--rows") options.rows_file = argv[k];
+    if (argument == "--scenes") options.scenes = partsOf(argv[k]);
+    if (argument == "--core") options.core = static_cast<int>(numberIn(argument, argv[k]));
+    if (argument == "--poses")
+      options.poses = static_cast<std::size_t>(std::max(0l, numberIn(argument, argv[k])));
   }
+  return options;
+}
+
+int forEachScene(const SessionOptions& options, const std::vector<std::string>& scenes,
+                 const std::function<void(const std::string&)>& run) {
+  for (const std::string& wanted : options.scenes) {
+    if (std::ranges::find(scenes, wanted) != scenes.end()) continue;
+    std::string known;
+    for (const std::string& scene : scenes) known += ' ' + scene;
+    refuse("there is no scene '" + wanted + "' here, but:" + known);
+  }
+  int exit_code = 0;
+  for (const std::string& scene : scenes) {
+    const auto& wanted = options.scenes;
+    if (!wanted.empty() && std::ranges::find(wanted, scene) == wanted.end()) continue;
+    std::cout.flush();
+    const pid_t child = fork();
+    if (child < 0) refuse("cannot start a process for the scene " + scene);
+    if (child == 0) {
+      try {
+        run(scene);
+        std::cout.flush();
+        std::fflush(nullptr);
+        std::_Exit(0);  // what libraries do at exit is no matter
+      } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        std::_Exit(2);
+      }
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
+    exit_code = 1;
+    std::cerr << options.of_google[0] << ": scene " << scene << " failed"
+              << (WIFSIGNALED(status) ? std::string(" by signal ") + std::to_string(WTERMSIG(status))
+                                      : std::string())
+              << "; it left no rows\n";
+  }
+  return exit_code;
+}
+
+Session::Session(const SessionOptions& options, const std::string& scene) : rows_file_(options.rows_file) {
+  // Defaults that the user's own options, which come later, replace.
+  std::vector<std::string> arguments = {
+      options.of_google[0], "--benchmark_min_time=0.05",
+      options.quick ? "--benchmark_repetitions=2" : "--benchmark_repetitions=5",
+      "--benchmark_enable_random_interleaving=true", "--benchmark_display_aggregates_only=true"};
+  for (std::size_t k = 1; k < options.of_google.size(); ++k)
+    arguments.push_back(forScene(options.of_google[k], scene));
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   int count = static_cast<int>(pointers.size());
   benchmark::Initialize(&count, pointers.data());
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) std::exit(2);
-  if (core_ >= 0) pinTo(core_);
-  benchmark::AddCustomContext("pinned_to_core", core_ < 0 ? "none" : std::to_string(core_));
+  if (options.core >= 0) pinTo(options.core);
+  benchmark::AddCustomContext("processor", processorName());
+  benchmark::AddCustomContext("pinned_to_core", options.core < 0 ? "none" : std::to_string(options.core));
   benchmark::AddCustomContext("octoblisk_flags", OCTOBLISK_BENCH_FLAGS);
   benchmark::AddCustomContext("peers", "the libraries of Debian's packages, as built there");
+  for (const auto& [name, about] : descriptions()) benchmark::AddCustomContext("contender " + name, about);
 }
 
-void Session::run() {
+void Session::run() const {
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
 
-int Session::finish(const std::vector<Row>& rows) const {
+void Session::finish(const Rows& rows) const {
   printTable(rows);
-  if (rows_file_.empty()) return 0;
-  std::ofstream file(rows_file_);
-  file << "[\n";
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    file << rows[k].dump() << (k + 1 < rows.size() ? ",\n" : "\n");
-  file << "]\n";
-  file.close();
-  if (!file) refuse(rows_file_ + " cannot be written");
-  return 0;
+  if (!rows_file_.empty()) writeRows(rows_file_, mergedRows(readRows(rows_file_), rows));
 }
 
 }  // namespace octoblisk::bench

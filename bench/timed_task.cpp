@@ -68,8 +68,8 @@ void visit(benchmark::State& state, Entrant& entrant, bool by_the_clock) {
   if (trial.differences) state.counters["differences"] = static_cast<double>(*trial.differences);
 }
 
-std::vector<Row> rowsOf(const std::string& task, std::vector<std::unique_ptr<Entrant>>& entrants) {
-  std::vector<Row> rows;
+Rows rowsOf(const std::string& task, std::vector<std::unique_ptr<Entrant>>& entrants) {
+  Rows rows;
   std::map<std::string, double> ours;
   for (const auto& entrant : entrants) {
     if (entrant->passes.empty()) continue;
@@ -97,30 +97,55 @@ std::vector<Row> rowsOf(const std::string& task, std::vector<std::unique_ptr<Ent
   return rows;
 }
 
+/// Registers every contender that takes part in the task on the scene.
+void addEntrants(const TimedTask& task, const std::string& scene, const SessionOptions& options,
+                 std::vector<std::unique_ptr<Entrant>>& entrants) {
+  const std::size_t all = options.quick ? 220 : task.poses;
+  const SceneSize size = {.poses = options.poses > 0 ? options.poses : all, .quick = options.quick};
+  for (const Contender& contender : contenders(task.group)) {
+    if (!task.can_do(contender) || (task.takes_part && !task.takes_part(contender, scene))) continue;
+    Entrant* entrant = entrants.emplace_back(std::make_unique<Entrant>(scene, &contender)).get();
+    const std::string name = task.name + '/' + scene + '/' + contender.name;
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [entrant, &task, size](benchmark::State& state) {
+                                   if (!entrant->trial) {
+                                     entrant->trial =
+                                         task.prepare(sceneNamed(entrant->scene, size), *entrant->contender);
+                                   }
+                                   visit(state, *entrant, task.on_threads);
+                                 })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
 }  // namespace
 
-int runTimedTask(int argc, char** argv, const TimedTask& task) {
-  Session session(argc, argv, !task.on_threads);
-  std::vector<std::unique_ptr<Entrant>> entrants;
-  for (const char* scene : kSceneNames) {
-    for (const Contender& contender : contenders()) {
-      if (!task.can_do(contender)) continue;
-      Entrant* entrant = entrants.emplace_back(std::make_unique<Entrant>(scene, &contender)).get();
-      const std::string name = task.name + '/' + scene + '/' + contender.name;
-      benchmark::RegisterBenchmark(name.c_str(),
-                                   [entrant, &task, &session](benchmark::State& state) {
-                                     if (!entrant->trial) {
-                                       entrant->trial = task.prepare(
-                                           sceneNamed(entrant->scene, session.poses()), *entrant->contender);
-                                     }
-                                     visit(state, *entrant, task.on_threads);
-                                   })
-          ->UseManualTime()
-          ->Unit(benchmark::kMillisecond);
+int runTimedTasks(int argc, char** argv, const std::vector<TimedTask>& tasks) {
+  const SessionOptions options = sessionOptions(argc, argv, !tasks.front().on_threads);
+  const auto scenesOf = [&](const TimedTask& task) {
+    return options.quick ? task.quick_scenes : task.scenes;
+  };
+  std::vector<std::string> scenes;
+  for (const TimedTask& task : tasks) {
+    for (const std::string& scene : scenesOf(task)) {
+      if (std::ranges::find(scenes, scene) == scenes.end()) scenes.push_back(scene);
     }
   }
-  session.run();
-  return session.finish(rowsOf(task.name, entrants));
+  return forEachScene(options, scenes, [&](const std::string& scene) {
+    const Session session(options, scene);
+    std::vector<std::vector<std::unique_ptr<Entrant>>> entrants(tasks.size());
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+      const std::vector<std::string> its = scenesOf(tasks[t]);
+      if (std::ranges::find(its, scene) != its.end()) addEntrants(tasks[t], scene, options, entrants[t]);
+    }
+    session.run();
+    Rows rows;
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+      for (Row& row : rowsOf(tasks[t].name, entrants[t])) rows.push_back(std::move(row));
+    }
+    session.finish(rows);
+  });
 }
 
 }  // namespace octoblisk::bench

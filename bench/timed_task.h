@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "contender.h"
 
@@ -25,14 +26,20 @@ struct TimedTask {
   std::function<Trial(const Scene&, const Contender&)> prepare;  ///< compares the answers; is not timed
   bool on_threads =
       false;  ///< contenders may use several: not pinned to a core, and passes taken by the clock
+  std::vector<std::string> scenes = {"50k", "300k", "1500k"};
+  std::vector<std::string> quick_scenes = {"300k"};
+  std::size_t poses = 0;   ///< about how many of the path; 0: all
+  std::string group = {};  ///< whose contenders take part
+  std::function<bool(const Contender&, const std::string& scene)> takes_part = {};  ///< empty: in all scenes
 };
 
-/// The main function of a task. Benchmarks are named task/scene/contender. Each repetition is one visit to a
-/// contender, the visits are shuffled, and a row tells of the pass whose mean is the median of all passes:
-/// task, scene, contender, mean_us and median_us of a question, ratio (of the mean to ours), answers_equal.
+/// The main function of a program of one task, or of several that are run scene by scene. Benchmarks are
+/// named task/scene/contender. Each repetition is one visit to a contender, the visits are shuffled, and a
+/// row tells of the pass whose mean is the median of all passes: task, scene, contender, mean_us and
+/// median_us of a question, ratio (of the mean to ours), answers_equal.
 ///
 /// A pass is taken by the thread's processor time, which other work on the machine disturbs less, a question
 /// by the clock. Both include the clock's reading, about 20 ns.
-int runTimedTask(int argc, char** argv, const TimedTask& task);
+int runTimedTasks(int argc, char** argv, const std::vector<TimedTask>& tasks);
 
 }  // namespace octoblisk::bench

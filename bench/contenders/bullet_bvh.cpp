@@ -1,63 +1,36 @@
-// Bullet's static mesh, btBvhTriangleMeshShape, with the belt as a compound of 128 convex hulls: two concave
-// meshes have no contacts in Bullet otherwise, but by GImpact.
+// Bullet's static mesh, btBvhTriangleMeshShape, with the belt as a compound of convex hulls.
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 
+#include "belt_of_hulls.h"
 #include "bullet_world.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
-#include "models/belt_grinder.h"
 
 namespace octoblisk::bench {
 namespace {
 
-/// The belt in slices of a few stations each, neighbours sharing a station. All margins are 0.
-class BeltOfHulls {
+class BvhShapes {
  public:
-  explicit BeltOfHulls(const TriangleMesh& belt) {
-    constexpr std::size_t kSlices = 128;
-    const demos::BeltParameters parameters;
-    const auto stations = static_cast<std::size_t>(parameters.stations);
-    const auto points = static_cast<std::size_t>(parameters.points_per_station);
-    for (std::size_t slice = 0; slice < kSlices; ++slice) {
-      auto hull = std::make_unique<btConvexHullShape>();
-      hull->setMargin(0);
-      for (std::size_t station = slice * stations / kSlices; station <= (slice + 1) * stations / kSlices;
-           ++station) {
-        for (std::size_t point = 0; point < points; ++point) {
-          hull->addPoint(toBullet(belt.vertices()[station % stations * points + point]), false);
-        }
-      }
-      hull->optimizeConvexHull();
-      hull->recalcLocalAabb();
-      whole_.addChildShape(btTransform::getIdentity(), hull.get());
-      hulls_.push_back(std::move(hull));
-    }
-    whole_.setMargin(0);
+  explicit BvhShapes(const Scene& scene) : mesh_(*scene.blisk), belt_(scene) { blisk_.setMargin(0); }
+
+  void registerAt(btCollisionDispatcher*) {}
+  btCollisionShape* blisk() { return &blisk_; }
+  btCollisionShape* belt() { return belt_.shape(); }
+
+  void refit(const TriangleMesh& deformed) {
+    mesh_.move(deformed);
+    btVector3 low, high;
+    mesh_.view()->calculateAabbBruteForce(low, high);
+    blisk_.refitTree(low, high);
   }
-
-  btCompoundShape* shape() { return &whole_; }
-
- private:
-  std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
-  btCompoundShape whole_;
-};
-
-/// Counts contact points between triangles and hulls, each with its depth.
-class BulletBvh final : public ContactsQuery, public WorldContactsQuery {
- public:
-  explicit BulletBvh(const Scene& scene) : mesh_(*scene.blisk), belt_(*scene.belt) { blisk_.setMargin(0); }
-
-  std::size_t points(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
-  std::size_t contacts(const Pose& belt_in_blisk) override { return points(belt_in_blisk); }
-  bool countsPairs() const override { return false; }
 
  private:
   BulletMesh mesh_;
   btBvhTriangleMeshShape blisk_{mesh_.view(), true};
   BeltOfHulls belt_;
-  BulletWorld world_{&blisk_, belt_.shape()};
 };
 
+/// Without the world: what performRaycast finds.
 class BulletBvhRays final : public RayQuery {
  public:
   explicit BulletBvhRays(const Scene& scene) : mesh_(*scene.blisk) {}
@@ -93,13 +66,11 @@ class BulletBvhBuild final : public BuildQuery {
   std::unique_ptr<btBvhTriangleMeshShape> shape_;
 };
 
-class BulletBvhSteps final : public HullsOnBlisk {
+class BvhOnFloor {
  public:
-  explicit BulletBvhSteps(const Scene& scene) : mesh_(*scene.blisk) {
-    blisk_.setMargin(kMargin);
-    start(&blisk_);
-  }
-  ~BulletBvhSteps() override { stop(); }
+  explicit BvhOnFloor(const Scene& scene) : mesh_(*scene.blisk) {}
+  void registerAt(btCollisionDispatcher*) {}
+  btCollisionShape* blisk() { return &blisk_; }
 
  private:
   BulletMesh mesh_;
@@ -107,7 +78,9 @@ class BulletBvhSteps final : public HullsOnBlisk {
 };
 
 const bool kRegistered =
-    registerContender<BulletBvh, BulletBvhRays, BulletBvhBuild, BulletBvhSteps>("bullet-bvh");
+    registerContender<InBulletWorld<BvhShapes>, BulletContacts<BvhShapes>, BulletRefit<BvhShapes>,
+                      BulletBvhRays, BulletBvhBuild, HullsOnBlisk<BvhOnFloor>>("bullet-bvh") &&
+    describe("bullet-bvh", bulletVersion());
 
 }  // namespace
 }  // namespace octoblisk::bench

@@ -1,31 +1,32 @@
-// What the contenders that ask Bullet share: a world, meshes in its layout, contacts by contactPairTest.
+// What the contenders that ask Bullet share: meshes in its layout, and a world with its questions.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "scene.h"
+#include "contender.h"
+#include "octoblisk_bullet/convert.h"
 
 namespace octoblisk::bench {
 
-inline btVector3 toBullet(const Vec3& v) {
-  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
-inline btTransform toBullet(const Pose& pose) {
-  const Eigen::Matrix<btScalar, 3, 3> r = pose.rotation.cast<btScalar>();
-  const btMatrix3x3 rotation(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2));
-  return btTransform(rotation, toBullet(pose.translation));
+/// Bullet's version, by its own number: "Bullet 3.24, single precision".
+inline std::string bulletVersion() {
+  const int version = btGetVersion();
+  return "Bullet " + std::to_string(version / 100) + '.' + std::to_string(version % 100) + ", " +
+         (sizeof(btScalar) == sizeof(float) ? "single" : "double") + " precision";
 }
 
 /// Vertices and indices as Bullet reads them.
 class BulletMesh {
  public:
-  explicit BulletMesh(const TriangleMesh& mesh) {
+  explicit BulletMesh(const TriangleMesh& mesh, double scale = 1.0) {
     for (const Vec3& vertex : mesh.vertices()) {
-      for (const double x : vertex) vertices_.push_back(static_cast<btScalar>(x));
+      for (const double x : vertex) vertices_.push_back(static_cast<btScalar>(scale * x));
     }
     for (const auto& corners : mesh.triangles())
       indices_.insert(indices_.end(), corners.begin(), corners.end());
@@ -38,46 +39,115 @@ class BulletMesh {
 
   btTriangleIndexVertexArray* view() const { return view_.get(); }
 
+  /// Moves the vertices to those of a mesh of the same triangles.
+  void move(const TriangleMesh& deformed) {
+    std::size_t k = 0;
+    for (const Vec3& vertex : deformed.vertices()) {
+      for (const double x : vertex) vertices_[k++] = static_cast<btScalar>(x);
+    }
+  }
+
  private:
   std::vector<btScalar> vertices_;
   std::vector<int> indices_;
   std::unique_ptr<btTriangleIndexVertexArray> view_;
 };
 
-/// Two objects, one of which is moved.
-class BulletWorld {
+/// The blisk's shape and the belt's in a world, of which the belt moves. `Shapes` is made of a scene, has
+/// both shapes as blisk() and belt(), and registerAt(dispatcher) for algorithms of its own.
+template <typename Shapes>
+class InBulletWorld final : public WorldContactsQuery,
+                            public WorldClosestQuery,
+                            public WorldRayQuery,
+                            public WorldSweepQuery {
  public:
-  /// Shapes are to outlive the world.
-  BulletWorld(btCollisionShape* blisk, btCollisionShape* belt) {
-    blisk_.setCollisionShape(blisk);
-    belt_.setCollisionShape(belt);
+  explicit InBulletWorld(const Scene& scene) : shapes_(scene) {
+    shapes_.registerAt(&dispatcher_);
+    blisk_.setCollisionShape(shapes_.blisk());
+    belt_.setCollisionShape(shapes_.belt());
+    world_.addCollisionObject(&blisk_);  // the belt is asked about by name alone
+  }
+  ~InBulletWorld() override { world_.removeCollisionObject(&blisk_); }
+  InBulletWorld(const InBulletWorld&) = delete;
+  InBulletWorld& operator=(const InBulletWorld&) = delete;
+
+  Shapes& shapes() { return shapes_; }
+
+  std::size_t points(const Pose& belt_in_blisk) override { return ask(belt_in_blisk, 0).touching; }
+
+  double nearest(const Pose& belt_in_blisk, double threshold) override {
+    return ask(belt_in_blisk, threshold).least;
   }
 
-  btCollisionDispatcher& dispatcher() { return dispatcher_; }
+  double firstHit(const Segment& way) override {
+    const btVector3 from = toBullet(way.from), to = toBullet(way.to);
+    btCollisionWorld::ClosestRayResultCallback nearest(from, to);
+    world_.rayTest(from, to, nearest);
+    return static_cast<double>(nearest.m_closestHitFraction);
+  }
 
-  /// The contact points of depth 0 or more.
-  std::size_t contacts(const Pose& belt_in_blisk) {
-    belt_.setWorldTransform(toBullet(belt_in_blisk));
-    Touching touching;
-    world_.contactPairTest(&blisk_, &belt_, touching);
-    return touching.count;
+  double firstTouch(const Segment& way, double radius) override {
+    const btSphereShape ball(static_cast<btScalar>(radius));
+    const btVector3 from = toBullet(way.from), to = toBullet(way.to);
+    btCollisionWorld::ClosestConvexResultCallback nearest(from, to);
+    const btMatrix3x3 unturned = btMatrix3x3::getIdentity();
+    world_.convexSweepTest(&ball, btTransform(unturned, from), btTransform(unturned, to), nearest);
+    return static_cast<double>(nearest.m_closestHitFraction);
   }
 
  private:
-  struct Touching : btCollisionWorld::ContactResultCallback {
-    std::size_t count = 0;
+  struct Points : btCollisionWorld::ContactResultCallback {
+    std::size_t touching = 0;  // of depth 0 or more
+    double least = std::numeric_limits<double>::infinity();
     btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
                              const btCollisionObjectWrapper*, int, int) override {
-      count += point.getDistance() <= 0;
+      touching += point.getDistance() <= 0;
+      least = std::min(least, static_cast<double>(point.getDistance()));
       return 0;
     }
   };
 
+  Points ask(const Pose& belt_in_blisk, double threshold) {
+    belt_.setWorldTransform(toBullet(belt_in_blisk));
+    Points points;
+    points.m_closestDistanceThreshold = static_cast<btScalar>(threshold);
+    world_.contactPairTest(&blisk_, &belt_, points);
+    return points;
+  }
+
+  Shapes shapes_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
   btCollisionWorld world_{&dispatcher_, &broadphase_, &configuration_};
   btCollisionObject blisk_, belt_;
+};
+
+/// The blisk's shape fitted anew, by refit(mesh) of the shapes. What it answers is asked by contactPairTest.
+template <typename Shapes>
+class BulletRefit final : public RefitQuery {
+ public:
+  explicit BulletRefit(const Scene& scene) : scene_(scene), bent_(bench::bent(*scene.blisk)), world_(scene) {}
+  void refit(bool bent) override { world_.shapes().refit(bent ? *bent_ : *scene_.blisk); }
+  bool touches(const Pose& belt_in_blisk) override { return world_.points(belt_in_blisk) > 0; }
+
+ private:
+  const Scene& scene_;
+  std::shared_ptr<const TriangleMesh> bent_;
+  InBulletWorld<Shapes> world_;
+};
+
+/// The library's points without a world's other questions, pair by pair of triangle and hull, or of
+/// triangles.
+template <typename Shapes>
+class BulletContacts final : public ContactsQuery {
+ public:
+  explicit BulletContacts(const Scene& scene) : world_(scene) {}
+  std::size_t contacts(const Pose& belt_in_blisk) override { return world_.points(belt_in_blisk); }
+  bool countsPairs() const override { return false; }
+
+ private:
+  InBulletWorld<Shapes> world_;
 };
 
 }  // namespace octoblisk::bench

@@ -2,6 +2,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Rigid_triangle_mesh_collision_detection.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/version_macros.h>
 
 #include "contender.h"
 
@@ -60,7 +61,8 @@ class CgalBuild final : public BuildQuery {
   std::unique_ptr<Tree> tree_;
 };
 
-const bool kRegistered = registerContender<Cgal, CgalBuild>("cgal");
+const bool kRegistered = registerContender<Cgal, CgalBuild>("cgal") &&
+                         describe("cgal", "CGAL " CGAL_VERSION_STR ", exact predicates");
 
 }  // namespace
 }  // namespace octoblisk::bench

@@ -96,13 +96,17 @@ class EmbreeBoxes {
 
 class Embree final : public CollideQuery, public ContactsQuery {
  public:
-  explicit Embree(const Scene& scene)
+  explicit Embree(const Scene& scene, RTCBuildQuality of_blisk = RTC_BUILD_QUALITY_MEDIUM)
       : belt_mesh_(scene.belt),
-        blisk_(device_, *scene.blisk, RTC_BUILD_QUALITY_MEDIUM),
+        blisk_(device_, *scene.blisk, of_blisk),
         belt_(device_, *scene.belt, RTC_BUILD_QUALITY_REFIT) {}
 
   bool collides(const Pose& belt_in_blisk, bool) override { return ask(belt_in_blisk, true) > 0; }
   std::size_t contacts(const Pose& belt_in_blisk) override { return ask(belt_in_blisk, false); }
+  void moveBlisk(const TriangleMesh& deformed) {
+    blisk_.vertices = deformed.vertices();
+    blisk_.commit();
+  }
 
  private:
   struct Search {
@@ -133,6 +137,18 @@ class Embree final : public CollideQuery, public ContactsQuery {
   EmbreeDevice device_;
   std::shared_ptr<const TriangleMesh> belt_mesh_;
   EmbreeBoxes blisk_, belt_;
+};
+
+class EmbreeRefit final : public RefitQuery {
+ public:
+  explicit EmbreeRefit(const Scene& scene)
+      : mesh_(scene.blisk), bent_(bench::bent(*scene.blisk)), embree_(scene, RTC_BUILD_QUALITY_REFIT) {}
+  void refit(bool bent) override { embree_.moveBlisk(bent ? *bent_ : *mesh_); }
+  bool touches(const Pose& belt_in_blisk) override { return embree_.collides(belt_in_blisk, false); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_, bent_;
+  Embree embree_;
 };
 
 /// The tree for rays, over buffers that are shared with the caller.
@@ -214,7 +230,8 @@ class EmbreeBuild final : public BuildQuery {
   EmbreeTriangles tree_;
 };
 
-const bool kRegistered = registerContender<Embree, EmbreeRays, EmbreeBuild>("embree");
+const bool kRegistered = registerContender<Embree, EmbreeRays, EmbreeBuild, EmbreeRefit>("embree") &&
+                         describe("embree", "Embree " RTC_VERSION_STRING ", single precision");
 
 }  // namespace
 }  // namespace octoblisk::bench

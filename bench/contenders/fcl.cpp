@@ -1,4 +1,5 @@
 // FCL in double precision, with the boxes that its authors advise: OBBRSS.
+#include <fcl/config.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
@@ -143,7 +144,32 @@ class FclBuild final : public BuildQuery {
   std::unique_ptr<Model> model_;
 };
 
-const bool kRegistered = registerContender<Fcl, FclBuild>("fcl");
+class FclRefit final : public RefitQuery {
+ public:
+  explicit FclRefit(const Scene& scene)
+      : mesh_(*scene.blisk),
+        bent_(*bench::bent(*scene.blisk)),
+        blisk_(mesh_.model()),
+        belt_(FclMesh(*scene.belt).model()) {}
+
+  void refit(bool bent) override {
+    blisk_->beginReplaceModel();
+    blisk_->replaceSubModel((bent ? bent_ : mesh_).vertices);
+    blisk_->endReplaceModel(true, true);  // the tree stays, its boxes are made anew from the leaves up
+  }
+  bool touches(const Pose& belt_in_blisk) override {
+    fcl::CollisionResultd result;
+    return fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
+                        fcl::CollisionRequestd(1, false), result) > 0;
+  }
+
+ private:
+  FclMesh mesh_, bent_;
+  std::unique_ptr<Model> blisk_, belt_;
+};
+
+const bool kRegistered = registerContender<Fcl, FclBuild, FclRefit>("fcl") &&
+                         describe("fcl", "FCL " FCL_VERSION ", double precision, OBBRSS");
 const bool kPoints = registerContender<FclPoints>("fcl-points");
 
 }  // namespace

@@ -3,41 +3,45 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
 #include "bullet_world.h"
+#include "concave_pile.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
 
 namespace octoblisk::bench {
 namespace {
 
-std::unique_ptr<btGImpactMeshShape> shapeOf(const BulletMesh& mesh) {
+std::unique_ptr<btGImpactMeshShape> shapeOf(const BulletMesh& mesh, btScalar margin = 0) {
   auto shape = std::make_unique<btGImpactMeshShape>(mesh.view());
-  shape->setMargin(0);
+  shape->setMargin(margin);
   shape->updateBound();
   return shape;
 }
 
-/// Counts contact points, each with its depth.
-class Gimpact final : public ContactsQuery, public WorldContactsQuery {
+class GimpactShapes {
  public:
-  explicit Gimpact(const Scene& scene) : blisk_mesh_(*scene.blisk), belt_mesh_(*scene.belt) {
-    btCollisionDispatcher& dispatcher = world_.dispatcher();
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
+  explicit GimpactShapes(const Scene& scene) : blisk_mesh_(*scene.blisk), belt_mesh_(*scene.belt) {}
+
+  void registerAt(btCollisionDispatcher* dispatcher) {
+    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher);
     // It registers itself for stepping alone; contactPairTest looks into another table.
     for (int other = 0; other < MAX_BROADPHASE_COLLISION_TYPES; ++other) {
-      dispatcher.registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, other, &create_);
-      dispatcher.registerClosestPointsCreateFunc(other, GIMPACT_SHAPE_PROXYTYPE, &create_);
+      dispatcher->registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, other, &create_);
+      dispatcher->registerClosestPointsCreateFunc(other, GIMPACT_SHAPE_PROXYTYPE, &create_);
     }
   }
+  btCollisionShape* blisk() { return blisk_.get(); }
+  btCollisionShape* belt() { return belt_.get(); }
 
-  std::size_t points(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
-  std::size_t contacts(const Pose& belt_in_blisk) override { return points(belt_in_blisk); }
-  bool countsPairs() const override { return false; }
+  void refit(const TriangleMesh& deformed) {
+    blisk_mesh_.move(deformed);
+    blisk_->postUpdate();
+    blisk_->updateBound();
+  }
 
  private:
   BulletMesh blisk_mesh_, belt_mesh_;
   std::unique_ptr<btGImpactMeshShape> blisk_ = shapeOf(blisk_mesh_), belt_ = shapeOf(belt_mesh_);
   btGImpactCollisionAlgorithm::CreateFunc create_;
-  BulletWorld world_{blisk_.get(), belt_.get()};
 };
 
 class GimpactBuild final : public BuildQuery {
@@ -54,22 +58,43 @@ class GimpactBuild final : public BuildQuery {
   std::unique_ptr<btGImpactMeshShape> shape_;
 };
 
-class GimpactSteps final : public HullsOnBlisk {
+class GimpactOnFloor {
  public:
-  explicit GimpactSteps(const Scene& scene) : mesh_(*scene.blisk) {
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher());
-    blisk_->setMargin(kMargin);
-    blisk_->updateBound();
-    start(blisk_.get());
+  explicit GimpactOnFloor(const Scene& scene) : mesh_(*scene.blisk) {}
+  void registerAt(btCollisionDispatcher* dispatcher) {
+    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher);
   }
-  ~GimpactSteps() override { stop(); }
+  btCollisionShape* blisk() {
+    blisk_->updateBound();
+    return blisk_.get();
+  }
 
  private:
   BulletMesh mesh_;
   std::unique_ptr<btGImpactMeshShape> blisk_ = shapeOf(mesh_);
 };
 
-const bool kRegistered = registerContender<Gimpact, GimpactBuild, GimpactSteps>("gimpact");
+class GimpactPile final : public ConcavePileQuery {
+ public:
+  explicit GimpactPile(const Scene&) {
+    start([this](const testing::SharedMesh& mesh) {
+      meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
+      return shapeOf(*meshes_.back(), testing::ConcavePile::kMargin);
+    });
+    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher());
+  }
+  ~GimpactPile() override { stop(); }
+  GimpactPile(const GimpactPile&) = delete;
+  GimpactPile& operator=(const GimpactPile&) = delete;
+
+ private:
+  std::vector<std::unique_ptr<BulletMesh>> meshes_;
+};
+
+const bool kRegistered =
+    registerContender<InBulletWorld<GimpactShapes>, BulletContacts<GimpactShapes>, BulletRefit<GimpactShapes>,
+                      GimpactBuild, HullsOnBlisk<GimpactOnFloor>, GimpactPile>("gimpact") &&
+    describe("gimpact", bulletVersion());
 
 }  // namespace
 }  // namespace octoblisk::bench

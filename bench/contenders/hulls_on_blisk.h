@@ -4,6 +4,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -15,11 +16,34 @@
 
 namespace octoblisk::bench {
 
-/// 200 hulls of 20 corners on a sphere of 6 mm, above the blades of the blisk, which lies on a floor within a
-/// ring of walls. Millimetres and seconds; steps of 1/240 s. The bodies never sleep.
-class HullsOnBlisk : public WorldStepQuery {
+/// Hulls of 20 corners on a sphere of 6 mm, above the blades of the blisk, which lies on a floor within a
+/// ring of walls. Millimetres and seconds; steps of 1/240 s. The bodies never sleep. `Blisk` is made of a
+/// scene, has blisk(), and registerAt(dispatcher) for algorithms of its own.
+template <typename Blisk>
+class HullsOnBlisk final : public WorldStepQuery {
  public:
-  void restart() override {
+  explicit HullsOnBlisk(const Scene& scene) : shape_(scene) {
+    shape_.registerAt(&dispatcher_);
+    shape_.blisk()->setMargin(kMargin);
+    world_.setGravity(btVector3(0, 0, -9810));
+    blisk_ = addStatic(shape_.blisk(), btTransform::getIdentity());
+    addStatic(&floor_,
+              at(btQuaternion::getIdentity(), {0, 0, kFloor - floor_.getHalfExtentsWithMargin().z()}));
+    for (int k = 0; k < kWalls; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kWalls;
+      addStatic(&wall_, at(btQuaternion(btVector3(0, 0, 1), btScalar(angle)),
+                           {247.0 * std::cos(angle), 247.0 * std::sin(angle), 100.0}));
+    }
+  }
+  ~HullsOnBlisk() override {
+    for (const Hull& hull : hulls_) world_.removeRigidBody(hull.body.get());
+    for (const auto& body : statics_) world_.removeRigidBody(body.get());
+  }
+  HullsOnBlisk(const HullsOnBlisk&) = delete;
+  HullsOnBlisk& operator=(const HullsOnBlisk&) = delete;
+
+  void restart(std::size_t bodies) override {
+    while (hulls_.size() < bodies) addHull();
     for (std::size_t k = 0; k < hulls_.size(); ++k) {
       btRigidBody& body = *hulls_[k].body;
       world_.removeRigidBody(&body);  // and with it its pairs
@@ -54,65 +78,42 @@ class HullsOnBlisk : public WorldStepQuery {
     return count;
   }
 
- protected:
-  static constexpr btScalar kMargin = btScalar(0.04);  // Bullet's own
-
-  btCollisionDispatcher& dispatcher() { return dispatcher_; }
-
-  /// Once the algorithms are registered. The shape is to outlive stop().
-  void start(btCollisionShape* blisk) {
-    world_.setGravity(btVector3(0, 0, -9810));
-    blisk_ = addStatic(blisk, btTransform::getIdentity());
-    addStatic(&floor_,
-              at(btQuaternion::getIdentity(), {0, 0, kFloor - floor_.getHalfExtentsWithMargin().z()}));
-    for (int k = 0; k < kWalls; ++k) {
-      const double angle = 2.0 * std::numbers::pi * k / kWalls;
-      addStatic(&wall_, at(btQuaternion(btVector3(0, 0, 1), btScalar(angle)),
-                           {247.0 * std::cos(angle), 247.0 * std::sin(angle), 100.0}));
-    }
-    std::mt19937 random(7);
-    std::normal_distribution<double> normal;
-    for (std::size_t k = 0; k < kHulls; ++k) {
-      Hull hull{std::make_unique<btConvexHullShape>(), nullptr};
-      for (int corner = 0; corner < 20; ++corner) {
-        const Vec3 direction(normal(random), normal(random), normal(random));
-        hull.shape->addPoint(toBullet(6.0 * direction.normalized()), false);
-      }
-      hull.shape->recalcLocalAabb();
-      btVector3 inertia;
-      hull.shape->calculateLocalInertia(1, inertia);
-      hull.body = std::make_unique<btRigidBody>(1, nullptr, hull.shape.get(), inertia);
-      hull.body->setFriction(btScalar(0.5));
-      hull.body->setActivationState(DISABLE_DEACTIVATION);
-      hull.body->setWorldTransform(startOf(k));
-      world_.addRigidBody(hull.body.get());
-      hulls_.push_back(std::move(hull));
-    }
-  }
-
-  /// Before the shape goes.
-  void stop() {
-    for (const Hull& hull : hulls_) world_.removeRigidBody(hull.body.get());
-    for (const auto& body : statics_) world_.removeRigidBody(body.get());
-  }
-
  private:
   struct Hull {
     std::unique_ptr<btConvexHullShape> shape;
     std::unique_ptr<btRigidBody> body;
   };
-  static constexpr std::size_t kHulls = 200;
+  static constexpr btScalar kMargin = btScalar(0.04);  // Bullet's own
   static constexpr int kWalls = 24;
 
   static btTransform at(const btQuaternion& rotation, const Vec3& place) {
     return btTransform(rotation, toBullet(place));
   }
-  static btTransform startOf(std::size_t k) {
-    const auto number = static_cast<double>(k);
-    const double radius = 140.0 + 8.5 * static_cast<double>(k % 10),
-                 angle = 2.0 * std::numbers::pi * number * 0.618;
+  /// Layer over layer, in each evenly over a ring above the blades (H. Vogel, A better way to construct the
+  /// sunflower head, 1979).
+  btTransform startOf(std::size_t k) const {
+    constexpr double kInner = 140.0, kOuter = 216.0, kGolden = 0.6180339887498949;
+    const std::size_t in_layer = std::max<std::size_t>(40, hulls_.size() / 25);
+    const double part = (static_cast<double>(k % in_layer) + 0.5) / static_cast<double>(in_layer);
+    const double radius = std::sqrt(std::lerp(kInner * kInner, kOuter * kOuter, part));
+    const double angle = 2.0 * std::numbers::pi * kGolden * static_cast<double>(k);
     return at(btQuaternion::getIdentity(), {radius * std::cos(angle), radius * std::sin(angle),
-                                            115.0 + 15.0 * static_cast<double>(k / 40)});
+                                            115.0 + 15.0 * static_cast<double>(k / in_layer)});
+  }
+  void addHull() {
+    Hull hull{std::make_unique<btConvexHullShape>(), nullptr};
+    for (int corner = 0; corner < 20; ++corner) {
+      const Vec3 direction(normal_(random_), normal_(random_), normal_(random_));
+      hull.shape->addPoint(toBullet(6.0 * direction.normalized()), false);
+    }
+    hull.shape->recalcLocalAabb();
+    btVector3 inertia;
+    hull.shape->calculateLocalInertia(1, inertia);
+    hull.body = std::make_unique<btRigidBody>(1, nullptr, hull.shape.get(), inertia);
+    hull.body->setFriction(btScalar(0.5));
+    hull.body->setActivationState(DISABLE_DEACTIVATION);
+    world_.addRigidBody(hull.body.get());
+    hulls_.push_back(std::move(hull));
   }
   btRigidBody* addStatic(btCollisionShape* shape, const btTransform& where) {
     statics_.push_back(std::make_unique<btRigidBody>(0, nullptr, shape));
@@ -122,6 +123,7 @@ class HullsOnBlisk : public WorldStepQuery {
     return statics_.back().get();
   }
 
+  Blisk shape_;
   btDefaultCollisionConfiguration configuration_;
   mutable btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
@@ -131,6 +133,8 @@ class HullsOnBlisk : public WorldStepQuery {
   std::vector<std::unique_ptr<btRigidBody>> statics_;
   std::vector<Hull> hulls_;
   const btRigidBody* blisk_ = nullptr;
+  std::mt19937 random_{7};
+  std::normal_distribution<double> normal_;
 };
 
 }  // namespace octoblisk::bench

@@ -1,5 +1,6 @@
-// Our own by way of Bullet: two shapes of the plugin in a Bullet world.
+// Our own by way of Bullet: shapes of the plugin in a Bullet world.
 #include "bullet_world.h"
+#include "concave_pile.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -12,37 +13,40 @@ std::shared_ptr<const ClusteredOctree> treeOf(const std::shared_ptr<const Triang
   return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
 }
 
-class OctoBliskContacts final : public WorldContactsQuery {
+class OurShapes {
  public:
-  explicit OctoBliskContacts(const Scene& scene) : blisk_(treeOf(scene.blisk)), belt_(treeOf(scene.belt)) {
+  explicit OurShapes(const Scene& scene) : blisk_(treeOf(scene.blisk)), belt_(treeOf(scene.belt)) {
     for (ClusteredOctreeShape* shape : {&blisk_, &belt_}) {
       shape->setMargin(0);
       shape->setContactBreakingThreshold(0);
     }
-    registerAlgorithm(&world_.dispatcher());
   }
 
-  std::size_t points(const Pose& belt_in_blisk) override { return world_.contacts(belt_in_blisk); }
+  void registerAt(btCollisionDispatcher* dispatcher) { registerAlgorithm(dispatcher); }
+  btCollisionShape* blisk() { return &blisk_; }
+  btCollisionShape* belt() { return &belt_; }
 
  private:
   ClusteredOctreeShape blisk_, belt_;
-  BulletWorld world_{&blisk_, &belt_};
 };
 
-class OctoBliskSteps final : public HullsOnBlisk {
+class OursOnFloor {
  public:
-  explicit OctoBliskSteps(const Scene& scene) : blisk_(treeOf(scene.blisk)) {
-    registerAlgorithm(&dispatcher());
-    blisk_.setMargin(kMargin);
-    start(&blisk_);
-  }
-  ~OctoBliskSteps() override { stop(); }
+  explicit OursOnFloor(const Scene& scene) : blisk_(treeOf(scene.blisk)) {}
+  void registerAt(btCollisionDispatcher* dispatcher) { registerAlgorithm(dispatcher); }
+  btCollisionShape* blisk() { return &blisk_; }
 
  private:
   ClusteredOctreeShape blisk_;
 };
 
-const bool kRegistered = registerContender<OctoBliskContacts, OctoBliskSteps>(kOurs);
+class OurPile final : public ConcavePileQuery {
+ public:
+  explicit OurPile(const Scene&) { start(testing::makeOurShape); }
+};
+
+const bool kRegistered =
+    registerContender<InBulletWorld<OurShapes>, HullsOnBlisk<OursOnFloor>, OurPile>(kOurs);
 
 }  // namespace
 }  // namespace octoblisk::bench

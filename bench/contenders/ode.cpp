@@ -47,6 +47,15 @@ class OdeMesh {
     data_ = nullptr;
   }
 
+  /// Fits the boxes to the vertices of a mesh of the same triangles.
+  void refit(const TriangleMesh& deformed) {
+    std::size_t k = 0;
+    for (const Vec3& vertex : deformed.vertices()) {
+      for (const double x : vertex) vertices_[k++] = static_cast<float>(x);
+    }
+    dGeomTriMeshDataUpdate(data_);
+  }
+
   dGeomID geom() const { return geom_; }
 
  private:
@@ -56,9 +65,10 @@ class OdeMesh {
   dGeomID geom_ = nullptr;
 };
 
-class Ode final : public CollideQuery, public ContactsQuery {
+class Ode final : public CollideQuery, public ContactsQuery, public RefitQuery {
  public:
-  explicit Ode(const Scene& scene) : blisk_(*scene.blisk), belt_(*scene.belt), found_(kMost) {
+  explicit Ode(const Scene& scene)
+      : mesh_(scene.blisk), blisk_(*scene.blisk), belt_(*scene.belt), found_(kMost) {
     blisk_.build();
     belt_.build();
   }
@@ -70,6 +80,12 @@ class Ode final : public CollideQuery, public ContactsQuery {
   std::size_t contacts(const Pose& belt_in_blisk) override {
     return static_cast<std::size_t>(ask(belt_in_blisk, kMost));
   }
+
+  void refit(bool bent) override {
+    if (!bent_) bent_ = bench::bent(*mesh_);
+    blisk_.refit(bent ? *bent_ : *mesh_);
+  }
+  bool touches(const Pose& belt_in_blisk) override { return collides(belt_in_blisk, false); }
 
   /// ODE merges contacts that are close to each other.
   bool countsPairs() const override { return false; }
@@ -87,6 +103,7 @@ class Ode final : public CollideQuery, public ContactsQuery {
     return dCollide(blisk_.geom(), belt_.geom(), flags, found_.data(), sizeof(dContactGeom));
   }
 
+  std::shared_ptr<const TriangleMesh> mesh_, bent_;
   OdeMesh blisk_, belt_;
   std::vector<dContactGeom> found_;
 };
@@ -101,7 +118,10 @@ class OdeBuild final : public BuildQuery {
   OdeMesh mesh_;
 };
 
-const bool kRegistered = registerContender<Ode, OdeBuild>("ode");
+const bool kRegistered =
+    registerContender<Ode, OdeBuild>("ode") &&
+    describe("ode", std::string("ODE ") + OCTOBLISK_ODE_VERSION + ", OPCODE, " +
+                        (sizeof(dReal) == 8 ? "double" : "single") + " precision, boxes in single");
 
 }  // namespace
 }  // namespace octoblisk::bench

@@ -3,5 +3,5 @@
 
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
-  return runTimedTask(argc, argv, booleanTask("boolean-path", &Scene::path, true));
+  return runTimedTasks(argc, argv, {booleanTask("boolean-path", &Scene::path, true)});
 }

@@ -3,5 +3,5 @@
 
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
-  return runTimedTask(argc, argv, distanceTask("distance-cold", false));
+  return runTimedTasks(argc, argv, {distanceTask("distance-cold", false)});
 }

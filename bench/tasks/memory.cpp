@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "contender.h"
@@ -18,7 +18,7 @@ std::size_t heapBytes() {
 }
 
 struct Measured {
-  std::string scene, contender;
+  std::string contender;
   double bytes_a_triangle = 0.0;
 };
 
@@ -42,38 +42,38 @@ void measure(benchmark::State& state, const Scene& scene, const Contender& conte
 
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
-  Session session(argc, argv);
-  std::vector<std::unique_ptr<Measured>> all;
-  for (const char* scene : kSceneNames) {
+  const SessionOptions options = sessionOptions(argc, argv);
+  const std::vector<std::string> scenes =
+      options.quick ? std::vector<std::string>{"300k"} : std::vector<std::string>{"50k", "300k", "1500k"};
+  return forEachScene(options, scenes, [&](const std::string& scene) {
+    const Session session(options, scene);
+    std::vector<std::unique_ptr<Measured>> all;
     for (const Contender& contender : contenders()) {
       if (!contender.build) continue;
-      const std::string name = std::string("memory/") + scene + '/' + contender.name;
-      Measured* measured = all.emplace_back(std::make_unique<Measured>(scene, contender.name)).get();
-      const auto run = [&contender, measured](benchmark::State& state) {
-        measure(state, sceneNamed(measured->scene), contender, *measured);
+      const std::string name = "memory/" + scene + '/' + contender.name;
+      Measured* measured = all.emplace_back(std::make_unique<Measured>(contender.name)).get();
+      const auto run = [&contender, &scene, measured](benchmark::State& state) {
+        measure(state, sceneNamed(scene), contender, *measured);
       };
       benchmark::RegisterBenchmark(name.c_str(), run)
           ->Iterations(1)
           ->Repetitions(1)
           ->Unit(benchmark::kMillisecond);
     }
-  }
-  session.run();
+    session.run();
 
-  std::map<std::string, double> ours;
-  for (const auto& m : all) {
-    if (m->contender == kOurs) ours[m->scene] = m->bytes_a_triangle;
-  }
-  std::vector<Row> rows;
-  for (const auto& m : all) {
-    if (m->bytes_a_triangle == 0.0) continue;  // filtered out
-    Row row = {{"task", "memory"},
-               {"scene", m->scene},
-               {"contender", m->contender},
-               {"bytes_a_triangle", m->bytes_a_triangle}};
-    const double base = ours[m->scene];
-    row["ratio"] = base > 0.0 ? Row(m->bytes_a_triangle / base) : Row(nullptr);
-    rows.push_back(std::move(row));
-  }
-  return session.finish(rows);
+    double ours = 0.0;
+    Rows rows;
+    for (const auto& m : all) {
+      if (m->contender == kOurs) ours = m->bytes_a_triangle;
+      if (m->bytes_a_triangle == 0.0) continue;  // filtered out
+      Row row = {{"task", "memory"},
+                 {"scene", scene},
+                 {"contender", m->contender},
+                 {"bytes_a_triangle", m->bytes_a_triangle}};
+      row["ratio"] = ours > 0.0 ? Row(m->bytes_a_triangle / ours) : Row(nullptr);
+      rows.push_back(std::move(row));
+    }
+    session.finish(rows);
+  });
 }

@@ -32,5 +32,5 @@ Trial prepare(const Scene& scene, const Contender& contender) {
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
   const auto can_do = [](const Contender& contender) { return static_cast<bool>(contender.world_contacts); };
-  return runTimedTask(argc, argv, {"world-contacts", can_do, prepare});
+  return runTimedTasks(argc, argv, {{"world-contacts", can_do, prepare}});
 }

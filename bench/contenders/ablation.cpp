@@ -1,0 +1,118 @@
+// Our own with one thing changed at a time: what each buys. Trees that BuildOptions does not know are made of
+// the arrays of one that it does.
+#include "core/only_targets.h"
+#include "models/blade_finder.h"
+#include "octoblisk_trees.h"
+#include "other_trees.h"
+
+namespace octoblisk::bench {
+namespace {
+
+bool registerVariant(const std::string& name, const MakeTree& make) {
+  Contender contender = treesOf(name, make);
+  contender.group = "ablation";
+  return registerContender(std::move(contender));
+}
+
+std::string numbered(std::string name, int number) { return name += std::to_string(number); }
+
+/// The paper's partition: the blisk's blades and hub, each in k clusters, in octrees.
+MakeTree paperTree(int clusters) {
+  return [clusters](const std::shared_ptr<const TriangleMesh>& mesh) {
+    BuildOptions options = {.partition = PartitionKind::paper, .clusters = clusters};
+    const demos::BladesFound blades = demos::findBlades(*mesh);
+    if (blades.count > 0) options.part_of_triangle = blades.blade_of_triangle;  // else the belt: one part
+    return ClusteredOctree::build(mesh, options);
+  };
+}
+
+/// Without what the pose before has found.
+class ColdDistance final : public DistanceQuery {
+ public:
+  explicit ColdDistance(const Scene& scene) : warm_(scene, built()) {}
+  double distance(const Pose& belt_in_blisk, bool) override { return warm_.distance(belt_in_blisk, false); }
+
+ private:
+  OctoBliskDistance warm_;
+};
+
+/// On registers of 128 bits, four floats at a time: the instruction set of any x86-64.
+class NarrowCollide final : public CollideQuery {
+ public:
+  explicit NarrowCollide(const Scene& scene) : wide_(scene, built()) {}
+  bool collides(const Pose& belt_in_blisk, bool warm) override {
+    const testing::OnlyTargets only(0);
+    return wide_.collides(belt_in_blisk, warm);
+  }
+
+ private:
+  OctoBliskCollide wide_;
+};
+
+class NarrowContacts final : public ContactsQuery {
+ public:
+  explicit NarrowContacts(const Scene& scene) : wide_(scene, built()) {}
+  std::size_t contacts(const Pose& belt_in_blisk) override {
+    const testing::OnlyTargets only(0);
+    return wide_.contacts(belt_in_blisk);
+  }
+
+ private:
+  OctoBliskPairs wide_;
+};
+
+class NarrowDistance final : public DistanceQuery {
+ public:
+  explicit NarrowDistance(const Scene& scene) : wide_(scene, built()) {}
+  double distance(const Pose& belt_in_blisk, bool warm) override {
+    const testing::OnlyTargets only(0);
+    return wide_.distance(belt_in_blisk, warm);
+  }
+
+ private:
+  OctoBliskDistance wide_;
+};
+
+class NarrowRays final : public RayQuery {
+ public:
+  explicit NarrowRays(const Scene& scene) : wide_(scene, built()) {}
+  double firstHit(const Segment& way) override {
+    const testing::OnlyTargets only(0);
+    return wide_.firstHit(way);
+  }
+
+ private:
+  OctoBliskRays wide_;
+};
+
+template <typename Answers, typename Query>
+Maker<Query> made() {
+  return [](const Scene& scene) -> std::unique_ptr<Query> { return std::make_unique<Answers>(scene); };
+}
+
+const bool kRegistered = [] {
+  registerVariant(kOurs, built());
+  registerVariant("fast-build", built({.quality = BuildQuality::fast}));
+  registerVariant("compact", built({.storage = Storage::compact}));
+  for (const int capacity : {1, 2, 4})
+    registerVariant(numbered("leaf-", capacity), built({.leaf_capacity = capacity}));
+  for (int k = 1; k <= 8; ++k) registerVariant(numbered("paper-k", k), paperTree(k));
+  registerVariant("axis-aligned", axisAligned(Aligned::all));
+  registerVariant("axis-aligned-leaves", axisAligned(Aligned::leaves));
+  registerVariant("axis-aligned-inner", axisAligned(Aligned::inner));
+  registerVariant("two-a-node", narrowed(2));
+  registerVariant("four-a-node", narrowed(4));
+  registerContender({.name = "no-coherence",
+                     .group = "ablation",
+                     .collide = answers<OctoBliskCold, CollideQuery>(built()),
+                     .distance = made<ColdDistance, DistanceQuery>()});
+  return registerContender({.name = "simd-128",
+                            .group = "ablation",
+                            .collide = made<NarrowCollide, CollideQuery>(),
+                            .contacts = made<NarrowContacts, ContactsQuery>(),
+                            .distance = made<NarrowDistance, DistanceQuery>(),
+                            .ray = made<NarrowRays, RayQuery>()});
+}();
+
+}  // namespace
+}  // namespace octoblisk::bench

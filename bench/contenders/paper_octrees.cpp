@@ -1,0 +1,152 @@
+// The detection of the paper: octrees over the centroids of the blisk's triangles, the traditional one and
+// the improved one, whose cells are tested against one box round the belt (section 3.3).
+#include <algorithm>
+#include <numeric>
+
+#include "models/blade_finder.h"
+#include "octoblisk/obb.h"
+#include "octoblisk/octree.h"
+#include "octoblisk/part_clusters.h"
+#include "octoblisk/separating_axis.h"
+#include "octoblisk_trees.h"
+
+namespace octoblisk::bench {
+namespace {
+
+constexpr std::size_t kFnop = 2, kClusters = 2;  // the paper's optimum
+
+std::vector<Vec3> centroidsOf(const TriangleMesh& mesh) {
+  std::vector<Vec3> centroids;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle triangle = mesh.triangle(t);
+    centroids.push_back((triangle[0] + triangle[1] + triangle[2]) / 3.0);
+  }
+  return centroids;
+}
+
+/// One octree over all points, of a cube.
+std::vector<Octree> traditional(const TriangleMesh& blisk) {
+  return {Octree::build(centroidsOf(blisk), {.leaf_capacity = kFnop, .cubic = true})};
+}
+
+/// An octree over each cluster of each blade, and of the hub, of the cluster's own box.
+std::vector<Octree> improved(const TriangleMesh& blisk) {
+  const std::vector<Vec3> centroids = centroidsOf(blisk);
+  const PartClusterOptions options = {.clusters = kClusters,
+                                      .part_of_triangle = demos::findBlades(blisk).blade_of_triangle};
+  std::vector<Octree> octrees;
+  for (const std::vector<TriangleSet>& part : partClusters(centroids, options)) {
+    for (const TriangleSet& cluster : part) {
+      std::vector<Vec3> points;
+      for (const std::uint32_t t : cluster) points.push_back(centroids[t]);
+      octrees.push_back(Octree::build(points, {.leaf_capacity = kFnop}));
+    }
+  }
+  return octrees;
+}
+
+class PaperBoxes final : public BoxQuery {
+ public:
+  PaperBoxes(const Scene& scene, std::vector<Octree> octrees, SeparatingAxes axes)
+      : octrees_(std::move(octrees)), belt_(principalBox(scene.belt->vertices())), axes_(axes) {}
+
+  Left left(const Pose& belt_in_blisk) override {
+    Left found;
+    const Obb belt = belt_in_blisk * belt_;
+    for (const Octree& octree : octrees_) visit(octree, octree.nodes().front(), belt, found);
+    return found;
+  }
+  double range() const override {
+    return std::accumulate(octrees_.begin(), octrees_.end(), 0.0,
+                           [](double sum, const Octree& octree) { return sum + octree.stats().root_volume; });
+  }
+
+ private:
+  void visit(const Octree& octree, const Octree::Node& node, const Obb& belt, Left& found) const {
+    if (node.count() == 0) return;
+    const Obb cell = octree.cell(node);
+    if (!overlaps(belt, cell, axes_)) return;
+    if (node.isLeaf()) {
+      ++found.leaves;
+      found.volume += cell.volume();
+      return;
+    }
+    for (std::uint32_t octant = 0; octant < 8; ++octant)
+      visit(octree, octree.nodes()[node.first_child + octant], belt, found);
+  }
+
+  std::vector<Octree> octrees_;
+  Obb belt_;
+  SeparatingAxes axes_;
+};
+
+/// Our boxes of whole triangles against the same one box round the belt.
+class OurBoxes final : public BoxQuery {
+ public:
+  explicit OurBoxes(const Scene& scene)
+      : blisk_(ClusteredOctree::build(scene.blisk)), belt_(principalBox(scene.belt->vertices())) {}
+
+  Left left(const Pose& belt_in_blisk) override {
+    Left found;
+    visit(ClusteredOctree::kRoot, belt_in_blisk * belt_, found);
+    return found;
+  }
+  double range() const override { return blisk_.stats().root_volume; }
+
+ private:
+  void visit(Slot slot, const Obb& belt, Left& found) const {
+    const Obb box = blisk_.box(slot);
+    if (!overlaps(belt, box)) return;
+    const Child child = blisk_.child(slot);
+    if (child.isLeaf()) {
+      ++found.leaves;
+      found.volume += box.volume();
+      return;
+    }
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      if (!blisk_.child({child.node(), lane}).isEmpty()) visit({child.node(), lane}, belt, found);
+    }
+  }
+
+  ClusteredOctree blisk_;
+  Obb belt_;
+};
+
+/// What we do instead: exact triangles on both sides. Where they touch, the triangles of the blisk that do.
+class OurTriangles final : public BoxQuery {
+ public:
+  explicit OurTriangles(const Scene& scene) : trees_(scene, built()) {}
+
+  Left left(const Pose& belt_in_blisk) override {
+    return {collide(trees_.blisk, trees_.belt, belt_in_blisk) ? std::size_t{1} : 0, 0.0};
+  }
+  double range() const override { return trees_.blisk.stats().root_volume; }
+
+ private:
+  Trees trees_;
+};
+
+bool registerBoxes(const std::string& name, const Maker<BoxQuery>& make) {
+  return registerContender({.name = name, .group = "paper", .boxes = make});
+}
+
+template <typename Answers>
+Maker<BoxQuery> made() {
+  return [](const Scene& scene) { return std::make_unique<Answers>(scene); };
+}
+
+Maker<BoxQuery> ofPaper(std::vector<Octree> (*octrees)(const TriangleMesh&), SeparatingAxes axes) {
+  return [octrees, axes](const Scene& scene) {
+    return std::make_unique<PaperBoxes>(scene, octrees(*scene.blisk), axes);
+  };
+}
+
+const bool kRegistered = registerBoxes(kOurs, made<OurTriangles>()) &&
+                         registerBoxes("octoblisk-boxes", made<OurBoxes>()) &&
+                         registerBoxes("octree", ofPaper(traditional, SeparatingAxes::exact15)) &&
+                         registerBoxes("octree-one-axis", ofPaper(traditional, SeparatingAxes::paper1)) &&
+                         registerBoxes("octree-k2", ofPaper(improved, SeparatingAxes::exact15)) &&
+                         registerBoxes("octree-k2-one-axis", ofPaper(improved, SeparatingAxes::paper1));
+
+}  // namespace
+}  // namespace octoblisk::bench

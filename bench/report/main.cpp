@@ -1,0 +1,81 @@
+// Makes one page and plots of the rows.
+//
+//   bench_report RESULTS [README]
+//
+// Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's, which tell where the rows were
+// taken: that goes to RESULTS/machine.json), writes RESULTS/README.md and RESULTS/*.svg, and the summary into
+// README, between its lines for it.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "report/markdown.h"
+#include "report/results_page.h"
+
+namespace octoblisk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+Row objectIn(const fs::path& file) {
+  std::ifstream in(file);
+  const Row parsed = in ? Row::parse(in, nullptr, false) : Row();
+  return parsed.is_object() ? parsed : Row::object();
+}
+
+/// The newest of Google Benchmark's, of a run; else what was kept of one.
+Row machineIn(const fs::path& results) {
+  Row newest = objectIn(results / "machine.json");
+  if (!fs::is_directory(results / "google")) return newest;
+  for (const auto& entry : fs::directory_iterator(results / "google")) {
+    const Row parsed = objectIn(entry.path());
+    if (!parsed.contains("context")) continue;
+    const Row& context = parsed["context"];
+    if (newest.value("date", "") < context.value("date", "")) newest = context;
+  }
+  return newest;
+}
+
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+int run(const fs::path& results, const char* readme) {
+  const Rows rows = readAllRows(results);
+  if (rows.empty()) throw std::runtime_error(results.string() + ": has no rows");
+  const Row machine = machineIn(results);
+  write(results / "machine.json", machine.dump(1) + '\n');
+  const ResultsPage page = resultsPage(rows, machine);
+  write(results / "README.md", page.text);
+  for (const auto& [file, plot] : page.plots) draw(plot, results / file);
+  if (readme != nullptr) write(readme, spliced(textOf(readme), "benchmarks", summaryTable(rows)));
+  std::printf("%zu rows: %s\n", rows.size(), (results / "README.md").c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: bench_report RESULTS [README]\n");
+    return 2;
+  }
+  try {
+    return octoblisk::bench::run(argv[1], argc > 2 ? argv[2] : nullptr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_report: %s\n", error.what());
+    return 2;
+  }
+}

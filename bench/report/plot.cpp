@@ -1,0 +1,70 @@
+#include "report/plot.h"
+
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+#include "report/markdown.h"
+#include "report/power_law.h"
+
+namespace octoblisk::bench {
+namespace {
+
+/// A string of gnuplot's, taken as it is.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  return result + '\'';
+}
+
+bool hasLaw(const Curve& curve) { return curve.x.size() > 1 && curve.x.front() != curve.x.back(); }
+
+}  // namespace
+
+std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& file) {
+  std::ostringstream script;
+  script.precision(10);
+  script << "set encoding utf8\n"
+         << "set terminal svg size 720,480 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
+         << "set output " << quoted(file.string()) << '\n'
+         << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
+         << quoted(plot.y_label) << "\nset logscale xy\nset format x '%.0s%c'\n"
+         << "set key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\n";
+  // Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
+  const char* colors[] = {"#0072b3", "#d64000", "#009e73", "#e69e00", "#cc78a6", "#57b5e8"};
+  std::string plots;
+  for (std::size_t c = 0; c < plot.curves.size(); ++c) {
+    const Curve& curve = plot.curves[c];
+    const std::string color = std::string(" lc rgb '") + colors[c % std::size(colors)] + "'";
+    const std::string data = "$curve" + std::to_string(c);
+    script << data << " << END_OF_CURVE\n";
+    for (std::size_t k = 0; k < curve.x.size(); ++k) script << curve.x[k] << ' ' << curve.y[k] << '\n';
+    script << "END_OF_CURVE\n";
+    std::string title = curve.name;
+    if (hasLaw(curve)) {
+      const PowerLaw law = fitPowerLaw(curve.x, curve.y);
+      title += std::string(": ^") + significant(law.exponent);
+      std::ostringstream formula;
+      formula.precision(10);
+      formula << ", [" << curve.x.front() << ':' << curve.x.back() << "] " << law.factor << "*x**("
+              << law.exponent << ") with lines lw 1 dt 2" << color << " notitle";
+      plots += formula.str();
+    }
+    plots +=
+        std::string(", ") + data + " using 1:2 with points pt 7 ps 0.6" + color + " title " + quoted(title);
+  }
+  script << "plot" << plots.substr(1) << "\nset output\n";
+  return script.str();
+}
+
+void draw(const LogLogPlot& plot, const std::filesystem::path& file) {
+  std::FILE* gnuplot = popen("gnuplot", "w");
+  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": gnuplot cannot be started");
+  const std::string script = gnuplotScript(plot, file);
+  const bool is_written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  if (pclose(gnuplot) != 0 || !is_written) {
+    throw std::runtime_error(file.string() + ": gnuplot could not draw it (Debian's gnuplot-nox)");
+  }
+}
+
+}  // namespace octoblisk::bench

@@ -1,0 +1,262 @@
+#include "report/results_page.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "report/markdown.h"
+#include "report/power_law.h"
+
+namespace octoblisk::bench {
+namespace {
+
+constexpr const char* kOurs = "octoblisk";
+
+Rows ofTask(const Rows& rows, const std::string& task) {
+  Rows its;
+  std::ranges::copy_if(rows, std::back_inserter(its), [&](const Row& row) { return row["task"] == task; });
+  return its;
+}
+
+/// The different values of a key, in the order of the rows.
+std::vector<std::string> valuesOf(const Rows& rows, const char* key) {
+  std::vector<std::string> values;
+  for (const Row& row : rows) {
+    const std::string value = row.value(key, "");
+    if (std::ranges::find(values, value) == values.end()) values.push_back(value);
+  }
+  return values;
+}
+
+const Row* find(const Rows& rows, const std::string& task, const std::string& scene,
+                const std::string& contender) {
+  const auto row = std::ranges::find_if(rows, [&](const Row& r) {
+    return r["task"] == task && r["scene"] == scene && r.value("contender", "") == contender;
+  });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+double number(const Row& row, const char* key) {
+  return row.contains(key) && row[key].is_number() ? row[key].get<double>() : 0.0;
+}
+
+std::string ratioText(const Row& row) {
+  const double ratio = number(row, "ratio");
+  if (ratio == 0.0) return "";
+  const std::string text = significant(ratio, ratio >= 99.5 ? 3 : 2);
+  return ratio < 1.0 && row.value("contender", "") != kOurs ? std::string("**") + text + "**" : text;
+}
+
+std::string differencesText(const Row& row) {
+  const double differences = number(row, "differences");
+  if (differences == 0.0) return "";
+  return std::string(" (") + significant(differences, 6) + " differ)";
+}
+
+std::string cellOf(const Row& row) {
+  std::string text = row.contains("bytes_a_triangle") ? significant(number(row, "bytes_a_triangle")) + " B"
+                                                      : timeText(number(row, "mean_us"));
+  const std::string ratio = ratioText(row);
+  if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
+  return text + differencesText(row);
+}
+
+/// Task, and what it asks.
+struct Section {
+  const char* task;
+  const char* asks;
+};
+
+constexpr Section kSections[] = {
+    {"boolean-path", "Touching or not, pose by pose along the path"},
+    {"boolean-shuffled", "The same poses over all blades in random order"},
+    {"contacts", "All pairs of triangles that touch"},
+    {"distance-cold", "Distance at the clear poses, each by itself"},
+    {"distance-warm", "Distance, with what the pose before found"},
+    {"ray", "The first triangle on a way"},
+    {"build", "The structure over the blisk, on as many threads as the library takes"},
+    {"refit", "The structure fitted to moved vertices"},
+    {"memory", "Bytes a triangle beside the mesh"},
+    {"world-contacts", "Bullet world: contact points of blisk and belt (contactPairTest)"},
+    {"world-closest", "Bullet world: closest points within 1 mm (contactPairTest with a threshold)"},
+    {"world-ray", "Bullet world: rayTest"},
+    {"world-sweep", "Bullet world: convexSweepTest of a ball of 3 mm"},
+    {"world-step", "Bullet world: a step in which hulls fall onto the blisk"},
+    {"world-pile", "Bullet world: a step of 64 concave bodies on each other"},
+    {"broadphase-world", "Bullet world: a step of the grinding world, by broadphase"},
+};
+
+const Growth kGrowths[] = {
+    {"growth-boolean", "", "touching or not, along the path", "triangles of the blisk"},
+    {"growth-boolean", "belt", "touching or not, along the path", "triangles of the belt"},
+    {"growth-distance", "", "distance, each pose by itself", "triangles of the blisk"},
+    {"growth-distance", "belt", "distance, each pose by itself", "triangles of the belt"},
+    {"growth-ray", "", "the first triangle on a way", "triangles of the blisk"},
+    {"growth-build", "", "building, on one core", "triangles of the blisk"},
+    {"growth-bodies", "", "a step of a Bullet world", "bodies that fall onto the blisk"},
+};
+
+std::string machineText(const Row& context) {
+  if (!context.is_object()) return "";
+  std::string text;
+  const auto item = [&](const std::string& name, const char* key) {
+    if (!context.contains(key)) return;
+    const Row& value = context[key];
+    text += std::string("- ") + name + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) +
+            '\n';
+  };
+  item("taken", "date");
+  item("processor", "processor");
+  item("cores", "num_cpus");
+  item("MHz, as the system tells", "mhz_per_cpu");
+  item("pinned to core", "pinned_to_core");
+  item("compiler and flags", "octoblisk_flags");
+  item("other libraries", "peers");
+  for (const auto& [key, value] : context.items()) {
+    const std::string prefix = "contender ";
+    if (key.starts_with(prefix))
+      text += std::string("- ") + key.substr(prefix.size()) + ": " + value.get<std::string>() + '\n';
+  }
+  return text + '\n';
+}
+
+}  // namespace
+
+std::string taskTable(const Rows& all, const std::string& task) {
+  const Rows rows = ofTask(all, task);
+  if (rows.empty()) return "";
+  const std::vector<std::string> scenes = valuesOf(rows, "scene");
+  std::vector<std::string> header = {"contender"};
+  header.insert(header.end(), scenes.begin(), scenes.end());
+  MarkdownTable table(header);
+  for (const std::string& contender : valuesOf(rows, "contender")) {
+    std::vector<std::string> cells = {contender};
+    for (const std::string& scene : scenes) {
+      const Row* row = find(rows, task, scene, contender);
+      cells.push_back(row ? cellOf(*row) : std::string());
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
+LogLogPlot growthPlot(const Rows& all, const Growth& growth) {
+  LogLogPlot plot{.title = growth.title, .x_label = growth.x_label, .y_label = "µs"};
+  Rows rows = ofTask(all, growth.task);
+  std::erase_if(rows, [&](const Row& row) {
+    return row.value("scene", "").starts_with("belt") != (growth.prefix == "belt") ||
+           number(row, "size") <= 0.0;
+  });
+  std::ranges::stable_sort(rows, {}, [](const Row& row) { return number(row, "size"); });
+  for (const std::string& contender : valuesOf(rows, "contender")) {
+    Curve curve{.name = contender};
+    for (const Row& row : rows) {
+      if (row.value("contender", "") != contender) continue;
+      curve.x.push_back(number(row, "size"));
+      curve.y.push_back(number(row, "mean_us"));
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+std::string growthTable(const LogLogPlot& plot) {
+  MarkdownTable table({plot.x_label, "from", "to", "time from", "to", "exponent"});
+  for (const Curve& curve : plot.curves) {
+    const bool has_law = curve.x.size() > 1 && curve.x.front() != curve.x.back();
+    table.add({curve.name, significant(curve.x.front()), significant(curve.x.back()),
+               timeText(curve.y.front()), timeText(curve.y.back()),
+               has_law ? significant(fitPowerLaw(curve.x, curve.y).exponent) : std::string()});
+  }
+  return table.empty() ? "" : table.text();
+}
+
+std::string ablationTable(const Rows& all) {
+  const char* const queries[] = {"boolean", "contacts", "distance", "ray"};
+  Rows rows;
+  for (const char* query : queries) {
+    for (Row& row : ofTask(all, std::string("ablation-") + query)) rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return "";
+  MarkdownTable table({"variant", "touching", "all pairs", "distance", "ray"});
+  const std::string scene = rows.front()["scene"].get<std::string>();
+  for (const std::string& variant : valuesOf(rows, "contender")) {
+    std::vector<std::string> cells = {variant};
+    for (const char* query : queries) {
+      const Row* row = find(rows, std::string("ablation-") + query, scene, variant);
+      if (row == nullptr) {
+        cells.emplace_back();
+      } else {
+        cells.push_back((variant == kOurs ? timeText(number(*row, "mean_us")) : ratioText(*row)) +
+                        differencesText(*row));
+      }
+    }
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string limitTable(const Rows& all) {
+  MarkdownTable table({"query", "blisk", "ours", "lower bound", "times", "exact tests needed", "ours makes",
+                       "bytes needed", "ours reads"});
+  for (const char* query : {"boolean", "contacts", "distance", "ray"}) {
+    const std::string task = std::string("limit-") + query;
+    for (const std::string& scene : valuesOf(ofTask(all, task), "scene")) {
+      const Row *ours = find(all, task, scene, kOurs), *bound = find(all, task, scene, "lower-bound");
+      if (!ours || !bound) continue;
+      table.add({query, scene, timeText(number(*ours, "mean_us")), timeText(number(*bound, "mean_us")),
+                 significant(number(*ours, "mean_us") / number(*bound, "mean_us")),
+                 significant(number(*bound, "exact_tests")), significant(number(*ours, "exact_tests")),
+                 significant(number(*bound, "bytes")), significant(number(*ours, "bytes"))});
+    }
+  }
+  return table.empty() ? "" : table.text();
+}
+
+std::string paperTable(const Rows& all) {
+  const Rows rows = ofTask(all, "paper-method");
+  if (rows.empty()) return "";
+  MarkdownTable table({"blisk", "method", "a pose", "times ours", "range, mm³", "leaves left",
+                       "volume left, mm³", "false alarms", "missed"});
+  for (const Row& row : rows) {
+    const double clear = number(row, "clear_poses"), poses = number(row, "questions");
+    table.add({row["scene"].get<std::string>(), row.value("contender", ""), timeText(number(row, "mean_us")),
+               ratioText(row), significant(number(row, "range_mm3"), 3),
+               significant(number(row, "leaves_left")), significant(number(row, "volume_left_mm3")),
+               significant(number(row, "false_alarms"), 6) + " of " + significant(clear, 6),
+               significant(number(row, "missed"), 6) + " of " + significant(poses - clear, 6)});
+  }
+  return table.text();
+}
+
+ResultsPage resultsPage(const Rows& rows, const Row& context) {
+  ResultsPage page;
+  std::string& text = page.text;
+  text =
+      "# Results\n\nWritten by `./dev bench` from the rows beside it; what they mean is in `../README.md`. A "
+      "cell is "
+      "the mean time of a\nquestion · its ratio to ours in the same run, bold where the contender is faster "
+      "(how "
+      "many answers differ from the\nreference).\n\n## Where they were taken\n\n" +
+      machineText(context);
+  const auto section = [&](const std::string& title, const std::string& table) {
+    if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';
+  };
+  for (const auto& [task, asks] : kSections)
+    section(std::string(asks) + " (`" + task + "`)", taskTable(rows, task));
+  section("The paper's method (`paper-method`)", paperTable(rows));
+  for (const Growth& growth : kGrowths) {
+    const LogLogPlot plot = growthPlot(rows, growth);
+    if (plot.curves.empty()) continue;
+    const std::string file =
+        growth.task + (growth.prefix.empty() ? std::string() : std::string("-") + growth.prefix) + ".svg";
+    section(
+        std::string("Growth of ") + growth.title + " with the " + growth.x_label + " (`" + growth.task + "`)",
+        std::string("![](") + file + ")\n\n" + growthTable(plot));
+    page.plots.push_back({file, plot});
+  }
+  section("One thing changed: times as slow as the default (`ablation`)", ablationTable(rows));
+  section("The limit (`limit`)", limitTable(rows));
+  return page;
+}
+
+}  // namespace octoblisk::bench

@@ -1,0 +1,30 @@
+// How the time of a step of a Bullet world grows with the bodies that fall onto the blisk of 50,000
+// triangles, from one to 10,000. The rows' `size` is their number.
+#include "world_step.h"
+
+namespace octoblisk::bench {
+namespace {
+
+/// While they fall and come to lie: what takes longest.
+Trial prepare(const Scene& scene, const Contender& contender) {
+  Trial trial = worldStepTrial(scene, contender, 90);
+  trial.counters["size"] = static_cast<double>(scene.bodies);
+  return trial;
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  TimedTask task = {.name = "growth-bodies",
+                    .can_do = canStep,
+                    .prepare = prepare,
+                    .scenes = {"1-bodies", "10-bodies", "100-bodies", "1000-bodies", "10000-bodies"},
+                    .quick_scenes = {"1-bodies", "10-bodies", "100-bodies"},
+                    .takes_part = [](const Contender& contender, const std::string& scene) {
+                      return contender.name != "scaled-bvh" &&
+                             (contender.name != "gimpact" || scene != "10000-bodies");
+                    }};
+  return runTimedTasks(argc, argv, {task});
+}

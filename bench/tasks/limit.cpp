@@ -1,0 +1,134 @@
+// How far a query is from the least that any could do: the exact test of the triangles that truly meet, and
+// no search for them. That a clear pose, or a free way, is so has to be proved too, which is not counted.
+#include "boolean.h"
+#include "contacts.h"
+#include "distance.h"
+#include "octoblisk/collide.h"
+#include "octoblisk/distance.h"
+#include "octoblisk/raycast.h"
+#include "octoblisk/triangle_pair.h"
+#include "ray.h"
+
+namespace octoblisk::bench {
+namespace {
+
+constexpr const char* kBound = "lower-bound";
+
+const bool kRegistered = registerContender({.name = kBound, .group = "limit"});
+
+/// Our trees, by which the triangles in question are found beforehand.
+struct Found {
+  explicit Found(const Scene& scene)
+      : blisk(ClusteredOctree::build(scene.blisk)), belt(ClusteredOctree::build(scene.belt)) {}
+  ClusteredOctree blisk, belt;
+};
+
+const Found& foundIn(const Scene& scene) {
+  static const Found found(scene);  // one scene a process
+  return found;
+}
+
+/// The corners of `triangles` of which a question touches each once: what must be read.
+double bytesOf(std::size_t triangles) { return static_cast<double>(triangles * sizeof(Triangle)); }
+
+/// The task with the bound beside us. `bound` makes its trial, without comparing: its triangles are the
+/// answers.
+TimedTask withBound(TimedTask task, const std::function<Trial(const Scene&)>& bound) {
+  task.group = "limit";
+  task.can_do = [can_do = task.can_do](const Contender& c) { return c.name == kBound || can_do(c); };
+  task.prepare = [prepare = task.prepare, bound](const Scene& scene, const Contender& contender) {
+    return contender.name == kBound ? bound(scene) : prepare(scene, contender);
+  };
+  return task;
+}
+
+/// Tests the pairs of each pose, B's triangle posed as the query poses it.
+Trial pairsTrial(const Scene& scene, bool all) {
+  auto pairs = std::make_shared<std::vector<std::vector<TrianglePair>>>();
+  std::size_t count = 0, triangles = 0;
+  const Found& found = foundIn(scene);
+  for (const Pose& pose : scene.path) {
+    std::vector<TrianglePair>& here = pairs->emplace_back();
+    if (all) {
+      touchingPairs(found.blisk, found.belt, pose, here);
+    } else if (const auto pair = collide(found.blisk, found.belt, pose)) {
+      here = {*pair};
+    }
+    count += here.size();
+    std::vector<std::uint32_t> of_blisk, of_belt;
+    for (const TrianglePair& pair : here) {
+      of_blisk.push_back(pair.a);
+      of_belt.push_back(pair.b);
+    }
+    for (std::vector<std::uint32_t>* list : {&of_blisk, &of_belt}) {
+      std::ranges::sort(*list);
+      triangles += static_cast<std::size_t>(std::ranges::unique(*list).begin() - list->begin());
+    }
+  }
+  const auto poses = static_cast<double>(scene.path.size());
+  return {.questions = scene.path.size(),
+          .ask =
+              [pairs, &scene](std::size_t k) {
+                for (const TrianglePair& pair : (*pairs)[k]) {
+                  benchmark::DoNotOptimize(intersects(scene.blisk->triangle(pair.a),
+                                                      scene.path[k] * scene.belt->triangle(pair.b)));
+                }
+              },
+          .counters = {{"exact_tests", static_cast<double>(count) / poses},
+                       {"bytes", bytesOf(triangles) / poses}}};
+}
+
+/// Measures the nearest pair of each clear pose.
+Trial distanceTrial(const Scene& scene) {
+  const Distances& distances = distancesOf(scene);
+  auto nearest = std::make_shared<std::vector<Clearance>>();
+  for (const Pose& pose : distances.poses)
+    nearest->push_back(distance(foundIn(scene).blisk, foundIn(scene).belt, pose));
+  return {.questions = distances.poses.size(),
+          .ask =
+              [nearest, &distances, &scene](std::size_t k) {
+                const Clearance& pair = (*nearest)[k];
+                benchmark::DoNotOptimize(
+                    closestPoints(scene.blisk->triangle(pair.triangle_a),
+                                  distances.poses[k] * scene.belt->triangle(pair.triangle_b)));
+              },
+          .counters = {{"exact_tests", 1.0}, {"bytes", bytesOf(2)}}};
+}
+
+/// Where the way crosses the plane of the triangle that it hits.
+Trial hitsTrial(const Scene& scene) {
+  constexpr std::size_t kBundle = 100;
+  auto hit = std::make_shared<std::vector<std::uint32_t>>();
+  std::size_t hits = 0;
+  for (const Segment& way : scene.ways) {
+    const auto found =
+        closestHit(foundIn(scene).blisk, {.origin = way.from, .direction = way.to - way.from, .t_max = 1.0});
+    hit->push_back(found ? found->triangle : kNoTriangle);
+    hits += found.has_value();
+  }
+  const double part = static_cast<double>(hits) / static_cast<double>(scene.ways.size());
+  return {.questions = scene.ways.size() / kBundle,
+          .asked_at_once = kBundle,
+          .ask =
+              [hit, &scene](std::size_t bundle) {
+                for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
+                  if ((*hit)[k] == kNoTriangle) continue;
+                  benchmark::DoNotOptimize(hitOf(scene.blisk->triangle((*hit)[k]), scene.ways[k]));
+                }
+              },
+          .counters = {{"exact_tests", part}, {"bytes", part * bytesOf(1)}}};
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  return runTimedTasks(
+      argc, argv,
+      {withBound(booleanTask("limit-boolean", &Scene::path, false),
+                 [](const Scene& scene) { return pairsTrial(scene, false); }),
+       withBound(contactsTask("limit-contacts"), [](const Scene& scene) { return pairsTrial(scene, true); }),
+       withBound(distanceTask("limit-distance", false), distanceTrial),
+       withBound(rayTask("limit-ray"), hitsTrial)});
+}

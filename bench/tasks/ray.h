@@ -1,0 +1,65 @@
+// What straight ways from anywhere to anywhere meet first.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mean_cost.h"
+#include "reference.h"
+#include "timed_task.h"
+
+namespace octoblisk::bench {
+
+/// By the reference; found at the first call for a scene, and kept.
+inline const std::vector<double>& firstHitsOf(const Scene& scene) {
+  static std::map<const Scene*, std::vector<double>> known;
+  const auto [entry, is_new] = known.try_emplace(&scene);
+  if (is_new) {
+    const Reference reference(*scene.blisk);
+    for (const Segment& way : scene.ways) entry->second.push_back(reference.firstHit(way));
+  }
+  return entry->second;
+}
+
+/// Asks `query`, which is one of the contender's, about every way.
+template <typename Query>
+Trial rayTrial(const std::shared_ptr<Query>& query, const Scene& scene) {
+  constexpr double kTolerance = 1e-4;  // of the way: single precision on slanting triangles
+  constexpr std::size_t kBundle = 100;
+  const std::vector<double>& truth = firstHitsOf(scene);
+  std::size_t differences = 0;
+  for (std::size_t k = 0; k < scene.ways.size(); ++k) {
+    differences += std::abs(query->firstHit(scene.ways[k]) - truth[k]) > kTolerance;
+  }
+  const auto hits = std::ranges::count_if(truth, [](double part) { return part < 1.0; });
+  const auto ask = [query, &scene](std::size_t bundle) {
+    for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
+      benchmark::DoNotOptimize(query->firstHit(scene.ways[k]));
+    }
+  };
+  std::map<std::string, double> counters;
+  if constexpr (std::same_as<Query, RayQuery>) counters = meanCost(*query, scene.ways);
+  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(truth.size());
+  return {.questions = scene.ways.size() / kBundle,
+          .asked_at_once = kBundle,
+          .ask = ask,
+          .differences = differences,
+          .counters = std::move(counters)};
+}
+
+inline TimedTask rayTask(const std::string& name) {
+  const auto prepare = [](const Scene& scene, const Contender& contender) {
+    return rayTrial(std::shared_ptr<RayQuery>(contender.ray(scene)), scene);
+  };
+  return {name, [](const Contender& contender) { return static_cast<bool>(contender.ray); }, prepare};
+}
+
+}  // namespace octoblisk::bench

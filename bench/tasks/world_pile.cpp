@@ -1,0 +1,37 @@
+// Moving concave on moving concave: a step of a Bullet world in which 64 tori, gears, brackets and bumpy
+// stones fall onto each other and onto a concave floor.
+#include <memory>
+
+#include "timed_task.h"
+
+namespace octoblisk::bench {
+namespace {
+
+Trial prepare(const Scene& scene, const Contender& contender) {
+  const std::shared_ptr<PileQuery> query = contender.pile(scene);
+  const std::size_t steps = scene.steps / 2;
+  query->restart();
+  for (std::size_t k = 0; k < steps; ++k) query->step();
+  return {.questions = steps,
+          .ask =
+              [query](std::size_t k) {
+                if (k == 0) query->restart();
+                query->step();
+              },
+          .differences = static_cast<std::size_t>(query->fallen()),
+          .counters = {{"bodies", static_cast<double>(query->bodies())}, {"depth_m", query->depth()}}};
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  const auto can_do = [](const Contender& contender) { return static_cast<bool>(contender.pile); };
+  return runTimedTasks(argc, argv,
+                       {{.name = "world-pile",
+                         .can_do = can_do,
+                         .prepare = prepare,
+                         .scenes = {"64-bodies"},
+                         .quick_scenes = {"64-bodies"}}});
+}

@@ -1,0 +1,80 @@
+// Where a ball that is swept through a Bullet world first touches the blisk: convexSweepTest.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "reference.h"
+#include "shared/meshes.h"
+#include "timed_task.h"
+
+namespace octoblisk::bench {
+namespace {
+
+constexpr double kRadius = 3.0;  // of the ball, mm
+
+/// Ways of the ball's middle, and where by the reference it first touches.
+struct Sweeps {
+  std::vector<Segment> ways;
+  std::vector<double> truth;
+  std::size_t hits = 0;
+};
+
+/// Towards points of the surface from up to 60 mm away, some ending before it, some beyond. None begins
+/// within a millimetre of touching.
+Sweeps makeSweeps(const Scene& scene, std::size_t count) {
+  const Reference reference(*scene.blisk);
+  std::mt19937_64 random(5);
+  Sweeps sweeps;
+  while (sweeps.ways.size() < count) {
+    const Triangle triangle = scene.blisk->triangle(random() % scene.blisk->triangleCount());
+    const Vec3 target = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    const Vec3 towards = testing::randomRotation(random).col(0);
+    const Vec3 from = target - testing::uniform(random, 10.0, 60.0) * towards;
+    const Vec3 to = from + testing::uniform(random, 0.4, 1.4) * (target - from);
+    const Segment way = {from.cast<float>().cast<double>(), to.cast<float>().cast<double>()};
+    if (reference.distanceTo(way.from, kRadius + 1.0) <= kRadius + 1.0) continue;
+    sweeps.ways.push_back(way);
+    sweeps.truth.push_back(reference.firstTouch(way, kRadius));
+    sweeps.hits += sweeps.truth.back() < 1.0;
+  }
+  return sweeps;
+}
+
+const Sweeps& sweepsOf(const Scene& scene) {
+  static std::map<const Scene*, Sweeps> known;
+  const auto [entry, is_new] = known.try_emplace(&scene);
+  if (is_new) entry->second = makeSweeps(scene, scene.ways.size() / 200);
+  return entry->second;
+}
+
+Trial prepare(const Scene& scene, const Contender& contender) {
+  constexpr double kTolerance = 0.02;  // mm: Bullet's sweeps are iterated in single precision
+  const std::shared_ptr<WorldSweepQuery> query = contender.world_sweep(scene);
+  const Sweeps& sweeps = sweepsOf(scene);
+  std::size_t differences = 0;
+  for (std::size_t k = 0; k < sweeps.ways.size(); ++k) {
+    const Segment& way = sweeps.ways[k];
+    const double apart = std::abs(query->firstTouch(way, kRadius) - sweeps.truth[k]);
+    differences += !(apart * (way.to - way.from).norm() <= kTolerance);
+  }
+  return {
+      .questions = sweeps.ways.size(),
+      .ask = [query, &sweeps](
+                 std::size_t k) { benchmark::DoNotOptimize(query->firstTouch(sweeps.ways[k], kRadius)); },
+      .differences = differences,
+      .counters = {{"hit_rate", static_cast<double>(sweeps.hits) / static_cast<double>(sweeps.ways.size())}}};
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
+
+int main(int argc, char** argv) {
+  using namespace octoblisk::bench;
+  const auto can_do = [](const Contender& contender) { return static_cast<bool>(contender.world_sweep); };
+  return runTimedTasks(argc, argv,
+                       {{.name = "world-sweep", .can_do = can_do, .prepare = prepare, .scenes = {"300k"}}});
+}

@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "report/markdown.h"
+#include "report/results_page.h"
+
+namespace octoblisk::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Row row(const char* task, const char* scene, const char* contender, double mean, double ratio,
+        int differences = 0) {
+  return {{"task", task},
+          {"scene", scene},
+          {"contender", contender},
+          {"mean_us", mean},
+          {"median_us", mean / 2},
+          {"ratio", ratio},
+          {"answers_equal", differences == 0},
+          {"differences", differences}};
+}
+
+TEST(Markdown, roundsToSignificantDigits) {
+  EXPECT_EQ(significant(0.4249), "0.42");
+  EXPECT_EQ(significant(9.96), "10");
+  EXPECT_EQ(significant(32.31), "32");
+  EXPECT_EQ(significant(1299.0), "1,300");
+  EXPECT_EQ(significant(46080000.0, 4), "46,080,000");
+  EXPECT_EQ(significant(-1234.0, 4), "-1,234");
+  EXPECT_EQ(significant(0.0), "0");
+  EXPECT_EQ(timeText(3.44), "3.4 µs");
+  EXPECT_EQ(timeText(178.2), "178 µs");
+  EXPECT_EQ(timeText(3300.0), "3.3 ms");
+  EXPECT_EQ(timeText(5.3e6), "5.3 s");
+  EXPECT_EQ(timeText(999.7), "1.0 ms");
+}
+
+TEST(Markdown, tableHasALineARow) {
+  MarkdownTable table({"a", "b"});
+  EXPECT_TRUE(table.empty());
+  table.add({"1", "x|y"});
+  EXPECT_EQ(table.text(), "| a | b |\n|---|---|\n| 1 | x\\|y |\n");
+  EXPECT_THROW(table.add({"1"}), std::invalid_argument);
+  EXPECT_THROW(MarkdownTable({}), std::invalid_argument);
+}
+
+TEST(Markdown, splicesBetweenItsLines) {
+  EXPECT_EQ(spliced("a\n<!-- t -->\nold\n<!-- end of t -->\nb\n", "t", "new\n"),
+            "a\n<!-- t -->\nnew\n<!-- end of t -->\nb\n");
+  EXPECT_THROW(spliced("a\n<!-- t -->\n", "t", ""), std::invalid_argument);
+  EXPECT_THROW(spliced("a\n", "t", ""), std::invalid_argument);
+}
+
+TEST(ResultsPage, showsWhereAPeerWinsAndWhoseAnswersDiffer) {
+  const Rows rows = {row("ray", "50k", "octoblisk", 1.5, 1.0), row("ray", "50k", "embree", 0.63, 0.42),
+                     row("ray", "300k", "octoblisk", 2.0, 1.0), row("ray", "300k", "fcl", 20.0, 10.0, 3)};
+  EXPECT_EQ(taskTable(rows, "ray"),
+            "| contender | 50k | 300k |\n|---|---|---|\n| octoblisk | 1.5 µs | 2.0 µs |\n"
+            "| embree | 0.63 µs · **0.42** |  |\n| fcl |  | 20 µs · 10 (3 differ) |\n");
+  EXPECT_EQ(taskTable(rows, "build"), "");
+}
+
+TEST(ResultsPage, fitsHowFastThingsGrow) {
+  Rows rows;
+  for (const auto& [scene, size] : {std::pair("100k", 1e5), {"10k", 1e4}, {"1000k", 1e6}, {"belt-2k", 2e3}}) {
+    rows.push_back(row("growth-ray", scene, "octoblisk", 0.01 * std::sqrt(size), 1.0));
+    rows.back()["size"] = size;
+  }
+  const LogLogPlot plot = growthPlot(rows, {"growth-ray", "", "rays", "triangles"});
+  ASSERT_EQ(plot.curves.size(), 1u);
+  EXPECT_EQ(plot.curves[0].x, std::vector<double>({1e4, 1e5, 1e6}));  // sorted, without the belt's
+  EXPECT_NE(growthTable(plot).find("| octoblisk | 10,000 | 1,000,000 | 1.0 µs | 10 µs | 0.50 |"),
+            std::string::npos)
+      << growthTable(plot);
+  const std::string script = gnuplotScript(plot, "it's.svg");
+  EXPECT_NE(script.find("'it''s.svg'"), std::string::npos);
+  EXPECT_NE(script.find("octoblisk: ^0.50"), std::string::npos);
+}
+
+TEST(ResultsPage, tellsHowFarOursIsFromTheBound) {
+  Rows rows = {row("limit-ray", "50k", "octoblisk", 1.5, 1.0),
+               row("limit-ray", "50k", "lower-bound", 0.03, 0.02)};
+  rows[0]["bytes"] = 7000.0;
+  rows[1]["bytes"] = 36.0;
+  rows[0]["exact_tests"] = 0.9;
+  rows[1]["exact_tests"] = 0.5;
+  EXPECT_NE(limitTable(rows).find("| ray | 50k | 1.5 µs | 0.030 µs | 50 | 0.50 | 0.90 | 36 | 7,000 |"),
+            std::string::npos)
+      << limitTable(rows);
+}
+
+/// Every number of the README's table is that of a row that is kept.
+TEST(Results, readmeSaysWhatTheRowsSay) {
+  const fs::path source = OCTOBLISK_SOURCE_DIR;
+  const Rows rows = readAllRows(source / "bench" / "results");
+  ASSERT_FALSE(rows.empty());
+  const std::string readme = textOf(source / "README.md");
+  EXPECT_EQ(spliced(readme, "benchmarks", summaryTable(rows)), readme);
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
