@@ -88,7 +88,7 @@ class Grinding {
       const ToolPart& belt = job.parts[job.rules.grinding_part];
       const auto blisk = onSpindle(job.blisk, job.mesh_in_blisk);
       for (int thread = 0; thread < threadCount(job.threads); ++thread) {
-        spindles_.push_back(std::make_unique<SpindleCell>(job.blisk->mesh(), job.mesh_in_blisk, belt,
+        spindles_.push_back(std::make_unique<SpindleCell>(blisk, job.mesh_in_blisk, belt,
                                                           belt.belt_speed.value_or(0.0), *job.spindle));
       }
     }

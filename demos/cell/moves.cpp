@@ -42,19 +42,23 @@ void keepFirst(MoveReport& move, const MoveReport& met) {
 
 }  // namespace
 
+/// How deep a part is somewhere on a move, and the blisk's normal where it is; zero where it does not touch.
+struct MoveCheck::Touch {
+  double depth = 0.0;
+  Vec3 normal = Vec3::Zero();
+};
+
 /// A stretch of a move in which a part may touch.
 struct MoveCheck::Stretch {
   std::size_t pose = 0;  ///< that the move leads to
   std::size_t part = 0;
-  double begin = 0.0, end = 1.0;              ///< fractions of the move
-  std::optional<PartDepth> at_begin, at_end;  ///< depths there
-  double way = 0.0;                           ///< of all of the move: no point that may touch goes farther
+  double begin = 0.0, end = 1.0;  ///< fractions of the move
+  Touch at_begin = {}, at_end = {};
+  double way = 0.0;  ///< of all of the move: no point that may touch goes farther
   bool is_proved = false;
 
   double length() const { return (end - begin) * way; }
-  double greatestDepth() const {
-    return std::max(at_begin ? at_begin->depth : 0.0, at_end ? at_end->depth : 0.0);
-  }
+  double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
 };
 
 MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
@@ -156,36 +160,39 @@ std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(std::span<const PoseRepor
     if (!depth_proofs_[part]) continue;
     const double limit = rules_.maxDepth(part);
     if (depthAt(from, part) > limit || depthAt(to, part) > limit) continue;
-    Stretch stretch{.pose = pose, .part = part};
+    Stretch stretch;
+    stretch.pose = pose;
+    stretch.part = part;
     if (!touches(from, part)) {
       const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
       if (!met) continue;
       stretch.begin = met->fraction;
     }
-    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = *depth;
-    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = *depth;
+    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = touchOf(*depth);
+    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = touchOf(*depth);
     stretches.push_back(std::move(stretch));
   }
   return stretches;
 }
 
+MoveCheck::Touch MoveCheck::touchOf(const PartDepth& depth) const {
+  return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
+}
+
 bool MoveCheck::isProved(std::span<const PoseReport> poses, const Stretch& stretch) const {
   const Motion way = moveBetween(poses[stretch.pose - 1].tool_in_blisk, poses[stretch.pose].tool_in_blisk);
-  Vec3 up = Vec3::Zero();
-  for (const auto& depth : {stretch.at_begin, stretch.at_end}) {
-    if (depth) up += scaledNormal(blisk_->mesh().triangle(depth->triangle_of_blisk)).normalized();
-  }
+  const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
   return !up.isZero(1e-6) &&
          depth_proofs_[stretch.part]->holds(way, stretch.begin, stretch.end, up.normalized(),
                                             rules_.maxDepth(stretch.part));
 }
 
-void MoveCheck::noteTooDeep(const Stretch& stretch, double fraction, const PartDepth& depth,
+void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
                             MoveReport& move) const {
   MoveReport too_deep;
   too_deep.outcome = MoveReport::Outcome::too_deep;
   too_deep.fraction = fraction;
-  too_deep.at = {stretch.part, blade_of_triangle_[depth.triangle_of_blisk], {}};
+  too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
   too_deep.at.clearance.distance = -depth.depth;
   too_deep.at.clearance.point_on_a = depth.point_on_blisk;
   too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
@@ -212,10 +219,9 @@ void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unprove
       long_ones.push_back(std::move(stretch));
       continue;
     }
-    const double at_begin = stretch.at_begin ? stretch.at_begin->depth : 0.0;
-    const double at_end = stretch.at_end ? stretch.at_end->depth : 0.0;
     move.depth_proved = false;
-    move.depth_bound = std::max(move.depth_bound, 0.5 * (at_begin + at_end + stretch.length()));
+    const double between = 0.5 * (stretch.at_begin.depth + stretch.at_end.depth + stretch.length());
+    move.depth_bound = std::max(move.depth_bound, between);
   }
   std::vector<std::size_t> parts;
   std::vector<Pose> middles;
@@ -230,10 +236,13 @@ void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unprove
     Stretch first = std::move(long_ones[i]), second = first;
     const double middle = 0.5 * (first.begin + first.end);
     first.end = second.begin = middle;
-    first.at_end = second.at_begin = found[i];
+    first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
     MoveReport& move = *poses[first.pose].move;
     const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
-    if (too_deep) noteTooDeep(first, middle, *found[i], move);
+    if (too_deep) {
+      noteTooDeep(first.part, middle, *found[i], move);
+      move.depth_proved = false;
+    }
     unproved.push_back(std::move(first));
     if (!too_deep) unproved.push_back(std::move(second));
   }

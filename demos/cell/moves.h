@@ -37,6 +37,7 @@ class MoveCheck {
   void check(std::span<PoseReport> poses);
 
  private:
+  struct Touch;
   struct Stretch;
   /// Of a part that may touch: all but what is near the tool's origin, which turns move little.
   struct FarPart {
@@ -50,7 +51,8 @@ class MoveCheck {
   std::vector<Stretch> stretchesOf(std::span<const PoseReport> poses, std::size_t pose) const;
   bool isProved(std::span<const PoseReport> poses, const Stretch& stretch) const;
   void halve(std::span<PoseReport> poses, std::vector<Stretch>& unproved);
-  void noteTooDeep(const Stretch& stretch, double fraction, const PartDepth& depth, MoveReport& move) const;
+  Touch touchOf(const PartDepth& depth) const;
+  void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MoveReport& move) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::span<const ToolPart> parts_;

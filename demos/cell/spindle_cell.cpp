@@ -166,7 +166,9 @@ class SpindleCell::World {
       load.torque += arm.cross(normal + friction).z() * kForcesANewton / kTorquesANewtonMetre;
     });
     if (count == 0) return std::nullopt;
-    load.acceleration = double(blisk_.getAngularVelocity().z()) / kStepSeconds;
+    constexpr double kRest = 1e-9;  // rad/s² that the solver leaves
+    const double acceleration = double(blisk_.getAngularVelocity().z()) / kStepSeconds;
+    load.acceleration = std::abs(acceleration) > kRest ? acceleration : 0.0;
     return load;
   }
 

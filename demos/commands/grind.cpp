@@ -223,7 +223,10 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "0. A negative depth is a clearance. Verdicts go by how deep the deepest point of a part lies in the\n"
       "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with\n"
       "a warning. A part wholly inside the blisk is interference. On a move the contact wheel's centre goes\n"
-      "straight while the tool turns evenly; coming within 0.001 mm is a hit.\n"
+      "straight while the tool turns evenly; coming within 0.001 mm is a hit, proved all the way. That the\n"
+      "belt stays within --max-depth is proved too; where it is not, its depth is measured every mm, and "
+      "the\n"
+      "summary tells how much deeper it may be between (depth_proved, depth_on_moves_at_most_mm).\n"
       "Exit codes: 0 no interference at any pose or move, 1 interference found, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }

@@ -248,10 +248,12 @@ TEST_F(PathCommand, WritesTheSamePosesEitherWayAndGrindReadsBoth) {
   }
 }
 
+/// With so much tilt the belt's strands keep off it too.
 TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
   for (const char* side : {"concave", "convex"}) {
     ASSERT_EQ(
-        run(std::string("--blade 3 --step-over 30 --pose-step 8 --out path.csv --side ") + side).exit_code,
+        run(std::string("--blade 3 --step-over 30 --pose-step 8 --tilt 14 --out path.csv --side ") + side)
+            .exit_code,
         0);
     ASSERT_LE(runOctoblisk(folder_.path(),
                            "grind --ground-blade 3 --poses-only --no-pictures --path path.csv --out run")
@@ -266,7 +268,7 @@ TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
       for (std::string* cell : {&pose, &verdict, &part, &blade, &depth}) std::getline(row, *cell, ',');
       if (part != "belt" || blade != "3" || std::stod(depth) < 0.0) continue;
       ++touching;
-      EXPECT_LE(std::stod(depth), 0.02 + 0.002) << side << ", pose " << pose;
+      EXPECT_LE(std::stod(depth), 0.0205) << side << ", pose " << pose;
     }
     EXPECT_GT(touching, 20) << side;
   }
