@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "access/access_report.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {
@@ -36,42 +37,42 @@ std::string degreesText(double value) {
 }
 
 /// What may be done at a site, and what is in the way there.
-std::string siteText(const AccessRun& run, const SiteAccess& access) {
+std::string siteText(const AccessMap& map, const SiteAccess& access) {
   std::string text;
   if (access.widest) {
     const FreeRange& range = access.ranges[*access.widest];
     text = "tilt " + degreesText(range.tilt_from) + " to " + degreesText(range.tilt_to) + " at lead " +
-           degreesText(run.options.leads[range.lead]) + ", shown at their middle";
+           degreesText(map.question.options.leads[range.lead]) + ", shown at their middle";
   }
   if (!access.in_the_way.empty()) {
     text += (text.empty() ? "most often in the way: " : "; else most often in the way: ") +
-            describe(access.in_the_way.front().obstacle, run.parts);
+            describe(access.in_the_way.front().obstacle, map.parts);
   }
   return text;
 }
 
-Pose poseShown(const AccessRun& run, const ContactSite& site, const SiteAccess& access) {
+Pose poseShown(const AccessMap& map, const ContactSite& site, const SiteAccess& access) {
   if (!access.widest) return site.base;
   const FreeRange& range = access.ranges[*access.widest];
-  return tiltedPose(site, 0.5 * (range.tilt_from + range.tilt_to), run.options.leads[range.lead]);
+  return tiltedPose(site, 0.5 * (range.tilt_from + range.tilt_to), map.question.options.leads[range.lead]);
 }
 
-ReplayTrack accessTrack(const AccessRun& run) {
+ReplayTrack accessTrack(const AccessMap& map) {
   ReplayTrack track{.name = "points"};
   ReplaySeries widest{.name = "widest free range of tilt", .unit = "degrees"};
-  const double asked = static_cast<double>(run.options.leads.size()) * run.options.tilts;
+  const double asked = static_cast<double>(map.question.options.leads.size()) * map.question.options.tilts;
   ReplaySeries share{.name = "part of all tilts and leads that is free", .unit = "%"};
   share.chart = 1;
-  for (std::size_t s = 0; s < run.sites.size(); ++s) {
-    const ContactSite& site = run.sites[s];
-    const SiteAccess& access = run.access[s];
+  for (std::size_t s = 0; s < map.sites.size(); ++s) {
+    const ContactSite& site = map.sites[s];
+    const SiteAccess& access = map.access[s];
     const AccessVerdict verdict = accessVerdictOf(access);
     ReplayPose pose;
-    pose.tool_in_blisk = poseShown(run, site, access);
+    pose.tool_in_blisk = poseShown(map, site, access);
     pose.verdict = verdict;
-    pose.contacts.push_back(
-        {verdict, run.rules.grinding_part, run.rules.ground_blade, site.point, Vec3(-site.normal), 0.0});
-    pose.text = siteText(run, access);
+    pose.contacts.push_back({verdict, map.question.rules.grinding_part, map.question.rules.ground_blade,
+                             site.point, Vec3(-site.normal), 0.0});
+    pose.text = siteText(map, access);
     if (pose.text.empty()) pose.text = "nothing is in the way at any tilt";
     track.poses.push_back(std::move(pose));
     widest.values.push_back(widestRange(access));
@@ -88,22 +89,22 @@ ReplayTrack accessTrack(const AccessRun& run) {
   return track;
 }
 
-std::vector<Table> accessFacts(const AccessRun& run, const ClusteredOctree& blisk,
+std::vector<Table> accessFacts(const AccessMap& map, const ClusteredOctree& blisk,
                                const std::string& blisk_name) {
   std::ostringstream depth, margin, free;
-  depth << run.rules.max_depth << " mm";
-  margin << run.rules.margin << " mm";
-  free << std::round(1000.0 * run.freeFraction()) / 10.0 << " %";
+  depth << map.question.rules.max_depth << " mm";
+  margin << map.question.rules.margin << " mm";
+  free << std::round(1000.0 * map.freeFraction()) / 10.0 << " %";
   Table parts{.name = "parts", .caption = "Parts of the tool", .columns = {"Part", "Triangles"}};
-  for (const auto& [name, tree] : run.parts) {
-    parts.rows.push_back({name, std::to_string(tree->mesh().triangleCount())});
+  for (const ToolPart& part : map.parts) {
+    parts.rows.push_back({part.name, std::to_string(part.tree->mesh().triangleCount())});
   }
-  const AccessOptions& options = run.options;
+  const AccessOptions& options = map.question.options;
   return {
       parts,
       {.name = "limits",
        .caption = "Limits and tolerances",
-       .rows = {{"Ground blade", std::to_string(run.rules.ground_blade)},
+       .rows = {{"Ground blade", std::to_string(map.question.rules.ground_blade)},
                 {"Belt in it, at most", depth.str()},
                 {"All else keeps apart", margin.str()},
                 {"Tilts", degreesText(options.tilt_from) + " to " +
@@ -116,22 +117,32 @@ std::vector<Table> accessFacts(const AccessRun& run, const ClusteredOctree& blis
        .caption = "Input",
        .rows = {{"Blisk", blisk_name},
                 {"its triangles", std::to_string(blisk.stats().triangles)},
-                {"Points", run.of_path ? "poses of a path" : "a grid on a blade's side"}}},
+                {"Points", map.question.of_path ? "poses of a path" : "a grid on a blade's side"}}},
       versionsTable()};
 }
 
 }  // namespace
 
-Replay accessReplay(const AccessRun& run, std::shared_ptr<const ClusteredOctree> blisk,
+std::size_t AccessMap::nowhereFree() const {
+  return static_cast<std::size_t>(std::ranges::count(access, 0u, &SiteAccess::free));
+}
+
+double AccessMap::freeFraction() const {
+  std::size_t free = 0;
+  for (const SiteAccess& site : access) free += site.free;
+  return static_cast<double>(free) / static_cast<double>(question.poses() * access.size());
+}
+
+Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree> blisk,
                     const BladesFound& blades, const std::string& blisk_name) {
   Replay replay;
-  const std::size_t none = run.nowhereFree(), points = run.sites.size();
+  const std::size_t none = map.nowhereFree(), points = map.sites.size();
   replay.command = "access";
   replay.title =
       none == 0 ? "Every one of " + std::to_string(points) + " points can be reached"
                 : "Nowhere free at " + std::to_string(none) + " of " + std::to_string(points) + " points";
   replay.subtitle = "Where the belt grinder may stand at points of blade " +
-                    std::to_string(run.rules.ground_blade) + " of " + std::to_string(blades.count);
+                    std::to_string(map.question.rules.ground_blade) + " of " + std::to_string(blades.count);
   replay.one = "point";
   replay.many = "points";
   replay.findings_title = "Points with little or no room";
@@ -140,22 +151,22 @@ Replay accessReplay(const AccessRun& run, std::shared_ptr<const ClusteredOctree>
   replay.verdicts = accessVerdicts();
   for (std::size_t v = 0; v < replay.verdicts.size(); ++v) {
     const auto count =
-        std::ranges::count_if(run.access, [&](const SiteAccess& a) { return accessVerdictOf(a) == v; });
+        std::ranges::count_if(map.access, [&](const SiteAccess& a) { return accessVerdictOf(a) == v; });
     replay.counts.push_back(
         {replay.verdicts[v].name, static_cast<std::size_t>(count), replay.verdicts[v].tone});
   }
   replay.blade_of_triangle = blades.blade_of_triangle;
   replay.blade_count = blades.count;
-  replay.ground_blade = run.rules.ground_blade;
-  replay.parts = run.parts;
+  replay.ground_blade = map.question.rules.ground_blade;
+  replay.parts = map.parts;
   replay.charts = {
       {.title = "Widest free range of tilt at each point", .unit = "degrees", .limits = {{kNarrow, "30°"}}},
       {.title = "Share of tilts and leads that is free", .unit = "%"}};
-  replay.tracks.push_back(accessTrack(run));
+  replay.tracks.push_back(accessTrack(map));
   replay.contacts_of_all_poses = true;
   const std::vector<ReplayFinding>& findings = replay.tracks.front().findings;
   if (!findings.empty()) replay.start_at = findings.front().at;
-  replay.facts = accessFacts(run, *blisk, blisk_name);
+  replay.facts = accessFacts(map, *blisk, blisk_name);
   replay.notes.push_back(
       "At each point the tool is shown at the middle of its widest free range of tilt, and where nothing is "
       "free at "

@@ -3,15 +3,27 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "access/access_report.h"
+#include "access/access_table.h"
 #include "models/blade_finder.h"
 #include "report/replay.h"
 
 namespace octoblisk::demos {
 
-/// Of a map of at least one point; `blisk_name` as it is to be told.
-Replay accessReplay(const AccessRun& run, std::shared_ptr<const ClusteredOctree> blisk,
+/// A map that is at hand, of at least one point.
+struct AccessMap {
+  AccessQuestion question;
+  std::vector<ContactSite> sites;
+  std::vector<SiteAccess> access;  ///< of each site
+  std::vector<ToolPart> parts;
+
+  std::size_t nowhereFree() const;
+  double freeFraction() const;  ///< of all tilts and leads of all sites
+};
+
+/// `blisk_name` as it is to be told.
+Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree> blisk,
                     const BladesFound& blades, const std::string& blisk_name);
 
 }  // namespace octoblisk::demos

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <sstream>
 
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
@@ -244,6 +245,32 @@ TEST_F(PathCommand, WritesTheSamePosesEitherWayAndGrindReadsBoth) {
     EXPECT_LE(ground.exit_code, 1) << ground.error;
     EXPECT_THAT(ground.out, HasSubstr("ground blade 3 of 24"));
     EXPECT_THAT(ground.out, ::testing::Not(HasSubstr(" 0 intended contact"))) << ground.out;
+  }
+}
+
+/// With so much tilt the belt's strands keep off it too.
+TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
+  for (const char* side : {"concave", "convex"}) {
+    ASSERT_EQ(
+        run(std::string("--blade 3 --step-over 30 --pose-step 8 --tilt 14 --out path.csv --side ") + side)
+            .exit_code,
+        0);
+    ASSERT_LE(runOctoblisk(folder_.path(),
+                           "grind --ground-blade 3 --poses-only --no-pictures --path path.csv --out run")
+                  .exit_code,
+              1);
+    std::istringstream table(contentOf(file("run/poses.csv")));
+    std::string line;
+    int touching = 0;
+    for (std::getline(table, line); std::getline(table, line);) {
+      std::istringstream row(line);
+      std::string pose, verdict, part, blade, depth;
+      for (std::string* cell : {&pose, &verdict, &part, &blade, &depth}) std::getline(row, *cell, ',');
+      if (part != "belt" || blade != "3" || std::stod(depth) < 0.0) continue;
+      ++touching;
+      EXPECT_LE(std::stod(depth), 0.0205) << side << ", pose " << pose;
+    }
+    EXPECT_GT(touching, 20) << side;
   }
 }
 
