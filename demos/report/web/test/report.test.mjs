@@ -161,7 +161,7 @@ test("all that can be pressed has a name, and no text is faint", async () => {
     const found = [];
     for (const element of document.querySelectorAll("body *:not(script):not(style):not(noscript)")) {
       const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
-      if (!own || !element.offsetParent || element.disabled) continue;
+      if (!own || !element.offsetParent || element.closest(":disabled")) continue;
       const [a, b] = [light(getComputedStyle(element).color), light(behind(element))];
       const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
       if (ratio < 4.5) found.push(`${element.tagName} ${element.textContent.trim().slice(0, 30)} ${ratio.toFixed(2)}`);
