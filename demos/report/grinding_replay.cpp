@@ -40,7 +40,7 @@ std::optional<ReplayNearest> worstOf(const GrindingRun& run, const PoseReport& p
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
   if (!worst) return std::nullopt;
   return ReplayNearest{worst->part, worst->blade, worst->depth,
-                       sideOf(run.blisk->mesh(), worst->triangle_of_blisk, worst->blade)};
+                       sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade)};
 }
 
 ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
@@ -65,7 +65,8 @@ void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFindin
   if (pose.move && pose.move->outcome != Outcome::free) {
     const PartClearance& at = pose.move->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
-                        at.part, at.blade, sideOf(run.blisk->mesh(), at.clearance.triangle_a, at.blade),
+                        at.part, at.blade,
+                        sideOf(run.blisk->mesh(), run.mesh_in_blisk, at.clearance.triangle_a, at.blade),
                         0.0 - at.clearance.distance, p});
   }
   if (pose.verdict != Verdict::interference && pose.verdict != Verdict::near_miss) return;

@@ -269,8 +269,8 @@ void addMeshes(const Replay& replay, const ReplayMeshes& meshes, Json& run, std:
   run["blisk"] = {{"mesh", meshJson(meshes.blisk)}, {"groups", groups}};
   Json parts = Json::array();
   for (std::size_t p = 0; p < replay.parts.size(); ++p) {
-    const auto& [name, tree] = replay.parts[p];
-    tellThinned(name, meshes.parts[p], tree->mesh());
+    const std::string& name = replay.parts[p].name;
+    tellThinned(name, meshes.parts[p], replay.parts[p].tree->mesh());
     parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(meshes.parts[p])}});
   }
   run["parts"] = parts;
