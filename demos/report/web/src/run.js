@@ -72,8 +72,9 @@ const kSides = ["", "forward", "backward"];
 export const bladeText = (blade) => (blade === 0 ? "hub or shroud" : `blade ${blade}`);
 
 export const millimetres = (value) => {
+  if (value === 0) return "0";
   const size = Math.abs(value);
-  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3).replace("-", "−");
 };
 
 /** What is so at a pose, in a sentence. */
