@@ -138,13 +138,15 @@ class SpindleCell::World {
       point.m_combinedRestitution = 0;
       point.m_contactPointFlags |=
           BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
-      const Vec3 at = tool_in_blisk_.inverse() * fromBullet(point.getPositionWorldOnA());
+      const Vec3 on_belt =
+          fromBullet(blisk_is_first ? point.getPositionWorldOnB() : point.getPositionWorldOnA());
       const Vec3 normal = fromBullet(point.m_normalWorldOnB);
-      Vec3 along = tool_in_blisk_.rotation * loop_.directionAt(at);
-      along -= along.dot(normal) * normal;
-      if (along.isZero(1e-9)) along = normal.unitOrthogonal();
-      point.m_lateralFrictionDir1 = toBullet(Vec3(along.normalized()));
-      const double speed = belt_speed_ * kSpeedsAMetreASecond * along.norm();
+      Vec3 velocity = belt_speed_ * kSpeedsAMetreASecond *
+                      (tool_in_blisk_.rotation * loop_.directionAt(tool_in_blisk_.inverse() * on_belt));
+      velocity -= velocity.dot(normal) * normal;
+      const double speed = velocity.norm();
+      point.m_lateralFrictionDir1 =
+          toBullet(speed > 0.0 ? Vec3(velocity / speed) : Vec3(normal.unitOrthogonal()));
       point.m_contactMotion1 = btScalar(blisk_is_first ? speed : -speed);
     });
   }

@@ -74,7 +74,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
   DepthQuery query;
   std::mt19937_64 random(83);
   int proved = 0, beyond = 0;
-  constexpr int kMoves = 60;
+  constexpr int kMoves = 300;
   for (int i = 0; i < kMoves; ++i) {
     // Onto the ring's outside, a little deeper or less.
     Pose from = testing::randomPose(random, 0.0), to = from;
@@ -84,7 +84,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
       double reach = 0.0;
       for (const Vec3& corner : tool.tree->mesh().vertices())
         reach = std::max(reach, -(pose.rotation * corner).dot(up));
-      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 1.5 * kLimit)) * up;
+      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kLimit)) * up;
     };
     to.rotation =
         Mat3(Eigen::AngleAxisd(testing::uniform(random, -0.02, 0.02), Vec3::UnitZ()) * from.rotation);
@@ -106,7 +106,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
     beyond += deepest > kLimit;
   }
   EXPECT_GT(proved, kMoves * 3 / 10);
-  EXPECT_GT(beyond, kMoves / 10);
+  EXPECT_GT(beyond, kMoves * 2 / 10);
 }
 
 }  // namespace

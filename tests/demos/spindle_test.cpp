@@ -59,8 +59,8 @@ TriangleMesh drum() {
   return {vertices, triangles};
 }
 
-/// A block whose face at -x is the belt's; at the drum's +x, pressed in by a depth.
-ToolPart pad() { return {"belt", treeOf(block({4, 3, 3}, 1)), 20.0}; }
+/// A block whose face at -x, wider than a facet, is the belt's; at the drum's +x, pressed in by a depth.
+ToolPart pad() { return {"belt", treeOf(block({4, 20, 3}, 1)), 20.0}; }
 Pose pressed(double depth) { return {Mat3::Identity(), Vec3(kRadius + 4.0 - depth, 0, 0)}; }
 
 TEST(SpindleCell, aHeldDrumFeelsStiffnessTimesDepthAndFrictionTimesRadius) {

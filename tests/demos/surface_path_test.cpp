@@ -299,14 +299,16 @@ TEST_F(PathCommand, FollowsABliskThatLiesAnywhere) {
   for (Vec3& vertex : vertices) vertex = pose * vertex;
   const TriangleMesh mesh(vertices, blisk().mesh.triangles());
   writeMesh(file("moved.ply"), mesh);
-  ASSERT_EQ(run("--blisk moved.ply --blade 2 --side leading --tilt 8 --out path.csv").exit_code, 0);
+  ASSERT_EQ(
+      run("--blisk moved.ply --blade 2 --side leading --tilt 8 --wheel-width 0.1 --out path.csv").exit_code,
+      0);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh));
   int working = 0;
   for (const ToolMove& move : readMoves(file("path.csv"))) {
     if (move.feed == 0.0) continue;
     ++working;
     const Vec3 contact = contactOf(move.tool_in_blisk, {});
-    EXPECT_LT(closestPoint(tree, contact).value().distance, 1e-3);
+    EXPECT_LT(closestPoint(tree, contact).value().distance, 3e-3) << "so narrow a wheel is set down there";
   }
   EXPECT_GT(working, 20);
 }
