@@ -33,6 +33,8 @@ double massOfSolid(const TriangleMesh& blisk, double density) {
   return density * volume;
 }
 
+}  // namespace
+
 /// Lets someone change contacts before they are solved.
 class WatchedWorld final : public btDiscreteDynamicsWorld {
  public:
@@ -44,8 +46,6 @@ class WatchedWorld final : public btDiscreteDynamicsWorld {
     if (prepare_contacts) prepare_contacts();
   }
 };
-
-}  // namespace
 
 class SpindleCell::World {
  public:
@@ -134,7 +134,6 @@ class SpindleCell::World {
       point.setDistance(btScalar(-depth_));
       point.m_combinedContactStiffness1 = btScalar(stiffness);
       point.m_combinedContactDamping1 = 0;
-      point.m_combinedFriction = btScalar(options_.friction);
       point.m_combinedRestitution = 0;
       point.m_contactPointFlags |=
           BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING | BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
@@ -145,6 +144,7 @@ class SpindleCell::World {
                       (tool_in_blisk_.rotation * loop_.directionAt(tool_in_blisk_.inverse() * on_belt));
       velocity -= velocity.dot(normal) * normal;
       const double speed = velocity.norm();
+      point.m_combinedFriction = btScalar(speed > 0.0 ? options_.friction : 0.0);
       point.m_lateralFrictionDir1 =
           toBullet(speed > 0.0 ? Vec3(velocity / speed) : Vec3(normal.unitOrthogonal()));
       point.m_contactMotion1 = btScalar(blisk_is_first ? speed : -speed);

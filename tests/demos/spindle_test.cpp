@@ -102,7 +102,7 @@ TEST(SpindleCell, aFreeDrumTurnsByTorqueOverItsInertia) {
   EXPECT_NEAR(rest.acceleration, (rest.torque - weak.hold) / inertia, 0.03 * rest.torque / inertia);
 }
 
-TEST(SpindleCell, aBeltThatStandsHoldsAndTheMeshMayLieAnyhow) {
+TEST(SpindleCell, aBeltThatStandsHasNoFrictionAndTheMeshMayLieAnyhow) {
   const TriangleMesh mesh = drum();
   const SpindleOptions options{.stiffness = 800.0, .friction = 0.25, .hold = 1e4};
   SpindleCell still(treeOf(mesh), Pose(), pad(), 0.0, options);
