@@ -11,7 +11,7 @@ namespace octoblisk::bench {
 namespace {
 
 /// A string of gnuplot's, taken as it is.
-std::string quoted(const std::string& text) {
+std::string inQuotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + '\'';
@@ -26,9 +26,9 @@ std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& f
   script.precision(10);
   script << "set encoding utf8\n"
          << "set terminal svg size 720,480 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
-         << "set output " << quoted(file.string()) << '\n'
-         << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
-         << quoted(plot.y_label) << "\nset logscale xy\nset format x '%.0s%c'\n"
+         << "set output " << inQuotes(file.string()) << '\n'
+         << "set title " << inQuotes(plot.title) << "\nset xlabel " << inQuotes(plot.x_label)
+         << "\nset ylabel " << inQuotes(plot.y_label) << "\nset logscale xy\nset format x '%.0s%c'\n"
          << "set key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\n";
   // Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
   const char* colors[] = {"#0072b3", "#d64000", "#009e73", "#e69e00", "#cc78a6", "#57b5e8"};
@@ -51,7 +51,7 @@ std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& f
       plots += formula.str();
     }
     plots +=
-        std::string(", ") + data + " using 1:2 with points pt 7 ps 0.6" + color + " title " + quoted(title);
+        std::string(", ") + data + " using 1:2 with points pt 7 ps 0.6" + color + " title " + inQuotes(title);
   }
   script << "plot" << plots.substr(1) << "\nset output\n";
   return script.str();
