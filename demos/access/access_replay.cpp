@@ -154,7 +154,8 @@ Replay accessReplay(const AccessRun& run, std::shared_ptr<const ClusteredOctree>
   replay.tracks.push_back(accessTrack(run));
   replay.contacts_of_all_poses = true;
   const std::vector<ReplayFinding>& findings = replay.tracks.front().findings;
-  if (!findings.empty()) replay.start_at = findings.front().at;
+  const auto nowhere = std::ranges::find(findings, std::size_t{kNowhereFree}, &ReplayFinding::verdict);
+  if (nowhere != findings.end()) replay.start_at = nowhere->at;
   replay.facts = accessFacts(run, *blisk, blisk_name);
   replay.notes.push_back(
       "At each point the tool is shown at the middle of its widest free range of tilt, and where nothing is "

@@ -42,7 +42,7 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
   replay.command = "repair";
   replay.title = titleOf(repair);
   replay.subtitle = countOfPoses(repair.changed()) + " of " + std::to_string(repair.poses.size()) +
-                    " are changed; choose a path beside the replay's controls to see it before and after";
+                    " are changed; the path before is to be chosen beside the controls";
   replay.findings_title = "What is left, or comes near";
   replay.counts = {
       {"poses interfered", repair.interferedBefore(), Tone::near},

@@ -7,8 +7,9 @@
 namespace octoblisk::demos {
 
 void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder, WholeFiles& files) {
-  writeReplayPage(replay, files.add(folder / "report.html"));
-  writeGlb(replay, files.add(folder / "run.glb"));
+  const ReplayMeshes meshes = replayMeshesOf(replay);
+  writeReplayPage(replay, meshes, files.add(folder / "report.html"));
+  writeGlb(replay, meshes, files.add(folder / "run.glb"));
   writeVtk(replay, files.add(folder / "contacts.vtk"), files.add(folder / "path.vtk"));
 }
 

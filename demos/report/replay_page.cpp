@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "report/base64.h"
-#include "report/display_mesh.h"
 #include "report/replay_boxes.h"
 #include "report/text_file.h"
 
@@ -258,21 +257,21 @@ std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const 
 }
 
 /// The meshes, and a note for each that is thinned.
-void addMeshes(const Replay& replay, const ReplayLimits& limits, Json& run, std::vector<std::string>& notes) {
-  const DisplayMesh blisk =
-      displayMeshOf(replay.blisk->mesh(), replay.blade_of_triangle, limits.blisk_triangles);
-  if (blisk.merged_within > 0.0) notes.push_back(thinningNote("the blisk", blisk, replay.blisk->mesh()));
+void addMeshes(const Replay& replay, const ReplayMeshes& meshes, Json& run, std::vector<std::string>& notes) {
+  const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
+    if (drawn.merged_within > 0.0) notes.push_back(thinningNote(of, drawn, whole));
+  };
+  tellThinned("the blisk", meshes.blisk, replay.blisk->mesh());
   Json groups = Json::array();
-  for (const DisplayMesh::Group& group : blisk.groups) {
+  for (const DisplayMesh::Group& group : meshes.blisk.groups) {
     groups.push_back({group.number, group.first, group.count});
   }
-  run["blisk"] = {{"mesh", meshJson(blisk)}, {"groups", groups}};
+  run["blisk"] = {{"mesh", meshJson(meshes.blisk)}, {"groups", groups}};
   Json parts = Json::array();
   for (std::size_t p = 0; p < replay.parts.size(); ++p) {
     const auto& [name, tree] = replay.parts[p];
-    const DisplayMesh part = displayMeshOf(tree->mesh(), {}, limits.part_triangles);
-    if (part.merged_within > 0.0) notes.push_back(thinningNote(name, part, tree->mesh()));
-    parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(part)}});
+    tellThinned(name, meshes.parts[p], tree->mesh());
+    parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(meshes.parts[p])}});
   }
   run["parts"] = parts;
 }
@@ -287,7 +286,7 @@ Json factsJson(const std::vector<Table>& facts) {
 
 }  // namespace
 
-std::string replayJson(const Replay& replay, const ReplayLimits& limits) {
+std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const ReplayLimits& limits) {
   Json verdicts = Json::array(), counts = Json::array(), charts = Json::array(), tracks = Json::array();
   for (const ReplayVerdict& verdict : replay.verdicts) {
     verdicts.push_back({{"name", verdict.name}, {"tone", nameOf(verdict.tone)}});
@@ -326,7 +325,7 @@ std::string replayJson(const Replay& replay, const ReplayLimits& limits) {
               {"everywhere", replay.contacts_of_all_poses},
               {"charts", charts},
               {"tracks", tracks}};
-  addMeshes(replay, limits, run, notes);
+  addMeshes(replay, meshes, run, notes);
   const ReplayBoxes boxes = replayBoxesOf(*replay.blisk, placesOf(replay), limits.boxes);
   if (boxes.whole_to < boxes.deepest) {
     notes.push_back("Cluster boxes below level " + std::to_string(boxes.whole_to) +
@@ -350,14 +349,15 @@ std::string replayJson(const Replay& replay, const ReplayLimits& limits) {
   return safe;
 }
 
-void writeReplayPage(const Replay& replay, const std::filesystem::path& file, const ReplayLimits& limits) {
+void writeReplayPage(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
+                     const ReplayLimits& limits) {
   const std::string_view page(
       octoblisk_replay_page_begin,
       static_cast<std::size_t>(octoblisk_replay_page_end - octoblisk_replay_page_begin));
   const std::size_t place = page.find(kPlaceOfRun);
   if (place == std::string_view::npos) throw std::logic_error("the page has no place for the run");
   std::string text(page.substr(0, place));
-  text += replayJson(replay, limits);
+  text += replayJson(replay, meshes, limits);
   text += page.substr(place + kPlaceOfRun.size());
   writeText(file, text);
 }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "report/display_mesh.h"
 #include "report/text_file.h"
 
 namespace octoblisk::demos {
@@ -144,9 +143,7 @@ std::size_t addDisplayMesh(GltfFile& file, const std::string& name, const Displa
   return file.add("meshes", {{"name", name}, {"primitives", primitives}});
 }
 
-std::size_t addBliskNode(GltfFile& file, const Replay& replay, const GlbOptions& options) {
-  const DisplayMesh drawn =
-      displayMeshOf(replay.blisk->mesh(), replay.blade_of_triangle, options.blisk_triangles);
+std::size_t addBliskNode(GltfFile& file, const Replay& replay, const DisplayMesh& drawn) {
   const std::size_t hub = addMaterial(file, "hub or shroud", "#aeb7c2");
   const std::array blades = {addMaterial(file, "blades, even", "#c3ccd6"),
                              addMaterial(file, "blades, odd", "#94a6ba")};
@@ -165,13 +162,12 @@ std::size_t addBliskNode(GltfFile& file, const Replay& replay, const GlbOptions&
   return file.add("nodes", std::move(node));
 }
 
-std::size_t addToolNode(GltfFile& file, const Replay& replay, const GlbOptions& options) {
+std::size_t addToolNode(GltfFile& file, const Replay& replay, std::span<const DisplayMesh> drawn) {
   GltfJson children = GltfJson::array();
   for (std::size_t p = 0; p < replay.parts.size(); ++p) {
-    const auto& [name, tree] = replay.parts[p];
+    const std::string& name = replay.parts[p].name;
     const std::size_t material = addMaterial(file, name, colorOfPart(name, p));
-    const DisplayMesh drawn = displayMeshOf(tree->mesh(), {}, options.part_triangles);
-    const std::size_t mesh = addDisplayMesh(file, name, drawn, [&](int) { return material; });
+    const std::size_t mesh = addDisplayMesh(file, name, drawn[p], [&](int) { return material; });
     children.push_back(file.add("nodes", {{"name", name}, {"mesh", mesh}}));
   }
   return file.add("nodes", {{"name", "tool"}, {"children", children}});
@@ -244,12 +240,12 @@ void addContactNodes(GltfFile& file, const Replay& replay, std::size_t most, Glt
 
 }  // namespace
 
-std::string glbOf(const Replay& replay, const GlbOptions& options) {
+std::string glbOf(const Replay& replay, const ReplayMeshes& meshes, const GlbOptions& options) {
   if (!(options.poses_per_second > 0.0)) throw std::invalid_argument("glbOf: a rate must be above 0");
   GltfFile file;
   GltfJson children = GltfJson::array();
-  children.push_back(addBliskNode(file, replay, options));
-  const std::size_t tool = addToolNode(file, replay, options);
+  children.push_back(addBliskNode(file, replay, meshes.blisk));
+  const std::size_t tool = addToolNode(file, replay, meshes.parts);
   children.push_back(tool);
   for (const ReplayTrack& track : replay.tracks) addAnimation(file, track, tool, options.poses_per_second);
   addContactNodes(file, replay, std::max<std::size_t>(1, options.contacts), children);
@@ -265,8 +261,9 @@ std::string glbOf(const Replay& replay, const GlbOptions& options) {
   return file.bytes();
 }
 
-void writeGlb(const Replay& replay, const std::filesystem::path& file, const GlbOptions& options) {
-  writeText(file, glbOf(replay, options));
+void writeGlb(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
+              const GlbOptions& options) {
+  writeText(file, glbOf(replay, meshes, options));
 }
 
 }  // namespace octoblisk::demos

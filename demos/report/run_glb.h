@@ -5,15 +5,13 @@
 #include <filesystem>
 #include <string>
 
-#include "report/replay.h"
+#include "report/replay_meshes.h"
 
 namespace octoblisk::demos {
 
 struct GlbOptions {
   double poses_per_second = 20.0;
-  std::size_t blisk_triangles = 250'000;  ///< thinned beyond it (display_mesh.h)
-  std::size_t part_triangles = 60'000;    ///< of each part
-  std::size_t contacts = 10'000;          ///< of each verdict; evenly fewer where there are more
+  std::size_t contacts = 10'000;  ///< of each verdict; evenly fewer where there are more
 };
 
 /// A binary glTF file: a node for the blisk, a primitive a blade with materials for hub, blades and ground
@@ -21,9 +19,10 @@ struct GlbOptions {
 /// for each verdict with all contacts of the first track's poses, as octahedra 0.6 mm across. The root turns
 /// Z up to Y up and mm to metres, as glTF has them. Throws std::invalid_argument for a rate that is not above
 /// 0.
-std::string glbOf(const Replay& replay, const GlbOptions& options = {});
+std::string glbOf(const Replay& replay, const ReplayMeshes& meshes, const GlbOptions& options = {});
 
 /// Writes it. Throws std::runtime_error naming a file that cannot be written.
-void writeGlb(const Replay& replay, const std::filesystem::path& file, const GlbOptions& options = {});
+void writeGlb(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
+              const GlbOptions& options = {});
 
 }  // namespace octoblisk::demos

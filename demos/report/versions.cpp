@@ -6,6 +6,16 @@
 
 namespace octoblisk::demos {
 
+namespace {
+
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;  // has its name in it
+#else
+constexpr const char* kCompiler = "GCC " __VERSION__;
+#endif
+
+}  // namespace
+
 Table versionsTable() {
   const int bullet = btGetVersion();
   const std::string eigen = std::to_string(EIGEN_WORLD_VERSION) + '.' + std::to_string(EIGEN_MAJOR_VERSION) +
@@ -16,7 +26,7 @@ Table versionsTable() {
                    {"Bullet",
                     std::to_string(bullet / 100) + '.' + std::to_string(bullet % 100) + ", double precision"},
                    {"Eigen", eigen},
-                   {"compiler", __VERSION__}}};
+                   {"compiler", kCompiler}}};
 }
 
 }  // namespace octoblisk::demos

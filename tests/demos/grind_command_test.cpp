@@ -67,6 +67,10 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_EQ(outcome.exit_code, 1) << outcome.error;  // the default path has poses that interfere
   EXPECT_EQ(outcome.error, "");                      // no progress bar in a pipe
   EXPECT_FALSE(std::filesystem::exists(file("run/overview.png")));
+  for (const char* const shown : {"run/report.html", "run/run.glb", "run/contacts.vtk", "run/path.vtk"}) {
+    EXPECT_GT(std::filesystem::file_size(file(shown)), 1'000u) << shown;
+  }
+  EXPECT_THAT(contentOf(file("run/report.html")), HasSubstr("\"title\":\"Interference at "));
 
   const std::vector<Pose> path = readPoses(file("run/path.csv"));
   std::map<std::size_t, std::set<std::string>> touching;  // parts, by pose

@@ -239,7 +239,7 @@ TEST(Base64, isRfc4648) {
 
 TEST(ReplayPage, runReadsBackAsItWas) {
   const Replay replay = smallReplay();
-  const auto run = nlohmann::json::parse(replayJson(replay));
+  const auto run = nlohmann::json::parse(replayJson(replay, replayMeshesOf(replay)));
   EXPECT_EQ(run["command"], "grind");
   EXPECT_EQ(run["verdicts"][1]["tone"], "interference");
   const auto& track = run["tracks"][0];
@@ -286,7 +286,9 @@ TEST(ReplayPage, runReadsBackAsItWas) {
 
 TEST(ReplayPage, namesCannotEndTheScript) {
   const std::string evil = "</script><script>alert(1)</script><!-- \xff \" \\ \xe2\x80\xa8";
-  const std::string json = replayJson(smallReplay(evil));
+  const Replay replay = smallReplay(evil);
+  const ReplayMeshes meshes = replayMeshesOf(replay);
+  const std::string json = replayJson(replay, meshes);
   EXPECT_EQ(json.find('<'), std::string::npos);
   const auto run = nlohmann::json::parse(json);
   const std::string name = run["parts"][0]["name"];
@@ -294,7 +296,7 @@ TEST(ReplayPage, namesCannotEndTheScript) {
               StartsWith("</script><script>alert(1)</script><!-- "));  // as it was, but for what is no UTF-8
 
   const ScratchFolder folder;
-  writeReplayPage(smallReplay(evil), folder.path() / "report.html");
+  writeReplayPage(replay, meshes, folder.path() / "report.html");
   const std::string page = contentOf(folder.path() / "report.html");
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, Not(HasSubstr("alert(1)</script>")));
@@ -310,9 +312,10 @@ TEST(ReplayPage, saysWhatItLeavesOut) {
   replay.blisk = std::make_shared<const ClusteredOctree>(
       ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh)));
   replay.blade_of_triangle.assign(replay.blisk->mesh().triangleCount(), 0);
-  EXPECT_TRUE(nlohmann::json::parse(replayJson(replay))["notes"].empty());
-  const ReplayLimits limits{.blisk_triangles = 2'000, .part_triangles = 100, .boxes = 500, .contacts = 3};
-  const auto run = nlohmann::json::parse(replayJson(replay, limits));
+  EXPECT_TRUE(nlohmann::json::parse(replayJson(replay, replayMeshesOf(replay)))["notes"].empty());
+  const ReplayMeshes meshes = replayMeshesOf(replay, {.blisk = 2'000, .part = 100});
+  const ReplayLimits limits{.boxes = 500, .contacts = 3};
+  const auto run = nlohmann::json::parse(replayJson(replay, meshes, limits));
   ASSERT_EQ(run["notes"].size(), 2u);
   EXPECT_THAT(run["notes"][0].get<std::string>(), HasSubstr("Thinned for display only: the blisk"));
   EXPECT_THAT(run["notes"][1].get<std::string>(), HasSubstr("Cluster boxes below level"));
@@ -320,7 +323,7 @@ TEST(ReplayPage, saysWhatItLeavesOut) {
   EXPECT_LE(decoded(run["boxes"]["depths"]).size(), 500u);
 
   replay.tracks[0].poses[1].contacts.resize(10, replay.tracks[0].poses[1].contacts[1]);
-  const auto fewer = nlohmann::json::parse(replayJson(replay, limits));
+  const auto fewer = nlohmann::json::parse(replayJson(replay, meshes, limits));
   EXPECT_EQ(fewer["notes"].size(), 3u);
   // The one contact that is left is the worst.
   EXPECT_EQ(numbersOf<std::uint8_t>(decoded(fewer["tracks"][0]["contacts"]["verdict"])),
@@ -361,7 +364,7 @@ struct Glb {
 
 TEST(RunGlb, holdsMeshesByBladeWithTheirBounds) {
   const Replay replay = smallReplay();
-  const Glb glb(glbOf(replay));
+  const Glb glb(glbOf(replay, replayMeshesOf(replay)));
   std::set<std::string> names;
   for (const auto& node : glb.json["nodes"]) names.insert(node["name"]);
   EXPECT_EQ(names, (std::set<std::string>{"blisk", "part", "tool", "contacts: clear",
@@ -403,7 +406,7 @@ TEST(RunGlb, holdsMeshesByBladeWithTheirBounds) {
 
 TEST(RunGlb, movesTheToolFromPoseToPose) {
   const Replay replay = smallReplay();
-  const Glb glb(glbOf(replay, {.poses_per_second = 4.0}));
+  const Glb glb(glbOf(replay, replayMeshesOf(replay), {.poses_per_second = 4.0}));
   ASSERT_EQ(glb.json["animations"].size(), 1u);
   const auto& animation = glb.json["animations"][0];
   ASSERT_EQ(animation["channels"].size(), 2u);
@@ -428,11 +431,12 @@ TEST(RunGlb, movesTheToolFromPoseToPose) {
     for (std::size_t k = 0; k < 4; ++k) dot += double{turns[4 * p + k]} * turns[4 * p - 4 + k];
     EXPECT_GE(dot, 0.0) << p;
   }
-  EXPECT_THROW(glbOf(replay, {.poses_per_second = 0.0}), std::invalid_argument);
+  EXPECT_THROW(glbOf(replay, replayMeshesOf(replay), {.poses_per_second = 0.0}), std::invalid_argument);
 }
 
 TEST(RunGlb, contactsAreClosedMarksFacingOutward) {
-  const Glb glb(glbOf(smallReplay()));
+  const Replay replay = smallReplay();
+  const Glb glb(glbOf(replay, replayMeshesOf(replay)));
   for (const auto& mesh : glb.json["meshes"]) {
     if (mesh["name"] != "contacts: interference") continue;
     const auto& primitive = mesh["primitives"][0];

@@ -6,7 +6,9 @@ import { kBladeColors, ReplayScene } from "./scene.js";
 import { kSigns, signSpan } from "./signs.js";
 import { FindingsTable } from "./table.js";
 
+performance.mark("begun");
 const run = readRun();
+performance.mark("read");
 const player = new Player(run);
 const $ = (id) => document.getElementById(id);
 
@@ -222,6 +224,7 @@ try {
   $("no-view").hidden = false;
   $("tools").hidden = $("legend").hidden = $("view").hidden = true;
 }
+performance.mark("scene");
 const chart = new Chart($("chart"), run, player);
 fillChartHead(chart);
 $("widen").onchange = () => { chart.stretched = $("widen").checked; chart.rebuild(); };
@@ -237,6 +240,7 @@ player.onChange(() => {
   fillChartHead(chart);
 });
 player.tell();
+performance.mark("all");
 // For tests, and for who is curious.
 window.octoblisk = { run, player, scene, chart, table };
 document.body.dataset.ready = "true";

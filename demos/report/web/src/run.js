@@ -1,6 +1,7 @@
 // The run as octoblisk wrote it into the page, with its arrays as typed arrays.
 
 function bytesOf(base64) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64).buffer;
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
@@ -15,9 +16,9 @@ const octets = (base64) => new Uint8Array(bytesOf(base64));
 function meshOf({ box, vertices, triangles }) {
   const steps = halves(vertices);
   const positions = new Float32Array(steps.length);
-  for (let i = 0; i < steps.length; ++i) {
-    const axis = i % 3;
-    positions[i] = box[axis] + (steps[i] / 65535) * (box[axis + 3] - box[axis]);
+  for (let axis = 0; axis < 3; ++axis) {
+    const low = box[axis], step = (box[axis + 3] - low) / 65535;
+    for (let i = axis; i < steps.length; i += 3) positions[i] = low + steps[i] * step;
   }
   return { vertices: positions, triangles: words(triangles) };
 }
@@ -71,8 +72,9 @@ const kSides = ["", "forward", "backward"];
 export const bladeText = (blade) => (blade === 0 ? "hub or shroud" : `blade ${blade}`);
 
 export const millimetres = (value) => {
+  if (value === 0) return "0";
   const size = Math.abs(value);
-  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+  return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3).replace("-", "−");
 };
 
 /** What is so at a pose, in a sentence. */

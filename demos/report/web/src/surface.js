@@ -12,9 +12,9 @@ export function geometryOf({ vertices, triangles }) {
     const ux = vertices[b] - vertices[a], uy = vertices[b + 1] - vertices[a + 1], uz = vertices[b + 2] - vertices[a + 2];
     const vx = vertices[c] - vertices[a], vy = vertices[c + 1] - vertices[a + 1], vz = vertices[c + 2] - vertices[a + 2];
     const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    const length = Math.hypot(x, y, z) || 1;
-    areas.set([x, y, z], 3 * t);
-    units.set([x / length, y / length, z / length], 3 * t);
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    areas[3 * t] = x; areas[3 * t + 1] = y; areas[3 * t + 2] = z;
+    units[3 * t] = x / length; units[3 * t + 1] = y / length; units[3 * t + 2] = z / length;
   }
   // The triangles round each vertex, one after another.
   const first = new Uint32Array(vertices.length / 3 + 1);
@@ -34,7 +34,7 @@ export function geometryOf({ vertices, triangles }) {
       if (units[t] * nx + units[t + 1] * ny + units[t + 2] * nz < kCrease) continue;
       x += areas[t]; y += areas[t + 1]; z += areas[t + 2];
     }
-    const scale = 127 / (Math.hypot(x, y, z) || 1);
+    const scale = 127 / (Math.sqrt(x * x + y * y + z * z) || 1);
     normals[3 * i] = x * scale; normals[3 * i + 1] = y * scale; normals[3 * i + 2] = z * scale;
     for (let k = 0; k < 3; ++k) positions[3 * i + k] = vertices[3 * vertex + k];
   }

@@ -18,7 +18,7 @@ export class FindingsTable {
       { name: run.findings.where, key: (row) => row[0], text: (row) => this.whereOf(row), button: true },
       { name: "Verdict", key: (row) => row[1], text: (row) => run.verdicts[row[1]].name, sign: true },
       { name: "Part", key: (row) => this.partOf(row), text: (row) => this.partOf(row) },
-      { name: "Touches", key: (row) => row[3], text: bladeOf },
+      { name: "Blade", key: (row) => row[3], text: bladeOf },
       { name: "Side", key: (row) => row[4], text: (row) => kSides[row[4]] },
       { name: run.findings.value, key: (row) => row[5] ?? -Infinity, text: (row) => (row[5] === null ? "–" : millimetres(row[5])), numeric: true },
     ];

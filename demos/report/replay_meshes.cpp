@@ -1,0 +1,14 @@
+#include "report/replay_meshes.h"
+
+namespace octoblisk::demos {
+
+ReplayMeshes replayMeshesOf(const Replay& replay, const DrawnTriangles& most) {
+  ReplayMeshes meshes;
+  meshes.blisk = displayMeshOf(replay.blisk->mesh(), replay.blade_of_triangle, most.blisk);
+  for (const ToolPart& part : replay.parts) {
+    meshes.parts.push_back(displayMeshOf(part.tree->mesh(), {}, most.part));
+  }
+  return meshes;
+}
+
+}  // namespace octoblisk::demos
