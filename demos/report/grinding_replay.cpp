@@ -13,8 +13,6 @@
 namespace octoblisk::demos {
 namespace {
 
-using Outcome = MoveReport::Outcome;
-
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::string shortText(double value) {
@@ -24,12 +22,12 @@ std::string shortText(double value) {
 }
 
 /// Of Replay::verdicts.
-std::size_t verdictOfMove(Outcome outcome) {
+std::size_t verdictOfMove(MoveReport::Outcome outcome) {
   constexpr std::size_t kAfterPoses = 4;
   switch (outcome) {
-    case Outcome::hit:
+    case MoveReport::Outcome::hit:
       return kAfterPoses;
-    case Outcome::too_deep:
+    case MoveReport::Outcome::too_deep:
       return kAfterPoses + 1;
     default:
       return kAfterPoses + 2;
@@ -62,7 +60,7 @@ ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
 
 void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFinding>& findings) {
   const PoseReport& pose = run.poses[p];
-  if (pose.move && pose.move->outcome != Outcome::free) {
+  if (pose.move && pose.move->outcome != MoveReport::Outcome::free) {
     const PartClearance& at = pose.move->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
                         at.part, at.blade, sideOf(run.blisk->mesh(), at.clearance.triangle_a, at.blade),
@@ -85,7 +83,7 @@ std::string ofPoses(std::size_t count, std::size_t total) {
 
 std::string titleOf(const GrindingRun& run) {
   const std::size_t bad = run.count(Verdict::interference);
-  const std::size_t moves = run.count(Outcome::hit) + run.count(Outcome::too_deep);
+  const std::size_t moves = run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep);
   const std::string also = moves == 0 ? std::string()
                                       : (bad == 0 ? std::string() : std::string(" and ")) +
                                             std::to_string(moves) + (moves == 1 ? " move" : " moves");
@@ -249,8 +247,9 @@ Replay grindingReplay(const GrindingRun& run) {
   }
   if (run.continuous) {
     replay.counts.push_back({"moves that hit, or too deep",
-                             run.count(Outcome::hit) + run.count(Outcome::too_deep), Tone::interference});
-    if (const std::size_t open = run.count(Outcome::not_proved); open > 0) {
+                             run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep),
+                             Tone::interference});
+    if (const std::size_t open = run.count(MoveReport::Outcome::not_proved); open > 0) {
       replay.counts.push_back({"moves not proved", open, Tone::open});
     }
   }
