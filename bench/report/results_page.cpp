@@ -1,6 +1,7 @@
 #include "report/results_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "report/markdown.h"
@@ -49,7 +50,7 @@ std::string ratioText(const Row& row) {
 std::string differencesText(const Row& row) {
   const double differences = number(row, "differences");
   if (differences == 0.0) return "";
-  return std::string(" (") + significant(differences, 6) + " differ)";
+  return std::string(" (") + std::to_string(std::llround(differences)) + " differ)";
 }
 
 std::string cellOf(const Row& row) {

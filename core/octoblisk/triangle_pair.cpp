@@ -150,15 +150,20 @@ PointPair closestPair(const Triangle& a, const Triangle& b) {
     keepCloser(best, *corner, face_b.foot(*corner));
     return best;
   }
+  const double size = std::sqrt(std::max(face_a.longestSquared(), face_b.longestSquared()));
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double before = best.squared_distance;
       closestOnSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
       if (!(best.squared_distance < before)) continue;
-      // Two planes square to the way between them part all of a from all of b: nothing is nearer.
+      // Two planes square to the way between them part all of a from all of b: nothing is nearer. The way's
+      // direction is right to 1e-7 then, by which the third corners are clear of the planes ten times.
       const Vec3 way = best.on_b - best.on_a;
-      if (way.dot(a[(i + 2) % 3] - best.on_a) <= 0.0 && way.dot(b[(j + 2) % 3] - best.on_b) >= 0.0)
+      const double length = std::sqrt(best.squared_distance), clear = 1e-6 * size * length;
+      if (length > 1e-9 * size && way.dot(a[(i + 2) % 3] - best.on_a) < -clear &&
+          way.dot(b[(j + 2) % 3] - best.on_b) > clear) {
         return best;
+      }
     }
     if (face_b.squared_normal > 0.0 && face_b.isBelow(a[i])) keepCloser(best, a[i], face_b.foot(a[i]));
     if (face_a.squared_normal > 0.0 && face_a.isBelow(b[i])) keepCloser(best, face_a.foot(b[i]), b[i]);

@@ -45,7 +45,7 @@ const std::vector<Golden> kGolden = {
     {"collide", 0xb26d2f877a3cbb3bu},
     {"collide with a soup", 0x60f3a3c57a5449bbu},
     {"contacts", 0xe9d8b1e9d1e91fc5u},
-    {"contacts with a soup", 0x9b4e39ec3ab5122eu},
+    {"contacts with a soup", 0xff3ef0988bab342cu},
     {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
     {"distance", 0x5fe48ed4605a61d3u},
     {"rays", 0x1547be03d967fea6u},
