@@ -8,8 +8,6 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kSitesAtOnce = 8;
-
 /// The runs of free tilts at a lead; a run that goes on beyond the last tilt is joined with the first.
 std::vector<FreeRange> rangesOf(std::span<const PoseState> states, std::size_t lead,
                                 const AccessOptions& options) {

@@ -12,6 +12,10 @@
 
 namespace octoblisk::demos {
 
+/// Sites that are asked for together: which of several obstacles is named may depend on those before in the
+/// same group.
+inline constexpr std::size_t kSitesAtOnce = 8;
+
 /// Degrees.
 struct AccessOptions {
   double tilt_from = -180.0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -13,18 +12,6 @@
 
 namespace octoblisk::demos {
 namespace {
-
-std::ofstream openTable(const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
-  stream.precision(9);
-  return stream;
-}
-
-void closeTable(std::ofstream& stream, const std::filesystem::path& file) {
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
-}
 
 /// A step of the picture's colours: ranges of tilt up to so many degrees.
 struct WidthStep {
@@ -41,13 +28,9 @@ constexpr std::array kWidthSteps = {WidthStep{-1.0, palette::kVermilion, "nowher
                                     WidthStep{90.0, {0.18f, 0.53f, 0.66f}, "90°"},
                                     WidthStep{1e9, {0.15f, 0.29f, 0.53f}, "more"}};
 
-double widestOf(const SiteAccess& access) {
-  return access.widest ? access.ranges[*access.widest].width() : -1.0;
-}
-
-Color widthColor(const SiteAccess& access) {
-  const double widest = widestOf(access);
-  return std::ranges::find_if(kWidthSteps, [&](const WidthStep& step) { return widest <= step.most; })->color;
+Color widthColor(const AccessRow& row) {
+  return std::ranges::find_if(kWidthSteps, [&](const WidthStep& step) { return row.widest <= step.most; })
+      ->color;
 }
 
 Image::Pixel pixelOf(const Color& color) {
@@ -60,7 +43,7 @@ struct MapExtent {
   double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
   double height_min = arc_min, height_max = -arc_min;
 
-  void extend(const ContactSite& site) {
+  void extend(const AccessRow& site) {
     arc_min = std::min(arc_min, site.arc - site.half_width);
     arc_max = std::max(arc_max, site.arc + site.half_width);
     height_min = std::min(height_min, site.height - site.half_height);
@@ -69,14 +52,14 @@ struct MapExtent {
 };
 
 /// Points of a path have no cells: half of the way to the nearest other that is not at the same place.
-double halfSpacing(std::span<const ContactSite> sites) {
+double halfSpacing(std::span<const AccessRow> sites) {
   constexpr double kSamePlace = 0.05;  // mm
   constexpr double kAlone = 1.0;       // mm
   double sum = 0.0;
   std::size_t count = 0;
-  for (const ContactSite& site : sites) {
+  for (const AccessRow& site : sites) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const ContactSite& other : sites) {
+    for (const AccessRow& other : sites) {
       const double way = std::hypot(site.arc - other.arc, site.height - other.height);
       if (way > kSamePlace) nearest = std::min(nearest, way);
     }
@@ -97,81 +80,84 @@ std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts)
   return part + " on " + (obstacle.blade == 0 ? "hub or shroud" : blade);
 }
 
-std::size_t AccessRun::nowhereFree() const {
-  return static_cast<std::size_t>(std::ranges::count(access, std::size_t{0}, &SiteAccess::free));
+void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> parts) {
+  ++points;
+  free_poses += access.free;
+  if (access.free > 0) return;
+  ++nowhere_free;
+  ++in_the_way[describe(access.in_the_way.front().obstacle, parts)];
 }
 
-double AccessRun::freeFraction() const {
-  std::size_t free = 0;
-  for (const SiteAccess& site : access) free += site.free;
-  const std::size_t asked = access.size() * options.leads.size() * static_cast<std::size_t>(options.tilts);
-  return asked > 0 ? static_cast<double>(free) / static_cast<double>(asked) : 0.0;
+void AccessSummary::add(const AccessSummary& other) {
+  points += other.points;
+  free_poses += other.free_poses;
+  nowhere_free += other.nowhere_free;
+  for (const auto& [what, times] : other.in_the_way) in_the_way[what] += times;
 }
 
-void writePoints(const AccessRun& run, const std::filesystem::path& file) {
-  std::ofstream stream = openTable(file);
-  stream << "point,pose,x_mm,y_mm,z_mm,normal_x,normal_y,normal_z,height_mm,arc_mm,free_fraction,"
-            "lead_deg,tilt_from_deg,tilt_to_deg,lead_from_deg,lead_to_deg,part,blade\n";
-  const double asked = static_cast<double>(run.options.leads.size()) * run.options.tilts;
-  for (std::size_t s = 0; s < run.sites.size(); ++s) {
-    const ContactSite& site = run.sites[s];
-    const SiteAccess& access = run.access[s];
-    stream << s << ',';
-    if (run.of_path) stream << site.pose;
-    for (const Vec3& v : {site.point, site.normal}) stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
-    stream << ',' << site.height << ',';
-    if (std::isfinite(site.arc)) stream << site.arc;
-    stream << ',' << static_cast<double>(access.free) / asked;
-    if (access.widest) {
-      const FreeRange& widest = access.ranges[*access.widest];
-      stream << ',' << run.options.leads[widest.lead] << ',' << widest.tilt_from << ',' << widest.tilt_to
-             << ',' << access.lead_from << ',' << access.lead_to;
-    } else {
-      stream << ",,,,,";
-    }
-    if (access.in_the_way.empty()) {
-      stream << ",,\n";
-    } else {
-      const Hindrance& most = access.in_the_way.front().obstacle;
-      stream << ',' << run.parts[most.part].name << ',' << most.blade << '\n';
-    }
+std::string tallyOf(const AccessSummary& summary) {
+  std::string line = std::to_string(summary.points) + ' ' + std::to_string(summary.free_poses) + ' ' +
+                     std::to_string(summary.nowhere_free);
+  // Names of parts have no tabs.
+  for (const auto& [what, times] : summary.in_the_way) line += '\t' + std::to_string(times) + ' ' + what;
+  return line;
+}
+
+AccessSummary accessSummaryOfTally(const std::string& tally) {
+  AccessSummary summary;
+  std::istringstream stream(tally);
+  std::string first;
+  std::getline(stream, first, '\t');
+  std::istringstream numbers(first);
+  numbers >> summary.points >> summary.free_poses >> summary.nowhere_free;
+  bool is_right = !numbers.fail();
+  for (std::string entry; is_right && std::getline(stream, entry, '\t');) {
+    std::istringstream words(entry);
+    std::size_t times = 0;
+    std::string what;
+    words >> times >> std::ws;
+    is_right = !words.fail() && std::getline(words, what);
+    summary.in_the_way[what] += times;
   }
-  closeTable(stream, file);
+  if (!is_right) throw std::invalid_argument("has a tally of no accessibility map: " + tally);
+  return summary;
 }
 
-void writeRanges(const AccessRun& run, const std::filesystem::path& file) {
-  std::ofstream stream = openTable(file);
-  stream << "point,lead_deg,tilt_from_deg,tilt_to_deg\n";
-  for (std::size_t s = 0; s < run.sites.size(); ++s) {
-    for (const FreeRange& range : run.access[s].ranges) {
-      stream << s << ',' << run.options.leads[range.lead] << ',' << range.tilt_from << ',' << range.tilt_to
-             << '\n';
-    }
+std::string inWords(const AccessSummary& summary, const AccessQuestion& question) {
+  const auto numberOf = [](std::size_t count, const std::string& one) {
+    return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
+  };
+  const auto asked = static_cast<double>(std::max<std::size_t>(1, summary.points * question.poses()));
+  std::ostringstream text;
+  text << numberOf(summary.points, "point") << " of blade " << question.rules.ground_blade << ", "
+       << numberOf(static_cast<std::size_t>(question.options.tilts), "tilt") << " at "
+       << numberOf(question.options.leads.size(), "lead")
+       << " each: " << std::round(1000.0 * static_cast<double>(summary.free_poses) / asked) / 10.0
+       << " % free; " << summary.nowhere_free << " nowhere free\n";
+  for (const auto& [what, times] : summary.in_the_way) {
+    text << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
   }
-  closeTable(stream, file);
+  return text.str();
 }
 
-Image accessPicture(const AccessRun& run, int width, int height) {
-  std::vector<ContactSite> sites;
-  std::vector<Color> colors;
-  for (std::size_t s = 0; s < run.sites.size(); ++s) {
-    if (!std::isfinite(run.sites[s].arc)) continue;
-    sites.push_back(run.sites[s]);
-    colors.push_back(widthColor(run.access[s]));
+Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& question, int width, int height) {
+  std::vector<AccessRow> sites;
+  for (const AccessRow& row : rows) {
+    if (std::isfinite(row.arc)) sites.push_back(row);
   }
-  if (run.of_path) {
+  if (question.of_path) {
     const double half = halfSpacing(sites);
-    for (ContactSite& site : sites) site.half_width = site.half_height = half;
+    for (AccessRow& site : sites) site.half_width = site.half_height = half;
   }
   MapExtent extent;
-  for (const ContactSite& site : sites) extent.extend(site);
+  for (const AccessRow& site : sites) extent.extend(site);
 
   Annotation annotation;
-  annotation.title = "Accessibility of blade " + std::to_string(run.rules.ground_blade);
+  annotation.title = "Accessibility of blade " + std::to_string(question.rules.ground_blade);
   std::ostringstream subtitle;
   subtitle << "widest free range of tilt at each point; right: arc length from the leading edge, up: height "
               "above the blade's root";
-  if (run.rules.margin > 0.0) subtitle << "; margin " << run.rules.margin << " mm";
+  if (question.rules.margin > 0.0) subtitle << "; margin " << question.rules.margin << " mm";
   annotation.subtitle = subtitle.str();
   for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});
   annotation.length_unit = "mm";
@@ -188,7 +174,7 @@ Image accessPicture(const AccessRun& run, int width, int height) {
   const double bottom =
       layout.sceneTop() + 0.5 * layout.sceneHeight() + 0.5 * unit * (extent.height_min + extent.height_max);
   for (std::size_t s = 0; s < sites.size(); ++s) {
-    const ContactSite& site = sites[s];
+    const AccessRow& site = sites[s];
     const auto column = [&](double arc) {
       return std::clamp(static_cast<int>(std::lround(left + unit * arc)), 0, width);
     };
@@ -196,7 +182,7 @@ Image accessPicture(const AccessRun& run, int width, int height) {
       return std::clamp(static_cast<int>(std::lround(bottom - unit * above)), layout.sceneTop(),
                         layout.sceneTop() + layout.sceneHeight());
     };
-    const Image::Pixel pixel = pixelOf(colors[s]);
+    const Image::Pixel pixel = pixelOf(widthColor(site));
     const int first = column(site.arc - site.half_width);
     const int last = std::max(first + 1, column(site.arc + site.half_width));
     const int top = row(site.height + site.half_height);

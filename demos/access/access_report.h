@@ -1,12 +1,12 @@
-// What is told of an accessibility map: tables and a picture.
+// What is told of an accessibility map: words and a picture.
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
+#include <map>
 #include <span>
 #include <string>
-#include <vector>
 
-#include "access/access_map.h"
+#include "access/access_table.h"
 #include "report/image.h"
 
 namespace octoblisk::demos {
@@ -14,27 +14,28 @@ namespace octoblisk::demos {
 /// "belt on blade 2", "arm on hub or shroud", "belt too deep in blade 1", "arm wholly inside".
 std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts);
 
-/// A finished map, as the reports need it.
-struct AccessRun {
-  bool of_path = false;  ///< the sites are a path's poses
-  std::vector<ToolPart> parts;
-  ReachRules rules;
-  AccessOptions options;
-  std::vector<ContactSite> sites;
-  std::vector<SiteAccess> access;  ///< of each site
+/// What a summary counts.
+struct AccessSummary {
+  std::size_t points = 0;
+  std::size_t free_poses = 0;    ///< of all tilts and leads of all points
+  std::size_t nowhere_free = 0;  ///< points
+  /// Of these, what is in the way the most often, and of how many.
+  std::map<std::string, std::size_t> in_the_way;
 
-  std::size_t nowhereFree() const;
-  double freeFraction() const;  ///< of all tilts and leads of all sites
+  void count(const SiteAccess& access, std::span<const ToolPart> parts);
+  void add(const AccessSummary& other);
 };
 
-/// points.csv: a row for each point. Throws std::runtime_error naming a file that can't be written.
-void writePoints(const AccessRun& run, const std::filesystem::path& file);
+/// One line, and back. Throws std::invalid_argument where the line is another.
+std::string tallyOf(const AccessSummary& summary);
+AccessSummary accessSummaryOfTally(const std::string& tally);
 
-/// ranges.csv: a row for each free range of tilt. Throws as above.
-void writeRanges(const AccessRun& run, const std::filesystem::path& file);
+/// Lines with their ends.
+std::string inWords(const AccessSummary& summary, const AccessQuestion& question);
 
 /// The blade's side unrolled, height over arc length, each point's cell in the colour of its widest free
 /// range of tilt. Points without an arc length are left out.
-Image accessPicture(const AccessRun& run, int width = 1600, int height = 1200);
+Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& question, int width = 1600,
+                    int height = 1200);
 
 }  // namespace octoblisk::demos

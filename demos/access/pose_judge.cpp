@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "cell/fine_features.h"
-#include "models/shared_tree.h"
+#include "cell/lift.h"
+#include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
@@ -31,19 +32,7 @@ std::shared_ptr<const ClusteredOctree> treeOfSome(const TriangleMesh& mesh,
   if (triangles.empty()) return nullptr;
   std::vector<TriangleMesh::Indices> some;
   for (const std::uint32_t triangle : triangles) some.push_back(mesh.triangles()[triangle]);
-  // Vertices of no triangle would widen the mesh's bounds.
-  std::vector<std::uint32_t> renumbered(mesh.vertices().size(), kNoTriangle);
-  std::vector<Vec3> vertices;
-  for (TriangleMesh::Indices& corners : some) {
-    for (std::uint32_t& corner : corners) {
-      if (renumbered[corner] == kNoTriangle) {
-        renumbered[corner] = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(mesh.vertices()[corner]);
-      }
-      corner = renumbered[corner];
-    }
-  }
-  return treeOf(TriangleMesh(std::move(vertices), std::move(some)));
+  return treeOfTriangles(mesh, std::move(some));
 }
 
 }  // namespace
@@ -137,7 +126,7 @@ PoseState PoseJudge::stateAt(const Pose& pose, Trail& trail, Worker& worker) con
   const auto touching = trail.grinding ? trail.grinding->collide(pose) : std::nullopt;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (touching && part == rules_.grinding_part) continue;
-    if (!isNested(part, pose)) continue;
+    if (!isInside(part, pose)) continue;
     state.obstacle = Hindrance{part, 0, false, true};
     return state;
   }
@@ -164,19 +153,8 @@ std::optional<Hindrance> PoseJudge::hitBy(std::size_t part, const Pose& pose, Tr
 }
 
 /// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse.
-bool PoseJudge::isNested(std::size_t part, const Pose& pose) const {
-  if (!blisk_surface_.isClosed()) return false;
-  const octoblisk::Surface& surface = part_surfaces_[part];
-  for (std::size_t k = 0; k < surface.partCount(); ++k) {
-    const Vec3 point = pose * surface.position(surface.cornerOfPart(k));
-    if (locate(blisk_surface_, point) == PointLocation::inside) return true;
-  }
-  if (!surface.isClosed()) return false;
-  for (std::size_t k = 0; k < blisk_surface_.partCount(); ++k) {
-    const Vec3& point = blisk_surface_.position(blisk_surface_.cornerOfPart(k));
-    if (locate(surface, point, pose) == PointLocation::inside) return true;
-  }
-  return false;
+bool PoseJudge::isInside(std::size_t part, const Pose& pose) const {
+  return blisk_surface_.isClosed() && isNested(blisk_surface_, part_surfaces_[part], pose);
 }
 
 /// Whether the belt, which touches the ground blade and nothing else, is beyond the greatest depth: what
@@ -190,7 +168,8 @@ bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Tra
     return std::ranges::any_of(worker.contacts,
                                [&](const Contact& contact) { return -contact.distance > limit; });
   }
-  if (partsWhenLifted(pose)) return false;
+  const Vec3 off = pose.translation - closestPoint(*ground_blade_, pose.translation)->point;
+  if (!off.isZero() && partsWhenLifted(blisk_surface_, belt, pose, off.normalized(), limit)) return false;
   if (climbsBeyond(pose, touching_triangle, trail)) return true;
   const auto ask = [&](double tolerance) {
     return worker.depth_query.deepest(blisk_surface_, belt, pose, tolerance);
@@ -204,23 +183,6 @@ bool PoseJudge::isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Tra
     if (found.depth > limit) return true;
   }
   return belt.isClosed() && isFineFeatureTooDeep(pose, worker);
-}
-
-/// Whether the belt, shifted by the greatest depth in some direction, does not touch the blisk: then no point
-/// of either is deeper in the other, as from a deeper one every such shift ends inside.
-bool PoseJudge::partsWhenLifted(const Pose& pose) const {
-  const ClusteredOctree& belt = *parts_[rules_.grinding_part].tree;
-  const Vec3 off = pose.translation - closestPoint(*ground_blade_, pose.translation)->point;
-  if (off.isZero()) return false;
-  const Vec3 up = off.normalized(), across = up.unitOrthogonal(), along = up.cross(across);
-  constexpr double kSlope = 0.3;
-  for (const Vec3& direction : {up, Vec3(up + kSlope * across), Vec3(up - kSlope * across),
-                                Vec3(up + kSlope * along), Vec3(up - kSlope * along)}) {
-    Pose lifted = pose;
-    lifted.translation += rules_.max_depth * direction.normalized();
-    if (!collide(*blisk_, belt, lifted) && !isNested(rules_.grinding_part, lifted)) return true;
-  }
-  return false;
 }
 
 /// Whether a point of the blisk's fine features is too deep in the belt. Of these only triangles count that

@@ -70,9 +70,8 @@ class PoseJudge {
 
   PoseState stateAt(const Pose& pose, Trail& trail, Worker& worker) const;
   std::optional<Hindrance> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
-  bool isNested(std::size_t part, const Pose& pose) const;
+  bool isInside(std::size_t part, const Pose& pose) const;
   bool isTooDeep(const Pose& pose, std::uint32_t touching_triangle, Trail& trail, Worker& worker) const;
-  bool partsWhenLifted(const Pose& pose) const;
   bool isFineFeatureTooDeep(const Pose& pose, Worker& worker) const;
   bool climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, Trail& trail) const;
   double depthOfCorner(const Pose& pose, std::uint32_t corner) const;

@@ -2,7 +2,9 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include "cell/obstacles.h"
 #include "octoblisk/contacts.h"
+#include "octoblisk/distance.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -77,6 +79,12 @@ GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::ve
       reaches_(std::move(reaches)),
       world_(std::make_unique<World>(std::move(blisk), parts_, reaches_)) {}
 
+GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+                           std::vector<double> reaches, const Obstacles& obstacles)
+    : GrindingCell(std::move(blisk), std::move(parts), std::move(reaches)) {
+  obstacles_ = &obstacles;
+}
+
 GrindingCell::~GrindingCell() = default;
 
 const ClusteredOctree& GrindingCell::blisk() const { return world_->blisk(); }
@@ -86,11 +94,39 @@ std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   world_->move(tool_in_blisk);
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!world_->mayBeNear(part)) continue;
+    const bool may_touch = obstacles_ && obstacles_->mayTouchAny(part);
+    if (may_touch) addTouches(part, tool_in_blisk, found);
+    const Obstacle* const obstacle = may_touch ? obstacles_->of(part) : nullptr;
+    if (may_touch && !obstacle) continue;
     // A manifold holds a few points of a patch, which may stand for others that are worse: ask for all.
-    contacts(blisk(), *parts_[part].tree, tool_in_blisk, reaches_[part], contacts_);
-    for (const Contact& contact : contacts_) found.push_back({part, contact});
+    const ClusteredOctree& forbidden = obstacle ? obstacle->tree() : blisk();
+    contacts(forbidden, *parts_[part].tree, tool_in_blisk, reaches_[part], contacts_);
+    for (Contact& contact : contacts_) {
+      if (obstacle) contact.triangle_a = obstacle->triangleOfBlisk(contact.triangle_a);
+      found.push_back({part, contact});
+    }
   }
   return found;
+}
+
+/// Of what the part may touch: the touches, or else the nearest pair.
+void GrindingCell::addTouches(std::size_t part, const Pose& tool_in_blisk, std::vector<PartContact>& found) {
+  const ClusteredOctree& tree = *parts_[part].tree;
+  const auto mayTouch = [&](std::uint32_t triangle) { return obstacles_->mayTouch(part, triangle); };
+  contacts(blisk(), tree, tool_in_blisk, 0.0, contacts_);
+  const std::size_t before = found.size();
+  for (const Contact& contact : contacts_) {
+    if (mayTouch(contact.triangle_a)) found.push_back({part, contact});
+  }
+  if (found.size() > before) return;
+  const Clearance nearest = distance(blisk(), tree, tool_in_blisk, {.upper_bound = reaches_[part]});
+  if (!nearest.found() || nearest.distance == 0.0 || !mayTouch(nearest.triangle_a)) return;
+  Contact contact{.triangle_a = nearest.triangle_a, .triangle_b = nearest.triangle_b};
+  contact.point_on_a = nearest.point_on_a;
+  contact.point_on_b = nearest.point_on_b;
+  contact.normal = (nearest.point_on_a - nearest.point_on_b).normalized();
+  contact.distance = nearest.distance;
+  found.push_back({part, contact});
 }
 
 }  // namespace octoblisk::demos

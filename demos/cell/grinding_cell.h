@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,13 @@
 
 namespace octoblisk::demos {
 
+class Obstacles;
+
 /// A part of the tool. Its mesh is in the tool's frame, mm.
 struct ToolPart {
   std::string name;
   std::shared_ptr<const ClusteredOctree> tree;
+  std::optional<double> belt_speed = {};  ///< m/s, of a belt that runs (belt_loop.h); none: not known
 };
 
 /// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part: points and normal are in
@@ -31,6 +35,12 @@ class GrindingCell {
   /// The same with a reach for each part.
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                std::vector<double> reaches);
+
+  /// The same, but with what a part may touch (obstacles.h, which must outlive it) only its touches are
+  /// reported or, where there are none, the pair that is nearest: the pairs of a belt and a surface that it
+  /// rolls on are many.
+  GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+               std::vector<double> reaches, const Obstacles& obstacles);
   ~GrindingCell();
   GrindingCell(const GrindingCell&) = delete;
   GrindingCell& operator=(const GrindingCell&) = delete;
@@ -40,13 +50,17 @@ class GrindingCell {
 
   /// Moves the tool there, asks Bullet's broadphase (clustered_octree_broadphase.h) which parts may come
   /// within reach of the blisk, and finds all contacts of those: of every pair of triangles, part by part, by
-  /// ascending triangles. The answer does not depend on the poses before.
+  /// ascending triangles; with obstacles, those with what a part may touch first. The answer does not depend
+  /// on the poses before.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
 
  private:
+  void addTouches(std::size_t part, const Pose& tool_in_blisk, std::vector<PartContact>& found);
+
   class World;
   std::vector<ToolPart> parts_;
   std::vector<double> reaches_;
+  const Obstacles* obstacles_ = nullptr;
   std::vector<Contact> contacts_;  ///< of one part; kept for its memory
   std::unique_ptr<World> world_;
 };

@@ -16,7 +16,8 @@ namespace {
 /// Poses that are done before the next are begun. A multiple of kPosesAtOnce, so that no answer depends on
 /// it.
 std::size_t posesAStretch(int threads) {
-  return kPosesAtOnce * static_cast<std::size_t>(threadCount(threads));
+  constexpr std::size_t kGroupsAThread = 2;
+  return kGroupsAThread * kPosesAtOnce * static_cast<std::size_t>(threadCount(threads));
 }
 
 /// Adds the time of its life to a sum, in seconds.
@@ -81,7 +82,15 @@ class Grinding {
         moves_(job.blisk, run.parts, run.blade_of_triangle, run.rules, obstacles_, depths_, job.threads) {
     const std::vector<double> reaches = reachesOf(job, run.rules);
     for (int thread = 0; thread < threadCount(job.threads); ++thread) {
-      cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches));
+      cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, obstacles_));
+    }
+    if (job.spindle && job.rules.grinding_part < job.parts.size()) {
+      const ToolPart& belt = job.parts[job.rules.grinding_part];
+      const auto blisk = onSpindle(job.blisk, job.mesh_in_blisk);
+      for (int thread = 0; thread < threadCount(job.threads); ++thread) {
+        spindles_.push_back(std::make_unique<SpindleCell>(blisk, job.mesh_in_blisk, belt,
+                                                          belt.belt_speed.value_or(0.0), *job.spindle));
+      }
     }
     for (std::size_t part = 0; part < job.parts.size(); ++part)
       run.depth_kinds.push_back(depths_.kindOf(part));
@@ -93,6 +102,7 @@ class Grinding {
     findContacts(begin, poses);
     measureDepths(begin, poses);
     judge(poses, run_.rules);
+    if (!spindles_.empty()) findLoads(begin, poses);
     {
       const TimeAdded watch(run_.clearance_seconds_a_pose);
       measureClearances(obstacles_, run_.parts, run_.blade_of_triangle, poses,
@@ -141,12 +151,23 @@ class Grinding {
     }
   }
 
+  void findLoads(std::size_t begin, std::span<const PoseReport> poses) {
+    run_.loads.resize(begin + poses.size());
+    const std::size_t belt = run_.rules.grinding_part;
+    parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
+      const auto deepest = std::ranges::find(poses[i].depths, belt, &PartDepth::part);
+      if (deepest == poses[i].depths.end() || deepest->is_inside) return;
+      run_.loads[begin + i] = spindles_[worker]->loadAt(poses[i].tool_in_blisk, deepest->depth);
+    });
+  }
+
   const GrindingJob& job_;
   GrindingRun& run_;
   PartDepths depths_;
   Obstacles obstacles_;
   MoveCheck moves_;
-  std::vector<std::unique_ptr<GrindingCell>> cells_;  // one a thread
+  std::vector<std::unique_ptr<GrindingCell>> cells_;    // one a thread
+  std::vector<std::unique_ptr<SpindleCell>> spindles_;  // one a thread, where forces are asked for
 };
 
 }  // namespace
@@ -172,8 +193,10 @@ GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch) {
   run.parts = job.parts;
   run.blade_count = job.blades.count;
   run.blade_of_triangle = job.blades.blade_of_triangle;
+  run.mesh_in_blisk = job.mesh_in_blisk;
   run.rules = job.rules;
   run.continuous = job.continuous;
+  run.spindle = job.spindle;
   run.path_poses = job.path.size();
   if (job.find_ground_blade) {
     const std::optional<int> blade = bladeTouchedMost(job, job.rules.grinding_part, watch);

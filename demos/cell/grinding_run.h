@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "cell/spindle_cell.h"
 #include "cell/verdict.h"
 #include "models/blade_finder.h"
+#include "models/blade_surface.h"
 
 namespace octoblisk::demos {
 
@@ -20,11 +22,15 @@ struct GrindingRun {
   std::vector<ToolPart> parts;
   std::vector<DepthKind> depth_kinds;  ///< of each part
   int blade_count = 0;
-  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
+  std::vector<int> blade_of_triangle;    ///< of the blisk's mesh
+  Pose mesh_in_blisk;                    ///< from the mesh's frame to that with the blisk's axis Z
+  std::optional<BladeSide> convex_side;  ///< of the blades; none: not known
   VerdictRules rules;
-  bool continuous = false;        ///< whether moves were checked
-  std::size_t path_poses = 0;     ///< of the whole path
-  std::vector<PoseReport> poses;  ///< those that were done: the first of the path
+  bool continuous = false;                        ///< whether moves were checked
+  std::size_t path_poses = 0;                     ///< of the whole path
+  std::vector<PoseReport> poses;                  ///< those that were done: the first of the path
+  std::optional<SpindleOptions> spindle;          ///< where forces were asked for
+  std::vector<std::optional<SpindleLoad>> loads;  ///< of each pose, then; by the grinding part
   /// Means of all threads together, s a pose.
   double contact_seconds_a_pose = 0.0;    ///< Bullet's answer which parts are near, and their contacts
   double depth_seconds_a_pose = 0.0;      ///< how deep the parts are
@@ -42,12 +48,14 @@ struct GrindingRun {
 struct GrindingJob {
   std::shared_ptr<const ClusteredOctree> blisk;  ///< faces outward
   BladesFound blades;                            ///< of its mesh
+  Pose mesh_in_blisk;                            ///< from the mesh's frame to that with the blisk's axis Z
   std::vector<ToolPart> parts;
   VerdictRules rules;  ///< its ground blade is found if `find_ground_blade`; near_miss must be finite
-  bool find_ground_blade = false;  ///< as that which the grinding part touches at the most poses
-  std::vector<Pose> path;          ///< at least one pose
-  bool continuous = true;          ///< whether moves are checked
-  int threads = 0;                 ///< 0: as many as the machine runs at once; the answers are the same
+  bool find_ground_blade = false;         ///< as that which the grinding part touches at the most poses
+  std::vector<Pose> path;                 ///< at least one pose
+  bool continuous = true;                 ///< whether moves are checked
+  std::optional<SpindleOptions> spindle;  ///< whether forces are found, and by what
+  int threads = 0;  ///< 0: as many as the machine runs at once; the answers are the same
 };
 
 /// What is told of a run, and asked, meanwhile: in the thread that runs it.

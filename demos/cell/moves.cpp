@@ -1,7 +1,7 @@
 #include "cell/moves.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "cell/pose_clearances.h"
 #include "models/shared_tree.h"
@@ -10,8 +10,6 @@
 
 namespace octoblisk::demos {
 namespace {
-
-constexpr int kMostSamples = 200;  // of a move: a longer one is a mistake, or far from everything
 
 const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {
   const auto found = std::ranges::find(pose.depths, part, &PartDepth::part);
@@ -44,13 +42,23 @@ void keepFirst(MoveReport& move, const MoveReport& met) {
 
 }  // namespace
 
-/// A place on a move at which a part's depth is asked for: between its ends.
-struct MoveCheck::Sample {
+/// How deep a part is somewhere on a move, and the blisk's normal where it is; zero where it does not touch.
+struct MoveCheck::Touch {
+  double depth = 0.0;
+  Vec3 normal = Vec3::Zero();
+};
+
+/// A stretch of a move in which a part may touch.
+struct MoveCheck::Stretch {
   std::size_t pose = 0;  ///< that the move leads to
   std::size_t part = 0;
-  double fraction = 0.0;
-  double step = 0.0;  ///< no point of the part goes farther from the sample before, or to the next
-  std::optional<PartDepth> depth;
+  double begin = 0.0, end = 1.0;  ///< fractions of the move
+  Touch at_begin = {}, at_end = {};
+  double way = 0.0;  ///< of all of the move: no point that may touch goes farther
+  bool is_proved = false;
+
+  double length() const { return (end - begin) * way; }
+  double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
 };
 
 MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
@@ -64,7 +72,11 @@ MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
       depths_(depths),
       threads_(threadCount(threads)) {
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    far_parts_.push_back(obstacles.mayTouchAny(part) ? farPartOf(parts[part].tree->mesh()) : FarPart());
+    const bool may_touch = obstacles.mayTouchAny(part);
+    far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
+    depth_proofs_.emplace_back();
+    if (!may_touch || depths.kindOf(part) == DepthKind::of_pairs) continue;
+    depth_proofs_.back().emplace(depths.bliskSurface(), depths.partSurface(part));
   }
 }
 
@@ -97,32 +109,25 @@ double MoveCheck::wayOfTouch(std::size_t part, const Motion& way) const {
 
 void MoveCheck::check(std::span<PoseReport> poses) {
   if (poses.size() < 2) return;
-  std::vector<std::vector<Sample>> of_moves(poses.size());
+  std::vector<std::vector<Stretch>> of_moves(poses.size());
   parallelFor(poses.size() - 1, threads_, [&](std::size_t i, std::size_t) {
     poses[i + 1].move.emplace();
     sweepMove(poses[i], poses[i + 1]);
-    addSamples(i + 1, poses[i], poses[i + 1], of_moves[i + 1]);
+    of_moves[i + 1] = stretchesOf(poses, i + 1);
   });
-  std::vector<Sample> samples;
-  for (const std::vector<Sample>& of_move : of_moves)
-    samples.insert(samples.end(), of_move.begin(), of_move.end());
-
-  std::vector<std::size_t> asked_parts;
-  std::vector<Pose> asked_poses;
-  for (const Sample& sample : samples) {
-    const Motion move = moveBetween(poses[sample.pose - 1].tool_in_blisk, poses[sample.pose].tool_in_blisk);
-    asked_parts.push_back(sample.part);
-    asked_poses.push_back(move.at(sample.fraction));
-  }
-  const auto found = depths_.measure(asked_parts, asked_poses);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i].depth = found[i];
-
-  for (auto begin = samples.begin(); begin != samples.end();) {
-    const auto end = std::find_if(begin, samples.end(), [&](const Sample& sample) {
-      return sample.pose != begin->pose || sample.part != begin->part;
-    });
-    apply({begin, end}, poses[begin->pose - 1], poses[begin->pose]);
-    begin = end;
+  std::vector<Stretch> open;
+  for (const std::vector<Stretch>& of_move : of_moves)
+    open.insert(open.end(), of_move.begin(), of_move.end());
+  while (!open.empty()) {
+    parallelFor(open.size(), threads_,
+                [&](std::size_t i, std::size_t) { open[i].is_proved = isProved(poses, open[i]); });
+    for (const Stretch& stretch : open) {
+      if (!stretch.is_proved) continue;
+      double& bound = poses[stretch.pose].move->depth_bound;
+      bound = std::max(bound, rules_.maxDepth(stretch.part));
+    }
+    std::erase_if(open, [](const Stretch& stretch) { return stretch.is_proved; });
+    halve(poses, open);
   }
 }
 
@@ -145,52 +150,102 @@ void MoveCheck::sweepMove(const PoseReport& from, PoseReport& to) const {
   }
 }
 
-/// Where a part that may touch may do so on the move, the places to measure its depth at.
-void MoveCheck::addSamples(std::size_t pose, const PoseReport& from, PoseReport& to,
-                           std::vector<Sample>& samples) const {
+/// Where parts that may touch may do so on the move.
+std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(std::span<const PoseReport> poses,
+                                                       std::size_t pose) const {
+  const PoseReport &from = poses[pose - 1], &to = poses[pose];
   const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (!obstacles_.mayTouchAny(part) || depths_.kindOf(part) == DepthKind::of_pairs) continue;
+    if (!depth_proofs_[part]) continue;
     const double limit = rules_.maxDepth(part);
     if (depthAt(from, part) > limit || depthAt(to, part) > limit) continue;
-    double begin = 0.0;
+    Stretch stretch;
+    stretch.pose = pose;
+    stretch.part = part;
     if (!touches(from, part)) {
       const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
       if (!met) continue;
-      begin = met->fraction;
+      stretch.begin = met->fraction;
     }
-    const double length = (1.0 - begin) * wayOfTouch(part, way);
-    const int steps = static_cast<int>(std::clamp(std::ceil(length / kDepthStep), 1.0, double{kMostSamples}));
-    if (steps == 1) {
-      const double bound = 0.5 * (depthAt(from, part) + depthAt(to, part) + length);
-      to.move->depth_bound = std::max(to.move->depth_bound, bound);
-    }
-    for (int k = 1; k < steps; ++k) {
-      const double fraction = begin + (1.0 - begin) * k / steps;
-      samples.push_back({pose, part, fraction, length / steps, std::nullopt});
-    }
+    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = touchOf(*depth);
+    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = touchOf(*depth);
+    stretches.push_back(std::move(stretch));
   }
+  return stretches;
 }
 
-void MoveCheck::apply(std::span<const Sample> samples, const PoseReport& from, PoseReport& to) const {
-  MoveReport& move = *to.move;
-  const std::size_t part = samples.front().part;
-  double before = depthAt(from, part);
-  for (const Sample& sample : samples) {
-    const double here = sample.depth ? sample.depth->depth : 0.0;
-    move.depth_bound = std::max(move.depth_bound, 0.5 * (before + here + sample.step));
-    before = here;
-    if (here <= rules_.maxDepth(part) && !(sample.depth && sample.depth->is_inside)) continue;
-    MoveReport too_deep;
-    too_deep.outcome = MoveReport::Outcome::too_deep;
-    too_deep.fraction = sample.fraction;
-    too_deep.at = {part, blade_of_triangle_[sample.depth->triangle_of_blisk], {}};
-    too_deep.at.clearance.distance = -here;
-    too_deep.at.clearance.point_on_a = sample.depth->point_on_blisk;
-    too_deep.at.clearance.triangle_a = sample.depth->triangle_of_blisk;
-    keepFirst(move, too_deep);
+MoveCheck::Touch MoveCheck::touchOf(const PartDepth& depth) const {
+  return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
+}
+
+bool MoveCheck::isProved(std::span<const PoseReport> poses, const Stretch& stretch) const {
+  const Motion way = moveBetween(poses[stretch.pose - 1].tool_in_blisk, poses[stretch.pose].tool_in_blisk);
+  const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
+  return !up.isZero(1e-6) &&
+         depth_proofs_[stretch.part]->holds(way, stretch.begin, stretch.end, up.normalized(),
+                                            rules_.maxDepth(stretch.part));
+}
+
+void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
+                            MoveReport& move) const {
+  MoveReport too_deep;
+  too_deep.outcome = MoveReport::Outcome::too_deep;
+  too_deep.fraction = fraction;
+  too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
+  too_deep.at.clearance.distance = -depth.depth;
+  too_deep.at.clearance.point_on_a = depth.point_on_blisk;
+  too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
+  keepFirst(move, too_deep);
+}
+
+/// Replaces stretches by their halves, but for those that are short enough, or behind what is too deep.
+void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unproved) {
+  constexpr double kHopeful = 0.9;     // part of the limit: deeper, no proof is to be expected
+  constexpr double kShortest = 0.125;  // mm
+  constexpr double kLeastPart = 1.0 / 256;
+  std::vector<Stretch> long_ones;
+  for (Stretch& stretch : unproved) {
+    MoveReport& move = *poses[stretch.pose].move;
+    if (stretch.way == 0.0) {
+      const Pose &from = poses[stretch.pose - 1].tool_in_blisk, &to = poses[stretch.pose].tool_in_blisk;
+      stretch.way = wayOfTouch(stretch.part, moveBetween(from, to));
+    }
+    const double depth = stretch.greatestDepth();
+    const bool hopeful = depth <= kHopeful * rules_.maxDepth(stretch.part);
+    const bool is_behind = move.outcome == MoveReport::Outcome::too_deep && stretch.begin >= move.fraction;
+    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep) &&
+        stretch.end - stretch.begin > kLeastPart) {
+      long_ones.push_back(std::move(stretch));
+      continue;
+    }
+    move.depth_proved = false;
+    const double between = 0.5 * (stretch.at_begin.depth + stretch.at_end.depth + stretch.length());
+    move.depth_bound = std::max(move.depth_bound, between);
   }
-  move.depth_bound = std::max(move.depth_bound, 0.5 * (before + depthAt(to, part) + samples.back().step));
+  std::vector<std::size_t> parts;
+  std::vector<Pose> middles;
+  for (const Stretch& stretch : long_ones) {
+    const Pose &from = poses[stretch.pose - 1].tool_in_blisk, &to = poses[stretch.pose].tool_in_blisk;
+    parts.push_back(stretch.part);
+    middles.push_back(moveBetween(from, to).at(0.5 * (stretch.begin + stretch.end)));
+  }
+  const auto found = depths_.measure(parts, middles);
+  unproved.clear();
+  for (std::size_t i = 0; i < long_ones.size(); ++i) {
+    Stretch first = std::move(long_ones[i]), second = first;
+    const double middle = 0.5 * (first.begin + first.end);
+    first.end = second.begin = middle;
+    first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
+    MoveReport& move = *poses[first.pose].move;
+    const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
+    if (too_deep) {
+      noteTooDeep(first.part, middle, *found[i], move);
+      move.depth_proved = false;
+    }
+    unproved.push_back(std::move(first));
+    if (!too_deep) unproved.push_back(std::move(second));
+  }
 }
 
 }  // namespace octoblisk::demos

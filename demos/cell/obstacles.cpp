@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/shared_tree.h"
+#include "models/triangle_tree.h"
 
 namespace octoblisk::demos {
 
@@ -11,11 +11,12 @@ Obstacle::Obstacle(const ClusteredOctree& blisk, std::vector<std::uint32_t> tria
     : triangle_of_blisk_(std::move(triangles)) {
   std::vector<TriangleMesh::Indices> kept;
   for (const std::uint32_t triangle : triangle_of_blisk_) kept.push_back(blisk.mesh().triangles()[triangle]);
-  tree_ = treeOf(TriangleMesh(blisk.mesh().vertices(), std::move(kept)));
+  tree_ = treeOfTriangles(blisk.mesh(), std::move(kept));
 }
 
 Obstacles::Obstacles(std::shared_ptr<const ClusteredOctree> blisk, std::span<const int> blade_of_triangle,
-                     std::size_t parts, const VerdictRules& rules) {
+                     std::size_t parts, const VerdictRules& rules)
+    : blade_of_triangle_(blade_of_triangle.begin(), blade_of_triangle.end()) {
   const int blades = blade_of_triangle.empty() ? 0 : *std::ranges::max_element(blade_of_triangle);
   for (std::size_t part = 0; part < parts; ++part) {
     std::vector<bool> may_touch;
@@ -33,6 +34,7 @@ Obstacles::Obstacles(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
       if (!forbidden.empty()) known->second = std::make_unique<const Obstacle>(*blisk, std::move(forbidden));
     }
     of_part_.push_back(known->second.get());
+    may_touch_.push_back(std::move(may_touch));
   }
 }
 

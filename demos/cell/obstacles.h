@@ -40,11 +40,17 @@ class Obstacles {
   /// Null where the part may touch everything.
   const Obstacle* of(std::size_t part) const { return of_part_[part]; }
   bool mayTouchAny(std::size_t part) const { return may_touch_any_[part]; }
+  /// A triangle of the blisk.
+  bool mayTouch(std::size_t part, std::uint32_t triangle) const {
+    return may_touch_[part][static_cast<std::size_t>(blade_of_triangle_[triangle])];
+  }
 
  private:
   std::map<std::vector<bool>, std::unique_ptr<const Obstacle>> by_blades_;  // that may be touched
   std::vector<const Obstacle*> of_part_;
   std::vector<bool> may_touch_any_;
+  std::vector<std::vector<bool>> may_touch_;  // of each part the blades
+  std::vector<int> blade_of_triangle_;
 };
 
 }  // namespace octoblisk::demos

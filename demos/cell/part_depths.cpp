@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "cell/lift.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/parallel.h"
 
@@ -96,7 +97,12 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
     return PartDepth{part, of_blisk.depth, of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b, true};
   }
   const bool touches = collide(*blisk_, *parts_[part].tree, tool_in_blisk).has_value();
-  if (touches && has_inside && of_part.depth <= limit) {
+  const auto staysWithin = [&] {
+    const Vec3 normal = scaledNormal(blisk_->mesh().triangle(of_part.triangle_a));
+    return !normal.isZero() &&
+           partsWhenLifted(blisk_surface_, surface, tool_in_blisk, normal.normalized(), limit);
+  };
+  if (touches && has_inside && of_part.depth <= limit && !staysWithin()) {
     const auto of_blisk = deepestBeyond(blisk_->mesh(), fineInside(part, tool_in_blisk, query), surface,
                                         tool_in_blisk.inverse(), std::max(limit, kLeastFine));
     if (of_blisk) return PartDepth{part, of_blisk->depth, of_blisk->triangle, of_blisk->point, false};

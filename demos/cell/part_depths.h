@@ -49,6 +49,8 @@ class PartDepths {
              std::vector<double> limits, int threads = 0);
 
   DepthKind kindOf(std::size_t part) const;
+  const octoblisk::Surface& bliskSurface() const { return blisk_surface_; }
+  const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
   /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; but none whose
   /// depth is that of pairs.

@@ -38,9 +38,9 @@ ToolAssembly toolOf(const std::filesystem::path& tool_file, double max_depth) {
   const ToolFile file = readToolFile(tool_file);
   ToolAssembly tool;
   for (std::size_t part = 0; part < file.parts.size(); ++part) {
-    const auto& [name, mesh, own_depth] = file.parts[part];
+    const auto& [name, mesh, own_depth, belt_speed] = file.parts[part];
     try {
-      tool.parts.push_back({name, treeOf(readOutward(mesh, tool.notes))});
+      tool.parts.push_back({name, treeOf(readOutward(mesh, tool.notes)), belt_speed});
     } catch (const std::exception& error) {
       throw std::runtime_error(tool_file.string() + ": parts[" + std::to_string(part) +
                                "].mesh: " + error.what());

@@ -94,7 +94,7 @@ std::string nameOfPart(const Item& item) {
 }
 
 ToolFilePart partOf(const Item& item, const std::filesystem::path& folder) {
-  item.requireObject({"name", "mesh", "max_depth_mm"});
+  item.requireObject({"name", "mesh", "max_depth_mm", "belt_speed_m_s"});
   ToolFilePart part{nameOfPart(item.at("name")), {}, {}};
   const Item mesh = item.at("mesh");
   if (mesh.text().empty()) mesh.refuse("the name is empty");
@@ -102,6 +102,9 @@ ToolFilePart partOf(const Item& item, const std::filesystem::path& folder) {
   std::error_code ignored;
   if (!std::filesystem::exists(part.mesh, ignored)) mesh.refuse(part.mesh.string() + ": no such file");
   if (const auto depth = item.find("max_depth_mm")) part.max_depth = depth->number(0.0, kMaxLength);
+  if (const auto speed = item.find("belt_speed_m_s")) {
+    part.belt_speed = speed->number(-kMostBeltSpeed, kMostBeltSpeed);
+  }
   return part;
 }
 
@@ -207,6 +210,7 @@ void writeToolFile(const std::filesystem::path& file, const ToolFile& tool) {
   for (const ToolFilePart& part : tool.parts) {
     parts.push_back({{"name", part.name}, {"mesh", part.mesh.generic_string()}});
     if (part.max_depth) parts.back()["max_depth_mm"] = *part.max_depth;
+    if (part.belt_speed) parts.back()["belt_speed_m_s"] = *part.belt_speed;
   }
   for (const AllowedPair& row : tool.allowed)
     allowed.push_back({{"part", nameOf(row.part)}, {"blade", choice(row.blade)}});

@@ -13,16 +13,20 @@ namespace octoblisk::demos {
 /// The greatest near-miss distance: the pairs of triangles within it grow with its square. mm.
 inline constexpr double kMostNearMiss = 5.0;
 
+/// The greatest speed of a belt, m/s.
+inline constexpr double kMostBeltSpeed = 1000.0;
+
 struct ToolFilePart {
   std::string name;
-  std::filesystem::path mesh;       ///< as it can be opened
-  std::optional<double> max_depth;  ///< that it may be pressed into what it may touch, mm
+  std::filesystem::path mesh;             ///< as it can be opened
+  std::optional<double> max_depth;        ///< that it may be pressed into what it may touch, mm
+  std::optional<double> belt_speed = {};  ///< of a belt: below 0 the other way round (belt_loop.h), m/s
 };
 
 /// What a tool file says:
 ///
 ///     {
-///       "parts": [{"name": "belt", "mesh": "belt.ply", "max_depth_mm": 0.1},
+///       "parts": [{"name": "belt", "mesh": "belt.ply", "max_depth_mm": 0.1, "belt_speed_m_s": 30},
 ///                 {"name": "arm", "mesh": "arm.ply"}],
 ///       "allowed": [{"part": "belt", "blade": "ground"}],
 ///       "margins": [{"part": "arm", "blade": "any", "near_miss_mm": 2}]
@@ -31,7 +35,7 @@ struct ToolFilePart {
 /// A mesh is in the tool's frame, mm; its path is relative to the tool file. "part" may be "any"; "blade" is
 /// a number from 1, "ground" (the blade that is ground), "hub" (hub and shroud) or "any" (all of these). What
 /// is in no row of "allowed" must not touch. Of several rows of "margins" for a pair the last counts.
-/// "max_depth_mm", "allowed" and "margins" may be left out.
+/// "max_depth_mm", "belt_speed_m_s", "allowed" and "margins" may be left out.
 struct ToolFile {
   std::vector<ToolFilePart> parts;
   std::vector<AllowedPair> allowed;

@@ -63,6 +63,9 @@ struct MoveReport {
   PartClearance at;       ///< there; for a part that is too deep, its depth as a negative distance
   /// Of the parts that may touch what they touch: no deeper all the way (mm).
   double depth_bound = 0.0;
+  /// Whether it is proved (depth_proof.h) that none of these is deeper than it may be; else that was asked at
+  /// some places.
+  bool depth_proved = true;
 };
 
 /// A pose of the path with its contacts: all of them, or those that reduceContacts keeps.

@@ -1,23 +1,28 @@
 // octoblisk access: how the belt grinder may stand at each point of a blade's side.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "access/access_map.h"
 #include "access/access_report.h"
 #include "cmm/blade_section.h"
+#include "commands/access_files.h"
 #include "commands/commands.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/study_options.h"
+#include "models/blisk_axis.h"
 #include "models/length_limit.h"
 #include "report/annotation.h"
-#include "report/progress_bar.h"
-#include "toolpath/pose_file.h"
+#include "report/whole_files.h"
+#include "study/node_inputs.h"
+#include "study/run_study.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -27,8 +32,10 @@ constexpr std::int64_t kMostRows = 10'000;
 
 struct AccessRequest {
   GrinderFiles files;
+  double margin = 0.0;  // mm
   std::string side = "convex";
   SiteGridOptions grid;
+  StudyTarget study;                                            // but for its file
   double tilt_from = -180.0, tilt_to = 179.0, tilt_step = 1.0;  // degrees
   double lead_from = 0.0, lead_to = 0.0, lead_step = 5.0;       // degrees
   bool no_picture = false;
@@ -58,92 +65,173 @@ AccessOptions anglesOf(const AccessRequest& request) {
   return options;
 }
 
-bool isForward(const AccessRequest& request, const GrinderInput& input) {
+bool isForward(const AccessRequest& request, const TriangleMesh& blisk, const BladesFound& blades) {
   if (request.side == "forward" || request.side == "backward") return request.side == "forward";
-  const double middle = 0.5 * (input.blades.root_radius + input.blades.tip_radius);
-  const BladeCutter cutter(input.blisk->mesh(), input.blades, request.grid.blade);
+  const double middle = 0.5 * (blades.root_radius + blades.tip_radius);
+  const BladeCutter cutter(blisk, blades, request.grid.blade);
   try {
     return convexIsForward(cutter.at(middle)) == (request.side == "convex");
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(input.blisk_name + ": " + error.what() +
+    throw std::invalid_argument(request.files.bliskName() + ": " + error.what() +
                                 ", so which side is convex is not known: say --side forward or backward");
   }
 }
 
+const ClusteredOctree& beltOf(const GrinderInput& input) {
+  return *input.tool.parts[input.tool.rules.grinding_part].tree;
+}
+
 /// The grid over the side, for a belt whose contact wheel is at the origin.
-std::vector<ContactSite> gridOf(AccessRequest request, const GrinderInput& input, int blade) {
+std::vector<ContactSite> gridOf(AccessRequest request, const GrinderInput& input, const TriangleMesh& blisk,
+                                int blade) {
   if (input.blades.count == 0) {
-    throw std::invalid_argument(input.blisk_name + ": no blades were found round the z axis: give a --path");
+    throw std::invalid_argument(request.files.bliskName() + ": no blades were found: give a --path");
   }
   request.grid.blade = blade;
-  request.grid.forward_side = isForward(request, input);
-  request.grid.wheel_radius = -input.parts.front().tree->mesh().bounds().min.x();
+  request.grid.forward_side = isForward(request, blisk, input.blades);
+  request.grid.wheel_radius = -beltOf(input).mesh().bounds().min.x();
   if (request.grid.wheel_radius <= request.grid.depth) {
-    throw std::invalid_argument(request.files.belt +
+    throw std::invalid_argument(request.files.toolName() +
                                 ": the belt has no contact wheel at the origin towards -x");
   }
-  return sitesOnBlade(input.blisk->mesh(), input.blades, request.grid);
+  return sitesOnBlade(blisk, input.blades, request.grid);
 }
 
-std::string numberOf(std::size_t count, const std::string& one) {
-  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
-}
-
-void tellAccess(const AccessRun& run, const std::filesystem::path& out, bool picture) {
-  const std::size_t none = run.nowhereFree();
-  std::cout << numberOf(run.sites.size(), "point") << " of blade " << run.rules.ground_blade << ", "
-            << numberOf(static_cast<std::size_t>(run.options.tilts), "tilt") << " at "
-            << numberOf(run.options.leads.size(), "lead")
-            << " each: " << std::round(1000.0 * run.freeFraction()) / 10.0 << " % free; " << none
-            << " nowhere free\n";
-  std::map<std::string, std::size_t> in_the_way;
-  for (const SiteAccess& access : run.access) {
-    if (access.free == 0) ++in_the_way[describe(access.in_the_way.front().obstacle, run.parts)];
+/// Of the grid or the path, in the frame of the blisk's file.
+std::vector<ContactSite> sitesAsked(const AccessRequest& request, const GrinderInput& input, int blade,
+                                    std::vector<Pose> path) {
+  const TriangleMesh blisk = moved(input.blisk->mesh(), input.mesh_in_blisk);
+  for (Pose& pose : path) pose = input.mesh_in_blisk * pose;
+  std::vector<ContactSite> sites = request.files.path.empty()
+                                       ? gridOf(request, input, blisk, blade)
+                                       : sitesOfPath(blisk, input.blades, blade, beltOf(input), path);
+  const Pose blisk_in_mesh = input.mesh_in_blisk.inverse();
+  for (ContactSite& site : sites) {
+    site.point = blisk_in_mesh * site.point;
+    site.normal = blisk_in_mesh.rotation * site.normal;
+    site.base = blisk_in_mesh * site.base;
   }
-  for (const auto& [what, times] : in_the_way) {
-    std::cout << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
-  }
-  std::cout << "Tables: " << (out / "points.csv").string() << ", " << (out / "ranges.csv").string() << '\n';
-  if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
+  return sites;
 }
 
-int access(const AccessRequest& request) {
+/// All that a map is made of.
+struct AccessTask {
+  GrinderInput input;
+  AccessQuestion question;
+  std::vector<ContactSite> sites;
+  std::unique_ptr<PoseJudge> judge;
+};
+
+void prepare(const AccessRequest& request, AccessTask& task) {
   const GrinderFiles& files = request.files;
-  AccessRun run;
-  run.options = anglesOf(request);
-  requireNotRead(files, {"points.csv", "ranges.csv", "map.png"});
-  const std::vector<Pose> path = files.path.empty() ? std::vector<Pose>{} : readPoses(files.path);
-  const GrinderInput input = readGrinder(files);
-  run.of_path = !files.path.empty();
-  run.parts = input.parts;
-  run.rules = {0, groundBladeOf(files, input, path), files.max_depth, files.margin};
-  if (run.of_path && run.rules.ground_blade == 0) {
+  const GrinderInput& input = task.input;
+  AccessQuestion& question = task.question;
+  question.of_path = !files.path.empty();
+  const std::vector<Pose> path = question.of_path ? readPath(files.path, *input.blisk) : std::vector<Pose>{};
+  question.rules = reachRulesOf(files, input, groundBladeOf(files, input, path), request.margin);
+  const int blade = question.rules.ground_blade;
+  if (question.of_path && blade == 0) {
     throw std::invalid_argument(files.path +
                                 ": the belt touches no blade at any of its poses: say --ground-blade");
   }
-  run.sites = run.of_path ? sitesOfPath(input.blisk->mesh(), input.blades, run.rules.ground_blade,
-                                        *input.parts.front().tree, path)
-                          : gridOf(request, input, run.rules.ground_blade);
-  if (run.sites.empty()) {
+  task.sites = sitesAsked(request, input, blade, path);
+  if (task.sites.empty()) {
     throw std::invalid_argument(files.path + ": at no pose is the belt within 0.5 mm of blade " +
-                                std::to_string(run.rules.ground_blade));
+                                std::to_string(blade));
   }
-  warnOfInput(input);
-  makeFolder(files.out);
-  PoseJudge judge(input.blisk, input.parts, input.blades.blade_of_triangle, run.rules, files.threads);
-  {
-    ProgressBar progress(std::cerr, run.sites.size());
-    run.access = accessOf(judge, run.sites, run.options, [&](std::size_t done) { progress.update(done); });
+  task.judge = std::make_unique<PoseJudge>(input.blisk, input.tool.parts, input.blades.blade_of_triangle,
+                                           question.rules, files.threads);
+}
+
+/// What the table of points depends on.
+Study studyOf(const AccessTask& task) {
+  Study study;
+  study.name = kAccessName;
+  study.columns = accessColumns();
+  study.items = task.sites.size();
+  study.group = kSitesAtOnce;
+  std::vector<Pose> sites;
+  for (const ContactSite& site : task.sites) {
+    sites.push_back(site.base);
+    sites.push_back({Mat3::Identity(), site.point});
   }
-  const std::filesystem::path out = files.out;
-  writePoints(run, out / "points.csv");
-  writeRanges(run, out / "ranges.csv");
-  if (!request.no_picture) writePng(accessPicture(run), (out / "map.png").string());
-  tellAccess(run, out, !request.no_picture);
-  return run.nowhereFree() > 0 ? 1 : 0;
+  study.inputs = {{"blisk", fingerprintOf(task.input.blisk->mesh())},
+                  {"points", fingerprintOf(std::span<const Pose>(sites))}};
+  for (const ToolPart& part : task.input.tool.parts) {
+    std::string word = part.name;
+    std::ranges::replace(word, ' ', '_');
+    study.inputs.push_back({word, fingerprintOf(part.tree->mesh())});
+  }
+  study.options = lineOf(task.question);
+  return study;
+}
+
+std::vector<AnsweredGroup> answerSites(AccessTask& task, ItemRange items) {
+  const std::vector<ToolPart>& parts = task.input.tool.parts;
+  const auto asked = std::span(task.sites).subspan(items.begin, items.size());
+  const std::vector<SiteAccess> found = accessOf(*task.judge, asked, task.question.options);
+  std::vector<AnsweredGroup> groups;
+  for (std::size_t begin = items.begin; begin < items.end; begin += kSitesAtOnce) {
+    AnsweredGroup& group = groups.emplace_back();
+    group.items = {begin, std::min(items.end, begin + kSitesAtOnce)};
+    AccessSummary summary;
+    for (std::size_t s = begin; s < group.items.end; ++s) {
+      const SiteAccess& access = found[s - items.begin];
+      group.rows += rowOfSite(s, task.sites[s], access, task.question, parts);
+      summary.count(access, parts);
+    }
+    group.tally = tallyOf(summary);
+  }
+  return groups;
+}
+
+/// The exit code; 0 at all ranks but the first.
+int access(AccessRequest request) {
+  GrinderFiles& files = request.files;
+  AccessTask task;
+  task.question.options = anglesOf(request);
+  StudyTarget target{files.out, request.study.shard, request.study.resume};
+  if (!target.shard) {
+    requireNotRead(files, {"points.csv", "ranges.csv", "map.png"});
+    target.out = (std::filesystem::path(files.out) / "points.csv").string();
+  }
+  Ranks ranks;
+  if (files.threads == 0) files.threads = ranks.threadsEach();
+  task.input = readGrinder(files, ranks);
+  ranks.together([&] {
+    prepare(request, task);
+    if (!ranks.isFirst()) return;
+    warnOfInput(files, task.input);
+    if (!target.shard) makeFolder(files.out);
+  });
+  const StudyOutcome outcome =
+      runStudy(studyOf(task), target, {files.blisk, files.belt, files.tool, files.path}, ranks,
+               [&](ItemRange items) { return answerSites(task, items); });
+  if (!ranks.isFirst()) return 0;
+  const int exit_code = tellAccess(outcome.tallies, task.question);
+  if (!target.shard) finishAccess(target.out, task.question, !request.no_picture);
+  return exit_code;
 }
 
 }  // namespace
+
+void finishAccess(const std::filesystem::path& points, const AccessQuestion& question, bool picture) {
+  const std::filesystem::path out = points.parent_path();
+  const std::vector<AccessRow> rows = readAccessTable(points);
+  WholeFiles files;
+  writeRanges(rows, files.add(out / "ranges.csv"));
+  if (picture) writePng(accessPicture(rows, question), files.add(out / "map.png").string());
+  files.finish();
+  std::cout << "Tables: " << points.string() << ", " << (out / "ranges.csv").string() << '\n';
+  if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
+}
+
+int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question) {
+  AccessSummary summary;
+  for (const std::string& tally : tallies) summary.add(accessSummaryOfTally(tally));
+  std::cout << inWords(summary, question);
+  return summary.nowhere_free > 0 ? 1 : 0;
+}
 
 void addAccessCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
@@ -152,9 +240,11 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       "touches that must not. The points are a grid on one side of a blade, or those of a path.");
   const auto request = std::make_shared<AccessRequest>();
   addGrinderOptions(command, request->files);
+  addMarginOption(command, request->margin);
   command
       .add_option("--path", request->files.path,
-                  "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm). Its poses that touch the "
+                  "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file. Its "
+                  "poses that touch the "
                   "ground blade, or come within 0.5 mm, are the points, and their own tilt and lead are 0; "
                   "default: a grid")
       ->check(notEmpty());
@@ -198,6 +288,7 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str()
       ->group(grid_group);
+  addShardOptions(command, request->study);
   command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
   command.footer(
       "Written, in OUT:\n"
@@ -209,8 +300,12 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       "At tilt 0 of a grid the arm lies along the surface, away from the axis, and at 90 it stands square "
       "to\n"
       "it; lead turns the arm towards the wheels' axis. Free is what grind does not call interference, and\n"
-      "keeps the margin. Points are numberOf from 0.\n"
-      "Exit codes: 0 every point has a free pose, 1 some have none, 2 bad input.");
+      "keeps the margin. Points are counted from 0.\n"
+      "With --shard OUT is a file, a part of points.csv: octoblisk merge PARTS --out DIR/points.csv makes "
+      "that\n"
+      "of all parts, and the other two beside it.\n" +
+      studyFooter("OUT/points.csv.partial") +
+      "Exit codes: 0 every point has a free pose, 1 some have none, 2 bad input; 130, 143 stopped.");
   command.callback([request, &exit_code] { exit_code = access(*request); });
 }
 

@@ -7,139 +7,43 @@
 #include <optional>
 
 #include "cell/grinding_run.h"
-#include "cell/tool_assembly.h"
 #include "cell/tool_file.h"
 #include "commands/commands.h"
+#include "commands/convex_option.h"
+#include "commands/grinder_input.h"
 #include "commands/interrupt.h"
 #include "commands/option_checks.h"
-#include "models/belt_grinder.h"
-#include "models/embedded_assets.h"
-#include "models/length_limit.h"
+#include "models/blade_anatomy.h"
+#include "models/blisk_axis.h"
 #include "models/open_edges.h"
-#include "models/shared_tree.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
 #include "report/progress_bar.h"
 #include "report/whole_files.h"
-#include "toolpath/grinding_path.h"
-#include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kMostBlades = 10'000;
-
 struct GrindRequest {
-  std::string blisk, belt, tool, path;  // files; empty: the defaults
-  std::string out;
-  std::optional<int> ground_blade;
-  double max_depth = 0.1;  // mm
+  GrinderFiles files;
+  std::string convex;      // empty: found
   double near_miss = 0.5;  // mm
   bool continuous = true;
+  std::optional<double> belt_speed;  // m/s
+  bool spindle = false;
+  SpindleOptions spindle_options;
   bool no_pictures = false;
-  int threads = 0;
 };
 
-std::string nameOfBlisk(const GrindRequest& request) {
-  return request.blisk.empty() ? "the blisk" : request.blisk;
-}
-
-ToolAssembly toolAsked(const GrindRequest& request) {
-  if (!request.tool.empty()) return toolOf(request.tool, request.max_depth);
-  if (!request.belt.empty()) return beltAlone(request.belt, request.max_depth);
-  return builtInTool(request.max_depth);
-}
-
-void warn(const std::string& of, const std::string& what) {
-  std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
-}
-
-/// The poses of the user's file, a table or a CL file.
-std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk) {
-  const PathFile path = readPathFile(file, blisk);
-  for (const ClSkipped& skipped : path.unknown) {
-    warn(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is passed over");
-  }
-  std::vector<Pose> poses;
-  for (const ToolMove& move : path.moves) poses.push_back(move.tool_in_blisk);
-  return poses;
-}
-
-std::vector<Pose> pathOf(const GrindRequest& request, const ClusteredOctree& blisk,
-                         const BladesFound& blades) {
-  if (!request.path.empty()) return readPath(request.path, blisk);
-  if (blades.count == 0) {
-    throw std::invalid_argument(
-        nameOfBlisk(request) +
-        ": no blades were found round the z axis, so no path can be made: give one by --path");
-  }
-  const BeltParameters belt;
-  GrindingPathOptions options;
-  options.blade = request.ground_blade.value_or(1);
-  options.wheel_radius = belt.contact_wheel_radius + belt.thickness;
-  return makeGrindingPath(blisk.mesh(), blades, options);
-}
-
-/// The blade that is ground: that asked for, or the path's; to be found where the path is the user's.
-void chooseGroundBlade(const GrindRequest& request, GrindingJob& job) {
-  const int blades = job.blades.count;
-  if (request.ground_blade && (*request.ground_blade < 1 || *request.ground_blade > blades)) {
-    throw std::invalid_argument("--ground-blade " + std::to_string(*request.ground_blade) +
-                                ": the blisk has " + std::to_string(blades) + " blades, numbered from 1");
-  }
-  if (request.ground_blade && job.rules.grinding_part == kNoPart) {
-    throw std::invalid_argument("--ground-blade: no part may touch it: " + request.tool +
-                                " has no row of \"allowed\" with \"ground\"");
-  }
-  if (const int named = greatestBladeNamed(job.rules); named > blades) {
-    throw std::invalid_argument(request.tool + ": blade " + std::to_string(named) + ": the blisk has " +
-                                std::to_string(blades) + " blades, numbered from 1");
-  }
-  job.rules.ground_blade = request.ground_blade.value_or(request.path.empty() ? 1 : 0);
-  job.find_ground_blade =
-      !request.ground_blade && !request.path.empty() && job.rules.grinding_part != kNoPart;
-}
-
-/// Refuses to write a table over a file that is read; path.csv is kept where it is the path read.
-void requireNoInputAmongTables(const GrindRequest& request) {
-  for (const char* table : {"poses.csv", "contacts.csv", "summary.json"}) {
-    const std::filesystem::path file = std::filesystem::path(request.out) / table;
-    for (const std::string& input : {request.path, request.tool}) {
-      std::error_code ignored;  // mostly there is no such file
-      if (std::filesystem::equivalent(input, file, ignored)) {
-        throw std::runtime_error(file.string() + ": cannot be both read and written");
-      }
-    }
-  }
-}
-
 /// What is checked otherwise than one may think.
-void warnOf(const GrindRequest& request, const GrindingRun& run, const BladesFound& blades) {
-  // A path of the user's own is then checked against hub and shroud alone.
-  if (blades.count == 0) {
-    warn(nameOfBlisk(request),
-         "no blades were found round the z axis: every touch counts as interference with hub or shroud");
-  }
-  if (blades.shrouded && request.path.empty()) {
-    warn(nameOfBlisk(request),
-         "a shroud joins the blades' tips, and the built-in path leads through it: give a path by --path");
-  }
-  const auto is_of = [&](DepthKind kind) {
-    return std::ranges::find(run.depth_kinds, kind) != run.depth_kinds.end();
-  };
+void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
-    warn(request.belt.empty() ? run.parts[part].name : request.belt,
-         describe(openEdges(run.parts[part].tree->mesh())) +
-             ": its depth is that of its surface in the blisk");
-  }
-  if (is_of(DepthKind::of_pairs)) {
-    warn(nameOfBlisk(request),
-         describe(openEdges(run.blisk->mesh())) +
-             ", so it is no solid: depths are those of pairs of triangles, which shrink as meshes get finer, "
-             "and a part wholly inside goes unnoticed");
+    warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
+           describe(openEdges(run.parts[part].tree->mesh())) +
+               ": its depth is that of its surface in the blisk");
   }
 }
 
@@ -171,15 +75,16 @@ GrindingRun runWatched(const GrindingJob& job) {
 }
 
 void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const GrindRequest& request) {
-  const std::filesystem::path out = request.out;
+  const std::filesystem::path out = request.files.out;
   std::error_code ignored;  // mostly there is no such file
   WholeFiles files;
-  if (!std::filesystem::equivalent(request.path, out / "path.csv", ignored)) {
+  if (!std::filesystem::equivalent(request.files.path, out / "path.csv", ignored)) {
     writePoses(files.add(out / "path.csv"), path);
   }
   writePoseVerdicts(run, files.add(out / "poses.csv"));
   writeContacts(run, files.add(out / "contacts.csv"));
   writeSummary(run, files.add(out / "summary.json"));
+  if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
   if (!request.no_pictures) {
     writePng(overviewOf(run), files.add(out / "overview.png").string());
     writePng(closeupOf(run), files.add(out / "closeup.png").string());
@@ -187,31 +92,58 @@ void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const Grind
   files.finish();
 }
 
-int grind(const GrindRequest& request) {
-  requireNoInputAmongTables(request);
-  ToolAssembly tool = toolAsked(request);
+GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
+  const GrinderFiles& files = request.files;
   GrindingJob job;
-  job.blisk = treeOf(request.blisk.empty() ? embeddedBlisk() : readOutward(request.blisk, tool.notes));
-  for (const std::string& note : tool.notes) std::cout << note << '\n';
-  job.blades = findBlades(job.blisk->mesh());
-  job.parts = std::move(tool.parts);
-  job.rules = std::move(tool.rules);
+  job.blisk = input.blisk;
+  job.mesh_in_blisk = input.mesh_in_blisk;
+  job.blades = input.blades;
+  job.parts = input.tool.parts;
+  job.rules = input.tool.rules;
   job.rules.near_miss = request.near_miss;
+  job.rules.ground_blade = files.ground_blade.value_or(files.path.empty() ? 1 : 0);
+  job.find_ground_blade = !files.ground_blade && !files.path.empty() && job.rules.grinding_part != kNoPart;
+  if (request.belt_speed) {
+    if (job.rules.grinding_part == kNoPart) {
+      throw std::invalid_argument("--belt-speed: " + files.tool + " has no part that grinds");
+    }
+    job.parts[job.rules.grinding_part].belt_speed = request.belt_speed;
+  }
+  if (request.spindle) job.spindle = request.spindle_options;
+  job.path = files.path.empty() ? builtInPath(files, input) : readPath(files.path, *input.blisk);
   job.continuous = request.continuous;
-  job.threads = request.threads;
-  chooseGroundBlade(request, job);
-  job.path = pathOf(request, *job.blisk, job.blades);
+  job.threads = files.threads;
+  return job;
+}
 
-  std::error_code error;
-  std::filesystem::create_directories(request.out, error);
-  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+/// The side that is convex, as told or as the blades' camber tells it; none where it does not.
+std::optional<BladeSide> convexSideOf(const GrindRequest& request, const GrinderInput& input) {
+  if (!request.convex.empty()) {
+    return request.convex == "forward" ? BladeSide::kForward : BladeSide::kBackward;
+  }
+  if (input.blades.count == 0) return std::nullopt;
+  try {
+    return findAnatomy(moved(input.blisk->mesh(), input.mesh_in_blisk), input.blades).convex_side;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+int grind(const GrindRequest& request) {
+  const GrinderFiles& files = request.files;
+  requireNotRead(files, {"poses.csv", "contacts.csv", "forces.csv", "summary.json"});
+  const GrinderInput input = readGrinder(files);
+  const GrindingJob job = jobOf(request, input);
+  makeFolder(files.out);
+  warnOfInput(files, input);
   GrindingRun run = runWatched(job);
-  run.blisk_name = request.blisk.empty() ? "default" : request.blisk;
-  run.tool_name = !request.tool.empty() ? request.tool : request.belt.empty() ? "default" : request.belt;
-  run.path_name = request.path.empty() ? "generated" : request.path;
-  warnOf(request, run, job.blades);
+  run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
+  run.tool_name = files.toolName();
+  run.path_name = files.path.empty() ? "generated" : files.path;
+  run.convex_side = convexSideOf(request, input);
+  warnOfParts(files, run);
   writeAll(run, job.path, request);
-  tell(run, request.out, !request.no_pictures);
+  tell(run, files.out, !request.no_pictures);
   return run.interferes() ? 1 : 0;
 }
 
@@ -224,41 +156,13 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "blade\n"
       "that it grinds; every other touch is interference. The built-in path is not free of it on purpose.");
   const auto request = std::make_shared<GrindRequest>();
-  command.add_option("--blisk", request->blisk, "Mesh file (mm, axis Z); default: the built-in blisk")
-      ->check(notEmpty());
+  addGrinderOptions(command, request->files);
+  addConvexOption(command, request->convex);
   command
-      .add_option(
-          "--belt", request->belt,
-          "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), checked alone; default: the "
-          "built-in grinder with belt, wheels and arm")
-      ->check(notEmpty());
-  CLI::Option* const belt = command.get_option("--belt");
-  command
-      .add_option("--tool", request->tool,
-                  "JSON file of a tool's parts, what each may touch and how far it must keep from the rest; "
-                  "'octoblisk make grinder' writes one")
-      ->check(notEmpty())
-      ->excludes(belt);
-  command
-      .add_option("--path", request->path,
+      .add_option("--path", request->files.path,
                   "CSV file x,y,z,qw,qx,qy,qz[,feed]: the belt in the blisk's frame (mm); or an APT CL file, "
-                  "whose tool axis "
-                  "is the arm; default: along a blade's side")
+                  "whose tool axis is the arm; default: along a blade's side")
       ->check(notEmpty());
-  command.add_option("-o,--out", request->out, "Folder for tables and pictures; made where missing")
-      ->required()
-      ->check(notEmpty());
-  command
-      .add_option(
-          "--ground-blade", request->ground_blade,
-          "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most")
-      ->check(wholeNumberFrom(1, kMostBlades));
-  command
-      .add_option("--max-depth", request->max_depth,
-                  "mm that the belt may be pressed into the ground blade: how deep the deepest point of one "
-                  "lies in the other; a tool's file may say otherwise")
-      ->check(numberFrom(0.0, kMaxLength))
-      ->capture_default_str();
   command
       .add_option("--near-miss", request->near_miss,
                   "mm below which a clearance is reported, where the tool's file has no margin for the pair; "
@@ -270,10 +174,31 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                 "Check the moves between the poses as well, or the poses alone")
       ->capture_default_str();
   command
-      .add_option("--threads", request->threads,
-                  "Threads; 0: all that the machine has. The answers are the same")
-      ->capture_default_str()
-      ->check(wholeNumberFrom(0, 1024));
+      .add_option("--belt-speed", request->belt_speed,
+                  "m/s at which the belt runs, from its contact side at -x over +y; below 0 the other way. "
+                  "contacts.csv then has its surface velocity at each of its contacts; a tool's file may "
+                  "say it of each part")
+      ->check(numberFrom(-kMostBeltSpeed, kMostBeltSpeed));
+  SpindleOptions& spindle = request->spindle_options;
+  const std::string forces = "Forces (what they are found by is assumed)";
+  CLI::Option* const has_spindle =
+      command
+          .add_flag("--spindle", request->spindle,
+                    "Find the force of the belt on the blisk, which may turn on its spindle: forces.csv")
+          ->group(forces);
+  const auto add_number = [&](const std::string& name, double& value, const std::string& help, double most,
+                              bool above) {
+    command.add_option(name, value, help)
+        ->check(numberFrom(0.0, most, above))
+        ->capture_default_str()
+        ->needs(has_spindle)
+        ->group(forces);
+  };
+  add_number("--stiffness", spindle.stiffness, "N/mm, of belt and contact wheel, by the belt's depth", 1e6,
+             true);
+  add_number("--friction", spindle.friction, "Coefficient of friction of belt and blisk", 10.0, false);
+  add_number("--hold", spindle.hold, "N·m that the spindle's brake holds; 0: it turns freely", 1e6, false);
+  add_number("--density", spindle.density, "kg/mm³, of the blisk", 1e-3, true);
   command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
   command.footer(
       "Tables, in OUT; none is written before the end, Ctrl-C keeps the poses done (\"partial\": true):\n"
@@ -286,13 +211,22 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "  contacts.csv  contacts, a few of each patch of touch, each with a verdict of its own: triangles,\n"
       "                points and normal in the blisk's frame; the normal points from the part into the\n"
       "                blisk; the depth is that of the pair of triangles alone\n"
+      "  forces.csv    with --spindle, for each pose at which the belt touches: normal force (stiffness "
+      "times\n"
+      "                the belt's depth) and friction, N; the force on the blisk in its frame; its torque "
+      "about\n"
+      "                the axis, N m; and the blisk's angular acceleration beyond what the brake holds, "
+      "rad/s2\n"
       "  summary.json  limits, counts, the poses that interfere\n"
       "  path.csv      the path\n"
       "Blades are numbered from 1 by angle; blade 0 is hub or shroud. Poses and triangles are counted from\n"
       "0. A negative depth is a clearance. Verdicts go by how deep the deepest point of a part lies in the\n"
       "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with\n"
       "a warning. A part wholly inside the blisk is interference. On a move the contact wheel's centre goes\n"
-      "straight while the tool turns evenly; coming within 0.001 mm is a hit.\n"
+      "straight while the tool turns evenly; coming within 0.001 mm is a hit, proved all the way. That the\n"
+      "belt stays within --max-depth is proved too; where it is not, its depth is measured every mm, and "
+      "the\n"
+      "summary tells how much deeper it may be between (depth_proved, depth_on_moves_at_most_mm).\n"
       "Exit codes: 0 no interference at any pose or move, 1 interference found, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
@@ -21,11 +22,17 @@ struct MergeRequest {
 };
 
 /// Tells what the study's own subcommand does, and returns its exit code.
-int tellStudy(const MergedStudy& merged) {
+int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
   if (merged.study.name == kCheckName) {
     const CheckSummary summary = summaryOfTallies(merged.tallies);
     tell(std::cout, summary, optionsOfLine(merged.study.options), std::nullopt);
     return summary.isClean() ? 0 : 1;
+  }
+  if (merged.study.name == kAccessName) {
+    const AccessQuestion question = questionOfLine(merged.study.options);
+    const int exit_code = tellAccess(merged.tallies, question);
+    finishAccess(out, question, true);
+    return exit_code;
   }
   std::cout << merged.study.items << " items of a study by " << merged.study.name << '\n';
   return 0;
@@ -44,13 +51,13 @@ void addMergeCommand(CLI::App& app, int& exit_code) {
   command.add_option("-o,--out", request->out, "CSV file to write")->required()->check(notEmpty());
   command.footer(
       "Refused are parts that are unfinished, damaged, of other inputs or options, overlap, or leave a gap.\n"
-      "Exit codes: as the study's subcommand, octoblisk check: 0 clear, 1 not all clear; 2 bad input: no "
-      "file "
-      "is\n"
-      "written then, and one of an earlier run stays as it was.");
+      "Beside the table of octoblisk access go its other files, ranges.csv and map.png.\n"
+      "Exit codes: as the study's subcommand, check or access: 0 clear, 1 not all clear; 2 bad input: no "
+      "file\n"
+      "is written then, and one of an earlier run stays as it was.");
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
-    exit_code = tellStudy(mergeParts(parts, request->out));
+    exit_code = tellStudy(mergeParts(parts, request->out), request->out);
   });
 }
 

@@ -28,7 +28,9 @@ struct PathRequest {
   int blade = 1;
   std::string side = "convex";
   std::string pattern = "transversal";
+  std::string arm;  // empty: outward, or downstream where there is a shroud
   std::string format = "csv";
+  double wheel_width = BeltParameters{}.width;  // mm
   std::string out;
   SurfacePathOptions options;
 };
@@ -38,6 +40,13 @@ PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, con
   const BladeSide convex = convexSide(request.convex, anatomy, name);
   const bool is_forward = (request.side == "convex") == (convex == BladeSide::kForward);
   return is_forward ? PathRegion::kForward : PathRegion::kBackward;
+}
+
+/// Through a shroud nothing leads out: by default the arm then leaves downstream.
+PathArm armAsked(const PathRequest& request, bool shrouded) {
+  if (request.arm == "upstream") return PathArm::upstream;
+  if (request.arm == "downstream" || (request.arm.empty() && shrouded)) return PathArm::downstream;
+  return PathArm::outward;
 }
 
 int makePath(PathRequest request) {
@@ -58,7 +67,10 @@ int makePath(PathRequest request) {
   options.region = regionOf(request, anatomy, name);
   options.pattern =
       request.pattern == "longitudinal" ? PathPattern::kLongitudinal : PathPattern::kTransversal;
-  SurfacePath path = makeSurfacePath(BladeContours(blisk, anatomy.sides, request.blade), options);
+  options.arm = armAsked(request, found.blades.shrouded);
+  const WheelSeat seat(blisk, anatomy.sides.blade_of_triangle, request.blade, options.wheel_radius,
+                       request.wheel_width);
+  SurfacePath path = makeSurfacePath(BladeContours(blisk, anatomy.sides, request.blade), options, &seat);
 
   const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
   for (ToolMove& move : path.moves) move.tool_in_blisk = blisk_in_mesh * move.tool_in_blisk;
@@ -89,6 +101,11 @@ void addPathCommand(CLI::App& app, int& exit_code) {
       ->check(notEmpty());
   addAxisOption(command, request->axis);
   addConvexOption(command, request->convex);
+  command
+      .add_option("--arm", request->arm,
+                  "How the arm leaves the blades: outward, away from the axis, or by the channel's end, "
+                  "upstream or downstream; default: outward, downstream where there is a shroud")
+      ->check(CLI::IsMember({"outward", "upstream", "downstream"}));
   command.option_defaults()->always_capture_default();
   command
       .add_option("--blade", request->blade, "Number of the blade, from 1, as 'octoblisk blades' tells them")
@@ -114,6 +131,7 @@ void addPathCommand(CLI::App& app, int& exit_code) {
             true);
   addLength("--depth", options.depth, "mm that the belt is pressed into the surface", false);
   addLength("--wheel-radius", options.wheel_radius, "mm, of the contact wheel with the belt", true);
+  addLength("--wheel-width", request->wheel_width, "mm, of the belt on the contact wheel", true);
   addLength("--retract", options.retract, "mm of approach and retraction, along the arm", false);
   const auto addAngle = [&](const std::string& option, double& value, const std::string& help) {
     command.add_option(option, value, help)->check(numberFrom(-89.0, 89.0));

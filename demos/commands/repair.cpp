@@ -27,6 +27,7 @@ constexpr double kMarginOfMoves = 0.5;    // part of the poses' margin
 
 struct RepairRequest {
   GrinderFiles files;
+  double margin = 0.0;  // mm
   RepairOptions options;
 };
 
@@ -56,7 +57,7 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
             << repair.movesLeft() << " moves between free poses are left\n";
   if (repair.changed() > 0) tellChanges(repair);
   constexpr std::size_t kMost = 20;
-  const std::vector<std::string> left = describeLeft(repair, input.parts);
+  const std::vector<std::string> left = describeLeft(repair, input.tool.parts);
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
   if (left.size() > kMost) std::cout << "Left: " << left.size() - kMost << " more runs (changes.csv)\n";
   std::cout << "Path: " << (out / "path.csv").string() << ", changes: " << (out / "changes.csv").string()
@@ -82,16 +83,15 @@ int repair(const RepairRequest& request) {
   requireBridged(request.options.limits);
   const ChangeGrid usable(request.options.limits);  // refuses what is no use before anything is read
   const bool own_path = !files.path.empty();
-  std::vector<Pose> path = own_path ? readPoses(files.path) : std::vector<Pose>{};
   const GrinderInput input = readGrinder(files);
-  if (!own_path) path = builtInPath(input, files.ground_blade.value_or(1));
-  const ReachRules rules{0, groundBladeOf(files, input, path), files.max_depth, files.margin};
-  warnOfInput(input);
+  const std::vector<Pose> path = own_path ? readPath(files.path, *input.blisk) : builtInPath(files, input);
+  const ReachRules rules = reachRulesOf(files, input, groundBladeOf(files, input, path), request.margin);
+  warnOfInput(files, input);
   makeFolder(files.out);
 
-  PoseJudge judge(input.blisk, input.parts, input.blades.blade_of_triangle, rules, files.threads);
+  PoseJudge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
   RepairOptions options = request.options;
-  options.moves.clearance = std::max(kMarginOfMoves * files.margin, kLeastClearance);
+  options.moves.clearance = std::max(kMarginOfMoves * request.margin, kLeastClearance);
   PathRepair repaired;
   {
     ProgressBar progress(std::cerr, path.size());
@@ -100,7 +100,7 @@ int repair(const RepairRequest& request) {
   }
   const std::filesystem::path out = files.out;
   writePoses(out / "path.csv", repaired.path);
-  writeChanges(repaired, input.parts, out / "changes.csv");
+  writeChanges(repaired, input.tool.parts, out / "changes.csv");
   tellRepair(repaired, input, rules.ground_blade, out);
   return repaired.isFree() ? 0 : 1;
 }
@@ -115,11 +115,12 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
       "checked. What cannot be repaired is named.");
   const auto request = std::make_shared<RepairRequest>();
   addGrinderOptions(command, request->files);
+  addMarginOption(command, request->margin);
   command
       .add_option(
           "--path", request->files.path,
-          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm); default: the path that grind "
-          "makes")
+          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file; default: the "
+          "path that grind makes")
       ->check(notEmpty());
   ChangeLimits& limits = request->options.limits;
   const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {

@@ -8,6 +8,10 @@ namespace octoblisk::demos {
 
 void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help) {
   command.add_option("-o,--out", target.out, out_help)->required()->check(notEmpty());
+  addShardOptions(command, target);
+}
+
+void addShardOptions(CLI::App& command, StudyTarget& target) {
   command
       .add_option_function<std::string>(
           "--shard", [&target](const std::string& text) { target.shard = parseShard(text); },
@@ -26,14 +30,15 @@ void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& 
           ""));
   command.add_flag(
       "--resume", target.resume,
-      "Go on from OUT.partial, which a run that did not come to its end leaves; begin where there "
+      "Go on from the .partial file, which a run that did not come to its end leaves; begin where there "
       "is none");
 }
 
-std::string studyFooter() {
-  return "Stopped or killed, a run leaves what was answered in OUT.partial: the same command with --resume "
-         "goes\n"
-         "on from there. Started by mpirun, the processes share the work (built with OCTOBLISK_BUILD_MPI); "
+std::string studyFooter(const std::string& partial) {
+  return "Stopped or killed, a run leaves what was answered in " + partial +
+         ": the same command with\n"
+         "--resume goes on from there. Started by mpirun, the processes share the work (built with "
+         "OCTOBLISK_BUILD_MPI); "
          "all\n"
          "ways give the same file.\n";
 }

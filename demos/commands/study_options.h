@@ -11,7 +11,10 @@ namespace octoblisk::demos {
 /// Adds --out, with its help, --shard and --resume.
 void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help);
 
-/// Lines of the help's end.
-std::string studyFooter();
+/// Adds --shard and --resume alone.
+void addShardOptions(CLI::App& command, StudyTarget& target);
+
+/// Lines of the help's end. `partial`: the file that an unfinished run leaves.
+std::string studyFooter(const std::string& partial = "OUT.partial");
 
 }  // namespace octoblisk::demos

@@ -122,11 +122,15 @@ Focus focusOf(const GrindingRun& run, const PoseReport& pose) {
           text.str()};
 }
 
-/// The direction from the axis to the contact wheel.
-Vec3 outwardOf(const PoseReport& pose) {
-  const Vec3& wheel = pose.tool_in_blisk.translation;
+/// The blisk's axis in its mesh's frame.
+Vec3 axisOf(const GrindingRun& run) { return run.mesh_in_blisk.rotation.row(2).transpose(); }
+
+/// The direction from the axis to the contact wheel, in the mesh's frame.
+Vec3 outwardOf(const GrindingRun& run, const PoseReport& pose) {
+  const Vec3 wheel = run.mesh_in_blisk * pose.tool_in_blisk.translation;
   const double radius = std::hypot(wheel.x(), wheel.y());
-  return radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
+  const Vec3 outward = radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
+  return run.mesh_in_blisk.rotation.transpose() * outward;
 }
 
 }  // namespace
@@ -169,9 +173,8 @@ Picture overviewOf(const GrindingRun& run) {
   addTool(run, pose, overview);
   addPath(run, overview);
   addContacts(pose, 11.0f, overview);
-  const Vec3 outward = outwardOf(pose), sideways = Vec3::UnitZ().cross(outward);
-  overview.camera =
-      frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
+  const Vec3 axis = axisOf(run), outward = outwardOf(run, pose), sideways = axis.cross(outward);
+  overview.camera = frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * axis, axis);
   return overview;
 }
 
@@ -191,10 +194,10 @@ Picture closeupOf(const GrindingRun& run) {
   }
   addContacts(pose, 13.0f, closeup);
   const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);
-  const Vec3 along =
-      wheel_axis.z() > 0.0 ? Vec3(-wheel_axis) : wheel_axis;  // from above, along the wheel's axis
+  const Vec3 along = wheel_axis.dot(axisOf(run)) > 0.0 ? Vec3(-wheel_axis)
+                                                       : wheel_axis;  // from above, along the wheel's axis
   const Aabb cube{center - Vec3::Constant(half_side), center + Vec3::Constant(half_side)};
-  const Vec3 outward = outwardOf(pose);
+  const Vec3 outward = outwardOf(run, pose);
   closeup.camera = frame(cube, along - 0.35 * outward, outward);
   return closeup;
 }

@@ -1,12 +1,15 @@
 #include "report/grinding_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
 
+#include "cell/belt_loop.h"
 #include "cell/blade_side.h"
 #include "cell/moves.h"
 
@@ -62,7 +65,7 @@ void writeTouch(const GrindingRun& run, const PoseReport& pose, std::ostream& st
     return;
   }
   stream << run.parts[worst->part].name << ',' << worst->blade << ',' << worst->depth << ','
-         << sideOf(run.blisk->mesh(), worst->triangle_of_blisk, worst->blade);
+         << sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade);
   for (const double value : worst->point_on_blisk) stream << ',' << value;
   for (const double value : worst->normal) {
     stream << ',';
@@ -82,15 +85,46 @@ void writeClearance(const GrindingRun& run, const PoseReport& pose, std::ostream
 
 void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
   if (!pose.move) {
-    stream << ",,,\n";
+    stream << ",,,,";
     return;
   }
   stream << nameOf(pose.move->outcome) << ',' << pose.move->fraction << ',';
   if (pose.move->outcome == MoveReport::Outcome::free) {
-    stream << ",\n";
+    stream << ",,";
   } else {
-    stream << run.parts[pose.move->at.part].name << ',' << pose.move->at.blade << '\n';
+    stream << run.parts[pose.move->at.part].name << ',' << pose.move->at.blade << ',';
   }
+}
+
+/// The blade's side by its shape, where that is known, and the channel that it bounds.
+void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  const std::optional<WorstTouch> worst = worstOrNearest(pose);
+  const std::string side =
+      worst ? sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade) : "";
+  if (!side.empty() && run.convex_side) {
+    stream << ((side == "forward") == (*run.convex_side == BladeSide::kForward) ? "convex" : "concave");
+  }
+  stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "") << '\n';
+}
+
+/// The loops of the parts that run as belts; null for all others.
+std::vector<std::unique_ptr<const BeltLoop>> loopsOf(const GrindingRun& run) {
+  std::vector<std::unique_ptr<const BeltLoop>> loops;
+  for (const ToolPart& part : run.parts) {
+    loops.push_back(part.belt_speed ? std::make_unique<const BeltLoop>(part.tree->mesh()) : nullptr);
+  }
+  return loops;
+}
+
+void writeVelocity(const BeltLoop* loop, const ToolPart& part, const Pose& tool_in_blisk, const Vec3& point,
+                   std::ostream& stream) {
+  if (!loop) {
+    stream << ",,,";
+    return;
+  }
+  const Vec3 velocity =
+      *part.belt_speed * (tool_in_blisk.rotation * loop->directionAt(tool_in_blisk.inverse() * point));
+  for (const double value : velocity) stream << ',' << value + 0.0;
 }
 
 }  // namespace
@@ -111,13 +145,14 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
   stream.precision(9);
   stream
       << "pose,verdict,part,blade,depth_mm,side,blisk_x_mm,blisk_y_mm,blisk_z_mm,normal_x,normal_y,normal_z,"
-         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade\n";
+         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade,face,channel\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     stream << p << ',' << nameOf(pose.verdict) << ',';
     writeTouch(run, pose, stream);
     writeClearance(run, pose, stream);
     writeMove(run, pose, stream);
+    writeFace(run, pose, stream);
   }
   finish(stream, file);
 }
@@ -127,7 +162,8 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
   stream.precision(9);
   stream << "pose,contact_verdict,part,blade,triangle_blisk,triangle_part,"
             "blisk_x_mm,blisk_y_mm,blisk_z_mm,part_x_mm,part_y_mm,part_z_mm,"
-            "normal_x,normal_y,normal_z,depth_mm\n";
+            "normal_x,normal_y,normal_z,depth_mm,velocity_x_m_s,velocity_y_m_s,velocity_z_m_s\n";
+  const auto loops = loopsOf(run);
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
@@ -137,11 +173,57 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
       for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
         stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
       }
-      stream << ',' << depthOf(contact) << '\n';
+      stream << ',' << depthOf(contact);
+      writeVelocity(loops[part].get(), run.parts[part], pose.tool_in_blisk, contact.point_on_b, stream);
+      stream << '\n';
     }
   }
   finish(stream, file);
 }
+
+void writeForces(const GrindingRun& run, const std::filesystem::path& file) {
+  std::ofstream stream = openForWriting(file);
+  stream.precision(9);
+  stream << "pose,normal_force_n,friction_force_n,force_x_n,force_y_n,force_z_n,torque_n_m,"
+            "acceleration_rad_s2\n";
+  for (std::size_t p = 0; p < run.loads.size(); ++p) {
+    if (!run.loads[p]) continue;
+    const SpindleLoad& load = *run.loads[p];
+    stream << p << ',' << load.normal_force << ',' << load.friction_force;
+    for (const double value : load.force) stream << ',' << value;
+    stream << ',' << load.torque << ',' << load.acceleration << '\n';
+  }
+  finish(stream, file);
+}
+
+namespace {
+
+/// Null where no forces were asked for.
+nlohmann::ordered_json forcesOf(const GrindingRun& run) {
+  if (!run.spindle) return {};
+  std::size_t touching = 0, turning = 0;
+  double sum = 0.0, most = 0.0, torque = 0.0;
+  for (const std::optional<SpindleLoad>& load : run.loads) {
+    if (!load) continue;
+    ++touching;
+    sum += load->normal_force;
+    most = std::max(most, load->normal_force);
+    torque = std::max(torque, std::abs(load->torque));
+    constexpr double kAtRest = 1e-3;  // rad/s²
+    turning += std::abs(load->acceleration) > kAtRest;
+  }
+  return {{"stiffness_n_mm", run.spindle->stiffness},
+          {"friction", run.spindle->friction},
+          {"hold_n_m", run.spindle->hold},
+          {"density_kg_mm3", run.spindle->density},
+          {"poses_that_touch", touching},
+          {"mean_normal_force_n", touching > 0 ? sum / static_cast<double>(touching) : 0.0},
+          {"greatest_normal_force_n", most},
+          {"greatest_torque_n_m", torque},
+          {"poses_at_which_the_spindle_turns", turning}};
+}
+
+}  // namespace
 
 void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   const BuildStats& tree = run.blisk->stats();
@@ -151,6 +233,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
                      {"triangles", run.parts[part].tree->stats().triangles},
                      {"max_depth_mm", run.rules.maxDepth(part)},
                      {"depth_mm_is", nameOf(run.depth_kinds[part])}});
+    if (run.parts[part].belt_speed) parts.back()["belt_speed_m_s"] = *run.parts[part].belt_speed;
   }
   nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
   for (const auto& [first, last] : interferingRanges(run))
@@ -159,8 +242,11 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
   double depth_bound = 0.0;
+  std::size_t depth_proved = 0;
   for (const PoseReport& pose : run.poses) {
-    if (pose.move) depth_bound = std::max(depth_bound, pose.move->depth_bound);
+    if (!pose.move) continue;
+    depth_bound = std::max(depth_bound, pose.move->depth_bound);
+    depth_proved += pose.move->depth_proved;
   }
   nlohmann::ordered_json moves;  // null where they were not checked
   if (run.continuous) {
@@ -170,6 +256,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
              {"too_deep", run.count(MoveReport::Outcome::too_deep)},
              {"not_proved", run.count(MoveReport::Outcome::not_proved)},
              {"proved_to_mm", kMoveTolerance},
+             {"depth_proved", depth_proved},
              {"depth_on_moves_at_most_mm", depth_bound}};
   }
   const nlohmann::ordered_json summary = {
@@ -191,6 +278,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", ranges},
       {"moves", moves},
+      {"forces", forcesOf(run)},
       {"tree",
        {{"nodes_of_up_to_8_boxes", tree.nodes},
         {"leaf_boxes", tree.leaves},

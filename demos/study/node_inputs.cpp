@@ -59,8 +59,8 @@ class Unpacker {
   std::span<const std::byte> rest_;
 };
 
-ClusteredOctree builtTree(const std::filesystem::path& mesh_file) {
-  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(readMesh(mesh_file)));
+ClusteredOctree builtTree(const std::function<TriangleMesh()>& make_mesh) {
+  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(make_mesh()));
 }
 
 std::vector<std::byte> packedTree(const ClusteredOctree& tree) {
@@ -88,8 +88,12 @@ ClusteredOctree unpackedTree(const SharedBytes& shared) {
 }  // namespace
 
 ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file) {
-  if (ranks.count() == 1) return builtTree(mesh_file);
-  const SharedBytes shared = ranks.onceANode([&] { return packedTree(builtTree(mesh_file)); });
+  return treeOnceANode(ranks, [&] { return readMesh(mesh_file); });
+}
+
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh) {
+  if (ranks.count() == 1) return builtTree(make_mesh);
+  const SharedBytes shared = ranks.onceANode([&] { return packedTree(builtTree(make_mesh)); });
   std::optional<ClusteredOctree> tree;
   ranks.together([&] { tree = unpackedTree(shared); });
   return *std::move(tree);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,6 +16,8 @@ namespace octoblisk::demos {
 /// The tree of a mesh file. It is built once a node and used by all where it is; each rank has a copy of the
 /// mesh. Throws as readMesh and ClusteredOctree::build do, at all ranks.
 ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file);
+/// Of a mesh that is made, or read and mended, at one rank of each node.
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh);
 
 /// Poses, and who keeps them.
 struct SharedPoses {

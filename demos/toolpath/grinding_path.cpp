@@ -129,10 +129,9 @@ class SideOfBlade {
 Pose touching(const SurfacePoint& point, const GrindingPathOptions& options) {
   const double lean = options.lean_degrees * std::numbers::pi / 180.0;
   const Vec3& normal = point.normal;
-  const Vec3 outward(point.position.x(), point.position.y(), 0.0);
-  const Vec3 up_the_blade = (outward - outward.dot(normal) * normal).normalized();
-  const Vec3 arm = std::cos(lean) * up_the_blade + std::sin(lean) * normal;
-  const Vec3 wheel_axis = up_the_blade.cross(normal);
+  const Vec3 in_surface = armInSurface(options.arm, point.position, normal);
+  const Vec3 arm = std::cos(lean) * in_surface + std::sin(lean) * normal;
+  const Vec3 wheel_axis = in_surface.cross(normal);
   Pose belt_in_blisk;
   belt_in_blisk.rotation << arm, wheel_axis.cross(arm), wheel_axis;
   belt_in_blisk.translation = point.position + (options.wheel_radius - options.depth) * normal;
@@ -161,6 +160,9 @@ void requireUsable(const TriangleMesh& blisk, const BladesFound& blades, const G
   for (const double span : {options.span_from, options.span_to}) {
     require(span >= 0.0 && span <= 1.0, "the parts of the span must be from 0 to 1");
   }
+  for (const double part : {options.chord_from, options.chord_to}) {
+    require(part >= 0.0 && part <= 1.0, "the parts of the chord must be from 0 to 1");
+  }
   require(std::isfinite(options.wheel_radius) && options.wheel_radius > 0.0,
           "the wheel radius must be above 0 mm");
   require(std::abs(options.depth) < options.wheel_radius, "the depth must be below the wheel radius");
@@ -180,10 +182,11 @@ std::vector<Place> placesOfPass(int pass, const BladesFound& blades, const Grind
   const double radius = std::lerp(blades.root_radius, blades.tip_radius, span);
   std::vector<Place> places;
   for (int k = 0; k < options.poses_per_pass; ++k) {
-    const double along = fraction(k, options.poses_per_pass);
+    const double along = std::lerp(options.chord_from, options.chord_to, fraction(k, options.poses_per_pass));
     const double part = std::lerp(options.clear_of_edges, 1.0 - options.clear_of_edges, along);
-    places.push_back({radius, pass % 2 == 0 ? part : 1.0 - part});
+    places.push_back({radius, part});
   }
+  if (pass % 2 == 1) std::ranges::reverse(places);
   return places;
 }
 

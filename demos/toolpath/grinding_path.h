@@ -6,11 +6,13 @@
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
 #include "octoblisk/triangle_mesh.h"
+#include "toolpath/path_arm.h"
 
 namespace octoblisk::demos {
 
 /// Lengths in mm.
 struct GrindingPathOptions {
+  PathArm arm = PathArm::outward;  ///< how the arm leaves the blades
   int blade = 1;
   int passes = 6;                ///< along the axis, there and back
   int poses_per_pass = 60;       ///< equally spaced along the axis
@@ -18,6 +20,8 @@ struct GrindingPathOptions {
   double depth = 0.02;           ///< how far the belt is pressed into the surface
   bool forward_side = true;      ///< the side that faces towards greater angles about Z
   double clear_of_edges = 0.08;  ///< part of the chord left out at each edge, in [0, 0.5)
+  double chord_from = 0.0;       ///< of what is left, the part 0..1 of the chord to begin at
+  double chord_to = 1.0;         ///< and to end at
   double span_from = 0.97;       ///< part of the blade's height, root 0 to tip 1, of the first pass
   double span_to = 0.45;         ///< and of the last
   double wheel_radius =
@@ -30,11 +34,12 @@ struct GrindingPathOptions {
 /// passes with the links between them, retract_poses of retraction along the arm.
 ///
 /// A working pose touches one point p of the blade's side, found exactly on its triangle. With n the outward
-/// normal, smoothed over the side's vertices, R the wheel radius and a₀ the direction away from the axis in
-/// the tangent plane,
+/// normal, smoothed over the side's vertices, R the wheel radius and a₀ the direction of `arm` in the tangent
+/// plane,
 ///   origin = p + (R − depth) n,  x = cos(lean) a₀ + sin(lean) n (the arm),  z = a₀ × n (the wheels' axis),
-/// so that z runs along the stream. Each pass keeps one radius, and each link one part of the chord; links
-/// take steps no longer than those of a pass. Where the side has no triangle, a pose is left out.
+/// so that z runs along the stream where the arm leads outward. Each pass keeps one radius, and each link one
+/// part of the chord; links take steps no longer than those of a pass. Where the side has no triangle, a pose
+/// is left out.
 ///
 /// The blade's triangles must be oriented alike, all outwards or all inwards.
 ///

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/require.h"
+#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -182,8 +183,7 @@ double distanceBetween(const ContourPoint& a, const ContourPoint& b) {
 /// The pose of the belt that touches a point.
 Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) {
   const Vec3& normal = point.normal;
-  const Vec3 outward(point.position.x(), point.position.y(), 0.0);
-  const Vec3 up = (outward - outward.dot(normal) * normal).normalized();
+  const Vec3 up = armInSurface(options.arm, point.position, normal);
   const double towards_trailing = options.region == PathRegion::kBackward ? -1.0 : 1.0;
   const double lead = radians(options.lead);
   const double tilt = radians(options.tilt);
@@ -204,6 +204,14 @@ class Passes {
   void touch(const ContourPoint& point, int pass) {
     path_.moves.push_back({poseTouching(point, options_), options_.feed});
     path_.pass_of_move.push_back(pass);
+    normals_.push_back(point.normal);
+  }
+
+  void seat(const WheelSeat& seat) {
+    parallelFor(normals_.size(), threadCount(0), [&](std::size_t i, std::size_t) {
+      Pose& pose = path_.moves[i].tool_in_blisk;
+      pose = seat.seated(pose, normals_[i], options_.depth);
+    });
   }
 
   /// With approach and retraction.
@@ -225,6 +233,7 @@ class Passes {
  private:
   const SurfacePathOptions& options_;
   SurfacePath path_;
+  std::vector<Vec3> normals_;  // of the surface where the poses touch
 };
 
 constexpr int kLink = -1;
@@ -296,7 +305,8 @@ void requireOptions(const SurfacePathOptions& options) {
 
 }  // namespace
 
-SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions& options) {
+SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions& options,
+                            const WheelSeat* seat) {
   requireOptions(options);
   const Region region(blade, options);
   Passes passes(options);
@@ -305,6 +315,7 @@ SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions
   } else {
     addLongitudinal(region, options, passes);
   }
+  if (seat) passes.seat(*seat);
   return passes.finished();
 }
 

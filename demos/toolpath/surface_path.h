@@ -6,7 +6,9 @@
 #include "models/belt_grinder.h"
 #include "models/blade_contours.h"
 #include "models/blade_surface.h"
+#include "toolpath/path_arm.h"
 #include "toolpath/tool_move.h"
+#include "toolpath/wheel_seat.h"
 
 namespace octoblisk::demos {
 
@@ -20,7 +22,8 @@ enum class PathPattern { kLongitudinal, kTransversal };
 struct SurfacePathOptions {
   PathRegion region = PathRegion::kForward;
   PathPattern pattern = PathPattern::kTransversal;
-  double step_over = 5.0;      ///< greatest distance from pass to pass, along the surface
+  PathArm arm = PathArm::outward;  ///< how the arm leaves the blades
+  double step_over = 5.0;          ///< greatest distance from pass to pass, along the surface
   double tilt = 8.0;           ///< of the arm, off the surface, about the contact wheel's axis; within ±90
   double lead = 0.0;           ///< of the arm, in the surface, towards the trailing edge; within ±90
   double feed = 1000.0;        ///< mm/min
@@ -45,14 +48,18 @@ struct SurfacePath {
 /// along the surface; before them an approach, after them a retraction, both rapid.
 ///
 /// A pose touches one point p of the blade's surface: with n the normal there, outward and smooth over the
-/// vertices, a₀ the direction away from the axis in the tangent plane and s = a₀ × n, along the stream,
+/// vertices, a₀ the direction of `arm` in the tangent plane and s = a₀ × n, which is along the stream for an
+/// arm that leads outward,
 ///   a = cos(lead) a₀ + sin(lead) s,  x = cos(tilt) a + sin(tilt) n (the arm),  z = a × n (the wheel's axis),
 ///   origin = p + (R − depth) n,
 /// s taken so on the convex or concave side that leads to the trailing edge, and on the leading edge as is.
-/// Poses are in the contours' frame, whose Z is the blisk's axis.
+/// Poses are in the contours' frame, whose Z is the blisk's axis. With a seat, they are then shifted along n
+/// to where the wheel, as wide as it is, is no deeper in the blade than the depth: on a hollow side a wide
+/// wheel would cut with its edges.
 ///
 /// Throws std::invalid_argument in one line: an option out of its range, margins that leave nothing, passes
 /// or poses beyond 1,000,000.
-SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions& options);
+SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions& options,
+                            const WheelSeat* seat = nullptr);
 
 }  // namespace octoblisk::demos

@@ -122,8 +122,16 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   folder_.write("short.csv", "x,y,z,qw,qx,qy,qz\n1,2,3\n");
   folder_.write("away.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n");
   folder_.write("points.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n");
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make grinder --out tool").exit_code, 0);
+  std::string more = contentOf(file("tool/tool.json"));
+  more.replace(more.find("\"allowed\": ["), 12,
+               std::string(R"("allowed": [{"part": "arm", "blade": "hub"},)"));
+  folder_.write("tool/more.json", more);
   const std::pair<const char*, const char*> cases[] = {
       {"--blisk missing.stl --out run", "missing.stl"},
+      {"--tool tool/more.json --out run", "tool/more.json: allowed[0]: here one part may touch"},
+      {"--tool tool/none.json --out run", "tool/none.json: no such file"},
+      {"--axis 1,2 --out run", "--axis: '1,2' is no direction"},
       {"--path short.csv --out run", "short.csv:2"},
       {"--path away.csv --out run", "away.csv"},
       {"--path away.csv --ground-blade 2 --out run", "away.csv"},

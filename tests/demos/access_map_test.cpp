@@ -155,24 +155,40 @@ TEST(AccessMap, gridPointsLieOnTheSideAndFaceOutwards) {
 }
 
 TEST(AccessMap, pictureShowsEachPointInItsColour) {
-  AccessRun run;
-  run.options.tilts = 360;
+  std::vector<AccessRow> rows(2);
   for (int k = 0; k < 2; ++k) {
-    ContactSite site;
-    site.arc = 10.0 * k;
-    site.half_width = site.half_height = 5.0;
-    run.sites.push_back(site);
-    run.access.emplace_back();
+    rows[k].arc = 10.0 * k;
+    rows[k].half_width = rows[k].half_height = 5.0;
   }
-  run.access[1].ranges = {{0, 0.0, 100.0}};
-  run.access[1].widest = 0;
-  run.access[1].free = 101;
-  const Image image = accessPicture(run, 800, 600);
+  rows[1].widest = 100.0;
+  const Image image = accessPicture(rows, {}, 800, 600);
   const auto count = [&](const Image::Pixel& pixel) { return std::ranges::count(image.pixels, pixel); };
   const Image::Pixel none = {214, 64, 0, 255}, most = {38, 74, 135, 255};
   EXPECT_GT(count(none), 10'000);
   EXPECT_NEAR(static_cast<double>(count(none)), static_cast<double>(count(most)), 0.02 * count(none));
-  EXPECT_EQ(run.nowhereFree(), 1u);
+}
+
+TEST(AccessMap, whatAStudyKeepsInLinesIsReadBack) {
+  AccessQuestion question;
+  question.of_path = true;
+  question.rules = {2, 7, 0.1, 0.3};
+  question.options = {-30.5, 0.1, 12, {-5.0, 0.0, 5.0}};
+  const AccessQuestion same = questionOfLine(lineOf(question));
+  EXPECT_EQ(lineOf(same), lineOf(question));
+  EXPECT_TRUE(same.of_path);
+  EXPECT_EQ(same.rules.ground_blade, 7);
+  EXPECT_EQ(same.rules.margin, 0.3);
+  EXPECT_EQ(same.options.tilt_step, 0.1);
+  EXPECT_EQ(same.options.leads, question.options.leads);
+  EXPECT_THROW(questionOfLine("clearance tolerance 1"), std::invalid_argument);
+
+  AccessSummary summary{9, 100, 3, {{"arm on hub or shroud", 2}, {"belt too deep in blade 1", 1}}};
+  AccessSummary read = accessSummaryOfTally(tallyOf(summary));
+  EXPECT_EQ(tallyOf(read), tallyOf(summary));
+  read.add(summary);
+  EXPECT_EQ(read.points, 18u);
+  EXPECT_EQ(read.in_the_way.at("arm on hub or shroud"), 4u);
+  EXPECT_THROW(accessSummaryOfTally("none"), std::invalid_argument);
 }
 
 }  // namespace

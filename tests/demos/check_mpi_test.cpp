@@ -68,6 +68,28 @@ TEST_F(CheckRanks, ShardsOfRanksMergeToThePlainFile) {
   EXPECT_EQ(content("merged.csv"), content("plain.csv"));
 }
 
+TEST_F(CheckRanks, AccessOfOneTwoAndFourGivesThePlainFilesAndSoDoShards) {
+  const std::string access = "access --rows 4 --columns 5 --tilt-step 30 ";
+  const Outcome plain = run(access + "--out plain");
+  ASSERT_LE(plain.exit_code, 1) << plain.error;
+  const auto expectPlainIn = [&](const std::string& folder) {
+    for (const char* file : {"/points.csv", "/ranges.csv", "/map.png"}) {
+      EXPECT_EQ(content(folder + file), content("plain" + std::string(file))) << folder << file;
+    }
+  };
+  for (const int ranks : {1, 2, 4}) {
+    const std::string folder = "ranks" + std::to_string(ranks);
+    const Outcome outcome = runRanks(ranks, access + "--out " + folder);
+    EXPECT_EQ(outcome.exit_code, plain.exit_code) << outcome.error;
+    expectPlainIn(folder);
+  }
+  ASSERT_LE(runRanks(2, access + "--shard 1/2 --out first").exit_code, 1);
+  ASSERT_LE(run(access + "--shard 2/2 --out second").exit_code, 1);
+  std::filesystem::create_directories(folder_.path() / "merged");
+  ASSERT_EQ(run("merge first second --out merged/points.csv").exit_code, plain.exit_code);
+  expectPlainIn("merged");
+}
+
 TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
   repeatPoses(12);
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";

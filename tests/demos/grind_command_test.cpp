@@ -10,6 +10,7 @@
 
 #include "demos/block.h"
 #include "demos/command.h"
+#include "demos/moved_blisk.h"
 #include "demos/scratch_folder.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
@@ -190,12 +191,119 @@ TEST_F(GrindCommand, anOpenBliskIsJudgedByPairsAndSaysSo) {
   EXPECT_EQ(std::stod(table.at(0).at("depth_mm")), deepest);
 }
 
-TEST_F(GrindCommand, theBuiltInPathWarnsOfAShroud) {
+TEST_F(GrindCommand, onAClosedBliskTheBuiltInPathLeavesByTheChannelsEnd) {
   ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
-  EXPECT_THAT(run("--blisk s.ply --no-pictures --out run").error,
-              HasSubstr("s.ply: a shroud joins the blades' tips"));
-  folder_.write("away.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n");
-  EXPECT_EQ(run("--blisk s.ply --path away.csv --no-pictures --out run").error, "");
+  const Outcome outcome = run("--blisk s.ply --poses-only --no-pictures --out run");
+  ASSERT_LE(outcome.exit_code, 1) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  std::size_t grinding = 0;
+  const auto table = readTable(file("run/poses.csv"));
+  for (const auto& row : table) {
+    if (row.at("verdict") == "interference") {
+      EXPECT_EQ(row.at("part"), "belt") << "not the arm";
+      EXPECT_EQ(row.at("blade"), "1") << "not the shroud";
+    }
+    grinding += row.at("blade") == "1" && std::stod(row.at("depth_mm")) > 0.0;
+  }
+  EXPECT_GT(grinding, table.size() * 2 / 3);
+}
+
+TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --blades 20 --out z.stl").exit_code,
+            0);
+  ASSERT_LE(run("--blisk z.stl --ground-blade 3 --no-pictures --out z").exit_code, 1);
+  const Pose blisk_in_mesh{Eigen::AngleAxisd(2.1, Vec3(3, -1, 2).normalized()).toRotationMatrix(),
+                           Vec3(300, -150, 80)};
+  writeMesh(file("moved.stl"), posed(readMesh(file("z.stl")), blisk_in_mesh));
+  std::vector<Pose> path = readPoses(file("z/path.csv"));
+  for (Pose& pose : path) pose = blisk_in_mesh * pose;
+  writePoses(file("moved.csv"), path);
+  const Outcome found = run("--blisk moved.stl --path moved.csv --no-pictures --out found");
+  ASSERT_LE(found.exit_code, 1) << found.error;
+  EXPECT_THAT(found.out, HasSubstr(" of 20 (intended up to"));
+  std::ostringstream axis;
+  for (int k = 0; k < 3; ++k) axis << blisk_in_mesh.rotation(k, 2) << ',';
+  axis << "300,-150,80";
+  const Outcome told =
+      run("--blisk moved.stl --path moved.csv --no-pictures --out told --axis " + axis.str());
+  ASSERT_LE(told.exit_code, 1) << told.error;
+
+  const auto about_z = readTable(file("z/poses.csv"));
+  std::size_t alike = 0, interfering = 0, sides = 0;
+  for (const char* folder : {"found", "told"}) {
+    const auto table = readTable(file(folder + std::string("/poses.csv")));
+    ASSERT_EQ(table.size(), about_z.size());
+    for (std::size_t pose = 0; pose < table.size(); ++pose) {
+      // Files round to single precision: limits themselves may fall to either side.
+      const double depth = std::stod(about_z[pose].at("depth_mm"));
+      const double clearance = std::stod(about_z[pose].at("clearance_mm"));
+      constexpr double kRounding = 1e-3;
+      if (std::abs(depth - 0.1) < 3 * kRounding || std::abs(clearance - 0.5) < kRounding ||
+          clearance < kRounding) {
+        continue;
+      }
+      EXPECT_EQ(table[pose].at("verdict"), about_z[pose].at("verdict")) << folder << ", pose " << pose;
+      interfering += table[pose].at("verdict") == "interference";
+      ++alike;
+      const bool has_side = std::string(folder) == "told" && table[pose].at("part") == "belt" &&
+                            about_z[pose].at("part") == "belt" && !about_z[pose].at("side").empty() &&
+                            table[pose].at("verdict") == "intended contact";
+      if (!has_side) continue;
+      EXPECT_EQ(table[pose].at("side"), about_z[pose].at("side"));
+      EXPECT_EQ(table[pose].at("face"), about_z[pose].at("face"));
+      const int blade = std::stoi(table[pose].at("blade"));
+      const int first = table[pose].at("side") == "forward" ? blade : blade > 1 ? blade - 1 : 20;
+      EXPECT_EQ(table[pose].at("channel"), std::to_string(first) + '-' + std::to_string(first % 20 + 1));
+      ++sides;
+    }
+  }
+  EXPECT_GT(alike, about_z.size());
+  EXPECT_GT(sides, 50u);
+  EXPECT_THAT(run("--blisk moved.stl --axis 1,2 --out bad").error, HasSubstr("--axis"));
+  EXPECT_EQ(run("--blisk moved.stl --no-pictures --out made").error, "") << "a path of its own, too";
+}
+
+TEST_F(GrindCommand, beltSpeedAndForcesAreInTheTables) {
+  ASSERT_LE(run("--no-pictures --poses-only --out first").exit_code, 1);
+  std::vector<Pose> path = readPoses(file("first/path.csv"));
+  path = {path[0], path[100], path[101], path[140]};
+  writePoses(file("four.csv"), path);
+  const Outcome outcome =
+      run("--path four.csv --ground-blade 1 --belt-speed 25 --spindle --hold 1000 --no-pictures --out run");
+  ASSERT_LE(outcome.exit_code, 1) << outcome.error;
+  std::size_t of_belt = 0;
+  for (const auto& row : readTable(file("run/contacts.csv"))) {
+    if (row.at("part") != "belt") {
+      EXPECT_EQ(row.at("velocity_x_m_s"), "");
+      continue;
+    }
+    ++of_belt;
+    const Vec3 velocity(std::stod(row.at("velocity_x_m_s")), std::stod(row.at("velocity_y_m_s")),
+                        std::stod(row.at("velocity_z_m_s")));
+    const Vec3 normal(std::stod(row.at("normal_x")), std::stod(row.at("normal_y")),
+                      std::stod(row.at("normal_z")));
+    const Pose& pose = path[std::stoul(row.at("pose"))];
+    EXPECT_NEAR(velocity.norm(), 25.0, 1e-6);
+    EXPECT_NEAR(velocity.dot(pose.rotation.col(2)), 0.0, 1e-6) << "square to the wheels' axis";
+    EXPECT_LT(std::abs(velocity.dot(normal)), 25.0 * 0.2) << "along the surface";
+  }
+  EXPECT_GT(of_belt, 3u);
+  const auto forces = readTable(file("run/forces.csv"));
+  const auto poses = readTable(file("run/poses.csv"));
+  ASSERT_EQ(forces.size(), 3u);
+  for (const auto& row : forces) {
+    const auto& pose = poses[std::stoul(row.at("pose"))];
+    const double normal = std::stod(row.at("normal_force_n")),
+                 friction = std::stod(row.at("friction_force_n"));
+    EXPECT_NEAR(normal, 1000.0 * std::stod(pose.at("depth_mm")), 0.05 * normal);
+    EXPECT_NEAR(friction, 0.3 * normal, 0.02 * normal) << "it slides";
+    EXPECT_GT(std::abs(std::stod(row.at("torque_n_m"))), 0.1);
+  }
+  const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
+  EXPECT_EQ(summary["forces"]["poses_that_touch"], 3);
+  EXPECT_EQ(summary["forces"]["poses_at_which_the_spindle_turns"], 0);
+  EXPECT_EQ(summary["parts"][0]["belt_speed_m_s"], 25.0);
+  EXPECT_EQ(run("--stiffness 10 --out run").exit_code, 2) << "of no use without --spindle";
 }
 
 TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
@@ -293,15 +401,16 @@ TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
   EXPECT_EQ(summary["parts"].size(), 5u);
   const auto own = readTable(file("own/poses.csv")), built_in = readTable(file("built_in/poses.csv"));
   ASSERT_EQ(own.size(), built_in.size());
-  std::size_t intended = 0, differ = 0;
+  // Its two parts of the belt are what the whole is; the back is half a millimetre off what the contact side
+  // touches, and has a margin below that there. No other part comes as near as its margin.
+  std::size_t intended = 0;
   for (std::size_t pose = 0; pose < own.size(); ++pose) {
-    intended += own[pose].at("verdict") == "intended contact";
-    differ += own[pose].at("verdict") != built_in[pose].at("verdict");
+    EXPECT_EQ(own[pose].at("verdict"), built_in[pose].at("verdict")) << "pose " << pose;
     if (own[pose].at("verdict") != "intended contact") continue;
+    ++intended;
     EXPECT_EQ(own[pose].at("part"), "belt contact side");
   }
   EXPECT_GT(intended, own.size() / 4);
-  EXPECT_LT(differ, own.size() / 5) << "but where margins differ";
 
   // An edited table: the belt may touch nothing.
   std::string edited = contentOf(file("tool/tool.json"));

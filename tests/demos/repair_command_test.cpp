@@ -79,10 +79,28 @@ TEST_F(RepairCommand, grindRepairGrindOfTheDefaultBliskEndsClean) {
   EXPECT_THAT(again.out, ::testing::Not(HasSubstr("Changed:")));
 }
 
+TEST_F(RepairCommand, grindRepairGrindOfAShroudedBliskEndsClean) {
+  ASSERT_EQ(run("make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
+  ASSERT_EQ(run("grind --blisk s.ply --poses-only --no-pictures --out first").exit_code, 1);
+  cut("first/path.csv", 60, 90, "part.csv");
+  ASSERT_EQ(run("grind --blisk s.ply --ground-blade 1 --path part.csv --no-pictures --out before").exit_code,
+            1);
+  EXPECT_GE(interfering("before").size(), 10u);
+  const Outcome repaired = run("repair --blisk s.ply --ground-blade 1 --path part.csv --out repaired");
+  EXPECT_EQ(repaired.exit_code, 0) << repaired.out << repaired.error;
+  const Outcome after =
+      run("grind --blisk s.ply --ground-blade 1 --path repaired/path.csv --no-pictures --out after");
+  EXPECT_EQ(after.exit_code, 0) << after.out;
+  EXPECT_THAT(after.out, HasSubstr("30 intended contact")) << "it still grinds";
+}
+
 TEST_F(RepairCommand, ofAShroudedBliskNamesWhatIsLeftAsGrindDoes) {
   ASSERT_EQ(run("make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
-  ASSERT_EQ(run("grind --blisk s.ply --no-pictures --out first").exit_code, 1);
-  cut("first/path.csv", 14, 30, "part.csv");
+  ASSERT_EQ(
+      run("path --blisk s.ply --arm outward --step-over 40 --pose-step 12 --retract 0 --out through.csv")
+          .exit_code,
+      0);
+  cut("through.csv", 0, 6, "part.csv");
   const Outcome repaired =
       run("repair --blisk s.ply --ground-blade 1 --path part.csv --tilt 8 --slide 4 "
           "--retract 4 --out repaired");

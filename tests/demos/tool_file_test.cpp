@@ -28,7 +28,8 @@ class ToolFiles : public ::testing::Test {
 };
 
 const std::string kGood = R"({
-  "parts": [{"name": "belt", "mesh": "belt.ply", "max_depth_mm": 0.2}, {"name": "arm", "mesh": "arm.ply"}],
+  "parts": [{"name": "belt", "mesh": "belt.ply", "max_depth_mm": 0.2, "belt_speed_m_s": -30},
+    {"name": "arm", "mesh": "arm.ply"}],
   "allowed": [{"part": "belt", "blade": "ground"}, {"part": "any", "blade": 7}],
   "margins": [{"part": "any", "blade": "any", "near_miss_mm": 1}, {"part": "arm", "blade": "hub", "near_miss_mm": 2.5}]
 })";
@@ -39,6 +40,8 @@ TEST_F(ToolFiles, areReadAndWritten) {
     EXPECT_EQ(tool.parts[0].name, "belt");
     EXPECT_EQ(tool.parts[0].max_depth, 0.2);
     EXPECT_EQ(tool.parts[1].max_depth, std::nullopt);
+    EXPECT_EQ(tool.parts[0].belt_speed, -30.0);
+    EXPECT_EQ(tool.parts[1].belt_speed, std::nullopt);
     ASSERT_EQ(tool.allowed.size(), 2u);
     EXPECT_EQ(tool.allowed[0].part, 0u);
     EXPECT_EQ(tool.allowed[0].blade.kind, Kind::ground);

@@ -1,0 +1,16 @@
+// A tree of some triangles of a mesh.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk::demos {
+
+/// In their order, without the vertices that they do not use, which would widen the mesh's bounds. Throws as
+/// ClusteredOctree::build.
+std::shared_ptr<const ClusteredOctree> treeOfTriangles(const TriangleMesh& mesh,
+                                                       std::vector<TriangleMesh::Indices> triangles);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,113 @@
+// Proofs that a part stays within a depth on a move, by closed forms and against depths at many places.
+#include "cell/depth_proof.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "cell/lift.h"
+#include "cell/moves.h"
+#include "demos/block.h"
+#include "models/shared_tree.h"
+#include "octoblisk/depth.h"
+#include "shared/meshes.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr double kLimit = 0.1;
+
+Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+
+/// A trees' surface with its tree.
+struct Solid {
+  explicit Solid(const TriangleMesh& mesh) : tree(treeOf(mesh)), surface(*tree) {}
+  std::shared_ptr<const ClusteredOctree> tree;
+  octoblisk::Surface surface;
+};
+
+TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
+  const Solid wall(block({1, 50, 50}, 3)), tool(block({0.5, 20, 2}, 4));
+  const DepthProof proof(wall.surface, tool.surface);
+  const auto isProved = [&](double depth_from, double depth_to) {
+    const Motion move(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
+    return proof.holds(move, 0.0, 1.0, Vec3::UnitX(), kLimit);
+  };
+  EXPECT_TRUE(isProved(0.02, 0.02));
+  EXPECT_TRUE(isProved(0.02, 0.08));
+  EXPECT_TRUE(isProved(-5.0, 0.08));
+  EXPECT_FALSE(isProved(0.02, 0.11));
+  const Motion move(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the way
+  EXPECT_TRUE(proof.holds(move, 0.0, 0.8, Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(proof.holds(move, 0.0, 0.95, Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(proof.holds(move, 0.0, 0.8, -Vec3::UnitX(), kLimit)) << "the lift leads in";
+}
+
+TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
+  // Ends are 0.02 mm deep in the wall's face; amid the way stands a ridge, 0.2 mm high and as wide.
+  TriangleMesh wall = block({1, 50, 50}, 3);
+  std::vector<Vec3> vertices = wall.vertices();
+  std::vector<TriangleMesh::Indices> triangles = wall.triangles();
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  const TriangleMesh ridge = block({0.2, 0.1, 50}, 1);
+  for (const Vec3& corner : ridge.vertices()) vertices.push_back(corner + Vec3(1.0, 0, 0));
+  for (const auto& [a, b, c] : ridge.triangles()) triangles.push_back({first + a, first + b, first + c});
+  const Solid solid(TriangleMesh(vertices, triangles)), tool(block({0.5, 1, 2}, 2));
+  const DepthProof proof(solid.surface, tool.surface);
+  const Motion over(at(1.48, -3, 0), at(1.48, 3, 0)), beside(at(1.48, -3, 0), at(1.48, -1.2, 0));
+  EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kLimit));
+  EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kLimit));
+}
+
+TEST(DepthProof, aToolWhollyInsideIsNotWithinTheLimit) {
+  const Solid wall(block({20, 20, 20}, 2)), tool(block({1, 1, 1}, 2));
+  const DepthProof proof(wall.surface, tool.surface);
+  EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(0, 0, 0), Vec3::UnitX(), kLimit));
+  EXPECT_TRUE(partsWhenLifted(wall.surface, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kLimit));
+}
+
+TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
+  const Solid ring(*testing::torus(10.0, 3.0, 60, 30)), tool(block({2, 2, 2}, 3));
+  const DepthProof proof(ring.surface, tool.surface);
+  DepthQuery query;
+  std::mt19937_64 random(83);
+  int proved = 0, beyond = 0;
+  constexpr int kMoves = 300;
+  for (int i = 0; i < kMoves; ++i) {
+    // Onto the ring's outside, a little deeper or less.
+    Pose from = testing::randomPose(random, 0.0), to = from;
+    const double angle = testing::uniform(random, 0.0, 6.28);
+    const Vec3 up(std::cos(angle), std::sin(angle), 0.0);
+    const auto seated = [&](Pose& pose) {
+      double reach = 0.0;
+      for (const Vec3& corner : tool.tree->mesh().vertices())
+        reach = std::max(reach, -(pose.rotation * corner).dot(up));
+      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kLimit)) * up;
+    };
+    to.rotation =
+        Mat3(Eigen::AngleAxisd(testing::uniform(random, -0.02, 0.02), Vec3::UnitZ()) * from.rotation);
+    seated(from);
+    seated(to);
+    to.translation += testing::uniform(random, -0.3, 0.3) * Vec3::UnitZ();
+    const Motion move(from, to);
+    const bool holds = proof.holds(move, 0.0, 1.0, up, kLimit);
+    double deepest = 0.0;
+    for (int k = 0; k <= 20; ++k) {
+      const Pose pose = move.at(k / 20.0);
+      deepest = std::max({deepest, query.deepest(ring.surface, tool.surface, pose, 1e-4).depth,
+                          query.deepest(tool.surface, ring.surface, pose.inverse(), 1e-4).depth});
+    }
+    if (holds) {
+      ASSERT_LE(deepest, kLimit + 1e-9) << i;
+    }
+    proved += holds;
+    beyond += deepest > kLimit;
+  }
+  EXPECT_GT(proved, kMoves * 3 / 10);
+  EXPECT_GT(beyond, kMoves * 2 / 10);
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
