@@ -48,7 +48,7 @@ class SpindleCell {
   /// The load by the belt at a pose where it is `depth` (mm) deep in the blisk, which is at rest: the
   /// solver's impulses in a step of 0.1 ms over its length. Its normal force is stiffness · depth, shared by
   /// the points of contact, less what the blisk gives way in the step; friction, up to the coefficient times
-  /// it, goes along the belt's surface velocity or, where the belt stands, holds. None where nothing touches.
+  /// it, goes along the belt's surface velocity; a belt that stands has none. Nothing where nothing touches.
   /// The answer does not depend on the poses before.
   std::optional<SpindleLoad> loadAt(const Pose& tool_in_mesh, double depth);
 
