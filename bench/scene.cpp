@@ -140,7 +140,7 @@ demos::BeltParameters beltOf(std::size_t triangles) {
 }
 
 Scene makeScene(const std::string& name, const SceneSize& size) {
-  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000, kQuickSteps = 90;
+  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000;
   const Sizes sizes = sizesOf(name);
   const demos::BeltParameters belt = beltOf(sizes.belt);
   Scene scene;
@@ -157,7 +157,6 @@ Scene makeScene(const std::string& name, const SceneSize& size) {
   scene.shuffled = shuffledOverBlades(scene.path);
   scene.ways = randomWays(*scene.blisk, size.quick ? kQuickWays : kWays);
   scene.bodies = sizes.bodies;
-  if (size.quick) scene.steps = kQuickSteps;
   return scene;
 }
 
