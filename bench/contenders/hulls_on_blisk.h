@@ -42,16 +42,17 @@ class HullsOnBlisk final : public WorldStepQuery {
   HullsOnBlisk& operator=(const HullsOnBlisk&) = delete;
 
   void restart(std::size_t bodies) override {
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m)
+      dispatcher_.clearManifold(dispatcher_.getManifoldByIndexInternal(m));
     while (hulls_.size() < bodies) addHull();
     for (std::size_t k = 0; k < hulls_.size(); ++k) {
       btRigidBody& body = *hulls_[k].body;
-      world_.removeRigidBody(&body);  // and with it its pairs
       body.setWorldTransform(startOf(k));
       body.setInterpolationWorldTransform(startOf(k));
       body.setLinearVelocity(btVector3(0, 0, 0));
       body.setAngularVelocity(btVector3(0, 0, 0));
       body.clearForces();
-      world_.addRigidBody(&body);
+      if (!body.isInWorld()) world_.addRigidBody(&body);
     }
     solver_.reset();
   }
@@ -114,7 +115,6 @@ class HullsOnBlisk final : public WorldStepQuery {
     hull.body = std::make_unique<btRigidBody>(1, nullptr, hull.shape.get(), inertia);
     hull.body->setFriction(btScalar(0.5));
     hull.body->setActivationState(DISABLE_DEACTIVATION);
-    world_.addRigidBody(hull.body.get());
     hulls_.push_back(std::move(hull));
   }
   btRigidBody* addStatic(btCollisionShape* shape, const btTransform& where) {

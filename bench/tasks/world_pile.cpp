@@ -33,5 +33,6 @@ int main(int argc, char** argv) {
                          .can_do = can_do,
                          .prepare = prepare,
                          .scenes = {"64-bodies"},
-                         .quick_scenes = {"64-bodies"}}});
+                         .quick_scenes = {"64-bodies"},
+                         .visits = 3}});
 }
