@@ -128,19 +128,21 @@ Sizes sizesOf(const std::string& name) {
   throw std::invalid_argument("there is no scene '" + name + "'");
 }
 
-/// Stations and points in the proportion of the default belt, twice as many triangles as points.
+/// Stations and points in the proportion of the default belt, twice as many triangles as points; but enough
+/// stations to go round the wheels.
 demos::BeltParameters beltOf(std::size_t triangles) {
+  constexpr int kFewestStations = 250;
   demos::BeltParameters parameters;
   if (triangles == 0) return parameters;
-  const double scale =
-      std::sqrt(static_cast<double>(triangles) / (2.0 * parameters.stations * parameters.points_per_station));
-  parameters.stations = static_cast<int>(std::lround(parameters.stations * scale));
-  parameters.points_per_station = static_cast<int>(std::lround(parameters.points_per_station * scale));
+  const double points = 0.5 * static_cast<double>(triangles);
+  const double scale = std::sqrt(points / (parameters.stations * parameters.points_per_station));
+  parameters.stations = std::max(kFewestStations, static_cast<int>(std::lround(parameters.stations * scale)));
+  parameters.points_per_station = static_cast<int>(std::lround(points / parameters.stations));
   return parameters;
 }
 
 Scene makeScene(const std::string& name, const SceneSize& size) {
-  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000, kQuickSteps = 90;
+  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000;
   const Sizes sizes = sizesOf(name);
   const demos::BeltParameters belt = beltOf(sizes.belt);
   Scene scene;
@@ -157,7 +159,6 @@ Scene makeScene(const std::string& name, const SceneSize& size) {
   scene.shuffled = shuffledOverBlades(scene.path);
   scene.ways = randomWays(*scene.blisk, size.quick ? kQuickWays : kWays);
   scene.bodies = sizes.bodies;
-  if (size.quick) scene.steps = kQuickSteps;
   return scene;
 }
 

@@ -33,7 +33,7 @@ struct Scene {
 /// How much of a scene is asked for.
 struct SceneSize {
   std::size_t poses = 0;  ///< about how many of the path, in stretches of twenty; 0: all
-  bool quick = false;     ///< fewer ways and steps too
+  bool quick = false;     ///< fewer ways too
 
   auto operator<=>(const SceneSize&) const = default;
 };

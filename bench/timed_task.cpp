@@ -106,16 +106,18 @@ void addEntrants(const TimedTask& task, const std::string& scene, const SessionO
     if (!task.can_do(contender) || (task.takes_part && !task.takes_part(contender, scene))) continue;
     Entrant* entrant = entrants.emplace_back(std::make_unique<Entrant>(scene, &contender)).get();
     const std::string name = task.name + '/' + scene + '/' + contender.name;
-    benchmark::RegisterBenchmark(name.c_str(),
-                                 [entrant, &task, size](benchmark::State& state) {
-                                   if (!entrant->trial) {
-                                     entrant->trial =
-                                         task.prepare(sceneNamed(entrant->scene, size), *entrant->contender);
-                                   }
-                                   visit(state, *entrant, task.on_threads);
-                                 })
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
+    auto* const registered =
+        benchmark::RegisterBenchmark(name.c_str(),
+                                     [entrant, &task, size](benchmark::State& state) {
+                                       if (!entrant->trial) {
+                                         entrant->trial = task.prepare(sceneNamed(entrant->scene, size),
+                                                                       *entrant->contender);
+                                       }
+                                       visit(state, *entrant, task.on_threads);
+                                     })
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond);
+    if (task.visits > 0) registered->Repetitions(options.quick ? 1 : task.visits);
   }
 }
 

@@ -31,6 +31,7 @@ struct TimedTask {
   std::size_t poses = 0;   ///< about how many of the path; 0: all
   std::string group = {};  ///< whose contenders take part
   std::function<bool(const Contender&, const std::string& scene)> takes_part = {};  ///< empty: in all scenes
+  int visits = 0;  ///< of long passes; 0: as many as the session says
 };
 
 /// The main function of a program of one task, or of several that are run scene by scene. Benchmarks are

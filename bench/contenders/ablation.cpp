@@ -1,6 +1,9 @@
 // Our own with one thing changed at a time: what each buys. Trees that BuildOptions does not know are made of
 // the arrays of one that it does.
-#include "core/only_targets.h"
+#include <hwy/targets.h>
+
+#include <map>
+
 #include "models/blade_finder.h"
 #include "octoblisk_trees.h"
 #include "other_trees.h"
@@ -8,8 +11,17 @@
 namespace octoblisk::bench {
 namespace {
 
+/// Each tree once, whatever is asked of it: trees share their memory with their copies.
+MakeTree kept(const MakeTree& make) {
+  const auto trees = std::make_shared<std::map<const TriangleMesh*, ClusteredOctree>>();
+  return [make, trees](const std::shared_ptr<const TriangleMesh>& mesh) {
+    const auto known = trees->find(mesh.get());
+    return known != trees->end() ? known->second : trees->emplace(mesh.get(), make(mesh)).first->second;
+  };
+}
+
 bool registerVariant(const std::string& name, const MakeTree& make) {
-  Contender contender = treesOf(name, make);
+  Contender contender = treesOf(name, kept(make));
   contender.group = "ablation";
   return registerContender(std::move(contender));
 }
@@ -36,12 +48,24 @@ class ColdDistance final : public DistanceQuery {
   OctoBliskDistance warm_;
 };
 
-/// On registers of 128 bits, four floats at a time: the instruction set of any x86-64.
+/// Lets the library use the instruction set of any x86-64 alone, registers of 128 bits, as long as it lives.
+/// Asking the processor what it has, as tests do, would take longer than a query.
+class Only128 {
+ public:
+  Only128() { hwy::GetChosenTarget().Update(HWY_STATIC_TARGET); }
+  ~Only128() {
+    static const auto all = hwy::SupportedTargets();
+    hwy::GetChosenTarget().Update(all);
+  }
+  Only128(const Only128&) = delete;
+  Only128& operator=(const Only128&) = delete;
+};
+
 class NarrowCollide final : public CollideQuery {
  public:
   explicit NarrowCollide(const Scene& scene) : wide_(scene, built()) {}
   bool collides(const Pose& belt_in_blisk, bool warm) override {
-    const testing::OnlyTargets only(0);
+    const Only128 only;
     return wide_.collides(belt_in_blisk, warm);
   }
 
@@ -53,7 +77,7 @@ class NarrowContacts final : public ContactsQuery {
  public:
   explicit NarrowContacts(const Scene& scene) : wide_(scene, built()) {}
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    const testing::OnlyTargets only(0);
+    const Only128 only;
     return wide_.contacts(belt_in_blisk);
   }
 
@@ -65,7 +89,7 @@ class NarrowDistance final : public DistanceQuery {
  public:
   explicit NarrowDistance(const Scene& scene) : wide_(scene, built()) {}
   double distance(const Pose& belt_in_blisk, bool warm) override {
-    const testing::OnlyTargets only(0);
+    const Only128 only;
     return wide_.distance(belt_in_blisk, warm);
   }
 
@@ -77,7 +101,7 @@ class NarrowRays final : public RayQuery {
  public:
   explicit NarrowRays(const Scene& scene) : wide_(scene, built()) {}
   double firstHit(const Segment& way) override {
-    const testing::OnlyTargets only(0);
+    const Only128 only;
     return wide_.firstHit(way);
   }
 

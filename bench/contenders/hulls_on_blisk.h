@@ -4,7 +4,6 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -43,16 +42,17 @@ class HullsOnBlisk final : public WorldStepQuery {
   HullsOnBlisk& operator=(const HullsOnBlisk&) = delete;
 
   void restart(std::size_t bodies) override {
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m)
+      dispatcher_.clearManifold(dispatcher_.getManifoldByIndexInternal(m));
     while (hulls_.size() < bodies) addHull();
     for (std::size_t k = 0; k < hulls_.size(); ++k) {
       btRigidBody& body = *hulls_[k].body;
-      world_.removeRigidBody(&body);  // and with it its pairs
       body.setWorldTransform(startOf(k));
       body.setInterpolationWorldTransform(startOf(k));
       body.setLinearVelocity(btVector3(0, 0, 0));
       body.setAngularVelocity(btVector3(0, 0, 0));
       body.clearForces();
-      world_.addRigidBody(&body);
+      if (!body.isInWorld()) world_.addRigidBody(&body);
     }
     solver_.reset();
   }
@@ -89,14 +89,17 @@ class HullsOnBlisk final : public WorldStepQuery {
   static btTransform at(const btQuaternion& rotation, const Vec3& place) {
     return btTransform(rotation, toBullet(place));
   }
-  /// Layer over layer, in each evenly over a ring above the blades (H. Vogel, A better way to construct the
-  /// sunflower head, 1979).
+  /// Layer over layer above the blades: of up to 1,000 hulls 40 to a layer, on ten rings; of more 400, which
+  /// would begin metres up else, evenly over the same ring (H. Vogel, A better way to construct the sunflower
+  /// head, 1979).
   btTransform startOf(std::size_t k) const {
-    constexpr double kInner = 140.0, kOuter = 216.0, kGolden = 0.6180339887498949;
-    const std::size_t in_layer = std::max<std::size_t>(40, hulls_.size() / 25);
+    constexpr double kInner = 140.0, kOuter = 216.5;
+    const bool is_dense = hulls_.size() > 1000;
+    const std::size_t in_layer = is_dense ? 400 : 40;
     const double part = (static_cast<double>(k % in_layer) + 0.5) / static_cast<double>(in_layer);
-    const double radius = std::sqrt(std::lerp(kInner * kInner, kOuter * kOuter, part));
-    const double angle = 2.0 * std::numbers::pi * kGolden * static_cast<double>(k);
+    const double radius = is_dense ? std::sqrt(std::lerp(kInner * kInner, kOuter * kOuter, part))
+                                   : kInner + 8.5 * static_cast<double>(k % 10);
+    const double angle = 2.0 * std::numbers::pi * 0.618 * static_cast<double>(k);
     return at(btQuaternion::getIdentity(), {radius * std::cos(angle), radius * std::sin(angle),
                                             115.0 + 15.0 * static_cast<double>(k / in_layer)});
   }
@@ -112,7 +115,6 @@ class HullsOnBlisk final : public WorldStepQuery {
     hull.body = std::make_unique<btRigidBody>(1, nullptr, hull.shape.get(), inertia);
     hull.body->setFriction(btScalar(0.5));
     hull.body->setActivationState(DISABLE_DEACTIVATION);
-    world_.addRigidBody(hull.body.get());
     hulls_.push_back(std::move(hull));
   }
   btRigidBody* addStatic(btCollisionShape* shape, const btTransform& where) {

@@ -19,10 +19,10 @@ bool isBelt(const std::string& scene) { return scene.starts_with("belt"); }
 /// largest leave them out.
 TimedTask growing(TimedTask task, const std::vector<std::string>& names, bool with_belts) {
   task.scenes = kBlisks;
-  task.quick_scenes = {"10k", "30k", "100k"};
+  task.quick_scenes = {"10k", "100k"};
   if (with_belts) {
     task.scenes.insert(task.scenes.end(), kBelts.begin(), kBelts.end());
-    task.quick_scenes.insert(task.quick_scenes.end(), {"belt-2k", "belt-20k"});
+    task.quick_scenes.emplace_back("belt-2k");
   }
   task.poses = 220;
   task.takes_part = [names](const Contender& contender, const std::string& scene) {

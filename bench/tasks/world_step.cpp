@@ -5,7 +5,7 @@ namespace octoblisk::bench {
 namespace {
 
 Trial prepare(const Scene& scene, const Contender& contender) {
-  return worldStepTrial(scene, contender, scene.steps);
+  return worldStepTrial(scene, contender, 360);
 }
 
 }  // namespace
@@ -17,5 +17,7 @@ int main(int argc, char** argv) {
                        {{.name = "world-step",
                          .can_do = canStep,
                          .prepare = prepare,
-                         .scenes = {"50k", "300k", "1500k", "1000-bodies"}}});
+                         .scenes = {"50k", "300k", "1500k", "1000-bodies"},
+                         .quick_scenes = {"50k"},
+                         .visits = 3}});
 }
