@@ -186,7 +186,9 @@ double roundLength(double length) {
 }
 
 Layout::Layout(const Annotation& annotation, int width, int height)
-    : scale_(std::min(width / 1600.0, height / 1200.0)) {
+    : Layout(annotation, width, height, std::min(width / 1600.0, height / 1200.0)) {}
+
+Layout::Layout(const Annotation& annotation, int width, int height, double scale) : scale_(scale) {
   double top = 0.0;
   if (!annotation.title.empty()) top += kTitleSize + kTitleGap;
   if (!annotation.subtitle.empty()) top += kSubtitleSize + kTitleGap;
