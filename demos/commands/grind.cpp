@@ -17,6 +17,7 @@
 #include "models/length_limit.h"
 #include "models/open_edges.h"
 #include "models/shared_tree.h"
+#include "report/grinding_frames.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
@@ -39,6 +40,7 @@ struct GrindRequest {
   double near_miss = 0.5;  // mm
   bool continuous = true;
   bool no_pictures = false;
+  int frames = 0;
   int threads = 0;
 };
 
@@ -184,6 +186,7 @@ void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const Grind
     writePng(overviewOf(run), files.add(out / "overview.png").string());
     writePng(closeupOf(run), files.add(out / "closeup.png").string());
   }
+  if (request.frames > 0) writeFrames(run, static_cast<std::size_t>(request.frames), out, files);
   files.finish();
 }
 
@@ -274,6 +277,11 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                   "Threads; 0: all that the machine has. The answers are the same")
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
+  command
+      .add_option("--frames", request->frames,
+                  "Pictures of so many poses along the path: frame_POSE.png, and all on a sheet, frames.png")
+      ->capture_default_str()
+      ->check(wholeNumberFrom(0, 1000));
   command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
   command.footer(
       "Tables, in OUT; none is written before the end, Ctrl-C keeps the poses done (\"partial\": true):\n"

@@ -19,8 +19,8 @@ constexpr int kBlade = 1;
 
 /// The tool whose lower strand touches the convex side along its chord. The drive wheel is where the next
 /// blade, over the channel, is not.
-Pose toolTouching(const TriangleMesh& blisk, const BeltOnBladeOptions& options) {
-  const demos::BladesFound blades = demos::findBlades(blisk);
+Pose toolTouching(const TriangleMesh& blisk, const demos::BladesFound& blades,
+                  const BeltOnBladeOptions& options) {
   const demos::BliskAnatomy anatomy = demos::findAnatomy(blisk, blades);
   const bool forward = anatomy.convex_side.value_or(demos::BladeSide::kForward) == demos::BladeSide::kForward;
   const demos::BladeContour contour = demos::BladeContours(blisk, anatomy.sides, kBlade).at(options.height);
@@ -61,7 +61,8 @@ BeltOnBlade::BeltOnBlade(const BeltOnBladeOptions& options)
       shape_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(
           std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(options.blisk_triangles).mesh)))),
       surface_(shape_.tree()),
-      touching_(toolTouching(shape_.tree().mesh(), options)) {
+      blades_(demos::findBlades(shape_.tree().mesh())),
+      touching_(toolTouching(shape_.tree().mesh(), blades_, options)) {
   registerAlgorithm(&dispatcher_);
   world_.setGravity(btVector3(0, 0, -9810));
   blisk_body_.setFriction(btScalar(0.01));  // taken in every iteration of the soft body's solver
@@ -126,13 +127,19 @@ demos::Picture BeltOnBlade::picture() const {
   namespace palette = demos::palette;
   demos::Picture picture;
   demos::Scene& scene = picture.scene;
-  scene.addMesh(shape_.tree().mesh(), {}, palette::kSteel);
+  constexpr demos::Color kGroundBlade{0.93f, 0.80f, 0.86f};
+  std::vector<demos::Color> colors(blades_.blade_of_triangle.size(), palette::kSteel);
+  for (std::size_t t = 0; t < colors.size(); ++t) {
+    if (blades_.blade_of_triangle[t] == kBlade) colors[t] = kGroundBlade;
+  }
+  scene.addMesh(shape_.tree().mesh(), {}, colors);
   scene.addMesh(belt_->mesh(), {}, palette::kSand);
   for (const TriangleMesh& wheel : belt_->wheelMeshes()) scene.addMesh(wheel, {}, palette::kSky);
   const std::vector<Vec3> touched = touching();
   if (!touched.empty())
     scene.addPoints(touched, {.color = palette::kGreen, .width = 8.0f, .hidden_opacity = 0.6f});
   picture.annotation.legend = {{palette::kSteel, "blisk"},
+                               {kGroundBlade, "ground blade"},
                                {palette::kSand, "belt"},
                                {palette::kSky, "wheels"},
                                {palette::kGreen, "nodes that touch the blade", demos::LegendSymbol::kPoint}};

@@ -7,6 +7,7 @@
 
 #include "gallery/gallery_scene.h"
 #include "gallery/soft_belt.h"
+#include "models/blade_finder.h"
 #include "octoblisk/surface.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 
@@ -60,6 +61,7 @@ class BeltOnBlade final : public GalleryScene {
   ClusteredOctreeShape shape_;
   Surface surface_;
   btRigidBody blisk_body_{0, nullptr, &shape_};
+  demos::BladesFound blades_;
   Pose touching_;  ///< the tool in the blisk, the strand at the surface
   std::unique_ptr<SoftBelt> belt_;
   double time_ = 0.0;

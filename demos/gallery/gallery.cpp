@@ -13,8 +13,7 @@
 namespace octoblisk::gallery {
 namespace {
 
-constexpr int kFrameWidth = 400, kFrameHeight = 330, kColumns = 3;  // pixels
-constexpr int kRows = 40;                                           // of a table, about
+constexpr int kRows = 40;  // of a table, about
 
 std::string secondsText(double time) {
   std::ostringstream text;
@@ -72,8 +71,11 @@ const std::vector<Exhibit>& exhibits() {
        "A grinding belt as a soft body",
        "Driven by its wheels, pressed on the convex side of a blade",
        BeltOnBlade::kTimeStep,
-       {0.0, 0.2, 0.4},
-       [] { return std::make_unique<BeltOnBlade>(); }},
+       {0.0, 0.4},
+       [] { return std::make_unique<BeltOnBlade>(); },
+       1,
+       1000,
+       340},
   };
   return all;
 }
@@ -100,9 +102,9 @@ std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& fo
   }
   demos::WholeFiles files;
   demos::writeText(files.add(folder / (exhibit.name + ".csv")), table.str());
-  demos::writePng(
-      demos::contactSheet(frames, exhibit.title, exhibit.caption, kColumns, kFrameWidth, kFrameHeight),
-      files.add(folder / (exhibit.name + ".png")).string());
+  demos::writePng(demos::contactSheet(frames, exhibit.title, exhibit.caption, exhibit.columns,
+                                      exhibit.frame_width, exhibit.frame_height),
+                  files.add(folder / (exhibit.name + ".png")).string());
   files.finish();
   return numbers;
 }

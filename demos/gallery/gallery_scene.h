@@ -37,6 +37,9 @@ struct Exhibit {
   double time_step;           ///< of a step, s
   std::vector<double> shown;  ///< the times of the frames, s; growing; the last is the end
   std::function<std::unique_ptr<GalleryScene>()> make;
+  int columns = 3;         ///< of frames
+  int frame_width = 400;   ///< pixels
+  int frame_height = 330;  ///< pixels, with the caption
 };
 
 }  // namespace octoblisk::gallery

@@ -27,7 +27,7 @@ class HelloShape final : public RigidScene {
   }
 
  private:
-  const btRigidBody* ring_;
+  btRigidBody* ring_;
 };
 
 }  // namespace

@@ -186,9 +186,7 @@ double roundLength(double length) {
 }
 
 Layout::Layout(const Annotation& annotation, int width, int height)
-    : Layout(annotation, width, height, std::min(width / 1600.0, height / 1200.0)) {}
-
-Layout::Layout(const Annotation& annotation, int width, int height, double scale) : scale_(scale) {
+    : scale_(std::min(width / 1600.0, height / 1200.0)) {
   double top = 0.0;
   if (!annotation.title.empty()) top += kTitleSize + kTitleGap;
   if (!annotation.subtitle.empty()) top += kSubtitleSize + kTitleGap;

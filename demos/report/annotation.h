@@ -28,9 +28,6 @@ class Layout {
  public:
   Layout(const Annotation& annotation, int width, int height);
 
-  /// Words of another size: `scale` pixels per point, > 0.
-  Layout(const Annotation& annotation, int width, int height, double scale);
-
   /// Pixels per point; a page of 1600 × 1200 pixels has one.
   double scale() const { return scale_; }
   int sceneTop() const { return scene_top_; }

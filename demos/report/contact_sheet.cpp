@@ -12,23 +12,26 @@ namespace {
 
 constexpr int kGap = 6;  // between frames, pixels
 
-void paste(const Image& image, int left, int top, Image& page) {
-  for (int row = 0; row < image.height; ++row) {
-    std::copy_n(&image.at(0, row), image.width, &page.at(left, top + row));
+/// Copies `rows` rows and `columns` columns of an image.
+void paste(const Image& image, int from_row, int rows, int columns, Image& page, int left, int top) {
+  for (int row = 0; row < rows; ++row) {
+    std::copy_n(&image.at(0, from_row + row), columns, &page.at(left, top + row));
   }
 }
 
-/// A frame and its caption over it.
-Image renderFrame(const SheetFrame& frame, int width, int height, double scale, unsigned threads) {
-  const Annotation words{.subtitle = frame.caption, .length_unit = {}};
-  const Layout layout(words, width, height, scale);
-  Image image(width, height, {255, 255, 255, 255});
-  paste(renderScene(frame.picture.scene, frame.picture.camera, width, layout.sceneHeight(),
-                    static_cast<float>(scale), threads),
-        0, layout.sceneTop(), image);
-  annotate(image, words, layout, 1.0, "");
-  return image;
-}
+/// Words on a white page as wide as the sheet and of the usual shape, so that they are as large as on any
+/// other.
+struct Words {
+  Words(const Annotation& annotation, int width)
+      : layout(annotation, width, width * 3 / 4), page(width, width * 3 / 4, {255, 255, 255, 255}) {
+    annotate(page, annotation, layout, 1.0, "");
+  }
+  int above() const { return layout.sceneTop() + 2; }  // with the rule
+  int below() const { return page.height - layout.sceneTop() - layout.sceneHeight() + 2; }
+
+  Layout layout;
+  Image page;
+};
 
 }  // namespace
 
@@ -39,27 +42,32 @@ Image contactSheet(const std::vector<SheetFrame>& frames, const std::string& tit
   require(std::min(frame_width, frame_height) >= 64 && std::max(frame_width, frame_height) <= 4096,
           "the frames of a contact sheet must be 64 to 4096 pixels wide and high");
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  const int used = std::min(columns, static_cast<int>(frames.size()));
-  const int rows = (static_cast<int>(frames.size()) + used - 1) / used;
+  const int count = static_cast<int>(frames.size()), used = std::min(columns, count);
+  const int rows = (count + used - 1) / used;
   const int width = used * (frame_width + kGap) - kGap, frames_height = rows * (frame_height + kGap) - kGap;
 
-  // What the words take, whatever the height.
-  const Annotation words{.title = title,
-                         .subtitle = subtitle,
-                         .legend = frames.front().picture.annotation.legend,
-                         .length_unit = {}};
-  const double scale = width / 1600.0;
-  const Layout measured(words, width, 4 * frames_height, scale);
-  const int height = 4 * frames_height - measured.sceneHeight() + frames_height;
-  const Layout layout(words, width, height, scale);
-
-  Image page(width, height, {255, 255, 255, 255});
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const int column = static_cast<int>(f) % used, row = static_cast<int>(f) / used;
-    paste(renderFrame(frames[f], frame_width, frame_height, scale, threads), column * (frame_width + kGap),
-          layout.sceneTop() + row * (frame_height + kGap), page);
+  Annotation annotation;
+  annotation.title = title;
+  annotation.subtitle = subtitle;
+  annotation.legend = frames.front().picture.annotation.legend;
+  const Words words(annotation, width);
+  Image page(width, words.above() + frames_height + words.below(), {255, 255, 255, 255});
+  paste(words.page, 0, words.above(), width, page, 0, 0);
+  paste(words.page, words.page.height - words.below(), words.below(), width, page, 0,
+        page.height - words.below());
+  for (int f = 0; f < count; ++f) {
+    const SheetFrame& frame = frames[static_cast<std::size_t>(f)];
+    const int left = f % used * (frame_width + kGap), top = words.above() + f / used * (frame_height + kGap);
+    Annotation caption;
+    caption.subtitle = frame.caption;
+    const Words of_frame(caption, width);
+    const int caption_height = std::min(of_frame.above(), frame_height / 2);
+    paste(of_frame.page, 0, caption_height, frame_width, page, left, top);
+    const int height = frame_height - caption_height;
+    paste(renderScene(frame.picture.scene, frame.picture.camera, frame_width, height,
+                      static_cast<float>(words.layout.scale()), threads),
+          0, height, frame_width, page, left, top + caption_height);
   }
-  annotate(page, words, layout, 1.0, "");
   return page;
 }
 

@@ -160,8 +160,9 @@ std::size_t poseToShow(const GrindingRun& run) {
   return shown;
 }
 
-Picture overviewOf(const GrindingRun& run) {
-  const std::size_t shown = poseToShow(run);
+Picture overviewOf(const GrindingRun& run) { return overviewAt(run, poseToShow(run)); }
+
+Picture overviewAt(const GrindingRun& run, std::size_t shown) {
   const PoseReport& pose = run.poses[shown];
   Picture overview;
   overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};
@@ -169,9 +170,14 @@ Picture overviewOf(const GrindingRun& run) {
   addTool(run, pose, overview);
   addPath(run, overview);
   addContacts(pose, 11.0f, overview);
-  const Vec3 outward = outwardOf(pose), sideways = Vec3::UnitZ().cross(outward);
-  overview.camera =
-      frame(overview.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
+  // What the camera sees is the same at every pose: the tool where it is shown first of all, and the path.
+  const PoseReport& main_pose = run.poses[poseToShow(run)];
+  const Vec3 outward = outwardOf(main_pose), sideways = Vec3::UnitZ().cross(outward);
+  Picture seen;
+  addBlisk(run, seen);
+  addTool(run, main_pose, seen);
+  addPath(run, seen);
+  overview.camera = frame(seen.scene.points(), -outward - 0.6 * sideways - 1.1 * Vec3::UnitZ(), Vec3::UnitZ());
   return overview;
 }
 

@@ -21,6 +21,9 @@ std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
 /// The blisk with the ground blade, the path, and the tool at the pose to show.
 Picture overviewOf(const GrindingRun& run);
 
+/// The same with the tool at any pose of the run, seen from the same place.
+Picture overviewAt(const GrindingRun& run, std::size_t shown);
+
 /// Where the tool touches at the pose to show, or comes nearest, with the boxes of the blisk's tree there.
 Picture closeupOf(const GrindingRun& run);
 

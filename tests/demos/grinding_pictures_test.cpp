@@ -8,6 +8,7 @@
 
 #include "demos/block.h"
 #include "models/shared_tree.h"
+#include "report/grinding_frames.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -92,6 +93,19 @@ TEST(GrindingPictures, WithoutContactTheCloseUpShowsBothWhereTheyAreNearest) {
   EXPECT_THAT(apart.annotation.subtitle, HasSubstr("the arm is 40.00 mm away"));
   EXPECT_NEAR(apart.camera.target.x(), 70.0, 1e-6) << "between the two";
   EXPECT_GT(std::min(apart.camera.view_width, apart.camera.view_height), 40.0);
+}
+
+TEST(GrindingPictures, FramesAreAtEqualSteps) {
+  EXPECT_EQ(posesOfFrames(11, 3), (std::vector<std::size_t>{0, 5, 10}));
+  EXPECT_EQ(posesOfFrames(10, 4), (std::vector<std::size_t>{0, 3, 6, 9}));
+  EXPECT_EQ(posesOfFrames(3, 9), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(posesOfFrames(9, 1), (std::vector<std::size_t>{4}));
+  GrindingRun run = runWith(true);
+  run.poses.push_back(run.poses.front());
+  run.poses.back().tool_in_blisk.translation.y() += 10.0;
+  const Picture first = overviewAt(run, 0), second = overviewAt(run, 1);
+  EXPECT_EQ(first.camera.target, second.camera.target);
+  EXPECT_EQ(first.camera.view_width, second.camera.view_width);
 }
 
 TEST(GrindingPictures, PosesAreCountedFromZero) {

@@ -68,9 +68,10 @@ TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   const BeltOnBladeOptions options = smallOptions();
   BeltOnBlade scene(options);
   EXPECT_EQ(scene.contacts().size(), 0u);
+  EXPECT_EQ(scene.touching().size(), 0u);
   EXPECT_EQ(scene.deepestNode(), 0.0);
   const Vec3 first = scene.belt().toolInWorld().inverse() * scene.belt().node(0, 0);
-  std::size_t touching_steps = 0, pressed_steps = 0;
+  std::size_t touching_steps = 0, pressed_steps = 0, most_touching = 0;
   double deepest = 0.0;
   for (int step = 0; scene.time() < options.press_end + 0.02; ++step) {
     scene.step();
@@ -80,6 +81,7 @@ TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
     if (scene.time() > options.press_end) {
       ++pressed_steps;
       touching_steps += !scene.contacts().empty();
+      most_touching = std::max(most_touching, scene.touching().size());
     }
     if (step % 16 != 0) continue;
     expectOnWheels(scene.belt(), options.belt);
@@ -89,6 +91,7 @@ TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   }
   EXPECT_GT(pressed_steps, 10u);
   EXPECT_GT(touching_steps, pressed_steps / 2);
+  EXPECT_GT(most_touching, 5u);
   // The nodes are in the middle of the belt: not even half its thickness is to be in the blade.
   EXPECT_LT(deepest, 0.1);
 
