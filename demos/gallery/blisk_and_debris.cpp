@@ -31,7 +31,7 @@ class BliskAndDebris final : public RigidScene {
     const demos::Color colors[] = {demos::palette::kOrange, demos::palette::kSky, demos::palette::kGreen};
     for (int i = 0; i < bodies; ++i) {
       const double angle = 2.0 * std::numbers::pi * 0.618 * i, radius = shapes::uniform(random, 145.0, 225.0);
-      const Vec3 place(radius * std::cos(angle), radius * std::sin(angle), 130.0 + 6.0 * i);
+      const Vec3 place(radius * std::cos(angle), radius * std::sin(angle), 130.0 + 4.0 * i);
       btRigidBody& body =
           add(*kinds[i % 3], 0.05, toBullet(Pose{shapes::randomRotation(random), place}), colors[i % 3]);
       body.setLinearVelocity(btVector3(0, 0, -1200));
@@ -39,7 +39,7 @@ class BliskAndDebris final : public RigidScene {
       body.setSleepingThresholds(800, 1);
       debris_.push_back(&body);
     }
-    look({Vec3(-260, -260, -150), Vec3(260, 260, 330)}, {-0.5, 1.0, -0.55});
+    look({Vec3(-260, -260, -150), Vec3(260, 260, 370)}, {-0.5, 1.0, -0.55});
   }
   ~BliskAndDebris() override { world_->removeConstraint(spindle_.get()); }
 

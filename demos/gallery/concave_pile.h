@@ -45,12 +45,14 @@ class ConcavePile {
     const SharedMesh floor_mesh = shapes::tray(5.0, 40);
     kinds_.emplace_back(floor_mesh, make_shape(floor_mesh));
     world_.add(*kinds_.back().shape, 0, btTransform::getIdentity());
+    // Large layers begin above the rising rim.
+    const double middle = 0.5 * (layer_side - 1), corner = 1.3 * middle;
+    const double lift = std::max(0.0, shapes::trayHeight(corner, corner) - 0.3);
     for (int i = 0; i < bodies; ++i) {
       const std::size_t kind = static_cast<std::size_t>(i + i / 4) % std::size(meshes);
-      const double middle = 0.5 * (layer_side - 1);
       const Vec3 position(1.3 * (i % layer_side - middle) + shapes::uniform(random, -0.1, 0.1),
                           1.3 * (i / layer_side % layer_side - middle) + shapes::uniform(random, -0.1, 0.1),
-                          1.3 + 1.2 * (i / (layer_side * layer_side)));
+                          1.3 + lift + 1.2 * (i / (layer_side * layer_side)));
       btRigidBody& body =
           world_.add(*kinds_[kind].shape, 1, toBullet(Pose{shapes::randomRotation(random), position}));
       body.setFriction(btScalar(0.5));

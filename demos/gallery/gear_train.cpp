@@ -24,11 +24,11 @@ class GearTrain final : public RigidScene {
       if (g > 0) x += 0.5 * kModule * (kTeeth[g - 1] + kTeeth[g]);
       const double root = pitch_radius - 1.25 * kModule, tip = pitch_radius + 0.9 * kModule;
       ClusteredOctreeShape& shape = shapeOf(shapes::gear(kTeeth[g], root, tip, 0.3 * root, 0.12), 0.001);
-      // A tooth's middle is at 0.7 pitches, a gap's at 0.2: the one points at the other.
+      // A tooth's middle is at 0.7 pitches, a gap's at 0.2. The second gear's gaps, on either side of it, are
+      // where the others have a tooth.
       const double pitch = 2.0 * std::numbers::pi / kTeeth[g];
-      const double to_next = g == 1 ? -0.2 * pitch : -0.7 * pitch, to_last = std::numbers::pi - 0.2 * pitch;
-      const btTransform pose(btQuaternion(btVector3(0, 0, 1), btScalar(g == 0 ? to_next : to_last)),
-                             toBullet(Vec3(x, 0, 0)));
+      const double turn[] = {-0.7 * pitch, std::numbers::pi - 0.2 * pitch, std::numbers::pi - 0.7 * pitch};
+      const btTransform pose(btQuaternion(btVector3(0, 0, 1), btScalar(turn[g])), toBullet(Vec3(x, 0, 0)));
       btRigidBody& gear = add(shape, 1, pose, colors[g]);
       gear.setActivationState(DISABLE_DEACTIVATION);
       gear.setFriction(btScalar(0.1));

@@ -17,7 +17,7 @@ class HelloShape final : public RigidScene {
     const btTransform above(btQuaternion(btVector3(1, 0, 0), btScalar(0.3)), btVector3(btScalar(0.1), 0, 2));
     ring_ = &add(shapeOf(shapes::torus(0.5, 0.15, 48, 24)), 1, above, demos::palette::kOrange);
     ring_->setDamping(btScalar(0.05), btScalar(0.05));
-    look({Vec3(-1.2, -1.2, 0.0), Vec3(1.2, 1.2, 2.1)}, {-1.0, 1.6, -0.7});
+    look({Vec3(-1.5, -1.5, 0.0), Vec3(1.5, 1.5, 2.1)}, {-1.0, 1.6, -0.7});
   }
 
   std::vector<Number> numbers() const override {

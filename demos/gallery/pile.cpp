@@ -35,8 +35,8 @@ class Pile final : public GalleryScene {
       picture.scene.addMesh(pile_.mesh(i), fromBullet(pile_.body(i).getWorldTransform()),
                             colors[pile_.kind(i)]);
     }
-    const Aabb seen{Vec3(-4.2, -4.2, 0.0), Vec3(4.2, 4.2, 4.5)};
-    picture.camera = demos::frame(seen, {-0.6, 1.0, -0.6}, Vec3::UnitZ());
+    const Aabb seen{Vec3(-4.4, -4.4, 0.0), Vec3(4.4, 4.4, 4.0)};
+    picture.camera = demos::frame(seen, {-0.15, 1.0, -1.1}, Vec3::UnitZ());
     return picture;
   }
 
