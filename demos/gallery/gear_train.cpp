@@ -45,6 +45,16 @@ class GearTrain final : public RigidScene {
     for (const auto& axle : axles_) world_->removeConstraint(axle.get());
   }
 
+  demos::Picture picture() const override {
+    demos::Picture picture = RigidScene::picture();
+    for (const btRigidBody* gear : gears_) {  // a line on each shows how far it has turned
+      const Pose pose = fromBullet(gear->getWorldTransform());
+      const Vec3 line[] = {pose * Vec3(0.2, 0, 0.121), pose * Vec3(0.37, 0, 0.121)};
+      picture.scene.addPolyline(line, {.color = demos::palette::kInk, .width = 9.0f});
+    }
+    return picture;
+  }
+
   std::vector<Number> numbers() const override {
     std::vector<Number> numbers;
     for (std::size_t g = 0; g < gears_.size(); ++g) {

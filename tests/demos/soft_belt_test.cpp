@@ -73,7 +73,7 @@ TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   const Vec3 first = scene.belt().toolInWorld().inverse() * scene.belt().node(0, 0);
   std::size_t touching_steps = 0, pressed_steps = 0, most_touching = 0;
   double deepest = 0.0;
-  for (int step = 0; scene.time() < options.press_end + 0.02; ++step) {
+  for (int step = 0; scene.time() < options.press_end + 0.1; ++step) {
     scene.step();
     if (scene.time() < options.press_begin) {
       EXPECT_EQ(scene.contacts().size(), 0u) << scene.time();
