@@ -19,7 +19,6 @@
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/register.h"
-#include "shared/concave_bodies.h"
 #include "shared/solids.h"
 
 namespace octoblisk::bench {

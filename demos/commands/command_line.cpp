@@ -34,6 +34,7 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
   addCheckCommand(app, exit_code);
   addMergeCommand(app, exit_code);
   addPaperCommand(app, exit_code);
+  addGalleryCommand(app, exit_code);
 
   // Of several processes, one speaks, and its exit code counts.
   const bool is_first = launchedAs().rank == 0;

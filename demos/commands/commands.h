@@ -9,6 +9,7 @@ namespace octoblisk::demos {
 void addAccessCommand(CLI::App& app, int& exit_code);
 void addBladesCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
+void addGalleryCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
 void addMergeCommand(CLI::App& app, int& exit_code);

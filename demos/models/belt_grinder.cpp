@@ -1,13 +1,13 @@
 #include "models/belt_grinder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "models/belt_path.h"
 #include "models/length_limit.h"
 #include "models/require.h"
 
@@ -19,81 +19,6 @@ constexpr int kWheelSegments = 120;
 constexpr int kWheelRows = 8;
 constexpr int kMaxPoints = 100'000;               // round the belt, or round its cross-section
 constexpr std::int64_t kMaxVertices = 5'000'000;  // 10 million triangles
-
-/// The line the belt's inner surface follows in the x–y plane: clockwise from -x over the contact wheel,
-/// along the upper strand, round the drive wheel and back.
-class BeltPath {
- public:
-  explicit BeltPath(const BeltParameters& p) : parameters_(p) {
-    slope_ = std::asin((p.drive_wheel_radius - p.contact_wheel_radius) / p.wheel_distance);
-    const double strand = p.wheel_distance * std::cos(slope_);
-    const double half_contact_turn = 0.5 * kPi - slope_;
-    const double drive_turn = kPi + 2.0 * slope_;
-    pieces_ = {{{half_contact_turn * p.contact_wheel_radius, half_contact_turn},
-                {strand, 0.0},
-                {drive_turn * p.drive_wheel_radius, drive_turn},
-                {strand, 0.0},
-                {half_contact_turn * p.contact_wheel_radius, half_contact_turn}}};
-    for (const Piece& piece : pieces_) length_ += piece.length;
-  }
-
-  struct Station {
-    Vec3 point;   ///< on the inner surface, z = 0
-    Vec3 normal;  ///< outwards
-  };
-
-  /// The station at a fraction 0..1 of the way, the way being half length and half turn.
-  Station at(double fraction) const {
-    double turned = 0.0;
-    double rest = fraction;
-    std::size_t piece = 0;
-    while (piece + 1 < pieces_.size() && rest > share(pieces_[piece])) {
-      rest -= share(pieces_[piece]);
-      turned += pieces_[piece].turn;
-      ++piece;
-    }
-    const double part = rest / share(pieces_[piece]);
-    const double angle = kPi - turned - part * pieces_[piece].turn;
-    const Vec3 normal(std::cos(angle), std::sin(angle), 0.0);
-    const Vec3 ahead(normal.y(), -normal.x(), 0.0);
-    const Vec3 drive_centre(parameters_.wheel_distance, 0.0, 0.0);
-    const Vec3 on_contact_wheel = parameters_.contact_wheel_radius * normal;
-    const Vec3 on_drive_wheel = drive_centre + parameters_.drive_wheel_radius * normal;
-    switch (piece) {
-      case 1:
-        return {on_contact_wheel + part * pieces_[1].length * ahead, normal};
-      case 2:
-        return {on_drive_wheel, normal};
-      case 3:
-        return {on_drive_wheel + part * pieces_[3].length * ahead, normal};
-      default:
-        return {on_contact_wheel, normal};
-    }
-  }
-
-  /// Half the distance between the strands at some x between the wheels.
-  double halfGap(double x) const {
-    return (parameters_.contact_wheel_radius + x * std::sin(slope_)) / std::cos(slope_);
-  }
-
-  /// The greatest turn between two stations, radians: on the smaller wheel or the greater.
-  double greatestTurn() const {
-    const double least_radius = std::min(parameters_.contact_wheel_radius, parameters_.drive_wheel_radius);
-    return 1.0 / (parameters_.stations * (0.5 * least_radius / length_ + 0.25 / kPi));
-  }
-
- private:
-  struct Piece {
-    double length, turn;
-  };
-
-  double share(const Piece& piece) const { return 0.5 * piece.length / length_ + 0.25 * piece.turn / kPi; }
-
-  BeltParameters parameters_;
-  double slope_ = 0.0;  ///< of the strands against the x axis
-  std::array<Piece, 5> pieces_{};
-  double length_ = 0.0;
-};
 
 void requireUsable(const BeltParameters& p) {
   const std::pair<double, const char*> sizes[] = {{p.width, "belt width"},

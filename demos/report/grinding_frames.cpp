@@ -2,33 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
+#include "report/contact_sheet.h"
 #include "report/grinding_pictures.h"
 
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kFrameWidth = 1280, kFrameHeight = 960;  // pixels
-constexpr int kSheetScale = 2;                         // a frame is that much smaller on the sheet
+constexpr int kSheetFrameWidth = 480, kSheetFrameHeight = 400;  // pixels
 
-/// Each pixel the mean of a square of pixels.
-Image smaller(const Image& image, int scale) {
-  Image small(image.width / scale, image.height / scale, {255, 255, 255, 255});
-  for (int row = 0; row < small.height; ++row) {
-    for (int column = 0; column < small.width; ++column) {
-      for (std::size_t channel = 0; channel < 4; ++channel) {
-        int sum = scale * scale / 2;
-        for (int k = 0; k < scale * scale; ++k) {
-          sum += image.at(scale * column + k % scale, scale * row + k / scale)[channel];
-        }
-        small.at(column, row)[channel] = static_cast<std::uint8_t>(sum / (scale * scale));
-      }
-    }
-  }
-  return small;
+std::string frameName(std::size_t frame) {
+  std::ostringstream name;
+  name << std::setw(4) << std::setfill('0') << frame << ".png";
+  return name.str();
 }
 
 }  // namespace
@@ -42,44 +32,30 @@ std::vector<std::size_t> posesOfFrames(std::size_t poses, std::size_t count) {
   return chosen;
 }
 
-Image contactSheetOf(const std::vector<Image>& pictures) {
-  if (pictures.empty()) throw std::invalid_argument("a contact sheet of no pictures");
-  const int width = pictures.front().width, height = pictures.front().height;
-  const int count = static_cast<int>(pictures.size());
-  const int columns = std::max(
-      1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(count) * height / std::max(1, width)))));
-  Image sheet(columns * width, (count + columns - 1) / columns * height, {255, 255, 255, 255});
-  for (int i = 0; i < count; ++i) {
-    const Image& picture = pictures[static_cast<std::size_t>(i)];
-    if (picture.width != width || picture.height != height) {
-      throw std::invalid_argument("a contact sheet of pictures of several sizes");
-    }
-    for (int row = 0; row < height; ++row) {
-      for (int column = 0; column < width; ++column) {
-        sheet.at(i % columns * width + column, i / columns * height + row) = picture.at(column, row);
-      }
-    }
-  }
-  return sheet;
-}
-
 void writeFrames(const GrindingRun& run, std::size_t count, const std::filesystem::path& folder,
                  WholeFiles& files) {
+  const std::filesystem::path frames = folder / "frames";
   std::error_code error;
-  std::filesystem::create_directories(folder / "frames", error);
-  if (error) throw std::runtime_error((folder / "frames").string() + ": cannot be made: " + error.message());
+  std::filesystem::create_directories(frames, error);
+  if (error) throw std::runtime_error(frames.string() + ": cannot be made: " + error.message());
   const Camera camera = overviewOf(run).camera;
-  std::vector<Image> small;
+  std::vector<SheetFrame> sheet;
   for (const std::size_t pose : posesOfFrames(run.poses.size(), count)) {
     Picture picture = overviewOf(run, pose);
     picture.camera = camera;
-    const Image image = render(picture, kFrameWidth, kFrameHeight);
-    std::string name = std::to_string(small.size());
-    name.insert(0, name.size() < 4 ? 4 - name.size() : 0, '0');
-    writePng(image, files.add(folder / "frames" / (name + ".png")).string());
-    small.push_back(smaller(image, kSheetScale));
+    writePng(picture, files.add(frames / frameName(sheet.size())).string());
+    sheet.push_back({"Pose " + std::to_string(pose) + ": " + nameOf(run.poses[pose].verdict), picture});
   }
-  writePng(contactSheetOf(small), files.add(folder / "contact_sheet.png").string());
+  if (sheet.empty()) return;
+  // The legend of the sheet is that of a frame that has the most.
+  Picture& first = sheet.front().picture;
+  first.annotation.legend = std::ranges::max_element(sheet, {}, [](const SheetFrame& frame) {
+                              return frame.picture.annotation.legend.size();
+                            })->picture.annotation.legend;
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
+  writePng(contactSheet(sheet, "Poses along the path", first.annotation.subtitle, columns, kSheetFrameWidth,
+                        kSheetFrameHeight),
+           files.add(folder / "contact_sheet.png").string());
 }
 
 }  // namespace octoblisk::demos

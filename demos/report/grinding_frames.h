@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cell/grinding_run.h"
-#include "report/image.h"
 #include "report/whole_files.h"
 
 namespace octoblisk::demos {
@@ -14,13 +13,9 @@ namespace octoblisk::demos {
 /// `count` poses from the first to the last, evenly, each once; all where there are fewer.
 std::vector<std::size_t> posesOfFrames(std::size_t poses, std::size_t count);
 
-/// Pictures of one size side by side, row by row, in as many columns as make the sheet least oblong; white
-/// where there are none. Throws std::invalid_argument for none, or of several sizes.
-Image contactSheetOf(const std::vector<Image>& pictures);
-
 /// Adds folder/frames/0000.png … and folder/contact_sheet.png to `files`: the blisk with the tool at each of
-/// the poses, all seen by one camera. The folder must exist. Throws std::runtime_error naming a file or
-/// folder that cannot be written.
+/// the poses, all seen by one camera, and all of them on a sheet. The folder must exist. Throws
+/// std::runtime_error naming a file or folder that cannot be written.
 void writeFrames(const GrindingRun& run, std::size_t count, const std::filesystem::path& folder,
                  WholeFiles& files);
 

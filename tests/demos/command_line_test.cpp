@@ -24,11 +24,11 @@ TEST_F(CommandLine, AnUnknownSubcommandIsNamedWithTheNearest) {
   };
   EXPECT_EQ(refusal("chek --fixed a"),
             "octoblisk: 'chek' is no subcommand; did you mean 'check'? There are: grind, blades, path, "
-            "access, repair, make, check, merge, paper\n");
+            "access, repair, make, check, merge, paper, gallery\n");
   EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
   EXPECT_EQ(refusal("polish"),
             "octoblisk: 'polish' is no subcommand; there are: grind, blades, path, access, repair, make, "
-            "check, merge, paper\n");
+            "check, merge, paper, gallery\n");
 }
 
 TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {

@@ -22,25 +22,5 @@ TEST(GrindingFrames, posesAreEvenlySpreadFromFirstToLast) {
   }
 }
 
-TEST(GrindingFrames, sheetHasEachPictureWholeInItsPlace) {
-  std::vector<Image> pictures;
-  for (std::uint8_t i = 0; i < 5; ++i) {
-    pictures.emplace_back(4, 3, Image::Pixel{i, 0, 0, 255});
-    pictures.back().at(1, 2) = {i, 9, 9, 255};
-  }
-  Image sheet = contactSheetOf(pictures);
-  ASSERT_EQ(sheet.width, 2 * 4);
-  ASSERT_EQ(sheet.height, 3 * 3);
-  for (int i = 0; i < 5; ++i) {
-    const int left = i % 2 * 4, top = i / 2 * 3;
-    EXPECT_EQ(sheet.at(left, top), (Image::Pixel{static_cast<std::uint8_t>(i), 0, 0, 255}));
-    EXPECT_EQ(sheet.at(left + 1, top + 2), (Image::Pixel{static_cast<std::uint8_t>(i), 9, 9, 255}));
-  }
-  EXPECT_EQ(sheet.at(4, 6), (Image::Pixel{255, 255, 255, 255}));
-  EXPECT_THROW(contactSheetOf({}), std::invalid_argument);
-  pictures.emplace_back(3, 3, Image::Pixel{});
-  EXPECT_THROW(contactSheetOf(pictures), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace octoblisk::demos

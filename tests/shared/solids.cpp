@@ -6,40 +6,6 @@
 
 namespace octoblisk::testing {
 
-SharedMesh bumpySphere(std::mt19937_64& random, double radius, double bump, int segments) {
-  std::vector<Vec3> waves;
-  for (int i = 0; i < 4; ++i) waves.push_back(randomPoint(random, 4.0));
-  const auto at = [&](double polar, double azimuth) -> Vec3 {
-    const Vec3 direction(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-                         std::cos(polar));
-    double height = 0.0;
-    for (const Vec3& wave : waves) height += std::sin(wave.dot(direction) + wave.x());
-    return direction * (radius + bump * height / static_cast<double>(waves.size()));
-  };
-  std::vector<Vec3> vertices = {at(0.0, 0.0)};
-  std::vector<TriangleMesh::Indices> triangles;
-  const int rings = segments / 2;
-  const auto index = [&](int ring, int i) {
-    return static_cast<std::uint32_t>(1 + (ring - 1) * segments + i % segments);
-  };
-  for (int ring = 1; ring < rings; ++ring) {
-    for (int i = 0; i < segments; ++i) {
-      vertices.push_back(at(std::numbers::pi * ring / rings, 2.0 * std::numbers::pi * i / segments));
-      if (ring == 1) {
-        triangles.push_back({0, index(1, i), index(1, i + 1)});
-      } else {
-        triangles.push_back({index(ring - 1, i), index(ring, i), index(ring, i + 1)});
-        triangles.push_back({index(ring - 1, i), index(ring, i + 1), index(ring - 1, i + 1)});
-      }
-    }
-  }
-  const auto last = static_cast<std::uint32_t>(vertices.size());
-  vertices.push_back(at(std::numbers::pi, 0.0));
-  for (int i = 0; i < segments; ++i)
-    triangles.push_back({index(rings - 1, i), last, index(rings - 1, i + 1)});
-  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
-}
-
 bool Voxels::at(int i, int j, int k) const {
   const auto outside = [&](int index) { return index < 0 || index >= size; };
   if (outside(i) || outside(j) || outside(k)) return false;

@@ -5,9 +5,6 @@
 
 namespace octoblisk::testing {
 
-/// A closed, outward surface, star-shaped about the origin: a sphere with random bumps of the given height.
-SharedMesh bumpySphere(std::mt19937_64& random, double radius, double bump, int segments);
-
 /// Cells [i, i+1]×[j, j+1]×[k, k+1] of a grid, each filled with a probability of one half, and the faces
 /// between full and empty ones. Closed, outward; cells may meet in edges or corners alone.
 struct Voxels {

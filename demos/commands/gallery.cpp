@@ -1,0 +1,61 @@
+// octoblisk gallery: runs scenes of moving concave bodies and writes a picture of each.
+#include "gallery/gallery.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "commands/commands.h"
+#include "commands/option_checks.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct GalleryRequest {
+  std::string scene = "all";
+  std::string out;
+};
+
+std::string sceneNames() {
+  std::string names;
+  for (const gallery::Exhibit& exhibit : gallery::exhibits()) names += exhibit.name + ", ";
+  return names + "all";
+}
+
+void showAsked(const GalleryRequest& request) {
+  std::error_code error;
+  std::filesystem::create_directories(request.out, error);
+  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+  bool is_known = false;
+  for (const gallery::Exhibit& exhibit : gallery::exhibits()) {
+    if (request.scene != "all" && request.scene != exhibit.name) continue;
+    is_known = true;
+    const std::vector<gallery::Number> numbers = gallery::show(exhibit, request.out);
+    std::cout << (std::filesystem::path(request.out) / (exhibit.name + ".png")).string() << ": at "
+              << exhibit.shown.back() << " s";
+    for (const gallery::Number& number : numbers) std::cout << ", " << number.name << ' ' << number.value;
+    std::cout << std::endl;
+  }
+  if (!is_known) {
+    throw std::invalid_argument("'" + request.scene + "' is no scene; there are: " + sceneNames());
+  }
+}
+
+}  // namespace
+
+void addGalleryCommand(CLI::App& app, int&) {
+  CLI::App& command = *app.add_subcommand(
+      "gallery", "Run scenes of moving concave bodies in Bullet worlds; write a picture and a table of each");
+  const auto request = std::make_shared<GalleryRequest>();
+  command.add_option("scene", request->scene, "One of: " + sceneNames())->capture_default_str();
+  command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; made where missing")
+      ->required()
+      ->check(notEmpty());
+  command.footer("The scenes' sources are in demos/gallery, one a file. Pictures are the same on every run.");
+  command.callback([request] { showAsked(*request); });
+}
+
+}  // namespace octoblisk::demos

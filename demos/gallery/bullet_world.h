@@ -1,0 +1,83 @@
+// A headless Bullet world with our algorithms registered.
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+#include "octoblisk_bullet/register.h"
+
+namespace octoblisk::gallery {
+
+class BulletWorld {
+ public:
+  BulletWorld() : world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+    registerAlgorithm(&dispatcher_);
+    world_.setGravity(btVector3(0, 0, btScalar(-9.81)));
+  }
+  ~BulletWorld() {
+    for (const auto& body : bodies_) world_.removeRigidBody(body.get());
+  }
+  BulletWorld(const BulletWorld&) = delete;
+  BulletWorld& operator=(const BulletWorld&) = delete;
+
+  /// Mass 0: static. The shape must outlive the world.
+  btRigidBody& add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape.calculateLocalInertia(mass, inertia);
+    bodies_.push_back(std::make_unique<btRigidBody>(mass, nullptr, &shape, inertia));
+    bodies_.back()->setWorldTransform(pose);
+    bodies_.back()->setInterpolationWorldTransform(pose);
+    world_.addRigidBody(bodies_.back().get());
+    return *bodies_.back();
+  }
+
+  /// `time_step`: s.
+  void step(int steps, double time_step = 1.0 / 240.0) {
+    for (int i = 0; i < steps; ++i) world_.stepSimulation(btScalar(time_step), 0);
+  }
+
+  btDiscreteDynamicsWorld& operator*() { return world_; }
+  btDiscreteDynamicsWorld* operator->() { return &world_; }
+  btCollisionDispatcher& dispatcher() { return dispatcher_; }
+
+ private:
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+inline btTransform at(double x, double y, double z) {
+  return btTransform(btQuaternion::getIdentity(), toBullet(Vec3(x, y, z)));
+}
+
+/// A mesh of the core as Bullet's own mesh interface, with the arrays it points into.
+class BulletMesh {
+ public:
+  explicit BulletMesh(const TriangleMesh& mesh) {
+    for (const Vec3& vertex : mesh.vertices()) vertices_.push_back(toBullet(vertex));
+    for (const auto& [a, b, c] : mesh.triangles()) indices_.insert(indices_.end(), {int(a), int(b), int(c)});
+    btIndexedMesh part;
+    part.m_numTriangles = int(indices_.size() / 3);
+    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data());
+    part.m_triangleIndexStride = 3 * sizeof(int);
+    part.m_numVertices = int(vertices_.size());
+    part.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices_.data());
+    part.m_vertexStride = sizeof(btVector3);
+    interface_.addIndexedMesh(part);
+  }
+  btTriangleIndexVertexArray* operator&() { return &interface_; }
+
+ private:
+  std::vector<btVector3> vertices_;
+  std::vector<int> indices_;
+  btTriangleIndexVertexArray interface_;
+};
+
+}  // namespace octoblisk::gallery

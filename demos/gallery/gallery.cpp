@@ -1,0 +1,115 @@
+#include "gallery/gallery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gallery/belt_on_blade.h"
+#include "gallery/scenes.h"
+#include "report/contact_sheet.h"
+#include "report/text_file.h"
+#include "report/whole_files.h"
+
+namespace octoblisk::gallery {
+namespace {
+
+constexpr int kRows = 40;  // of a table, about
+
+std::string secondsText(double time) {
+  std::ostringstream text;
+  text << time << " s";
+  return text.str();
+}
+
+void addRow(std::ostream& table, double time, const std::vector<Number>& numbers) {
+  table << time;
+  for (const Number& number : numbers) table << ',' << number.value;
+  table << '\n';
+}
+
+}  // namespace
+
+const std::vector<Exhibit>& exhibits() {
+  static const std::vector<Exhibit> all = {
+      {"hello-shape",
+       "A ring falls over a peg",
+       "Its convex hull would lie on top of the peg",
+       1.0 / 240.0,
+       {0.0, 0.35, 2.0},
+       makeHelloShape},
+      {"chain-of-tori",
+       "A chain of rings",
+       "Nothing but contacts links them; the top ring swings to and fro",
+       1.0 / 120.0,
+       {0.0, 1.0, 2.0},
+       [] { return makeChainOfTori(8); }},
+      {"pile",
+       "A pile of 200 concave parts",
+       "Rings, gears, channels and lumps, all of them ClusteredOctreeShapes",
+       1.0 / 60.0,
+       {0.0, 1.0, 5.0},
+       [] { return makePile(200, false); }},
+      {"pile-of-gimpact",
+       "The same pile, of btGImpactMeshShapes",
+       "Compare the tables: energy, and depth in one another",
+       1.0 / 60.0,
+       {0.0, 1.0, 5.0},
+       [] { return makePile(200, true); }},
+      {"gear-train",
+       "A gear train",
+       "The first gear has a motor; teeth turn the others",
+       1.0 / 240.0,
+       {0.0, 0.5, 1.0},
+       makeGearTrain},
+      {"blisk-and-debris",
+       "A blisk on a spindle, hit by debris",
+       "Parts fly through the channels and slow it down",
+       1.0 / 960.0,
+       {0.0, 0.2, 0.5},
+       [] { return makeBliskAndDebris(60); },
+       3,
+       360,
+       400},
+      {"soft-belt",
+       "A grinding belt as a soft body",
+       "Driven by its wheels, pressed on the convex side of a blade",
+       BeltOnBlade::kTimeStep,
+       {0.0, 0.4},
+       [] { return std::make_unique<BeltOnBlade>(); },
+       1,
+       1000,
+       340},
+  };
+  return all;
+}
+
+std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder) {
+  const std::unique_ptr<GalleryScene> scene = exhibit.make();
+  const auto stepAt = [&](double time) { return std::lround(time / exhibit.time_step); };
+  const long end = stepAt(exhibit.shown.back()), interval = std::max(1l, end / kRows);
+  std::vector<Number> numbers = scene->numbers();
+  std::ostringstream table;
+  table << "time_s";
+  for (const Number& number : numbers) table << ',' << number.name;
+  table << '\n';
+
+  std::vector<demos::SheetFrame> frames;
+  for (long step = 0;; ++step) {
+    const double time = static_cast<double>(step) * exhibit.time_step;
+    if (step % interval == 0 || step == end) addRow(table, time, numbers = scene->numbers());
+    for (const double shown : exhibit.shown) {
+      if (stepAt(shown) == step) frames.push_back({secondsText(shown), scene->picture()});
+    }
+    if (step == end) break;
+    scene->step();
+  }
+  demos::WholeFiles files;
+  demos::writeText(files.add(folder / (exhibit.name + ".csv")), table.str());
+  demos::writePng(demos::contactSheet(frames, exhibit.title, exhibit.caption, exhibit.columns,
+                                      exhibit.frame_width, exhibit.frame_height),
+                  files.add(folder / (exhibit.name + ".png")).string());
+  files.finish();
+  return numbers;
+}
+
+}  // namespace octoblisk::gallery

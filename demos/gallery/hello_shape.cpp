@@ -1,0 +1,37 @@
+// The least program: a ring falls over a peg. Its convex hull would lie on it.
+#include "gallery/rigid_scene.h"
+#include "gallery/scenes.h"
+#include "shapes/sheets.h"
+
+namespace octoblisk::gallery {
+namespace {
+
+/// Lengths in m.
+class HelloShape final : public RigidScene {
+ public:
+  HelloShape() : RigidScene(1.0 / 240.0) {
+    // Mass 0 is static. A mesh is a surface, here an open one, that faces up.
+    add(shapeOf(shapes::waveSheet(1.5, 0.0, 8)), 0, at(0, 0, 0), demos::palette::kSteel);
+    add(shapeOf(shapes::boxMesh({0.15, 0.15, 0.7})), 0, at(0, 0, 0.7), demos::palette::kSky);
+    // The mesh that moves: as easily made as the others.
+    const btTransform above(btQuaternion(btVector3(1, 0, 0), btScalar(0.3)), btVector3(btScalar(0.1), 0, 2));
+    ring_ = &add(shapeOf(shapes::torus(0.5, 0.15, 48, 24)), 1, above, demos::palette::kOrange);
+    ring_->setDamping(btScalar(0.05), btScalar(0.05));
+    look({Vec3(-1.5, -1.5, 0.0), Vec3(1.5, 1.5, 2.1)}, {-1.0, 1.6, -0.7});
+  }
+
+  std::vector<Number> numbers() const override {
+    return {{"ring_height_m", double(ring_->getWorldTransform().getOrigin().z())},
+            {"kinetic_energy_j", kineticEnergy()},
+            {"contact_points", static_cast<double>(contactPoints())}};
+  }
+
+ private:
+  btRigidBody* ring_;
+};
+
+}  // namespace
+
+std::unique_ptr<GalleryScene> makeHelloShape() { return std::make_unique<HelloShape>(); }
+
+}  // namespace octoblisk::gallery

@@ -1,0 +1,50 @@
+// What the scenes of rigid bodies have in common: a world, colours, a camera.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "gallery/bullet_world.h"
+#include "gallery/gallery_scene.h"
+#include "shapes/bodies.h"
+
+namespace octoblisk::gallery {
+
+/// Derived classes fill the world; bodies whose shape is a ClusteredOctreeShape or made by `shapeOf` are
+/// seen.
+class RigidScene : public GalleryScene {
+ public:
+  void step() override { world_.step(1, time_step_); }
+  demos::Picture picture() const override;
+
+ protected:
+  explicit RigidScene(double time_step) : time_step_(time_step) {}
+
+  /// Our shape, kept as long as the scene. The margin suits bodies of a metre: they rest calmer with it.
+  ClusteredOctreeShape& shapeOf(const shapes::SharedMesh& mesh, double margin = 0.01);
+
+  /// A body of the world, in a colour.
+  btRigidBody& add(btCollisionShape& shape, double mass, const btTransform& pose, const demos::Color& color);
+
+  /// What the camera sees whole.
+  void look(const Aabb& box, const Vec3& direction) { seen_ = box, direction_ = direction; }
+
+  /// J, of all that moves.
+  double kineticEnergy() const;
+
+  /// Of all pairs.
+  int contactPoints() const;
+
+ private:
+  std::vector<std::unique_ptr<ClusteredOctreeShape>> shapes_;
+  std::vector<std::pair<const btRigidBody*, demos::Color>> colors_;
+  double time_step_;
+  Aabb seen_;
+  Vec3 direction_ = -Vec3::UnitZ();
+
+ protected:
+  mutable BulletWorld world_;  // asking it is not const in Bullet
+};
+
+}  // namespace octoblisk::gallery

@@ -1,0 +1,57 @@
+// The line that a belt follows round its two wheels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "models/belt_grinder.h"
+#include "octoblisk/types.h"
+
+namespace octoblisk::demos {
+
+/// The line that the belt's inner surface follows in the x–y plane: clockwise from -x over the contact wheel,
+/// along the upper strand, round the drive wheel and back. Lengths in mm. The wheels must not overlap.
+class BeltPath {
+ public:
+  explicit BeltPath(const BeltParameters& parameters);
+
+  struct Station {
+    Vec3 point;   ///< on the inner surface, z = 0
+    Vec3 normal;  ///< outwards
+  };
+
+  /// The station at a fraction 0..1 of the way, the way being half length and half turn.
+  Station at(double fraction) const;
+
+  /// The station at a length 0..length() of the way.
+  Station atLength(double length) const;
+
+  double length() const { return length_; }
+
+  /// The angle of the strands against the x axis, radians; positive where they part towards the drive wheel.
+  double slope() const { return slope_; }
+
+  /// Half the distance between the strands at some x between the wheels.
+  double halfGap(double x) const;
+
+  /// The greatest turn between two of the belt's stations, radians: on the smaller wheel or the greater.
+  double greatestTurn() const;
+
+ private:
+  struct Piece {
+    double length, turn;
+  };
+
+  /// Of the way that `at` counts.
+  double share(const Piece& piece) const;
+
+  /// At a part 0..1 of a piece, what comes before having turned by `turned`.
+  Station onPiece(std::size_t piece, double part, double turned) const;
+
+  BeltParameters parameters_;
+  double slope_;
+  std::array<Piece, 5> pieces_;
+  double length_ = 0.0;
+};
+
+}  // namespace octoblisk::demos

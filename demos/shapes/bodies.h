@@ -1,0 +1,35 @@
+// Concave bodies that hang on, mesh with and pile up on one another. Closed forms, all closed and facing
+// outward.
+#pragma once
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::shapes {
+
+using SharedMesh = std::shared_ptr<const TriangleMesh>;
+
+/// A torus round the z axis.
+SharedMesh torus(double major_radius, double minor_radius, int major_segments, int minor_segments);
+
+/// A box with its 12 triangles.
+SharedMesh boxMesh(const Vec3& half_extents);
+
+/// What lies between two paths of as many points each, the outer one to the right of its direction, made as
+/// thick as twice the half height along z. The ends of open paths are closed.
+SharedMesh extrudedBand(const std::vector<Eigen::Vector2d>& outer, const std::vector<Eigen::Vector2d>& inner,
+                        bool is_ring, double half_height);
+
+/// A spur gear with a bore, round the z axis.
+SharedMesh gear(int teeth, double root_radius, double tip_radius, double bore_radius, double half_height);
+
+/// A U of three walls, its opening towards y, along z.
+SharedMesh uProfile(double half_width, double half_depth, double wall, double half_length);
+
+/// Star-shaped about the origin: a sphere with random bumps of the given height.
+SharedMesh bumpySphere(std::mt19937_64& random, double radius, double bump, int segments);
+
+}  // namespace octoblisk::shapes

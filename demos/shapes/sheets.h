@@ -1,0 +1,15 @@
+// Floors: open surfaces that face up. Closed forms.
+#pragma once
+
+#include "shapes/bodies.h"
+
+namespace octoblisk::shapes {
+
+/// z = height · sin(x) · cos(y) over ±half_size.
+SharedMesh waveSheet(double half_size, double height, int segments);
+
+/// A wavy floor whose rim rises, so that nothing rolls off.
+double trayHeight(double x, double y);
+SharedMesh tray(double half_size, int segments);
+
+}  // namespace octoblisk::shapes

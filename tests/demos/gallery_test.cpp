@@ -1,0 +1,134 @@
+// The gallery: what its scenes show, and how their pictures are put on a sheet.
+#include "gallery/gallery.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "gallery/scenes.h"
+#include "report/contact_sheet.h"
+
+namespace octoblisk::gallery {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The scene's numbers by name.
+double number(const GalleryScene& scene, const std::string& name) {
+  for (const Number& each : scene.numbers()) {
+    if (each.name == name) return each.value;
+  }
+  ADD_FAILURE() << "no number " << name;
+  return 0.0;
+}
+
+void run(GalleryScene& scene, int steps) {
+  for (int step = 0; step < steps; ++step) scene.step();
+}
+
+TEST(Gallery, TheRingFallsOverThePeg) {
+  const auto scene = makeHelloShape();
+  EXPECT_GT(number(*scene, "ring_height_m"), 1.9);
+  run(*scene, 480);
+  EXPECT_NEAR(number(*scene, "ring_height_m"), 0.16, 0.02);  // its tube's radius, and two margins of 10 mm
+  EXPECT_LT(number(*scene, "kinetic_energy_j"), 0.1);
+}
+
+TEST(Gallery, TheChainHolds) {
+  const auto scene = makeChainOfTori(3);
+  run(*scene, 120);
+  EXPECT_GT(number(*scene, "kinetic_energy_j"), 1e-3);
+  EXPECT_LT(number(*scene, "greatest_pitch_m"), 0.82);  // 2 (R - r) = 0.76 where tubes touch
+  EXPECT_GT(number(*scene, "least_pitch_m"), 0.5);
+}
+
+TEST(Gallery, GearsTurnByTheirTeeth) {
+  const auto scene = makeGearTrain();
+  run(*scene, 60);
+  double first = 0.0, second = 0.0, third = 0.0;
+  for (int step = 0; step < 60; ++step) {
+    run(*scene, 1);
+    first += number(*scene, "gear_12_teeth_rad_s");
+    second += number(*scene, "gear_20_teeth_rad_s");
+    third += number(*scene, "gear_16_teeth_rad_s");
+  }
+  EXPECT_NEAR(std::abs(first) / 60.0, 2.0, 0.2);
+  EXPECT_NEAR(second / first, -12.0 / 20.0, 0.1);
+  EXPECT_NEAR(third / first, 12.0 / 16.0, 0.1);
+}
+
+TEST(Gallery, DebrisSlowsTheBlisk) {
+  const auto scene = makeBliskAndDebris(6);
+  const double before = number(*scene, "blisk_rad_s");
+  double most_points = 0.0;
+  for (int step = 0; step < 96; ++step) {
+    run(*scene, 1);
+    most_points = std::max(most_points, number(*scene, "contact_points"));
+  }
+  EXPECT_GT(most_points, 0.0);
+  EXPECT_LT(number(*scene, "blisk_rad_s"), before);
+  EXPECT_GT(number(*scene, "blisk_rad_s"), 0.9 * before);
+}
+
+TEST(Gallery, APileFallsWithEitherShape) {
+  for (const bool of_gimpact : {false, true}) {
+    const auto scene = makePile(8, of_gimpact);
+    run(*scene, 45);
+    EXPECT_EQ(number(*scene, "bodies_fallen"), 0.0);
+    EXPECT_LT(number(*scene, "depth_in_floor_mm"), 150.0);
+    EXPECT_EQ(scene->picture().scene.solids().size(), 9u);
+  }
+}
+
+TEST(ContactSheet, IsTheSameForAnyNumberOfThreadsAndHasEveryFrame) {
+  const auto scene = makeHelloShape();
+  std::vector<demos::SheetFrame> frames;
+  for (const char* caption : {"0 s", "0.1 s", "0.2 s", "0.3 s"}) {
+    frames.push_back({caption, scene->picture()});
+    run(*scene, 24);
+  }
+  const demos::Image one = demos::contactSheet(frames, "Title", "Words", 3, 96, 80, 1),
+                     two = demos::contactSheet(frames, "Title", "Words", 3, 96, 80, 2);
+  EXPECT_EQ(one.pixels, two.pixels);
+  EXPECT_EQ(one.width, 3 * 96 + 2 * 6);
+  EXPECT_GT(one.height, 2 * 80 + 6);
+  // What moved is elsewhere in every frame, and the last place is empty.
+  const int top = one.height - (2 * 80 + 6);
+  const auto tile = [&](int column, int row) {
+    std::vector<demos::Image::Pixel> pixels;
+    for (int y = 0; y < 80; ++y) {
+      for (int x = 0; x < 96; ++x) pixels.push_back(one.at(column * 102 + x, top + row * 86 + y));
+    }
+    return pixels;
+  };
+  EXPECT_NE(tile(0, 0), tile(1, 0));
+  EXPECT_NE(tile(1, 0), tile(2, 0));
+  EXPECT_NE(tile(2, 0), tile(0, 1));
+  EXPECT_TRUE(std::ranges::all_of(tile(2, 1), [](const auto& pixel) { return pixel[0] > 200; }));
+  EXPECT_THROW(demos::contactSheet({}, "", "", 3, 96, 80), std::invalid_argument);
+  EXPECT_THROW(demos::contactSheet(frames, "", "", 0, 96, 80), std::invalid_argument);
+}
+
+TEST(GalleryCommand, WritesASceneTheSameTwice) {
+  const demos::ScratchFolder folder;
+  const demos::Outcome first = demos::runOctoblisk(folder.path(), "gallery hello-shape --out a");
+  ASSERT_EQ(first.exit_code, 0) << first.error;
+  EXPECT_THAT(first.out, HasSubstr("a/hello-shape.png: at 2 s, ring_height_m 0.1"));
+  ASSERT_EQ(demos::runOctoblisk(folder.path(), "gallery hello-shape --out b").exit_code, 0);
+  for (const char* name : {"hello-shape.png", "hello-shape.csv"}) {
+    EXPECT_GT(demos::contentOf(folder.path() / "a" / name).size(), 500u);
+    EXPECT_EQ(demos::contentOf(folder.path() / "a" / name), demos::contentOf(folder.path() / "b" / name))
+        << name;
+  }
+  const demos::Outcome unknown = demos::runOctoblisk(folder.path(), "gallery shape --out a");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.error,
+              HasSubstr("octoblisk: 'shape' is no scene; there are: hello-shape, chain-of-tori"));
+}
+
+}  // namespace
+}  // namespace octoblisk::gallery
