@@ -1,4 +1,4 @@
-// The pile of concave bodies that the tests drop, for the contenders that can have concave bodies move.
+// The gallery's pile of concave bodies, for the contenders that can have concave bodies move.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contender.h"
-#include "plugin/concave_pile.h"
+#include "gallery/concave_pile.h"
 
 namespace octoblisk::bench {
 
@@ -35,8 +35,8 @@ class ConcavePileQuery : public PileQuery {
 
  protected:
   /// 64 bodies, which never sleep.
-  void start(const testing::MakeShape& make_shape) {
-    pile_ = std::make_unique<testing::ConcavePile>(64, 1, make_shape);
+  void start(const gallery::MakeShape& make_shape) {
+    pile_ = std::make_unique<gallery::ConcavePile>(64, 1, make_shape);
     for (std::size_t k = 0; k < pile_->size(); ++k) {
       pile_->body(k).setActivationState(DISABLE_DEACTIVATION);
       starts_.push_back(pile_->body(k).getWorldTransform());
@@ -47,7 +47,7 @@ class ConcavePileQuery : public PileQuery {
   btCollisionDispatcher* dispatcher() { return &pile_->world().dispatcher(); }
 
  private:
-  std::unique_ptr<testing::ConcavePile> pile_;
+  std::unique_ptr<gallery::ConcavePile> pile_;
   std::vector<btTransform> starts_;
 };
 

@@ -77,9 +77,9 @@ class GimpactOnFloor {
 class GimpactPile final : public ConcavePileQuery {
  public:
   explicit GimpactPile(const Scene&) {
-    start([this](const testing::SharedMesh& mesh) {
+    start([this](const gallery::SharedMesh& mesh) {
       meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
-      return shapeOf(*meshes_.back(), testing::ConcavePile::kMargin);
+      return shapeOf(*meshes_.back(), gallery::ConcavePile::kMargin);
     });
     btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher());
   }

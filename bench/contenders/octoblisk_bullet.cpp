@@ -42,7 +42,7 @@ class OursOnFloor {
 
 class OurPile final : public ConcavePileQuery {
  public:
-  explicit OurPile(const Scene&) { start(testing::makeOurShape); }
+  explicit OurPile(const Scene&) { start(gallery::makeOurShape); }
 };
 
 const bool kRegistered =
