@@ -33,15 +33,16 @@ TEST(BeltLoop, runsRoundTheContactWheelAndAlongTheStrands) {
   EXPECT_NEAR((loop.directionAt(outside * below + 120.0 * along_below) - lower).norm(), 0.0, 1e-3);
 }
 
-/// A drum about Z: a prism of many sides that a flat tool presses on amid a facet, so that the force goes
-/// through the axis.
-constexpr double kRadius = 100.0, kHalfHeight = 10.0;
+/// A drum about Z, a prism of many sides, with a boss on it at +x, whose flat top a wider tool presses on:
+/// the force goes through the axis, and no edge that touches could give it another direction.
+constexpr double kRadius = 100.0;  // of the boss's top
+constexpr double kDrumRadius = 98.0, kHalfHeight = 10.0;
 
 TriangleMesh drum() {
   constexpr std::uint32_t kSides = 48;
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
-  const double corner = kRadius / std::cos(std::numbers::pi / kSides);
+  const double corner = kDrumRadius / std::cos(std::numbers::pi / kSides);
   for (std::uint32_t k = 0; k < kSides; ++k) {
     const double angle = 2.0 * std::numbers::pi * (k + 0.5) / kSides;
     vertices.emplace_back(corner * std::cos(angle), corner * std::sin(angle), -kHalfHeight);
@@ -56,10 +57,15 @@ TriangleMesh drum() {
         triangles.end(),
         {{here, next, next + 1}, {here, next + 1, here + 1}, {low, next, here}, {high, here + 1, next + 1}});
   }
+  const Vec3 half(5, 6, 2);
+  const TriangleMesh boss = block(half, 1);
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  for (const Vec3& vertex : boss.vertices()) vertices.push_back(vertex + Vec3(kRadius - half.x(), 0, 0));
+  for (const auto& [a, b, c] : boss.triangles()) triangles.push_back({first + a, first + b, first + c});
   return {vertices, triangles};
 }
 
-/// A block whose face at -x, wider than a facet, is the belt's; at the drum's +x, pressed in by a depth.
+/// A block whose face at -x, wider than the boss, is the belt's; at the drum's +x, pressed in by a depth.
 ToolPart pad() { return {"belt", treeOf(block({4, 20, 3}, 1)), 20.0}; }
 Pose pressed(double depth) { return {Mat3::Identity(), Vec3(kRadius + 4.0 - depth, 0, 0)}; }
 
@@ -89,8 +95,8 @@ TEST(SpindleCell, aFreeDrumTurnsByTorqueOverItsInertia) {
   const SpindleOptions options{.stiffness = 800.0, .friction = 0.25, .hold = 0.0};
   SpindleCell cell(treeOf(mesh), Pose(), pad(), 20.0, options);
   const SpindleLoad load = cell.loadAt(pressed(0.05), 0.05).value();
-  const double mass = options.density * enclosedVolume(mesh);    // kg
-  const double inertia = 0.5 * mass * kRadius * kRadius * 1e-6;  // kg m²
+  const double mass = options.density * enclosedVolume(mesh);            // kg
+  const double inertia = 0.5 * mass * kDrumRadius * kDrumRadius * 1e-6;  // kg m²
   EXPECT_NEAR(load.acceleration, load.torque / inertia, 0.02 * load.torque / inertia);
   EXPECT_NEAR(load.torque, 0.25 * 800.0 * 0.05 * kRadius * 1e-3, 0.03 * load.torque);
 
