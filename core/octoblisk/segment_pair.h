@@ -29,16 +29,15 @@ inline void closestOnSegments(const Vec3& p0, const Vec3& p1, const Vec3& q0, co
   const auto onP = [&](double t) { return pp > 0.0 ? std::clamp((pq * t - p_offset) / pp, 0.0, 1.0) : 0.0; };
   const auto onQ = [&](double s) { return qq > 0.0 ? std::clamp((pq * s + q_offset) / qq, 0.0, 1.0) : 0.0; };
   const double denominator = pp * qq - pq * pq;
-  double s = denominator > 0.0 ? std::clamp((pq * q_offset - p_offset * qq) / denominator, 0.0, 1.0) : 0.0;
-  const double t = onQ(s);
-  s = onP(t);
-  keepCloser(best, p0 + s * p, q0 + onQ(s) * q);
-  if (denominator <= 1e-12 * pp * qq) {  // nearly parallel: an end is among the closest points
-    for (const double end : {0.0, 1.0}) {
-      keepCloser(best, p0 + end * p, q0 + onQ(end) * q);
-      keepCloser(best, p0 + onP(end) * p, q0 + end * q);
-    }
+  double s = 0.0;
+  if (denominator > 1e-3 * pp * qq) {
+    s = std::clamp((pq * q_offset - p_offset * qq) / denominator, 0.0, 1.0);
+  } else if (const Vec3 across = q.cross(p);
+             !across.isZero(0.0)) {  // nearly parallel: the same, less rounded
+    s = std::clamp(-across.dot(q.cross(offset)) / across.squaredNorm(), 0.0, 1.0);
   }
+  s = onP(onQ(s));
+  keepCloser(best, p0 + s * p, q0 + onQ(s) * q);
 }
 
 }  // namespace octoblisk

@@ -138,8 +138,19 @@ std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
   return face.isBelow(nearest) ? std::optional(nearest) : std::nullopt;
 }
 
-/// The closest points of two triangles that do not meet.
-PointPair closestPair(const Triangle& a, const Triangle& b) {
+/// Whether two planes square to the way between two points part the triangles, but for rounding of the way's
+/// length: nothing is nearer then.
+bool isLeast(const PointPair& found, const Triangle& a, const Triangle& b, double size) {
+  constexpr double kRounding = 1e-14;  // of the size
+  const Vec3 way = found.on_b - found.on_a;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec3& corner : b) low = std::min(low, way.dot(corner - found.on_a));
+  for (const Vec3& corner : a) high = std::max(high, way.dot(corner - found.on_a));
+  return found.squared_distance - (low - high) <= kRounding * size * std::sqrt(found.squared_distance);
+}
+
+/// The closest points of two triangles that do not meet, near the origin.
+PointPair closestPairAtOrigin(const Triangle& a, const Triangle& b) {
   PointPair best;
   const Face face_a(a), face_b(b);
   if (const std::optional<Vec3> corner = nearestOver(face_a, b)) {
@@ -155,20 +166,23 @@ PointPair closestPair(const Triangle& a, const Triangle& b) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double before = best.squared_distance;
       closestOnSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
-      if (!(best.squared_distance < before)) continue;
-      // Two planes square to the way between them part all of a from all of b: nothing is nearer. The way's
-      // direction is right to 1e-7 then, by which the third corners are clear of the planes ten times.
-      const Vec3 way = best.on_b - best.on_a;
-      const double length = std::sqrt(best.squared_distance), clear = 1e-6 * size * length;
-      if (length > 1e-9 * size && way.dot(a[(i + 2) % 3] - best.on_a) < -clear &&
-          way.dot(b[(j + 2) % 3] - best.on_b) > clear) {
-        return best;
-      }
+      if (best.squared_distance < before && isLeast(best, a, b, size)) return best;
     }
     if (face_b.squared_normal > 0.0 && face_b.isBelow(a[i])) keepCloser(best, a[i], face_b.foot(a[i]));
     if (face_a.squared_normal > 0.0 && face_a.isBelow(b[i])) keepCloser(best, face_a.foot(b[i]), b[i]);
   }
   return best;
+}
+
+/// The closest points of two triangles that do not meet. Found near the origin, so that the distance is
+/// right to the triangles' size however far away they are.
+PointPair closestPair(const Triangle& a, const Triangle& b) {
+  const Vec3 origin = a[0];
+  PointPair found = closestPairAtOrigin({Vec3::Zero(), a[1] - origin, a[2] - origin},
+                                        {b[0] - origin, b[1] - origin, b[2] - origin});
+  found.on_a += origin;
+  found.on_b += origin;
+  return found;
 }
 
 /// A triangle clipped by the prism over another: at most six corners, were it not for rounding, by which an

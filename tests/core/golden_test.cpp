@@ -44,13 +44,13 @@ const std::vector<Golden> kGolden = {
     {"refit", 0x92976be164151401u},
     {"collide", 0xb26d2f877a3cbb3bu},
     {"collide with a soup", 0x60f3a3c57a5449bbu},
-    {"contacts", 0xe9d8b1e9d1e91fc5u},
-    {"contacts with a soup", 0xff3ef0988bab342cu},
+    {"contacts", 0xb36e19ff854bcb3fu},
+    {"contacts with a soup", 0x78eddf4b86c8b69bu},
     {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
-    {"distance", 0x5fe48ed4605a61d3u},
+    {"distance", 0xcde874a774dc05bcu},
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},
-    {"sweeps", 0x2da2e4c1a0cda5b6u},
+    {"sweeps", 0x78529b7a550b8faeu},
     {"solids", 0x7f60464654bb3ca2u},
 };
 

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <tuple>
 
 #include "octoblisk/triangle_pair.h"
 #include "shared/cgal_shapes.h"
+#include "shared/meshes.h"
 #include "shared/triangle_pairs.h"
 
 namespace octoblisk {
@@ -96,6 +98,42 @@ TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
     ASSERT_GT(contactOf(a, b).distance, 0.0);
   }
+}
+
+/// Two triangles with an edge each that pass each other 1e-9 to 1e-3 apart, crossed or all but parallel.
+std::array<Triangle, 2> closeEdges(std::mt19937_64& random, bool parallel) {
+  const auto uniform = [&](double low, double high) { return testing::uniform(random, low, high); };
+  const double apart = std::pow(10.0, uniform(-9.0, -3.0));
+  const double angle = parallel ? std::pow(10.0, uniform(-12.0, -2.0)) : uniform(0.1, 1.5);
+  const Vec3 along(std::cos(angle), std::sin(angle), 0.0), up(0.0, 0.0, apart);
+  const auto third = [&](double side) {
+    return Vec3(uniform(-1.0, 1.0), uniform(-1.0, 1.0), side * std::pow(10.0, uniform(-5.0, 0.0)));
+  };
+  const double middle_a = uniform(-0.5, 0.5), middle_b = uniform(-0.5, 0.5);
+  return {Triangle{Vec3(middle_a - 0.5, 0, 0), Vec3(middle_a + 0.5, 0, 0), third(-1.0)},
+          Triangle{Vec3((middle_b - 0.5) * along + up), Vec3((middle_b + 0.5) * along + up),
+                   Vec3(third(1.0) + up)}};
+}
+
+TEST(TrianglePairCgal, closestPointsOfCloseEdgesFarFromTheOrigin_vs_exactKernel) {
+  std::mt19937_64 random(104);
+  int compared = 0;
+  for (int i = 0; i < 20'000 / kScale; ++i) {
+    std::array<Triangle, 2> pair = closeEdges(random, i % 2 == 0);
+    const Mat3 rotation = testing::randomRotation(random);
+    const Vec3 offset = testing::randomPoint(random, std::array{0.0, 10.0, 1e3, 1e6}[i / 2 % 4]);
+    for (Triangle& t : pair) {
+      for (Vec3& corner : t) corner = rotation * corner + offset;
+    }
+    const auto& [a, b] = pair;
+    if (intersects(a, b)) continue;  // rounded far away
+    const std::optional<double> squared = squaredDistance(a, b);
+    ASSERT_TRUE(squared);
+    ++compared;
+    ASSERT_NEAR(closestPoints(a, b).distance, std::sqrt(*squared), 1e-14) << i << '\n' << describe(a, b);
+    ASSERT_NEAR(closestPoints(b, a).distance, std::sqrt(*squared), 1e-14) << i << '\n' << describe(a, b);
+  }
+  EXPECT_GT(compared, 18'000 / kScale);
 }
 
 using Vector = Exact::Vector_3;
