@@ -1,7 +1,6 @@
 #include "access/pose_judge.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -263,25 +262,6 @@ bool PoseJudge::climbsBeyond(const Pose& pose, std::uint32_t touching_triangle, 
   if (deepest <= beyond) return false;
   trail.deep_corner = at;
   return true;
-}
-
-int bladeTouchedMost(const ClusteredOctree& blisk, const ClusteredOctree& belt,
-                     std::span<const int> blade_of_triangle, std::span<const Pose> path, int threads) {
-  std::vector<std::set<int>> touched(path.size());
-  parallelFor(path.size(), threadCount(threads), [&](std::size_t pose, std::size_t) {
-    std::vector<TrianglePair> pairs;
-    touchingPairs(blisk, belt, path[pose], pairs);
-    for (const TrianglePair& pair : pairs) touched[pose].insert(blade_of_triangle[pair.a]);
-  });
-  std::map<int, int> poses_of_blade;
-  for (const std::set<int>& blades : touched) {
-    for (const int blade : blades) {
-      if (blade != 0) ++poses_of_blade[blade];
-    }
-  }
-  const auto most =
-      std::ranges::max_element(poses_of_blade, {}, [](const auto& entry) { return entry.second; });
-  return most == poses_of_blade.end() ? 0 : most->first;
 }
 
 }  // namespace octoblisk::demos

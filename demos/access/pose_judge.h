@@ -88,9 +88,4 @@ class PoseJudge {
   std::vector<Worker> workers_;
 };
 
-/// The blade that the belt touches at the most poses of a path; the lowest of several, 0 where it touches
-/// none: what octoblisk grind takes for the blade that is ground.
-int bladeTouchedMost(const ClusteredOctree& blisk, const ClusteredOctree& belt,
-                     std::span<const int> blade_of_triangle, std::span<const Pose> path, int threads = 0);
-
 }  // namespace octoblisk::demos

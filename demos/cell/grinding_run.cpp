@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cell/ground_blade.h"
 #include "cell/moves.h"
 #include "cell/pose_clearances.h"
 #include "cell/reduce_contacts.h"
 #include "octoblisk/batch.h"
-#include "octoblisk/collide.h"
 #include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
@@ -34,8 +34,6 @@ class TimeAdded {
   Clock::time_point start_ = Clock::now();
 };
 
-bool isStopped(const RunWatch& watch) { return watch.stop && watch.stop(); }
-
 /// For each part the greatest distance at which any blade is a near miss.
 std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules) {
   std::vector<double> reaches(job.parts.size(), 0.0);
@@ -45,30 +43,6 @@ std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules)
     }
   }
   return reaches;
-}
-
-/// The blade that a part touches at the most poses; none where it was stopped.
-std::optional<int> bladeTouchedMost(const GrindingJob& job, std::size_t part, const RunWatch& watch) {
-  if (part >= job.parts.size()) return 0;
-  std::vector<PoseReport> reports(job.path.size());
-  const std::size_t stretch = posesAStretch(job.threads);
-  for (std::size_t begin = 0; begin < job.path.size(); begin += stretch) {
-    if (isStopped(watch)) return std::nullopt;
-    const std::size_t count = std::min(stretch, job.path.size() - begin);
-    parallelFor(count, threadCount(job.threads), [&](std::size_t i, std::size_t) {
-      std::vector<TrianglePair> pairs;
-      touchingPairs(*job.blisk, *job.parts[part].tree, job.path[begin + i], pairs);
-      PoseReport& report = reports[begin + i];
-      for (const TrianglePair& pair : pairs) {
-        const int blade = job.blades.blade_of_triangle[pair.a];
-        if (std::ranges::find(report.blades, blade) != report.blades.end()) continue;
-        report.blades.push_back(blade);
-        report.contacts.push_back({part, Contact{.triangle_a = pair.a, .triangle_b = pair.b}});
-      }
-    });
-    if (watch.progress) watch.progress("which blade is ground", begin + count);
-  }
-  return mostTouchedBlade(reports, part);
 }
 
 /// Goes along the path, some poses at a time.
@@ -181,6 +155,21 @@ std::size_t GrindingRun::count(MoveReport::Outcome outcome) const {
       poses, [&](const PoseReport& pose) { return pose.move && pose.move->outcome == outcome; }));
 }
 
+std::size_t GrindingRun::moveCount() const { return continuous && !poses.empty() ? poses.size() - 1 : 0; }
+
+std::size_t GrindingRun::depthsProved() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      poses, [](const PoseReport& pose) { return pose.move && pose.move->depth_proved; }));
+}
+
+double GrindingRun::depthBound() const {
+  double bound = 0.0;
+  for (const PoseReport& pose : poses) {
+    if (pose.move) bound = std::max(bound, pose.move->depth_bound);
+  }
+  return bound;
+}
+
 bool GrindingRun::interferes() const {
   return count(Verdict::interference) + count(MoveReport::Outcome::hit) +
              count(MoveReport::Outcome::too_deep) >
@@ -199,16 +188,18 @@ GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch) {
   run.spindle = job.spindle;
   run.path_poses = job.path.size();
   if (job.find_ground_blade) {
-    const std::optional<int> blade = bladeTouchedMost(job, job.rules.grinding_part, watch);
+    const ClusteredOctree& belt = *job.parts[job.rules.grinding_part].tree;
+    const std::optional<int> blade =
+        bladeTouchedMost(*job.blisk, belt, job.blades.blade_of_triangle, job.path, job.threads, watch);
     if (!blade) return run;
     run.rules.ground_blade = *blade;
   }
   Grinding grinding(job, run);
   const std::size_t stretch = posesAStretch(job.threads);
-  for (std::size_t begin = 0; begin < job.path.size() && !isStopped(watch); begin += stretch) {
+  for (std::size_t begin = 0; begin < job.path.size() && !watch.isStopped(); begin += stretch) {
     const std::size_t end = std::min(job.path.size(), begin + stretch);
     grinding.doPoses(begin, end);
-    if (watch.progress) watch.progress("poses", end);
+    watch.tell("poses", end);
   }
   const double poses = std::max<double>(1.0, static_cast<double>(run.poses.size()));
   for (double* const seconds : {&run.contact_seconds_a_pose, &run.depth_seconds_a_pose,

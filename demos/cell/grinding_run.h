@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cell/run_watch.h"
 #include "cell/spindle_cell.h"
 #include "cell/verdict.h"
 #include "models/blade_finder.h"
@@ -40,6 +40,9 @@ struct GrindingRun {
   bool isPartial() const { return poses.size() < path_poses; }
   std::size_t count(Verdict verdict) const;              ///< poses
   std::size_t count(MoveReport::Outcome outcome) const;  ///< moves
+  std::size_t moveCount() const;                         ///< that were checked
+  std::size_t depthsProved() const;  ///< moves on which what may touch is proved no deeper than it may be
+  double depthBound() const;         ///< mm: no deeper on any move; infinite where it is not known
   /// Whether a pose or a move interferes; a move that was not settled does not.
   bool interferes() const;
 };
@@ -51,18 +54,12 @@ struct GrindingJob {
   Pose mesh_in_blisk;                            ///< from the mesh's frame to that with the blisk's axis Z
   std::vector<ToolPart> parts;
   VerdictRules rules;  ///< its ground blade is found if `find_ground_blade`; near_miss must be finite
-  bool find_ground_blade = false;         ///< as that which the grinding part touches at the most poses
+  /// As that which the grinding part touches at the most poses; there must be such a part.
+  bool find_ground_blade = false;
   std::vector<Pose> path;                 ///< at least one pose
   bool continuous = true;                 ///< whether moves are checked
   std::optional<SpindleOptions> spindle;  ///< whether forces are found, and by what
   int threads = 0;  ///< 0: as many as the machine runs at once; the answers are the same
-};
-
-/// What is told of a run, and asked, meanwhile: in the thread that runs it.
-struct RunWatch {
-  /// Tells that so many of the path's poses are done, of the task named.
-  std::function<void(const std::string& task, std::size_t done)> progress;
-  std::function<bool()> stop;  ///< whether to leave the rest of the path
 };
 
 /// The job done: judged poses with their contacts (as reduceContacts keeps them), depths, clearances and

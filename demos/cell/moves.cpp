@@ -1,6 +1,7 @@
 #include "cell/moves.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "cell/pose_clearances.h"
@@ -14,11 +15,6 @@ namespace {
 const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {
   const auto found = std::ranges::find(pose.depths, part, &PartDepth::part);
   return found == pose.depths.end() ? nullptr : &*found;
-}
-
-double depthAt(const PoseReport& pose, std::size_t part) {
-  const PartDepth* const found = depthOf(pose, part);
-  return found ? found->depth : 0.0;
 }
 
 bool isInside(const PoseReport& pose, std::size_t part) {
@@ -59,6 +55,14 @@ struct MoveCheck::Stretch {
 
   double length() const { return (end - begin) * way; }
   double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
+  /// Half of the way each from where the depths are known.
+  double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
+
+  /// Leaves the depth on it unproved.
+  void leaveTo(MoveReport& move) const {
+    move.depth_proved = false;
+    move.depth_bound = std::max(move.depth_bound, depthBound());
+  }
 };
 
 MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
@@ -151,26 +155,34 @@ void MoveCheck::sweepMove(const PoseReport& from, PoseReport& to) const {
 }
 
 /// Where parts that may touch may do so on the move.
-std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(std::span<const PoseReport> poses,
-                                                       std::size_t pose) const {
-  const PoseReport &from = poses[pose - 1], &to = poses[pose];
+std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(std::span<PoseReport> poses, std::size_t pose) const {
+  const PoseReport& from = poses[pose - 1];
+  PoseReport& to = poses[pose];
   const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (!depth_proofs_[part]) continue;
-    const double limit = rules_.maxDepth(part);
-    if (depthAt(from, part) > limit || depthAt(to, part) > limit) continue;
+    if (!obstacles_.mayTouchAny(part)) continue;
     Stretch stretch;
     stretch.pose = pose;
     stretch.part = part;
+    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = touchOf(*depth);
+    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = touchOf(*depth);
+    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts
+      stretch.way = way.lengthBound(*parts_[part].tree);
+      stretch.leaveTo(*to.move);
+      continue;
+    }
     if (!touches(from, part)) {
       const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
       if (!met) continue;
       stretch.begin = met->fraction;
     }
-    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = touchOf(*depth);
-    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = touchOf(*depth);
-    stretches.push_back(std::move(stretch));
+    if (depth_proofs_[part]) {
+      stretches.push_back(std::move(stretch));
+    } else {
+      to.move->depth_proved = false;
+      to.move->depth_bound = std::numeric_limits<double>::infinity();
+    }
   }
   return stretches;
 }
@@ -219,9 +231,7 @@ void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unprove
       long_ones.push_back(std::move(stretch));
       continue;
     }
-    move.depth_proved = false;
-    const double between = 0.5 * (stretch.at_begin.depth + stretch.at_end.depth + stretch.length());
-    move.depth_bound = std::max(move.depth_bound, between);
+    stretch.leaveTo(move);
   }
   std::vector<std::size_t> parts;
   std::vector<Pose> middles;
@@ -239,12 +249,13 @@ void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unprove
     first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
     MoveReport& move = *poses[first.pose].move;
     const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
-    if (too_deep) {
-      noteTooDeep(first.part, middle, *found[i], move);
-      move.depth_proved = false;
-    }
     unproved.push_back(std::move(first));
-    if (!too_deep) unproved.push_back(std::move(second));
+    if (too_deep) {
+      noteTooDeep(second.part, middle, *found[i], move);
+      second.leaveTo(move);
+    } else {
+      unproved.push_back(std::move(second));
+    }
   }
 }
 

@@ -48,7 +48,7 @@ class MoveCheck {
   static FarPart farPartOf(const TriangleMesh& part);
   double wayOfTouch(std::size_t part, const Motion& way) const;
   void sweepMove(const PoseReport& from, PoseReport& to) const;
-  std::vector<Stretch> stretchesOf(std::span<const PoseReport> poses, std::size_t pose) const;
+  std::vector<Stretch> stretchesOf(std::span<PoseReport> poses, std::size_t pose) const;
   bool isProved(std::span<const PoseReport> poses, const Stretch& stretch) const;
   void halve(std::span<PoseReport> poses, std::vector<Stretch>& unproved);
   Touch touchOf(const PartDepth& depth) const;

@@ -1,8 +1,6 @@
 #include "cell/verdict.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -46,21 +44,6 @@ Verdict verdictOf(const PartContact& contact, int blade, double depth, const Ver
   }
   if (touches) return Verdict::interference;
   return distance <= rules.margin(contact.part, blade) ? Verdict::near_miss : Verdict::clear;
-}
-
-int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part) {
-  std::map<int, int> poses_of_blade;
-  for (const PoseReport& pose : poses) {
-    std::set<int> touched;
-    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      const bool touches = pose.contacts[c].part == part && pose.contacts[c].contact.distance <= 0.0;
-      if (touches && pose.blades[c] != 0) touched.insert(pose.blades[c]);
-    }
-    for (const int blade : touched) ++poses_of_blade[blade];
-  }
-  const auto most =
-      std::ranges::max_element(poses_of_blade, {}, [](const auto& entry) { return entry.second; });
-  return most == poses_of_blade.end() ? 0 : most->first;
 }
 
 void judge(std::span<PoseReport> poses, const VerdictRules& rules) {

@@ -61,10 +61,11 @@ struct MoveReport {
   Outcome outcome = Outcome::free;
   double fraction = 1.0;  ///< of the move, straight and turning evenly, that is free
   PartClearance at;       ///< there; for a part that is too deep, its depth as a negative distance
-  /// Of the parts that may touch what they touch: no deeper all the way (mm).
+  /// Of the parts that may touch what they touch: no deeper all the way (mm); infinite where that is not
+  /// known, as the blisk is open.
   double depth_bound = 0.0;
-  /// Whether it is proved (depth_proof.h) that none of these is deeper than it may be; else that was asked at
-  /// some places.
+  /// Whether it is proved (depth_proof.h) that none of these is deeper than it may be; else one is, or that
+  /// was asked at some places.
   bool depth_proved = true;
 };
 
@@ -82,9 +83,6 @@ struct PoseReport {
   std::vector<double> part_clearances;
   std::optional<MoveReport> move;  ///< from the pose before
 };
-
-/// The blade that a part touches at the most poses; the lowest number of several, 0 where it touches none.
-int mostTouchedBlade(std::span<const PoseReport> poses, std::size_t part);
 
 /// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or round it, is interference.
 void judge(std::span<PoseReport> poses, const VerdictRules& rules);

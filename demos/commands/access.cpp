@@ -134,7 +134,7 @@ void prepare(const AccessRequest& request, AccessTask& task) {
   AccessQuestion& question = task.question;
   question.of_path = !files.path.empty();
   const std::vector<Pose> path = question.of_path ? readPath(files.path, *input.blisk) : std::vector<Pose>{};
-  question.rules = reachRulesOf(files, input, groundBladeOf(files, input, path), request.margin);
+  question.rules = reachRulesOf(files, input, groundBladeOf(files, input, path).value(), request.margin);
   const int blade = question.rules.ground_blade;
   if (question.of_path && blade == 0) {
     throw std::invalid_argument(files.path +

@@ -11,9 +11,9 @@
 #include "commands/commands.h"
 #include "commands/convex_option.h"
 #include "commands/grinder_input.h"
-#include "commands/interrupt.h"
 #include "commands/option_checks.h"
 #include "commands/report_option.h"
+#include "commands/terminal_watch.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/open_edges.h"
@@ -22,7 +22,6 @@
 #include "report/grinding_replay.h"
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
-#include "report/progress_bar.h"
 #include "report/replay_files.h"
 #include "report/whole_files.h"
 #include "toolpath/pose_file.h"
@@ -73,18 +72,9 @@ void tell(const GrindingRun& run, const GrindRequest& request) {
 
 /// The job done, with a bar and Ctrl-C.
 GrindingRun runWatched(const GrindingJob& job) {
-  const InterruptWatch interrupt;
-  std::optional<ProgressBar> bar;
-  std::string task_shown;
-  RunWatch watch;
-  watch.progress = [&](const std::string& task, std::size_t done) {
-    if (task != task_shown) bar.emplace(std::cerr, job.path.size());
-    task_shown = task;
-    bar->update(done);
-  };
-  watch.stop = [] { return InterruptWatch::interrupted(); };
-  GrindingRun run = runGrinding(job, watch);
-  if (run.poses.empty()) throw std::runtime_error("stopped before a pose was done: nothing is written");
+  TerminalWatch terminal(job.path.size());
+  GrindingRun run = runGrinding(job, terminal.watch());
+  if (run.poses.empty()) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
   return run;
 }
 
@@ -161,6 +151,9 @@ int grind(const GrindRequest& request) {
   warnOfParts(files, run);
   writeAll(run, job.path, request);
   tell(run, request);
+  if (run.isPartial()) {
+    throw TerminalWatch::stopped("stopped: " + files.out + " has the poses that were done, marked partial");
+  }
   return run.interferes() ? 1 : 0;
 }
 
@@ -252,7 +245,8 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "belt stays within --max-depth is proved too; where it is not, its depth is measured every mm, and "
       "the\n"
       "summary tells how much deeper it may be between (depth_proved, depth_on_moves_at_most_mm).\n"
-      "Exit codes: 0 no interference at any pose or move, 1 interference found, 2 bad input.");
+      "Exit codes: 0 no interference at any pose or move, 1 interference found, 2 bad input; 130, 143 "
+      "stopped.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "cell/ground_blade.h"
 #include "cell/tool_file.h"
 #include "commands/axis_option.h"
 #include "commands/option_checks.h"
@@ -175,13 +176,14 @@ std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk
   return poses;
 }
 
-int groundBladeOf(const GrinderFiles& files, const GrinderInput& input, const std::vector<Pose>& path) {
+std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,
+                                 const std::vector<Pose>& path, const RunWatch& watch) {
   if (files.ground_blade) return *files.ground_blade;
   if (files.path.empty()) return input.blades.count > 0 ? 1 : 0;
   const std::size_t part = input.tool.rules.grinding_part;
   if (part == kNoPart) return 0;
   return bladeTouchedMost(*input.blisk, *input.tool.parts[part].tree, input.blades.blade_of_triangle, path,
-                          files.threads);
+                          files.threads, watch);
 }
 
 ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,

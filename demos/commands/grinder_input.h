@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "access/pose_judge.h"
+#include "cell/run_watch.h"
 #include "cell/tool_assembly.h"
 #include "models/blade_finder.h"
 #include "study/ranks.h"
@@ -57,8 +58,9 @@ std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& inp
 std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk);
 
 /// The blade asked for; else of a path of one's own the blade that the grinding part touches at the most of
-/// its poses, 0 where it touches none; else 1.
-int groundBladeOf(const GrinderFiles& files, const GrinderInput& input, const std::vector<Pose>& path);
+/// its poses, 0 where it touches none, nothing where the watch stopped it; else 1.
+std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,
+                                 const std::vector<Pose>& path, const RunWatch& watch = {});
 
 /// What access and repair judge by. They know of one part that may touch one blade: throws naming the tool's
 /// file where its table allows more, or nothing.

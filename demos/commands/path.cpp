@@ -16,6 +16,7 @@
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
 #include "models/mesh_file.h"
+#include "report/whole_files.h"
 #include "toolpath/cl_file.h"
 #include "toolpath/pose_file.h"
 #include "toolpath/surface_path.h"
@@ -28,7 +29,7 @@ struct PathRequest {
   int blade = 1;
   std::string side = "convex";
   std::string pattern = "transversal";
-  std::string arm;  // empty: outward, or downstream where there is a shroud
+  std::string arm;  // empty: as armAsked says
   std::string format = "csv";
   double wheel_width = BeltParameters{}.width;  // mm
   std::string out;
@@ -42,11 +43,13 @@ PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, con
   return is_forward ? PathRegion::kForward : PathRegion::kBackward;
 }
 
-/// Through a shroud nothing leads out: by default the arm then leaves downstream.
+/// Through a shroud nothing leads out: by default the arm then leaves a side downstream, and the leading edge
+/// upstream, where that is.
 PathArm armAsked(const PathRequest& request, bool shrouded) {
   if (request.arm == "upstream") return PathArm::upstream;
-  if (request.arm == "downstream" || (request.arm.empty() && shrouded)) return PathArm::downstream;
-  return PathArm::outward;
+  if (request.arm == "downstream") return PathArm::downstream;
+  if (request.arm == "outward" || !shrouded) return PathArm::outward;
+  return request.side == "leading" ? PathArm::upstream : PathArm::downstream;
 }
 
 int makePath(PathRequest request) {
@@ -74,11 +77,14 @@ int makePath(PathRequest request) {
 
   const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
   for (ToolMove& move : path.moves) move.tool_in_blisk = blisk_in_mesh * move.tool_in_blisk;
+  WholeFiles whole;
+  const std::filesystem::path written = whole.add(request.out);
   if (request.format == "apt") {
-    writeClFile(request.out, path.moves);
+    writeClFile(written, path.moves);
   } else {
-    writeMoves(request.out, path.moves);
+    writeMoves(written, path.moves);
   }
+  whole.finish();
   const int passes = *std::ranges::max_element(path.pass_of_move) + 1;
   const bool is_edge = request.side == "leading";
   std::cout << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
@@ -102,9 +108,11 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   addAxisOption(command, request->axis);
   addConvexOption(command, request->convex);
   command
-      .add_option("--arm", request->arm,
-                  "How the arm leaves the blades: outward, away from the axis, or by the channel's end, "
-                  "upstream or downstream; default: outward, downstream where there is a shroud")
+      .add_option(
+          "--arm", request->arm,
+          "How the arm leaves the blades: outward, away from the axis, or by the channel's end, "
+          "upstream or downstream; default: outward; where there is a shroud, downstream, and upstream round "
+          "the leading edge")
       ->check(CLI::IsMember({"outward", "upstream", "downstream"}));
   command.option_defaults()->always_capture_default();
   command

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -15,12 +16,13 @@
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
 #include "commands/report_option.h"
+#include "commands/terminal_watch.h"
 #include "models/length_limit.h"
 #include "repair/path_repair.h"
 #include "repair/repair_replay.h"
 #include "repair/repair_report.h"
-#include "report/progress_bar.h"
 #include "report/replay_files.h"
+#include "report/whole_files.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -50,8 +52,16 @@ void tellChanges(const PathRepair& repair) {
             << retract << " mm; " << without << " of them free without touching the ground blade\n";
 }
 
-void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
-                const std::filesystem::path& out) {
+/// Where the repaired path and the table of its changes are; those of an unfinished one are marked.
+struct RepairFiles {
+  RepairFiles(const std::filesystem::path& out, bool is_partial)
+      : path(out / (is_partial ? "path.csv.partial" : "path.csv")),
+        changes(out / (is_partial ? "changes.csv.partial" : "changes.csv")) {}
+
+  std::filesystem::path path, changes;
+};
+
+void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, const RepairFiles& files) {
   std::cout << repair.poses.size() << (repair.poses.size() == 1 ? " pose, " : " poses, ");
   if (blade == 0) {
     std::cout << "no blade ground";
@@ -65,8 +75,7 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade,
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts);
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
   if (left.size() > kMost) std::cout << "Left: " << left.size() - kMost << " more runs (changes.csv)\n";
-  std::cout << "Path: " << (out / "path.csv").string() << ", changes: " << (out / "changes.csv").string()
-            << '\n';
+  std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
 }
 
 /// Throws naming the option whose spacing no step from pose to pose could bridge.
@@ -84,7 +93,7 @@ void requireBridged(const ChangeLimits& limits) {
 
 /// The path as octoblisk grind judges it.
 GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
-                  const std::vector<Pose>& path) {
+                  const std::vector<Pose>& path, const RunWatch& watch) {
   constexpr double kLeastNearMiss = 0.5;  // mm
   GrindingJob job;
   job.blisk = input.blisk;
@@ -96,11 +105,22 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Re
   job.rules.near_miss = std::clamp(rules.margin, kLeastNearMiss, kMostNearMiss);
   job.path = path;
   job.threads = files.threads;
-  GrindingRun run = runGrinding(job);
+  GrindingRun run = runGrinding(job, watch);
+  if (run.isPartial()) throw TerminalWatch::stopped("stopped: the path is repaired, but has no report");
   run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
   run.tool_name = files.toolName();
   run.path_name = files.path.empty() ? "generated" : files.path;
   return run;
+}
+
+void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
+                       const std::vector<Pose>& path, const PathRepair& repaired, const RunWatch& watch) {
+  const GrindingRun before = runOf(files, input, rules, path, watch);
+  const GrindingRun after = runOf(files, input, rules, repaired.path, watch);
+  WholeFiles shown;
+  writeReplayFiles(repairReplay(repaired, before, after), files.out, shown);
+  shown.finish();
+  std::cout << tellReplayFiles(files.out);
 }
 
 int repair(const RepairRequest& request) {
@@ -111,31 +131,29 @@ int repair(const RepairRequest& request) {
   const bool own_path = !files.path.empty();
   const GrinderInput input = readGrinder(files);
   const std::vector<Pose> path = own_path ? readPath(files.path, *input.blisk) : builtInPath(files, input);
-  const ReachRules rules = reachRulesOf(files, input, groundBladeOf(files, input, path), request.margin);
+  TerminalWatch terminal(path.size());
+  const std::optional<int> blade = groundBladeOf(files, input, path, terminal.watch());
+  if (!blade) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
+  const ReachRules rules = reachRulesOf(files, input, *blade, request.margin);
   warnOfInput(files, input);
   makeFolder(files.out);
 
   PoseJudge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
   RepairOptions options = request.options;
   options.moves.clearance = std::max(kMarginOfMoves * request.margin, kLeastClearance);
-  PathRepair repaired;
-  {
-    ProgressBar progress(std::cerr, path.size());
-    repaired = repairPath(judge, path, directionsOffSurface(judge, path), options,
-                          [&](std::size_t settled) { progress.update(settled); });
+  const PathRepair repaired =
+      repairPath(judge, path, directionsOffSurface(judge, path), options, terminal.watch());
+  terminal.endTask();
+  const RepairFiles written(files.out, repaired.is_partial);
+  WholeFiles whole;
+  writePoses(whole.add(written.path), repaired.path);
+  writeChanges(repaired, input.tool.parts, whole.add(written.changes));
+  whole.finish();
+  tellRepair(repaired, input, *blade, written);
+  if (repaired.is_partial) {
+    throw TerminalWatch::stopped("stopped: what was repaired so far is in " + written.path.string());
   }
-  const std::filesystem::path out = files.out;
-  writePoses(out / "path.csv", repaired.path);
-  writeChanges(repaired, input.tool.parts, out / "changes.csv");
-  tellRepair(repaired, input, rules.ground_blade, out);
-  if (request.report) {
-    WholeFiles shown;
-    writeReplayFiles(
-        repairReplay(repaired, runOf(files, input, rules, path), runOf(files, input, rules, repaired.path)),
-        out, shown);
-    shown.finish();
-    std::cout << tellReplayFiles(out);
-  }
+  if (request.report) writeRepairReport(files, input, rules, path, repaired, terminal.watch());
   return repaired.isFree() ? 0 : 1;
 }
 
@@ -194,7 +212,9 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
       "all\n"
       "that must not touch keeps half of the margin on them, 1 um at least, continuously, and the belt's\n"
       "depth in the ground blade is asked for every --move-step. Poses are counted from 0.\n"
-      "Exit codes: 0 the repaired path is free, 1 something is left interfering, 2 bad input.");
+      "Ctrl-C leaves what was repaired so far in path.csv.partial and changes.csv.partial.\n"
+      "Exit codes: 0 the repaired path is free, 1 something is left interfering, 2 bad input; 130, 143 "
+      "stopped.");
   command.callback([request, &exit_code] { exit_code = repair(*request); });
 }
 

@@ -40,18 +40,22 @@ class Repairer {
                              [&](std::uint32_t node) { return grid_.cost(grid_.change(node)); });
   }
 
-  std::vector<std::uint32_t> run(const std::function<void(std::size_t)>& progress) {
+  /// The way found; where it was stopped, that so far.
+  std::vector<std::uint32_t> run(const RunWatch& watch) {
     for (;;) {
       std::vector<std::uint32_t> way = search_.cheapest();
+      is_stopped_ = watch.isStopped();
+      if (is_stopped_) return way;
       if (judgePoses(way)) {
-        if (progress) progress(settled(way));
+        watch.tell(kTask, settled(way));
         continue;
       }
       if (judgeMoves(way)) continue;
-      if (progress) progress(path_.size());
+      watch.tell(kTask, path_.size());
       return way;
     }
   }
+  bool isStopped() const { return is_stopped_; }
 
   Pose pose(std::size_t index, std::uint32_t node) const {
     return changedPose(path_[index], off_surface_[index], grid_.change(node));
@@ -65,6 +69,7 @@ class Repairer {
 
  private:
   static constexpr char kUnknown = 0, kFree = 1, kBlocked = 2;
+  static constexpr const char* kTask = "poses that are free";
 
   char& known(std::size_t pose, std::uint32_t node) { return known_[pose * grid_.size() + node]; }
 
@@ -170,6 +175,7 @@ class Repairer {
   std::vector<std::size_t> tries_;          // of each pose: moves to it that were blocked
   std::vector<std::size_t> least_retract_;  // of each pose: indices of the grid's retractions
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
+  bool is_stopped_ = false;
 };
 
 }  // namespace
@@ -195,13 +201,14 @@ std::size_t PathRepair::changed() const {
 }
 
 PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-                      const RepairOptions& options, const std::function<void(std::size_t)>& progress) {
+                      const RepairOptions& options, const RunWatch& watch) {
   require(!path.empty(), "a path of no poses cannot be repaired");
   require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
   Repairer repairer(judge, path, off_surface, options);
-  const std::vector<std::uint32_t> way = repairer.run(progress);
+  const std::vector<std::uint32_t> way = repairer.run(watch);
 
   PathRepair repair;
+  repair.is_partial = repairer.isStopped();
   for (std::size_t p = 0; p < path.size(); ++p) {
     const Change change = repairer.grid().change(way[p]);
     // What is not changed stays to the last bit.
@@ -216,7 +223,7 @@ PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<co
   for (std::size_t p = 0; p < path.size(); ++p) {
     repair.poses[p].before = before[p];
     repair.poses[p].after = after[p];
-    if (p == 0 || after[p - 1].obstacle || after[p].obstacle) continue;
+    if (p == 0 || repair.is_partial || after[p - 1].obstacle || after[p].obstacle) continue;
     moves.push_back({repair.path[p - 1], repair.path[p]});
     move_to.push_back(p);
   }

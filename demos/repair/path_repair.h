@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "access/pose_judge.h"
+#include "cell/run_watch.h"
 #include "repair/change_grid.h"
 #include "repair/move_check.h"
 
@@ -28,12 +28,13 @@ struct PoseRepair {
 struct PathRepair {
   std::vector<Pose> path;         ///< the repaired one
   std::vector<PoseRepair> poses;  ///< as many
+  bool is_partial = false;        ///< stopped: more might be repaired, and no moves were asked at last
 
   std::size_t interferedBefore() const;
   std::size_t posesLeft() const;  ///< poses of the repaired path that are not free
   std::size_t movesLeft() const;  ///< moves from a free pose to a free one that are not free
   std::size_t changed() const;
-  bool isFree() const { return posesLeft() + movesLeft() == 0; }
+  bool isFree() const { return !is_partial && posesLeft() + movesLeft() == 0; }
 };
 
 /// For each pose a change on the grid so that as few poses as can be are left interfering, and among those
@@ -44,10 +45,11 @@ struct PathRepair {
 /// after a few dozen tries what is in its way is left there. At last the whole repaired path is judged again.
 ///
 /// The answer is the same for any number of threads. `off_surface`: for each pose the unit direction of a
-/// lift. `progress` is told how many poses have a change that holds so far.
+/// lift. The watch is told how many poses have a change that holds so far; stopped, the best way so far is
+/// taken.
 /// Throws std::invalid_argument for an empty path, another number of directions, or a limit out of its range.
 PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-                      const RepairOptions& options, const std::function<void(std::size_t)>& progress = {});
+                      const RepairOptions& options, const RunWatch& watch = {});
 
 /// For each pose the direction from the ground blade's nearest point to the tool's origin; where no blade is
 /// ground, along the arm.

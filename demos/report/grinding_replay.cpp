@@ -8,6 +8,7 @@
 #include "cell/blade_side.h"
 #include "cell/moves.h"
 #include "report/grinding_pictures.h"
+#include "report/grinding_words.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {
@@ -159,14 +160,9 @@ Table limitsTable(const GrindingRun& run) {
                                                     bladeChoiceText(row.blade)});
   }
   if (run.continuous) {
-    double bound = 0.0;
-    for (const PoseReport& pose : run.poses) {
-      if (pose.move) bound = std::max(bound, pose.move->depth_bound);
-    }
     table.rows.push_back(
         {"Moves", "proved to stay " + shortText(kMoveTolerance) + " mm away from what must not be touched"});
-    table.rows.push_back({"Depth on moves", "at most " + shortText(bound) + " mm; measured every " +
-                                                shortText(kDepthStep) + " mm"});
+    table.rows.push_back({"Depth on moves", depthOnMoves(run)});
   } else {
     table.rows.push_back({"Moves", "not checked, poses alone"});
   }

@@ -241,23 +241,16 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
   const int blade = run.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
-  double depth_bound = 0.0;
-  std::size_t depth_proved = 0;
-  for (const PoseReport& pose : run.poses) {
-    if (!pose.move) continue;
-    depth_bound = std::max(depth_bound, pose.move->depth_bound);
-    depth_proved += pose.move->depth_proved;
-  }
   nlohmann::ordered_json moves;  // null where they were not checked
   if (run.continuous) {
-    moves = {{"total", run.poses.empty() ? 0 : run.poses.size() - 1},
+    moves = {{"total", run.moveCount()},
              {"free", run.count(MoveReport::Outcome::free)},
              {"hit", run.count(MoveReport::Outcome::hit)},
              {"too_deep", run.count(MoveReport::Outcome::too_deep)},
              {"not_proved", run.count(MoveReport::Outcome::not_proved)},
              {"proved_to_mm", kMoveTolerance},
-             {"depth_proved", depth_proved},
-             {"depth_on_moves_at_most_mm", depth_bound}};
+             {"depth_proved", run.depthsProved()},
+             {"depth_on_moves_at_most_mm", run.depthBound()}};
   }
   const nlohmann::ordered_json summary = {
       {"partial", run.isPartial()},

@@ -1,6 +1,7 @@
 #include "report/grinding_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -70,7 +71,24 @@ std::string inWords(const GrindingRun& run) {
     text << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
     text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
-  if (run.continuous) tellMoves(run, text);
+  if (run.continuous) {
+    tellMoves(run, text);
+    if (run.depthBound() > 0.0) text << "Depth between the poses: " << depthOnMoves(run) << '\n';
+  }
+  return text.str();
+}
+
+std::string depthOnMoves(const GrindingRun& run) {
+  const std::size_t moves = run.moveCount(), proved = run.depthsProved();
+  std::ostringstream text;
+  text << "proved within the limit on " << proved << " of " << moves << (moves == 1 ? " move" : " moves");
+  if (proved == moves) return text.str();
+  const double bound = run.depthBound();
+  if (std::isfinite(bound)) {
+    text << ", at most " << bound << " mm on the others";
+  } else {
+    text << ", not known on the others, as the blisk is open";
+  }
   return text.str();
 }
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "study/new_file.h"
+
 namespace octoblisk::demos {
 namespace {
 
@@ -20,6 +22,11 @@ WholeFiles::~WholeFiles() {
 }
 
 std::filesystem::path WholeFiles::add(const std::filesystem::path& file) {
+  if (isDevice(file)) return file;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder)) {
+    throw std::runtime_error(file.string() + ": cannot be written");
+  }
   files_.push_back(file);
   return unfinished(file);
 }

@@ -28,8 +28,7 @@ class CheckRanks : public CheckParts {
   }
 
   Outcome runRanks(int ranks, const std::string& arguments) {
-    const int status = std::system(commandOf(ranks, arguments).c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("stdout.txt"), content("stderr.txt")};
+    return outcomeOf(std::system(commandOf(ranks, arguments).c_str()), folder_.path());
   }
 };
 

@@ -106,13 +106,7 @@ TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
 
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const std::string command = "cd '" + folder_.path().string() + "' && exec '" OCTOBLISK_COMMAND "' " +
-                                arguments + "stopped.csv >stdout.txt 2>stderr.txt </dev/null";
-    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    ::_exit(127);
-  }
+  const pid_t child = startOctoblisk(folder_.path(), arguments + "stopped.csv");
   EXPECT_TRUE(waitForAnswers("stopped.csv"));
   ::kill(child, SIGINT);
   int status = 0;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <compare>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <string>
 
 namespace octoblisk::demos {
@@ -16,22 +20,55 @@ inline std::string contentOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// A number that tells, where it is not the expected one, what the command said.
+struct ExitCode {
+  int value = -1;
+  std::string error;  ///< what the command wrote to standard error
+
+  bool operator==(const ExitCode& other) const { return value == other.value; }
+  bool operator==(int other) const { return value == other; }
+  std::strong_ordering operator<=>(int other) const { return value <=> other; }
+  friend std::ostream& operator<<(std::ostream& stream, const ExitCode& code) {
+    stream << code.value;
+    return code.error.empty() ? stream : stream << ", with the message: " << code.error;
+  }
+};
+
 struct Outcome {
-  int exit_code = -1;
+  ExitCode exit_code;
   std::string out;
   std::string error;
 };
 
+/// Of a command that std::system ran, and whose output is in the folder.
+inline Outcome outcomeOf(int status, const std::filesystem::path& folder) {
+  const std::string error = contentOf(folder / "stderr.txt");
+  return {{WIFEXITED(status) ? WEXITSTATUS(status) : -1, error}, contentOf(folder / "stdout.txt"), error};
+}
+
+inline std::string octobliskIn(const std::filesystem::path& folder, const std::string& arguments) {
+  // Under the leak sanitizer, what the libraries keep to the end is no leak of ours.
+  return "cd '" + folder.string() +
+         "' && export LSAN_OPTIONS='suppressions=" OCTOBLISK_LEAK_SUPPRESSIONS
+         ":print_suppressions=0' && exec '" OCTOBLISK_COMMAND "' " +
+         arguments + " >stdout.txt 2>stderr.txt </dev/null";
+}
+
 /// Runs `octoblisk ARGUMENTS` in the folder.
 inline Outcome runOctoblisk(const std::filesystem::path& folder, const std::string& arguments) {
-  // Under the leak sanitizer, what the libraries keep to the end is no leak of ours.
-  const std::string command = "cd '" + folder.string() +
-                              "' && LSAN_OPTIONS='suppressions=" OCTOBLISK_LEAK_SUPPRESSIONS
-                              ":print_suppressions=0' '" OCTOBLISK_COMMAND "' " +
-                              arguments + " >stdout.txt 2>stderr.txt </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "stdout.txt"),
-          contentOf(folder / "stderr.txt")};
+  return outcomeOf(std::system(octobliskIn(folder, arguments).c_str()), folder);
+}
+
+/// Starts it and does not wait for it. It heeds Ctrl-C, whoever runs the tests.
+inline pid_t startOctoblisk(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::string command = octobliskIn(folder, arguments);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGINT, SIG_DFL);
+    ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    ::_exit(127);
+  }
+  return child;
 }
 
 }  // namespace octoblisk::demos

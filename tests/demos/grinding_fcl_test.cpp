@@ -9,6 +9,7 @@
 #include "cell/tool_assembly.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
+#include "shared/solids.h"
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {
@@ -50,7 +51,8 @@ double distanceOf(const Model& blisk, const Model& part, const Pose& pose) {
                                fcl::DistanceRequestd(), result);
 }
 
-TEST(GrindingRun, verdicts_vs_fcl) {
+/// The built-in grinder on the built-in blisk's blade 1; without a path.
+GrindingJob builtInJob() {
   GrindingJob job;
   job.blisk = treeOf(embeddedBlisk());
   job.blades = findBlades(job.blisk->mesh());
@@ -60,6 +62,77 @@ TEST(GrindingRun, verdicts_vs_fcl) {
   job.rules.ground_blade = 1;
   job.rules.near_miss = 0.5;
   job.continuous = false;
+  return job;
+}
+
+/// How deep points lie in a solid, by FCL's distances.
+class DepthsByFcl {
+ public:
+  explicit DepthsByFcl(const TriangleMesh& solid)
+      : solid_(solid), model_(modelOf(solid, [](std::size_t) { return true; })) {
+    constexpr double kTiny = 1e-7;
+    point_ = modelOf(TriangleMesh({{0, 0, 0}, {kTiny, 0, 0}, {0, kTiny, 0}}, {{0, 1, 2}}),
+                     [](std::size_t) { return true; });
+  }
+
+  /// 0 outside.
+  double at(const Vec3& point) const {
+    fcl::DistanceRequestd request;
+    request.enable_nearest_points = true;
+    fcl::DistanceResultd result;
+    const double distance = fcl::distance<double>(model_.get(), fcl::Transform3d::Identity(), point_.get(),
+                                                  transformOf({Mat3::Identity(), point}), request, result);
+    const Vec3 normal = scaledNormal(solid_.triangle(static_cast<std::size_t>(result.b1)));
+    if (normal.dot(point - result.nearest_points[0]) >= 0.0) return 0.0;
+    // Where an edge is nearest, one of its triangles may say so of a point outside.
+    return testing::windingNumber(solid_, point) > 0.5 ? distance : 0.0;
+  }
+
+ private:
+  const TriangleMesh& solid_;
+  std::shared_ptr<Model> model_, point_;
+};
+
+TEST(GrindingRun, depths_vs_fcl) {
+  GrindingJob job = builtInJob();
+  const std::vector<Pose> whole = makeGrindingPath(job.blisk->mesh(), job.blades);
+  for (std::size_t pose = 0; pose < whole.size(); pose += 3) job.path.push_back(whole[pose]);
+  const GrindingRun run = runGrinding(job);
+  const DepthsByFcl depths(job.blisk->mesh());
+  const TriangleMesh& belt = job.parts.front().tree->mesh();
+  constexpr double kLimit = 0.1, kTolerance = 0.02 * kLimit, kNear = 3.0;
+  int within = 0, beyond = 0, seen = 0;
+  for (const PoseReport& pose : run.poses) {
+    const bool by_depth_alone = pose.clearance->clearance.distance > 0.0 && !pose.depths.empty();
+    const bool too_deep = pose.verdict == Verdict::interference;
+    int& asked = too_deep ? beyond : within;
+    if (!by_depth_alone || asked == 8) continue;
+    ++asked;
+    // Corners and middles of the belt's triangles near where it is said to be deepest: none is deeper, and
+    // one is about as deep.
+    double deepest = 0.0;
+    for (std::size_t t = 0; t < belt.triangleCount(); ++t) {
+      const Triangle corners = pose.tool_in_blisk * belt.triangle(t);
+      const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+      if ((middle - pose.depths.front().point_on_blisk).norm() > kNear) continue;
+      for (const Vec3& point : {middle, corners[0], Vec3(0.5 * (corners[0] + corners[1]))}) {
+        deepest = std::max(deepest, depths.at(point));
+        ++seen;
+      }
+    }
+    EXPECT_LE(deepest, pose.depths.front().depth + kTolerance);
+    EXPECT_GE(deepest, 0.9 * pose.depths.front().depth - kTolerance);
+    if (deepest > kLimit + kTolerance) {
+      EXPECT_TRUE(too_deep);
+    }
+  }
+  EXPECT_EQ(within, 8);
+  EXPECT_GE(beyond, 4);
+  EXPECT_GT(seen, 1000);
+}
+
+TEST(GrindingRun, verdicts_vs_fcl) {
+  GrindingJob job = builtInJob();
   const std::vector<Pose> whole = makeGrindingPath(job.blisk->mesh(), job.blades);
   for (std::size_t pose = 0; pose < whole.size(); pose += 7) {
     job.path.push_back(whole[pose]);

@@ -1,18 +1,22 @@
 // Runs along a path: what happens between the poses, by closed forms; stops; threads.
 #include "cell/grinding_run.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
+#include <map>
 #include <numbers>
 #include <random>
+#include <set>
 
+#include "cell/ground_blade.h"
 #include "cell/moves.h"
-#include "commands/interrupt.h"
 #include "demos/block.h"
 #include "models/shared_tree.h"
+#include "report/grinding_words.h"
 #include "report/progress_bar.h"
+#include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {
@@ -86,6 +90,31 @@ TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
   EXPECT_FALSE(run.poses[0].clearance.has_value()) << "nothing is forbidden";
 }
 
+TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
+  // Depths 0.05, 0.05, 0.3 and away: one slide, one too deep, one out of it.
+  const std::vector<Pose> path = {at(-1.45, 0, 0), at(-1.45, 3, 0), at(-1.2, 3, 0), at(-3, 3, 0)};
+  const TriangleMesh wall = block({1, 5, 5}, 2), bit = block({0.5, 0.5, 0.5}, 2);
+  GrindingJob job = jobOf(wall, 1, bit, path);
+  job.rules.ground_blade = 1;
+  const GrindingRun run = runGrinding(job);
+  EXPECT_TRUE(run.poses[1].move->depth_proved);
+  EXPECT_FALSE(run.poses[2].move->depth_proved) << "it ends too deep";
+  EXPECT_FALSE(run.poses[3].move->depth_proved) << "it begins too deep";
+  EXPECT_EQ(run.depthsProved(), 1u);
+  EXPECT_EQ(run.moveCount(), 3u);
+  EXPECT_GE(run.depthBound(), 0.3);
+  EXPECT_THAT(inWords(run), ::testing::HasSubstr("proved within the limit on 1 of 3 moves, at most "));
+
+  std::vector<TriangleMesh::Indices> open = wall.triangles();
+  open.erase(open.begin());
+  job.blisk = treeOf(TriangleMesh(wall.vertices(), open));
+  job.blades.blade_of_triangle.pop_back();
+  const GrindingRun of_open = runGrinding(job);
+  EXPECT_EQ(of_open.depthsProved(), 0u) << "nothing is, where the blisk is open";
+  EXPECT_TRUE(std::isinf(of_open.depthBound()));
+  EXPECT_THAT(inWords(of_open), ::testing::HasSubstr("not known on the others"));
+}
+
 TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
   constexpr double kDepth = 0.05, kSlide = 3.0;
   GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2),
@@ -139,6 +168,27 @@ TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
   EXPECT_GT(hit, 10u);
 }
 
+TEST(GrindingRun, theGroundBladeIsThatTouchedAtTheMostPoses) {
+  const GrindingJob job = randomJob(150);
+  std::map<int, int> poses_of_blade;
+  for (const Pose& pose : job.path) {
+    const TriangleMesh& belt = job.parts.front().tree->mesh();
+    std::set<int> touched;
+    for (const TrianglePair& pair : testing::bruteForcePairs(job.blisk->mesh(), belt, pose)) {
+      touched.insert(job.blades.blade_of_triangle[pair.a]);
+    }
+    for (const int blade : touched) ++poses_of_blade[blade];
+  }
+  ASSERT_GT(poses_of_blade[1], 20);
+  ASSERT_GT(poses_of_blade[2], 20);
+  ASSERT_NE(poses_of_blade[1], poses_of_blade[2]);
+  EXPECT_EQ(bladeTouchedMost(*job.blisk, *job.parts.front().tree, job.blades.blade_of_triangle, job.path),
+            poses_of_blade[1] > poses_of_blade[2] ? 1 : 2);
+  const RunWatch stopped{.stop = [] { return true; }};
+  EXPECT_FALSE(bladeTouchedMost(*job.blisk, *job.parts.front().tree, job.blades.blade_of_triangle, job.path,
+                                1, stopped));
+}
+
 TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
   const GrindingJob job = randomJob(80);
   const GrindingRun run = runGrinding(job);
@@ -182,19 +232,6 @@ TEST(GrindingRun, stoppedItKeepsThePosesDone) {
   const GrindingRun whole = runGrinding(job);
   EXPECT_FALSE(whole.isPartial());
   for (std::size_t i = 0; i < done; ++i) EXPECT_EQ(run.poses[i].verdict, whole.poses[i].verdict);
-}
-
-TEST(InterruptWatch, notesTheFirstSignalAndGivesTheHandlerBack) {
-  struct sigaction before = {}, after = {};
-  sigaction(SIGINT, nullptr, &before);
-  {
-    const InterruptWatch watch;
-    EXPECT_FALSE(InterruptWatch::interrupted());
-    std::raise(SIGINT);
-    EXPECT_TRUE(InterruptWatch::interrupted());
-  }
-  sigaction(SIGINT, nullptr, &after);
-  EXPECT_EQ(before.sa_handler, after.sa_handler);
 }
 
 TEST(ProgressBar, rateAndTimeLeft) {

@@ -217,8 +217,6 @@ TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
   EXPECT_EQ(worst.depth, 0.07);
   EXPECT_FALSE(worstTouch(poses[1]).has_value());
   EXPECT_EQ(poses[1].verdict, Verdict::clear);
-  EXPECT_EQ(mostTouchedBlade(poses, 0), 3);
-  EXPECT_EQ(mostTouchedBlade(poses, 1), 0);
 }
 
 TEST(Verdict, ofAPartWhollyInsideIsInterference) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/scratch_folder.h"
 #include "report/corner_normals.h"
 
 #ifdef __SANITIZE_ADDRESS__
@@ -207,11 +208,11 @@ TEST(Picture, WordsKeepOffTheScene) {
 }
 
 TEST(Picture, WritesPngOfTheRightSize) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "octoblisk_picture_test.png";
+  const ScratchFolder folder;
+  const std::filesystem::path path = folder.path() / "picture.png";
   writePng(busyPicture(), path.string(), kWidth, kHeight, 1);
   std::array<unsigned char, 24> head{};
   std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(head.data()), head.size());
-  std::filesystem::remove(path);
   constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   EXPECT_TRUE(std::equal(kSignature.begin(), kSignature.end(), head.begin()));
   EXPECT_EQ(head[19], kWidth);  // the last byte of the big-endian width, then that of the height

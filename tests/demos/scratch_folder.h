@@ -3,20 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 namespace octoblisk::demos {
 
+/// Of a name that no other has: the same test may run at the same time in another build of the machine.
 class ScratchFolder {
  public:
   ScratchFolder() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(::testing::TempDir()) /
-            (std::string("octoblisk_") + test->test_suite_name() + "_" + test->name());
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
+    std::string name = (std::filesystem::path(::testing::TempDir()) / "octoblisk_").string() +
+                       test->test_suite_name() + "_" + test->name() + "_XXXXXX";
+    if (!::mkdtemp(name.data())) throw std::runtime_error(name + ": cannot be made");
+    path_ = name;
   }
   ~ScratchFolder() {
     std::error_code ignored;

@@ -359,5 +359,18 @@ TEST(ExactNumbers, AreThoseOfStreamsAndReadBackAsTheyAre) {
   EXPECT_EQ(exactText(1.0), "1");
 }
 
+TEST(StopSignal, notesTheFirstSignalAndGivesTheHandlerBack) {
+  struct sigaction before = {}, after = {};
+  sigaction(SIGINT, nullptr, &before);
+  {
+    const StopSignal watch;
+    EXPECT_EQ(StopSignal::received(), 0);
+    std::raise(SIGINT);
+    EXPECT_EQ(StopSignal::received(), SIGINT);
+  }
+  sigaction(SIGINT, nullptr, &after);
+  EXPECT_EQ(before.sa_handler, after.sa_handler);
+}
+
 }  // namespace
 }  // namespace octoblisk::demos

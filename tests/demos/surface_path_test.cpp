@@ -313,6 +313,34 @@ TEST_F(PathCommand, FollowsABliskThatLiesAnywhere) {
   EXPECT_GT(working, 20);
 }
 
+TEST_F(PathCommand, OfAClosedBliskTheArmLeavesByTheNearerEndOfTheChannel) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
+  for (const char* const side : {"convex", "leading"}) {
+    ASSERT_EQ(
+        run("--blisk s.ply --step-over 6 --pose-step 4 --out path.csv --side " + std::string(side)).exit_code,
+        0);
+    const double away = side == std::string("leading") ? -1.0 : 1.0;  // along the axis
+    int working = 0, out = 0;
+    for (const ToolMove& move : readMoves(file("path.csv"))) {
+      if (move.feed == 0.0) continue;
+      ++working;
+      out += away * move.tool_in_blisk.rotation(2, 0) > 0.3;
+    }
+    EXPECT_GT(working, 50) << side;
+    EXPECT_GT(out, working * 9 / 10) << side;
+  }
+}
+
+TEST_F(PathCommand, WritesAWholeFileOrNone) {
+  folder_.write("path.csv", "as it was");
+  EXPECT_EQ(run("--blade 25 --out path.csv").exit_code, 2);
+  EXPECT_EQ(contentOf(file("path.csv")), "as it was");
+  const Outcome refused = run("--step-over 40 --out missing/path.csv");
+  EXPECT_EQ(refused.error, "octoblisk: missing/path.csv: cannot be written\n");
+  EXPECT_EQ(run("--step-over 40 --out /dev/null").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null")) << "not a file that took its place";
+}
+
 TEST_F(PathCommand, RefusesInOneLine) {
   for (const char* arguments :
        {"--blade 25 --out p.csv", "--blisk missing.stl --out p.csv", "--edge-margin 70 --out p.csv",

@@ -1,0 +1,90 @@
+// Ctrl-C amid grind and repair: what was done is left, marked partial.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Whether the process has a handler of its own for SIGINT.
+bool handlesInterrupt(pid_t process) {
+  std::istringstream status(contentOf("/proc/" + std::to_string(process) + "/status"));
+  for (std::string key; status >> key;) {
+    std::uint64_t signals = 0;
+    if (key == "SigCgt:" && status >> std::hex >> signals) return (signals >> (SIGINT - 1) & 1) != 0;
+  }
+  return false;
+}
+
+class Interrupt : public ::testing::Test {
+ protected:
+  /// Runs it until it heeds Ctrl-C and has had a while to work, then presses that.
+  Outcome interrupted(const std::string& arguments) {
+    using namespace std::chrono_literals;
+    const pid_t child = startOctoblisk(folder_.path(), arguments);
+    for (int wait = 0; wait < 6'000 && !handlesInterrupt(child); ++wait) std::this_thread::sleep_for(10ms);
+    std::this_thread::sleep_for(300ms);
+    ::kill(child, SIGINT);
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    return outcomeOf(status, folder_.path());
+  }
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+  bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
+
+  /// Poses beside the disk, near to it, so many that there is no end soon.
+  void writeLongPath() const {
+    std::vector<Pose> path;
+    for (int k = 0; k < 200'000; ++k) {
+      path.push_back({Mat3::Identity(), Vec3(131.0 + 1e-3 * (k % 1000), 0.0, 0.0)});
+    }
+    writePoses(file("long.csv"), path);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Interrupt, grindKeepsThePosesDone) {
+  writeLongPath();
+  const Outcome stopped =
+      interrupted("grind --path long.csv --ground-blade 1 --no-pictures --no-report --out run");
+  EXPECT_EQ(stopped.exit_code, 130);
+  if (!exists("run/summary.json")) {  // the machine had no while for it
+    EXPECT_THAT(stopped.error, HasSubstr("stopped before a pose was done: nothing is written"));
+    return;
+  }
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has the poses that were done, marked partial\n");
+  const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
+  EXPECT_EQ(summary["partial"], true);
+  EXPECT_EQ(summary["poses_of_path"], 200'000);
+  EXPECT_GT(summary["poses"]["total"], 0);
+  EXPECT_LT(summary["poses"]["total"], 200'000);
+  EXPECT_THAT(stopped.out, StartsWith("Stopped: "));
+}
+
+TEST_F(Interrupt, repairLeavesWhatItHas) {
+  const Outcome stopped = interrupted("repair --out run");
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: what was repaired so far is in run/path.csv.partial\n");
+  EXPECT_FALSE(exists("run/path.csv"));
+  EXPECT_FALSE(exists("run/changes.csv"));
+  EXPECT_GT(readPoses(file("run/path.csv.partial")).size(), 300u);
+  EXPECT_THAT(contentOf(file("run/changes.csv.partial")), HasSubstr("\n0,"));
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
