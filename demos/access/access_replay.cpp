@@ -170,8 +170,7 @@ Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree>
   replay.facts = accessFacts(map, *blisk, blisk_name);
   replay.notes.push_back(
       "At each point the tool is shown at the middle of its widest free range of tilt, and where nothing is "
-      "free at "
-      "tilt 0 and lead 0. Points are counted from 0.");
+      "free at tilt 0 and lead 0. Points are counted from 0.");
   replay.blisk = std::move(blisk);
   return replay;
 }

@@ -48,7 +48,7 @@ void addOptions(CLI::App& command, PaperRequest& request) {
       ->check(notEmpty());
   command.footer(
       "Written to OUT: report.md, report.html (which needs no other file), every table as CSV, figures as\n"
-      "SVG and PNG.\n"
+      "SVG and PNG; of Table 3 replay.html, its paths in the browser, without a network.\n"
       "Exit codes: 0 done, 2 bad input.");
 }
 

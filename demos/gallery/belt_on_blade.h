@@ -27,7 +27,7 @@ struct BeltOnBladeOptions {
 
 class BeltOnBlade final : public GalleryScene {
  public:
-  static constexpr double kTimeStep = 1.0 / 960.0;  ///< s; the belt moves by half a millimetre in it
+  static constexpr double kTimeStep = 1.0 / 960.0;  ///< s; the belt moves by a third of a millimetre in it
 
   explicit BeltOnBlade(const BeltOnBladeOptions& options = {});
   ~BeltOnBlade() override;

@@ -48,7 +48,7 @@ class BliskAndDebris final : public RigidScene {
     for (const btRigidBody* body : debris_) beyond += body->getWorldTransform().getOrigin().z() < -110;
     return {{"blisk_rad_s", double(blisk_->getAngularVelocity().z())},
             {"bodies_through", beyond},
-            {"contact_points", static_cast<double>(contactPoints())}};
+            {"contact_points", static_cast<double>(world_.contactPoints())}};
   }
 
  private:

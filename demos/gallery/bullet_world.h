@@ -40,6 +40,27 @@ class BulletWorld {
     for (int i = 0; i < steps; ++i) world_.stepSimulation(btScalar(time_step), 0);
   }
 
+  /// J, of all bodies that move.
+  double kineticEnergy() const {
+    double energy = 0.0;
+    for (const auto& body : bodies_) {
+      if (body->isStaticOrKinematicObject()) continue;
+      const Vec3 spin =
+          fromBullet(body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity());
+      energy += 0.5 / double(body->getInvMass()) * double(body->getLinearVelocity().length2()) +
+                0.5 * spin.cwiseAbs2().dot(fromBullet(body->getLocalInertia()));
+    }
+    return energy;
+  }
+
+  /// Of all pairs.
+  int contactPoints() const {
+    int points = 0;
+    for (int m = 0; m < dispatcher_.getNumManifolds(); ++m)
+      points += dispatcher_.getManifoldByIndexInternal(m)->getNumContacts();
+    return points;
+  }
+
   btDiscreteDynamicsWorld& operator*() { return world_; }
   btDiscreteDynamicsWorld* operator->() { return &world_; }
   btCollisionDispatcher& dispatcher() { return dispatcher_; }

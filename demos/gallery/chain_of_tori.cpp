@@ -48,7 +48,8 @@ class ChainOfTori final : public RigidScene {
       least = std::min(least, pitch);
       most = std::max(most, pitch);
     }
-    return {{"least_pitch_m", least}, {"greatest_pitch_m", most}, {"kinetic_energy_j", kineticEnergy()}};
+    return {
+        {"least_pitch_m", least}, {"greatest_pitch_m", most}, {"kinetic_energy_j", world_.kineticEnergy()}};
   }
 
  private:

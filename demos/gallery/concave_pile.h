@@ -71,16 +71,7 @@ class ConcavePile {
   const TriangleMesh& floor() const { return *kinds_.back().mesh; }
 
   /// J, of all bodies.
-  double kineticEnergy() const {
-    double energy = 0.0;
-    for (const auto& [body, kind] : bodies_) {
-      const Vec3 spin =
-          fromBullet(body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity());
-      energy += 0.5 / double(body->getInvMass()) * double(body->getLinearVelocity().length2()) +
-                0.5 * spin.cwiseAbs2().dot(fromBullet(body->getLocalInertia()));
-    }
-    return energy;
-  }
+  double kineticEnergy() const { return world_.kineticEnergy(); }
 
   /// Bodies whose middle is below the floor.
   int fallen() const {

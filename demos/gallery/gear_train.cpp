@@ -61,7 +61,7 @@ class GearTrain final : public RigidScene {
       const std::string name = "gear_" + std::to_string(kTeeth[g]) + "_teeth_rad_s";
       numbers.push_back({name, double(gears_[g]->getAngularVelocity().z())});
     }
-    numbers.push_back({"contact_points", static_cast<double>(contactPoints())});
+    numbers.push_back({"contact_points", static_cast<double>(world_.contactPoints())});
     return numbers;
   }
 

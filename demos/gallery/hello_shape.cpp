@@ -22,8 +22,8 @@ class HelloShape final : public RigidScene {
 
   std::vector<Number> numbers() const override {
     return {{"ring_height_m", double(ring_->getWorldTransform().getOrigin().z())},
-            {"kinetic_energy_j", kineticEnergy()},
-            {"contact_points", static_cast<double>(contactPoints())}};
+            {"kinetic_energy_j", world_.kineticEnergy()},
+            {"contact_points", static_cast<double>(world_.contactPoints())}};
   }
 
  private:

@@ -1,8 +1,4 @@
-// A pile of concave parts: rings, gears, channels and lumps dropped on a wavy floor, of our shapes or of
-// GImpact's.
-#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
-#include <BulletCollision/Gimpact/btGImpactShape.h>
-
+// A pile of concave parts: rings, gears, channels and lumps dropped on a wavy floor.
 #include "gallery/concave_pile.h"
 #include "gallery/scenes.h"
 
@@ -13,14 +9,7 @@ constexpr int kLayerSide = 6;
 
 class Pile final : public GalleryScene {
  public:
-  Pile(int bodies, bool of_gimpact)
-      : pile_(
-            bodies, 1,
-            [&](const shapes::SharedMesh& mesh) {
-              return of_gimpact ? gimpactShape(mesh) : makeOurShape(mesh);
-            },
-            kLayerSide) {
-    if (of_gimpact) btGImpactCollisionAlgorithm::registerAlgorithm(&pile_.world().dispatcher());
+  explicit Pile(int bodies) : pile_(bodies, 1, makeOurShape, kLayerSide) {
     for (std::size_t i = 0; i < pile_.size(); ++i) pile_.body(i).setActivationState(DISABLE_DEACTIVATION);
   }
 
@@ -49,22 +38,11 @@ class Pile final : public GalleryScene {
   }
 
  private:
-  std::unique_ptr<btCollisionShape> gimpactShape(const shapes::SharedMesh& mesh) {
-    meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
-    auto shape = std::make_unique<btGImpactMeshShape>(&*meshes_.back());
-    shape->setMargin(ConcavePile::kMargin);
-    shape->updateBound();
-    return shape;
-  }
-
-  std::vector<std::unique_ptr<BulletMesh>> meshes_;  // what GImpact's shapes point into
   ConcavePile pile_;
 };
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makePile(int bodies, bool of_gimpact) {
-  return std::make_unique<Pile>(bodies, of_gimpact);
-}
+std::unique_ptr<GalleryScene> makePile(int bodies) { return std::make_unique<Pile>(bodies); }
 
 }  // namespace octoblisk::gallery

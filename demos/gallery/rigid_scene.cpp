@@ -1,7 +1,5 @@
 #include "gallery/rigid_scene.h"
 
-#include <algorithm>
-
 namespace octoblisk::gallery {
 
 ClusteredOctreeShape& RigidScene::shapeOf(const shapes::SharedMesh& mesh, double margin) {
@@ -27,27 +25,6 @@ demos::Picture RigidScene::picture() const {
   }
   picture.camera = demos::frame(seen_, direction_, Vec3::UnitZ());
   return picture;
-}
-
-double RigidScene::kineticEnergy() const {
-  double energy = 0.0;
-  const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
-  for (int i = 0; i < objects.size(); ++i) {
-    const btRigidBody* body = btRigidBody::upcast(objects[i]);
-    if (body == nullptr || body->isStaticOrKinematicObject()) continue;
-    const btVector3 spin = body->getWorldTransform().getBasis().transpose() * body->getAngularVelocity();
-    energy += 0.5 / double(body->getInvMass()) * double(body->getLinearVelocity().length2()) +
-              0.5 * double((spin * spin).dot(body->getLocalInertia()));
-  }
-  return energy;
-}
-
-int RigidScene::contactPoints() const {
-  int points = 0;
-  const btCollisionDispatcher& dispatcher = world_.dispatcher();
-  for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
-    points += dispatcher.getManifoldByIndexInternal(m)->getNumContacts();
-  return points;
 }
 
 }  // namespace octoblisk::gallery

@@ -30,12 +30,6 @@ class RigidScene : public GalleryScene {
   /// What the camera sees whole.
   void look(const Aabb& box, const Vec3& direction) { seen_ = box, direction_ = direction; }
 
-  /// J, of all that moves.
-  double kineticEnergy() const;
-
-  /// Of all pairs.
-  int contactPoints() const;
-
  private:
   std::vector<std::unique_ptr<ClusteredOctreeShape>> shapes_;
   std::vector<std::pair<const btRigidBody*, demos::Color>> colors_;
@@ -44,7 +38,7 @@ class RigidScene : public GalleryScene {
   Vec3 direction_ = -Vec3::UnitZ();
 
  protected:
-  mutable BulletWorld world_;  // asking it is not const in Bullet
+  BulletWorld world_;
 };
 
 }  // namespace octoblisk::gallery

@@ -7,7 +7,8 @@ namespace octoblisk::gallery {
 
 std::unique_ptr<GalleryScene> makeHelloShape();
 std::unique_ptr<GalleryScene> makeChainOfTori(int links);
-std::unique_ptr<GalleryScene> makePile(int bodies, bool of_gimpact);
+std::unique_ptr<GalleryScene> makePile(int bodies);
+std::unique_ptr<GalleryScene> makeClothBesideGimpact();
 std::unique_ptr<GalleryScene> makeGearTrain();
 std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies);
 

@@ -28,11 +28,14 @@ DetectionRow judgedRow(const Detector& detector, const std::vector<BeltPose>& gr
   for (const BeltPose& pose : ground) {
     const BoxesLeft left = detector.detect(pose.belt_in_mesh);
     row.ground.count(pose, left.isColliding());
+    row.at_ground.push_back({left.isColliding(), left.volume});
     row.volume_left += left.volume / static_cast<double>(ground.size());
     row.boxes_tested += static_cast<double>(left.tested) / static_cast<double>(ground.size());
   }
   for (const BeltPose& pose : lifted) {
-    row.lifted.count(pose, detector.detect(pose.belt_in_mesh).isColliding());
+    const BoxesLeft left = detector.detect(pose.belt_in_mesh);
+    row.lifted.count(pose, left.isColliding());
+    row.at_lifted.push_back({left.isColliding(), left.volume});
   }
   return row;
 }

@@ -27,6 +27,12 @@ struct Alarms {
   void count(const BeltPose& pose, bool called_colliding);
 };
 
+/// What a method says at a pose.
+struct PoseDetection {
+  bool colliding = false;
+  double volume_left = 0.0;  ///< of the leaf boxes that overlap, mm³
+};
+
 struct DetectionRow {
   std::string method;
   double range = 0.0;                       ///< of the boxes that it begins with, mm³
@@ -35,6 +41,8 @@ struct DetectionRow {
   std::array<double, kRuns> run_seconds{};  ///< of each run over the ground path
   Alarms ground{};                          ///< over the path as it is ground
   Alarms lifted{};                          ///< over the path held off the blade
+  std::vector<PoseDetection> at_ground{};   ///< at each pose of the first
+  std::vector<PoseDetection> at_lifted{};   ///< at each pose of the second
   bool is_exact = false;                    ///< asks the triangles
 };
 

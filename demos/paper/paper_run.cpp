@@ -20,6 +20,7 @@
 #include "paper/blisk_ranges.h"
 #include "paper/claims.h"
 #include "paper/cmm_section.h"
+#include "paper/detection_replay.h"
 #include "paper/detection_section.h"
 #include "paper/errata.h"
 #include "paper/figures.h"
@@ -33,6 +34,7 @@
 #include "report/document.h"
 #include "report/plot.h"
 #include "report/progress_bar.h"
+#include "report/replay_page.h"
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {
@@ -42,6 +44,8 @@ constexpr double kLift = 1.0;             // mm, of the path held off the blade
 constexpr std::size_t kPosesAbout = 400;  // seeded poses of the belt about the blade
 constexpr double kReachOfPoses = 40.0;    // mm
 constexpr std::size_t kSeeds = 5;         // other clouds and clusterings for Table 1
+
+constexpr const char* kReplayFile = "replay.html";  // of Table 3
 
 constexpr unsigned kOfSplits = kTable1 | kTable2 | kFigures;
 constexpr unsigned kOfBlisk = kTable3 | kTable4 | kTable5;
@@ -120,13 +124,22 @@ class PaperRun {
     const BliskRanges ranges = findBliskRanges(parts, request_.seed);
     progress(0.4);
     const auto blisk = treeOf(model_.mesh);
-    const std::vector<BeltPose> ground = judged(*blisk, *belt_, grindingPath(0.0));
-    const std::vector<BeltPose> lifted = judged(*blisk, *belt_, grindingPath(kLift));
-    const DetectionResult result = runDetectionExperiment(
-        *blisk, *belt_, parts, ground, lifted, {.seed = request_.seed}, stretchOf(progress, 0.4, 1.0));
+    const DetectionScene scene{.model = model_,
+                               .blisk = blisk,
+                               .belt = belt_,
+                               .ground = judged(*blisk, *belt_, grindingPath(0.0)),
+                               .lifted = judged(*blisk, *belt_, grindingPath(kLift)),
+                               .lift = kLift};
+    const DetectionResult result =
+        runDetectionExperiment(*blisk, *belt_, parts, scene.ground, scene.lifted, {.seed = request_.seed},
+                               stretchOf(progress, 0.4, 1.0));
+    const Replay replay = detectionReplay(scene, result);
+    writeReplayPage(replay, replayMeshesOf(replay), out_ / kReplayFile);
     Findings findings;
     findings.add(bliskRangesSection(ranges, static_cast<std::size_t>(model_.blades.count)));
     findings.add(detectionSection(result, model_.name, kLift), detectionClaims(result));
+    findings.sections.back().paragraphs.push_back(std::string(kReplayFile) +
+                                                  ", beside this report, plays both paths in the browser.");
     return findings;
   }
 

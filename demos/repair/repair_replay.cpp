@@ -62,8 +62,9 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
   replay.start_at = changed == repair.poses.end() ? 0.0 : static_cast<double>(changed - repair.poses.begin());
   replay.notes.push_back(
       "Verdicts, clearances and contacts of both paths are those of octoblisk grind, which knows nothing of "
-      "the repair. "
-      "Tilt turns the tool about its wheels' axis, slide goes along that axis, retraction off the surface.");
+      "the repair. Tilt turns the tool about its wheels' axis, slide goes along that axis, retraction off "
+      "the "
+      "surface.");
   return replay;
 }
 

@@ -33,6 +33,17 @@ struct Words {
   Image page;
 };
 
+/// Each entry once, in the order of the frames.
+std::vector<LegendEntry> legendOfAll(const std::vector<SheetFrame>& frames) {
+  std::vector<LegendEntry> legend;
+  for (const SheetFrame& frame : frames) {
+    for (const LegendEntry& entry : frame.picture.annotation.legend) {
+      if (std::ranges::find(legend, entry.text, &LegendEntry::text) == legend.end()) legend.push_back(entry);
+    }
+  }
+  return legend;
+}
+
 }  // namespace
 
 Image contactSheet(const std::vector<SheetFrame>& frames, const std::string& title,
@@ -49,7 +60,7 @@ Image contactSheet(const std::vector<SheetFrame>& frames, const std::string& tit
   Annotation annotation;
   annotation.title = title;
   annotation.subtitle = subtitle;
-  annotation.legend = frames.front().picture.annotation.legend;
+  annotation.legend = legendOfAll(frames);
   const Words words(annotation, width);
   Image page(width, words.above() + frames_height + words.below(), {255, 255, 255, 255});
   paste(words.page, 0, words.above(), width, page, 0, 0);

@@ -47,14 +47,9 @@ void writeFrames(const GrindingRun& run, std::size_t count, const std::filesyste
     sheet.push_back({"Pose " + std::to_string(pose) + ": " + nameOf(run.poses[pose].verdict), picture});
   }
   if (sheet.empty()) return;
-  // The legend of the sheet is that of a frame that has the most.
-  Picture& first = sheet.front().picture;
-  first.annotation.legend = std::ranges::max_element(sheet, {}, [](const SheetFrame& frame) {
-                              return frame.picture.annotation.legend.size();
-                            })->picture.annotation.legend;
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
-  writePng(contactSheet(sheet, "Poses along the path", first.annotation.subtitle, columns, kSheetFrameWidth,
-                        kSheetFrameHeight),
+  writePng(contactSheet(sheet, "Poses along the path", sheet.front().picture.annotation.subtitle, columns,
+                        kSheetFrameWidth, kSheetFrameHeight),
            files.add(folder / "contact_sheet.png").string());
 }
 

@@ -261,10 +261,8 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.facts = grindingFacts(run);
   replay.notes.push_back(
       "A negative depth is a clearance. Blades are numbered from 1 by angle; poses are counted from 0. "
-      "Normals point "
-      "from the part into the blisk, and are drawn on the part's side. Between two poses the contact wheel's "
-      "centre "
-      "goes straight while the tool turns evenly, as it was checked.");
+      "Normals point from the part into the blisk, and are drawn on the part's side. Between two poses the "
+      "contact wheel's centre goes straight while the tool turns evenly, as it was checked.");
   return replay;
 }
 

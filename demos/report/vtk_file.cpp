@@ -22,14 +22,24 @@ void appendPoint(std::string& bytes, const Vec3& point) {
   for (const double value : point) appendBigEndian(bytes, static_cast<float>(value));
 }
 
+/// In ASCII: units in words, a "?" for each other byte that is none.
+std::string asciiText(const std::string& text) {
+  std::string ascii;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 2, "°") == 0) {
+      ascii += " degrees";
+      ++i;
+    } else {
+      ascii += std::isprint(static_cast<unsigned char>(text[i])) != 0 ? text[i] : '?';
+    }
+  }
+  return ascii;
+}
+
 /// A line of text, 255 characters at most.
 std::string titleLine(const std::string& text) {
   constexpr std::size_t kMost = 255;
-  std::string line;
-  for (const char c : text.substr(0, kMost)) {
-    line += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '?';
-  }
-  return line;
+  return asciiText(text).substr(0, kMost);
 }
 
 std::string vtkHead(const std::string& title, std::size_t points) {
@@ -37,10 +47,17 @@ std::string vtkHead(const std::string& title, std::size_t points) {
          std::to_string(points) + " float\n";
 }
 
-/// A word for the name of an array.
+/// A word for the name of an array: what is neither letter nor digit becomes one "_".
 std::string arrayName(const std::string& text) {
   std::string name;
-  for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  for (const char c : asciiText(text)) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      name += c;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  if (name.ends_with('_')) name.pop_back();
   return name;
 }
 

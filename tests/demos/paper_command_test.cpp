@@ -71,6 +71,8 @@ TEST_F(PaperCommand, table3OfTheBuiltInBlisk) {
   EXPECT_THAT(content("out/report.md"),
               HasSubstr("The exact rows differ from the triangles' verdict at 0 poses."));
   EXPECT_THAT(content("out/blisk_ranges.csv"), HasSubstr("\"parts, then k = 2 each\",50,"));
+  EXPECT_THAT(content("out/report.md"), HasSubstr("replay.html, beside this report"));
+  EXPECT_THAT(content("out/replay.html"), HasSubstr("\"command\":\"paper table3\""));
 }
 
 TEST_F(PaperCommand, whatFailsLeavesNoFolder) {

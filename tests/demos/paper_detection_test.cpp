@@ -10,6 +10,7 @@
 #include "paper/blisk_ranges.h"
 #include "paper/box_detection.h"
 #include "paper/detection_experiment.h"
+#include "paper/detection_replay.h"
 #include "paper/surface_points.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -203,6 +204,42 @@ TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
   EXPECT_EQ(rows[kOneAabb].range, boundingBox(small.blisk.mesh().vertices(), Mat3::Identity()).volume());
   EXPECT_LE(rows[kOursBothBoxes].ground.false_positives, rows[kOursBoxes].ground.false_positives);
   EXPECT_LE(rows[kTraditional].ground.false_positives, rows[kTraditionalOneAxis].ground.false_positives);
+}
+
+TEST(DetectionReplay, posesSayWhatTheTrianglesAndTheBoxesSay) {
+  const SmallDetection small;
+  const auto mesh = std::make_shared<const TriangleMesh>(small.blisk.mesh());
+  PaperModel model{.name = "fan", .mesh = mesh, .blades = {}, .blade = mesh};
+  model.blades.blade_of_triangle.assign(mesh->triangleCount(), 0);
+  const DetectionScene scene{.model = model,
+                             .blisk = std::make_shared<const ClusteredOctree>(small.blisk),
+                             .belt = std::make_shared<const ClusteredOctree>(small.belt),
+                             .ground = small.poses,
+                             .lifted = small.poses,
+                             .lift = 1.0};
+  const Replay replay = detectionReplay(scene, small.result);
+  ASSERT_EQ(replay.tracks.size(), 2u);
+  const Alarms& alarms = small.result.rows[kImproved].lifted;
+  EXPECT_GT(alarms.false_positives, 0u) << "else nothing is asked of the findings";
+  for (const ReplayTrack& track : replay.tracks) {
+    ASSERT_EQ(track.poses.size(), small.poses.size());
+    for (std::size_t p = 0; p < small.poses.size(); ++p) {
+      EXPECT_EQ(track.poses[p].contacts.empty(), !small.poses[p].touches) << p;
+      EXPECT_EQ(track.series.front().values[p] == 0.0, small.poses[p].touches) << p;
+    }
+    const auto wrong = [&](const ReplayPose& pose) {
+      return replay.verdicts[pose.verdict].tone == Tone::interference;
+    };
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(track.poses, wrong)),
+              alarms.false_positives + alarms.false_negatives);
+    EXPECT_EQ(track.findings.size(), alarms.false_positives + alarms.false_negatives);
+    for (const ReplayFinding& finding : track.findings) {
+      EXPECT_EQ(*finding.value == 0.0, small.poses[static_cast<std::size_t>(finding.at)].touches);
+    }
+  }
+  std::size_t counted = 0;
+  for (const ReplayCount& count : replay.counts) counted += count.count;
+  EXPECT_EQ(counted, small.poses.size());
 }
 
 /// Whether a triangle of the body meets the box of any leaf's points, by looking at all of both.

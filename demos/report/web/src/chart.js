@@ -57,7 +57,7 @@ export class Chart {
       axes: [{ ...axis, label: run.step.one, labelSize: 18, size: 34 },
         { ...axis, label: chart.unit, labelSize: 20, size: 52,
           ...(stretched ? { splits: (plot, axisIndex, low, high) => splitsOf(low, high, chart.stretch),
-            values: (plot, splits) => splits.map((value) => String(Number(value.toPrecision(3))).replace("-", "−")), filter: (plot, splits) => splits } : {}) }],
+            values: labelsOf, filter: (plot, splits) => splits } : {}) }],
       series: [{}, ...shown.map(({ name, stroke, width, dash }) => ({ label: name, stroke, width, dash, points: { show: false } }))],
       hooks: {
         drawClear: [(plot) => this.drawBands(plot)],
@@ -187,6 +187,23 @@ export class Chart {
     offends.append(this.run.verdicts.find((verdict) => verdict.tone === "interference").name);
     return [...spans, offends];
   }
+}
+
+/** Of the splits, 0 and whatever has room beside the label before it on the way outward. */
+function labelsOf(plot, splits) {
+  const room = 13; // pixels
+  const labels = splits.map(() => "");
+  const zero = splits.indexOf(0);
+  for (const way of [1, -1]) {
+    let taken = null;
+    for (let i = zero; i >= 0 && i < splits.length; i += way) {
+      const place = plot.valToPos(splits[i], "y");
+      if (taken !== null && Math.abs(place - taken) < room) continue;
+      taken = place;
+      labels[i] = String(Number(splits[i].toPrecision(3))).replace("-", "−");
+    }
+  }
+  return labels;
 }
 
 /** Round numbers on a scale that is linear below `linear` and logarithmic beyond. */

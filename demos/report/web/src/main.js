@@ -80,7 +80,7 @@ function fillLegend() {
   const byColor = new Map();
   for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
   for (const [color, names] of byColor) add(color, names.join(", "));
-  add("#c9705e", "wrongly touched blade");
+  add("#c9705e", "blade of the offence");
   const tones = new Set(["clear"]);
   for (const { name, tone } of run.verdicts) {
     if (tones.has(tone) || tone === "open") continue;

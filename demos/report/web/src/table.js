@@ -140,8 +140,8 @@ export class FindingsTable {
     const box = document.querySelector(".rows");
     if (!marked || !scroll) return;
     const above = marked.offsetTop - this.head.offsetHeight, below = marked.offsetTop + marked.offsetHeight;
-    if (above < box.scrollTop) box.scrollTop = above;
-    else if (below > box.scrollTop + box.clientHeight) box.scrollTop = below - box.clientHeight;
+    if (above >= box.scrollTop && below <= box.scrollTop + box.clientHeight) return;
+    box.scrollTop = above - (box.clientHeight - marked.offsetHeight) / 2; // amid the rows around it
   }
 
   update() {
