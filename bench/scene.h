@@ -27,7 +27,6 @@ struct Scene {
   std::vector<Pose> shuffled;                ///< the same, each turned to a random blade, in random order
   std::vector<Segment> ways;  ///< from anywhere to anywhere in a box a little larger than the blisk
   std::size_t bodies = 200;   ///< that fall onto the blisk
-  std::size_t steps = 360;    ///< of 1/240 s, in which they fall
 };
 
 /// How much of a scene is asked for.

@@ -48,65 +48,65 @@ class ColdDistance final : public DistanceQuery {
   OctoBliskDistance warm_;
 };
 
-/// Lets the library use the instruction set of any x86-64 alone, registers of 128 bits, as long as it lives.
+/// Lets the library use its code for any x86-64, one number at a time, as long as it lives.
 /// Asking the processor what it has, as tests do, would take longer than a query.
-class Only128 {
+class NoSimd {
  public:
-  Only128() { hwy::GetChosenTarget().Update(HWY_STATIC_TARGET); }
-  ~Only128() {
+  NoSimd() { hwy::GetChosenTarget().Update(HWY_STATIC_TARGET); }
+  ~NoSimd() {
     static const auto all = hwy::SupportedTargets();
     hwy::GetChosenTarget().Update(all);
   }
-  Only128(const Only128&) = delete;
-  Only128& operator=(const Only128&) = delete;
+  NoSimd(const NoSimd&) = delete;
+  NoSimd& operator=(const NoSimd&) = delete;
 };
 
-class NarrowCollide final : public CollideQuery {
+class PlainCollide final : public CollideQuery {
  public:
-  explicit NarrowCollide(const Scene& scene) : wide_(scene, built()) {}
+  explicit PlainCollide(const Scene& scene) : query_(scene, built()) {}
   bool collides(const Pose& belt_in_blisk, bool warm) override {
-    const Only128 only;
-    return wide_.collides(belt_in_blisk, warm);
+    const NoSimd only;
+    return query_.collides(belt_in_blisk, warm);
   }
 
  private:
-  OctoBliskCollide wide_;
+  OctoBliskCollide query_;
 };
 
-class NarrowContacts final : public ContactsQuery {
+class PlainContacts final : public ContactsQuery {
  public:
-  explicit NarrowContacts(const Scene& scene) : wide_(scene, built()) {}
+  explicit PlainContacts(const Scene& scene) : query_(scene, built()) {}
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    const Only128 only;
-    return wide_.contacts(belt_in_blisk);
+    const NoSimd only;
+    return query_.contacts(belt_in_blisk);
   }
 
  private:
-  OctoBliskPairs wide_;
+  OctoBliskPairs query_;
 };
 
-class NarrowDistance final : public DistanceQuery {
+class PlainDistance final : public DistanceQuery {
  public:
-  explicit NarrowDistance(const Scene& scene) : wide_(scene, built()) {}
+  explicit PlainDistance(const Scene& scene) : query_(scene, built()) {}
   double distance(const Pose& belt_in_blisk, bool warm) override {
-    const Only128 only;
-    return wide_.distance(belt_in_blisk, warm);
+    const NoSimd only;
+    return query_.distance(belt_in_blisk, warm);
   }
 
  private:
-  OctoBliskDistance wide_;
+  OctoBliskDistance query_;
 };
 
-class NarrowRays final : public RayQuery {
+class PlainRays final : public RayQuery {
  public:
-  explicit NarrowRays(const Scene& scene) : wide_(scene, built()) {}
+  explicit PlainRays(const Scene& scene) : query_(scene, built()) {}
   double firstHit(const Segment& way) override {
-    const Only128 only;
-    return wide_.firstHit(way);
+    const NoSimd only;
+    return query_.firstHit(way);
   }
 
  private:
-  OctoBliskRays wide_;
+  OctoBliskRays query_;
 };
 
 template <typename Answers, typename Query>
@@ -130,12 +130,12 @@ const bool kRegistered = [] {
                      .group = "ablation",
                      .collide = answers<OctoBliskCold, CollideQuery>(built()),
                      .distance = made<ColdDistance, DistanceQuery>()});
-  return registerContender({.name = "simd-128",
+  return registerContender({.name = "no-simd",
                             .group = "ablation",
-                            .collide = made<NarrowCollide, CollideQuery>(),
-                            .contacts = made<NarrowContacts, ContactsQuery>(),
-                            .distance = made<NarrowDistance, DistanceQuery>(),
-                            .ray = made<NarrowRays, RayQuery>()});
+                            .collide = made<PlainCollide, CollideQuery>(),
+                            .contacts = made<PlainContacts, ContactsQuery>(),
+                            .distance = made<PlainDistance, DistanceQuery>(),
+                            .ray = made<PlainRays, RayQuery>()});
 }();
 
 }  // namespace

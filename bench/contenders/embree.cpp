@@ -2,16 +2,19 @@
 // our exact test on the pairs that it finds (it has no way to stop at the first); rays by rtcIntersect1.
 #include <embree3/rtcore.h>
 
+#include <string>
+
 #include "contender.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk::bench {
 namespace {
 
-/// One thread, with the memory that it takes counted.
+/// So many threads, 0 for all, with the memory that it takes counted.
 class EmbreeDevice {
  public:
-  EmbreeDevice() : device_(rtcNewDevice("threads=1,set_affinity=0")) {
+  explicit EmbreeDevice(unsigned threads = 1)
+      : device_(rtcNewDevice(("threads=" + std::to_string(threads) + ",set_affinity=0").c_str())) {
     rtcSetDeviceMemoryMonitorFunction(
         device_,
         [](void* bytes, ssize_t change, bool) {
@@ -154,7 +157,8 @@ class EmbreeRefit final : public RefitQuery {
 /// The tree for rays, over buffers that are shared with the caller.
 class EmbreeTriangles {
  public:
-  explicit EmbreeTriangles(const TriangleMesh& mesh) : triangles_(mesh.triangles()) {
+  explicit EmbreeTriangles(const TriangleMesh& mesh, unsigned threads = 1)
+      : device_(threads), triangles_(mesh.triangles()) {
     for (const Vec3& vertex : mesh.vertices()) {
       for (const double x : vertex) vertices_.push_back(static_cast<float>(x));
     }
@@ -221,7 +225,7 @@ class EmbreeRays final : public RayQuery {
 
 class EmbreeBuild final : public BuildQuery {
  public:
-  explicit EmbreeBuild(const Scene& scene) : tree_(*scene.blisk) {}
+  explicit EmbreeBuild(const Scene& scene) : tree_(*scene.blisk, 0) {}
   void build() override { tree_.build(); }
   void clear() override { tree_.clear(); }
   std::optional<std::size_t> ownCount() const override { return tree_.bytes(); }

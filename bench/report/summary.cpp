@@ -23,7 +23,11 @@ const Line kLines[] = {
     {"distance of clear poses", "distance-cold", "300k", {{"fcl", "FCL"}}},
     {"the same from the pose before", "distance-warm", "300k", {{"fcl", "FCL"}}},
     {"closest ray", "ray", "300k", {{"bullet-bvh", "BVH"}, {"embree", "Embree"}}},
-    {"build, on two threads", "build", "300k", {{"bullet-bvh", "BVH"}, {"embree", "Embree"}, {"fcl", "FCL"}}},
+    {"build, on two threads", "build", "300k", {{"bullet-bvh", "BVH"},
+      {"gimpact", "GImpact"},
+      {"embree", "Embree"},
+      {"cgal", "CGAL"},
+      {"fcl", "FCL"}}},
     {"refit, on one", "refit", "300k", {{"bullet-bvh", "BVH"}, {"embree", "Embree"}, {"fcl", "FCL"}}},
     {"bytes a triangle", "memory", "300k", {{"bullet-bvh", "BVH"}, {"gimpact", "GImpact"}, {"fcl", "FCL"}}},
     {"Bullet world: contacts of belt and blisk",
@@ -67,10 +71,12 @@ std::string summaryTable(const Rows& rows) {
           (others.empty() ? "" : ", ") + std::string(name) + ' ' + significant((*row)["ratio"].get<double>());
       if (row->value("differences", 0) > 0) others += '*';
     }
+    const char* wrong = ours->value("differences", 0) > 0 ? "*" : "";
     const bool is_memory = ours->contains("bytes_a_triangle");
     table.add({line.asked,
-               is_memory ? significant((*ours)["bytes_a_triangle"].get<double>())
-                         : timeText((*ours)["mean_us"].get<double>()),
+               (is_memory ? significant((*ours)["bytes_a_triangle"].get<double>())
+                          : timeText((*ours)["mean_us"].get<double>())) +
+                   wrong,
                others});
   }
   return table.text();

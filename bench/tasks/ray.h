@@ -38,7 +38,7 @@ Trial rayTrial(const std::shared_ptr<Query>& query, const Scene& scene, std::siz
   const std::size_t ways = scene.ways.size() / one_in;
   std::size_t differences = 0;
   for (std::size_t k = 0; k < ways; ++k) {
-    differences += std::abs(query->firstHit(scene.ways[k]) - truth[k]) > kTolerance;
+    differences += !(std::abs(query->firstHit(scene.ways[k]) - truth[k]) <= kTolerance);
   }
   const auto hits = std::count_if(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(ways),
                                   [](double part) { return part < 1.0; });
