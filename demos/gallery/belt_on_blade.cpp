@@ -65,7 +65,7 @@ BeltOnBlade::BeltOnBlade(const BeltOnBladeOptions& options)
       touching_(toolTouching(shape_.tree().mesh(), blades_, options)) {
   registerAlgorithm(&dispatcher_);
   world_.setGravity(btVector3(0, 0, -9810));
-  blisk_body_.setFriction(btScalar(0.01));  // taken in every iteration of the soft body's solver
+  blisk_body_.setFriction(btScalar(0.004));  // taken in every iteration of the soft body's solver
   world_.addRigidBody(&blisk_body_);
   belt_ = std::make_unique<SoftBelt>(world_, options.belt, toolAt(0.0));
 }

@@ -43,6 +43,14 @@ class BliskAndDebris final : public RigidScene {
   }
   ~BliskAndDebris() override { world_->removeConstraint(spindle_.get()); }
 
+  demos::Picture picture() const override {
+    demos::Picture picture = RigidScene::picture();
+    const Pose blisk = fromBullet(blisk_->getWorldTransform());  // a line on it shows how far it has turned
+    const Vec3 line[] = {blisk * Vec3(68, 0, 101), blisk * Vec3(120, 0, 101)};
+    picture.scene.addPolyline(line, {.color = demos::palette::kInk, .width = 9.0f});
+    return picture;
+  }
+
   std::vector<Number> numbers() const override {
     double beyond = 0;
     for (const btRigidBody* body : debris_) beyond += body->getWorldTransform().getOrigin().z() < -110;

@@ -66,7 +66,7 @@ const std::vector<Exhibit>& exhibits() {
        makeGearTrain},
       {"blisk-and-debris",
        "A blisk on a spindle, hit by debris",
-       "Parts fly through the channels and slow it down",
+       "Parts fly through the channels and slow it down; a line on the hub shows how far it has turned",
        1.0 / 960.0,
        {0.0, 0.2, 0.5},
        [] { return makeBliskAndDebris(60); },

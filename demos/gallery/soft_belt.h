@@ -17,10 +17,10 @@ struct SoftBeltOptions {
   demos::BeltParameters sizes;  ///< width, thickness, wheels; the rest is not used
   int stations = 240;           ///< round the loop, >= 32
   int nodes_across = 5;         ///< >= 3
-  double strain = 0.01;         ///< by which the belt is longer on its wheels than at rest, > 0
+  double strain = 0.02;         ///< by which the belt is longer on its wheels than at rest, > 0
   double speed = 300.0;         ///< along the loop, mm/s; clockwise seen from +z
   double mass = 0.05;           ///< kg
-  int iterations = 10;          ///< of the solver, a step
+  int iterations = 30;          ///< of the solver, a step
 };
 
 /// The belt's nodes lie in the middle of its thickness, its margin is half of that: so it meets all that is

@@ -121,7 +121,7 @@ Replay detectionReplay(const DetectionScene& scene, const DetectionResult& resul
   replay.blade_of_triangle = scene.model.blades.blade_of_triangle;
   replay.blade_count = scene.model.blades.count;
   replay.parts = {{.name = "belt", .tree = scene.belt}};
-  replay.charts = {{.title = "Clearance of the belt over the path", .unit = "mm"},
+  replay.charts = {{.title = "Clearance of the belt over the path", .unit = "mm", .linear_within = 1.0},
                    {.title = "Volume left to be examined", .unit = "cm³"}};
   replay.tracks = {detectionTrack(scene, "held off", scene.lifted, {improved.at_lifted, ours.at_lifted}),
                    detectionTrack(scene, "as ground", scene.ground, {improved.at_ground, ours.at_ground})};
@@ -134,8 +134,8 @@ Replay detectionReplay(const DetectionScene& scene, const DetectionResult& resul
   if (!findings.empty()) replay.start_at = findings.front().at;
   replay.facts = detectionFacts(scene, result);
   replay.notes = {
-      "The counts above are of the path held off the blade; \"Path\" below the picture switches to "
-      "the other. Blade 0 is the hub. The boxes in the picture are of our own tree."};
+      "The counts above are of the path held off the blade; \"Path\" below the picture switches to the "
+      "other. The boxes in the picture are of our own tree."};
   return replay;
 }
 

@@ -480,5 +480,15 @@ TEST(VtkFile, holdsContactsAndPath) {
   EXPECT_TRUE(std::isnan(bigEndianFloat(path, path.find(clearance) + clearance.size() + 8)));
 }
 
+TEST(VtkFile, tellsUnitsInWords) {
+  Replay replay = smallReplay("part");
+  replay.verdicts.front().name = "free over 30°";
+  replay.tracks.front().series.front().name = "tilt, after";
+  replay.tracks.front().series.front().unit = "°";
+  const std::string path = pathVtk(replay);
+  EXPECT_THAT(path, HasSubstr("verdict: 0 free over 30 degrees, 1 "));
+  EXPECT_THAT(path, HasSubstr("\nSCALARS tilt_after_degrees float 1\n"));
+}
+
 }  // namespace
 }  // namespace octoblisk::demos

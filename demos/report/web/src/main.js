@@ -76,7 +76,7 @@ function fillLegend() {
     items.push(item);
   };
   if (run.ground_blade > 0) add(kBladeColors.ground, `ground blade ${run.ground_blade}`);
-  add(`linear-gradient(90deg, ${kBladeColors.blades[0]} 50%, ${kBladeColors.blades[1]} 50%)`, run.blade_count ? "other blades, hub" : "blisk");
+  add(`linear-gradient(90deg, ${kBladeColors.blades[0]} 50%, ${kBladeColors.blades[1]} 50%)`, run.ground_blade > 0 ? "other blades, hub" : run.blade_count ? "blades, hub" : "blisk");
   const byColor = new Map();
   for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
   for (const [color, names] of byColor) add(color, names.join(", "));
