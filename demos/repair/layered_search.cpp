@@ -10,30 +10,6 @@ namespace {
 constexpr double kBlocked = 1e9;  // beyond the cost of any free way
 constexpr double kAvoided = 1e5;  // beyond the cost of a pose and its neighbours
 
-/// For each of a row of values the least of the costs before plus that of the step between; rows are `count`
-/// values apart by `stride`. The arg of the least is handed on.
-template <typename StepCost>
-void relaxRow(const std::vector<double>& values, double most_change, std::size_t first, std::size_t stride,
-              const std::vector<double>& cost, const std::vector<std::uint16_t>& before,
-              std::vector<double>& new_cost, std::vector<std::uint16_t>& new_before,
-              const StepCost& step_cost) {
-  std::size_t low = 0;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    while (values[k] - values[low] > most_change + kGridRounding) ++low;
-    double least = std::numeric_limits<double>::infinity();
-    std::uint16_t from = 0;
-    for (std::size_t j = low; j < values.size() && values[j] - values[k] <= most_change + kGridRounding;
-         ++j) {
-      const double here = cost[first + j * stride] + step_cost(values[k] - values[j]);
-      if (here >= least) continue;
-      least = here;
-      from = before[first + j * stride];
-    }
-    new_cost[first + k * stride] = least;
-    new_before[first + k * stride] = from;
-  }
-}
-
 }  // namespace
 
 LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
@@ -43,6 +19,15 @@ LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
       blocked_(poses * grid.size(), 0),
       least_retract_(poses, 0) {
   for (std::uint32_t node = 0; node < costs_.size(); ++node) costs_[node] = grid.cost(grid.change(node));
+  // The cost of a step is a sum over the three values, so that each can be gone through by itself.
+  const ChangeLimits& limits = grid.limits();
+  const std::size_t retracts = grid.retracts().size(), slides = grid.slides().size();
+  axes_.emplace_back(grid.tilts(), limits.tilt_per_pose, slides * retracts,
+                     [&](double change) { return grid.tiltStepCost(change); });
+  axes_.emplace_back(grid.slides(), limits.slide_per_pose, retracts,
+                     [&](double change) { return grid.slideStepCost(change); });
+  axes_.emplace_back(grid.retracts(), limits.retract_per_pose, 1,
+                     [&](double change) { return grid.retractStepCost(change); });
 }
 
 double LayeredSearch::nodeCost(std::size_t pose, std::uint32_t node) const {
@@ -51,37 +36,40 @@ double LayeredSearch::nodeCost(std::size_t pose, std::uint32_t node) const {
          (is_avoided ? kAvoided : 0.0);
 }
 
-// The cost of a step is a sum over the three values, so that each can be gone through by itself.
-void LayeredSearch::relaxTilts(Layer& layer) const {
-  Layer next = layer;
-  const std::size_t stride = grid_->slides().size() * grid_->retracts().size();
-  for (std::size_t first = 0; first < stride; ++first) {
-    relaxRow(grid_->tilts(), grid_->limits().tilt_per_pose, first, stride, layer.cost, layer.before,
-             next.cost, next.before, [&](double change) { return grid_->tiltStepCost(change); });
+LayeredSearch::Axis::Axis(const std::vector<double>& values, double most_change, std::size_t apart,
+                          const std::function<double(double)>& step_cost)
+    : stride(apart) {
+  std::size_t low = 0, high = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    while (values[k] - values[low] > most_change + kGridRounding) ++low;
+    while (high < values.size() && values[high] - values[k] <= most_change + kGridRounding) ++high;
+    steps_to.emplace_back();
+    for (std::size_t j = low; j < high; ++j) steps_to.back().push_back({j, step_cost(values[k] - values[j])});
   }
-  layer = std::move(next);
 }
 
-void LayeredSearch::relaxSlides(Layer& layer) const {
-  Layer next = layer;
-  const std::size_t stride = grid_->retracts().size();
-  for (std::size_t tilt = 0; tilt < grid_->tilts().size(); ++tilt) {
-    for (std::size_t retract = 0; retract < stride; ++retract) {
-      relaxRow(grid_->slides(), grid_->limits().slide_per_pose, grid_->node(tilt, 0, retract), stride,
-               layer.cost, layer.before, next.cost, next.before,
-               [&](double change) { return grid_->slideStepCost(change); });
+/// For each node the least of the costs before plus that of a step along the axis; the node of the least is
+/// handed on.
+void LayeredSearch::relax(const Axis& axis, Layer& layer, Layer& next) const {
+  const std::size_t stride = axis.stride, row = axis.steps_to.size() * stride;
+  std::ranges::fill(next.cost, std::numeric_limits<double>::infinity());
+  for (std::size_t first = 0; first < layer.cost.size(); first += row) {
+    for (std::size_t k = 0; k < axis.steps_to.size(); ++k) {
+      double* const cost = &next.cost[first + k * stride];
+      std::uint16_t* const before = &next.before[first + k * stride];
+      for (const Axis::Step& step : axis.steps_to[k]) {
+        const double* const cost_from = &layer.cost[first + step.from * stride];
+        const std::uint16_t* const before_from = &layer.before[first + step.from * stride];
+        for (std::size_t i = 0; i < stride; ++i) {
+          const double here = cost_from[i] + step.cost;
+          if (here >= cost[i]) continue;
+          cost[i] = here;
+          before[i] = before_from[i];
+        }
+      }
     }
   }
-  layer = std::move(next);
-}
-
-void LayeredSearch::relaxRetracts(Layer& layer) const {
-  Layer next = layer;
-  for (std::size_t first = 0; first < layer.cost.size(); first += grid_->retracts().size()) {
-    relaxRow(grid_->retracts(), grid_->limits().retract_per_pose, first, 1, layer.cost, layer.before,
-             next.cost, next.before, [&](double change) { return grid_->retractStepCost(change); });
-  }
-  layer = std::move(next);
+  std::swap(layer, next);
 }
 
 /// The least over all steps to one node, of which some are blocked.
@@ -111,14 +99,13 @@ std::vector<std::uint32_t> LayeredSearch::cheapest() const {
   const std::size_t nodes = costs_.size();
   std::vector<std::vector<std::uint16_t>> before(poses_);
   Layer layer{std::vector<double>(nodes), std::vector<std::uint16_t>(nodes)};
+  Layer next = layer;
   for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] = nodeCost(0, node);
   for (std::size_t pose = 1; pose < poses_; ++pose) {
     for (std::uint32_t node = 0; node < nodes; ++node) layer.before[node] = static_cast<std::uint16_t>(node);
     const auto blocked = blocked_steps_.find(pose);
     const std::vector<double> costs = blocked != blocked_steps_.end() ? layer.cost : std::vector<double>{};
-    relaxTilts(layer);
-    relaxSlides(layer);
-    relaxRetracts(layer);
+    for (const Axis& axis : axes_) relax(axis, layer, next);
     if (blocked != blocked_steps_.end()) {
       for (const auto& [to, from] : blocked->second) relaxBlocked(costs, to, from, layer);
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -44,16 +45,28 @@ class LayeredSearch {
     std::vector<std::uint16_t> before;
   };
 
+  /// One of the three values of a change, and the steps between its grid's values.
+  struct Axis {
+    Axis(const std::vector<double>& values, double most_change, std::size_t apart,
+         const std::function<double(double)>& step_cost);
+
+    struct Step {
+      std::size_t from;  // number of a value
+      double cost;
+    };
+    std::size_t stride;                       // from a value's nodes to the next value's
+    std::vector<std::vector<Step>> steps_to;  // each value
+  };
+
   double nodeCost(std::size_t pose, std::uint32_t node) const;
-  void relaxTilts(Layer& layer) const;
-  void relaxSlides(Layer& layer) const;
-  void relaxRetracts(Layer& layer) const;
+  void relax(const Axis& axis, Layer& layer, Layer& next) const;
   void relaxBlocked(const std::vector<double>& costs, std::uint32_t to,
                     const std::set<std::uint32_t>& blocked_from, Layer& layer) const;
 
   const ChangeGrid* grid_;
   std::size_t poses_;
-  std::vector<double> costs_;               // of each node, were it free
+  std::vector<double> costs_;  // of each node, were it free
+  std::vector<Axis> axes_;
   std::vector<char> blocked_;               // of each pose and node
   std::vector<std::size_t> least_retract_;  // of each pose: lesser ones are avoided
   std::map<std::size_t, std::map<std::uint32_t, std::set<std::uint32_t>>> blocked_steps_;  // pose, to, from

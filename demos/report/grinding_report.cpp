@@ -104,7 +104,13 @@ void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   if (!side.empty() && run.convex_side) {
     stream << ((side == "forward") == (*run.convex_side == BladeSide::kForward) ? "convex" : "concave");
   }
-  stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "") << '\n';
+  stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
+}
+
+/// How deep what may touch is on the move at most; empty where that is not known.
+void writeDepthOfMove(const PoseReport& pose, std::ostream& stream) {
+  stream << ',';
+  if (pose.move && std::isfinite(pose.move->depth_bound)) stream << pose.move->depth_bound;
 }
 
 /// The loops of the parts that run as belts; null for all others.
@@ -145,7 +151,8 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
   stream.precision(9);
   stream
       << "pose,verdict,part,blade,depth_mm,side,blisk_x_mm,blisk_y_mm,blisk_z_mm,normal_x,normal_y,normal_z,"
-         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade,face,channel\n";
+         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade,face,channel,"
+         "move_depth_at_most_mm\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     stream << p << ',' << nameOf(pose.verdict) << ',';
@@ -153,6 +160,8 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
     writeClearance(run, pose, stream);
     writeMove(run, pose, stream);
     writeFace(run, pose, stream);
+    writeDepthOfMove(pose, stream);
+    stream << '\n';
   }
   finish(stream, file);
 }

@@ -126,6 +126,15 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_FALSE(interfering.empty());
   EXPECT_EQ(interfering, of_contacts);
   EXPECT_EQ(interfering, of_summary);
+  double depth_on_moves = 0.0;
+  for (std::size_t pose = 1; pose < table.size(); ++pose) {
+    const double bound = std::stod(table[pose].at("move_depth_at_most_mm"));
+    if (touching[pose - 1].contains("belt") && touching[pose].contains("belt")) {
+      EXPECT_GT(bound, 0.0) << "pose " << pose;
+    }
+    depth_on_moves = std::max(depth_on_moves, bound);
+  }
+  EXPECT_NEAR(summary["moves"]["depth_on_moves_at_most_mm"], depth_on_moves, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
   // The belt alone touches: a sample of its depths, and where pairs of triangles mislead.
