@@ -17,6 +17,7 @@
 #include "commands/commands.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/out_folder.h"
 #include "commands/report_option.h"
 #include "commands/study_options.h"
 #include "models/blisk_axis.h"

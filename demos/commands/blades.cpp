@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -13,11 +14,14 @@
 #include "commands/commands.h"
 #include "commands/convex_option.h"
 #include "commands/option_checks.h"
+#include "commands/out_folder.h"
+#include "commands/picture_bar.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
 #include "report/blade_picture.h"
+#include "report/whole_files.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -99,13 +103,13 @@ int findAndTell(const BladesRequest& request) {
   const BladeSide convex_side = convexSide(request.convex, anatomy, name);
 
   const std::filesystem::path out = request.out;
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
-  writeBlades(found, anatomy, convex_side, out / "blades.csv");
+  makeFolder(request.out);
+  WholeFiles files;
+  writeBlades(found, anatomy, convex_side, files.add(out / "blades.csv"));
   if (!request.no_picture) {
-    writePng(bladePicture(blisk, found, anatomy, convex_side), (out / "blades.png").string());
+    writePngWatched(bladePicture(blisk, found, anatomy, convex_side), files.add(out / "blades.png").string());
   }
+  files.finish();
   tell(request, found, anatomy, convex_side);
   std::cout << "Table: " << (out / "blades.csv").string() << '\n';
   if (!request.no_picture) std::cout << "Picture: " << (out / "blades.png").string() << '\n';

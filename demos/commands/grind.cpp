@@ -12,6 +12,8 @@
 #include "commands/convex_option.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/out_folder.h"
+#include "commands/picture_bar.h"
 #include "commands/report_option.h"
 #include "commands/terminal_watch.h"
 #include "models/blade_anatomy.h"
@@ -90,10 +92,10 @@ void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const Grind
   writeSummary(run, files.add(out / "summary.json"));
   if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
   if (!request.no_pictures) {
-    writePng(overviewOf(run), files.add(out / "overview.png").string());
-    writePng(closeupOf(run), files.add(out / "closeup.png").string());
+    writePngWatched(overviewOf(run), files.add(out / "overview.png").string());
+    writePngWatched(closeupOf(run), files.add(out / "closeup.png").string());
   }
-  if (request.frames > 0) writeFrames(run, request.frames, out, files);
+  if (request.frames > 0) writeFrames(run, request.frames, out, files, writePngWatched);
   if (request.report) writeReplayFiles(grindingReplay(run), out, files);
   files.finish();
 }

@@ -213,12 +213,6 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
   }
 }
 
-void makeFolder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder + ": the folder cannot be made: " + error.message());
-}
-
 void warnOf(const std::string& of, const std::string& what) {
   std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
 }

@@ -70,9 +70,6 @@ ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, in
 /// Throws naming one of the tables in the folder if it is a file that is read.
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables);
 
-/// Makes the folder where it is missing. Throws naming it.
-void makeFolder(const std::string& folder);
-
 /// On standard error, a line.
 void warnOf(const std::string& of, const std::string& what);
 

@@ -13,6 +13,7 @@
 #include "cell/tool_file.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
+#include "commands/out_folder.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/length_limit.h"
@@ -181,9 +182,7 @@ void makeGrinderFiles(const GrinderRequest& request) {
   for (const auto& [name, makePart] : parts) meshes.push_back(makePart(request.belt));
 
   const std::filesystem::path out = request.out;
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+  makeFolder(out);
   ToolFile tool;
   WholeFiles files;
   for (std::size_t part = 0; part < meshes.size(); ++part) {

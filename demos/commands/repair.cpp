@@ -15,6 +15,7 @@
 #include "commands/commands.h"
 #include "commands/grinder_input.h"
 #include "commands/option_checks.h"
+#include "commands/out_folder.h"
 #include "commands/report_option.h"
 #include "commands/terminal_watch.h"
 #include "models/length_limit.h"
@@ -93,7 +94,7 @@ void requireBridged(const ChangeLimits& limits) {
 
 /// The path as octoblisk grind judges it.
 GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
-                  const std::vector<Pose>& path, const RunWatch& watch) {
+                  const std::vector<Pose>& path, TerminalWatch& terminal) {
   constexpr double kLeastNearMiss = 0.5;  // mm
   GrindingJob job;
   job.blisk = input.blisk;
@@ -105,7 +106,8 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Re
   job.rules.near_miss = std::clamp(rules.margin, kLeastNearMiss, kMostNearMiss);
   job.path = path;
   job.threads = files.threads;
-  GrindingRun run = runGrinding(job, watch);
+  GrindingRun run = runGrinding(job, terminal.watch());
+  terminal.endTask();
   if (run.isPartial()) throw TerminalWatch::stopped("stopped: the path is repaired, but has no report");
   run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
   run.tool_name = files.toolName();
@@ -114,9 +116,9 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Re
 }
 
 void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
-                       const std::vector<Pose>& path, const PathRepair& repaired, const RunWatch& watch) {
-  const GrindingRun before = runOf(files, input, rules, path, watch);
-  const GrindingRun after = runOf(files, input, rules, repaired.path, watch);
+                       const std::vector<Pose>& path, const PathRepair& repaired, TerminalWatch& terminal) {
+  const GrindingRun before = runOf(files, input, rules, path, terminal);
+  const GrindingRun after = runOf(files, input, rules, repaired.path, terminal);
   WholeFiles shown;
   writeReplayFiles(repairReplay(repaired, before, after), files.out, shown);
   shown.finish();
@@ -153,7 +155,7 @@ int repair(const RepairRequest& request) {
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: what was repaired so far is in " + written.path.string());
   }
-  if (request.report) writeRepairReport(files, input, rules, path, repaired, terminal.watch());
+  if (request.report) writeRepairReport(files, input, rules, path, repaired, terminal);
   return repaired.isFree() ? 0 : 1;
 }
 

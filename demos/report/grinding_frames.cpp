@@ -33,7 +33,7 @@ std::vector<std::size_t> posesOfFrames(std::size_t poses, std::size_t count) {
 }
 
 void writeFrames(const GrindingRun& run, std::size_t count, const std::filesystem::path& folder,
-                 WholeFiles& files) {
+                 WholeFiles& files, const DrawPicture& draw) {
   const std::filesystem::path frames = folder / "frames";
   std::error_code error;
   std::filesystem::create_directories(frames, error);
@@ -43,7 +43,7 @@ void writeFrames(const GrindingRun& run, std::size_t count, const std::filesyste
   for (const std::size_t pose : posesOfFrames(run.poses.size(), count)) {
     Picture picture = overviewOf(run, pose);
     picture.camera = camera;
-    writePng(picture, files.add(frames / frameName(sheet.size())).string());
+    draw(picture, files.add(frames / frameName(sheet.size())).string());
     sheet.push_back({"Pose " + std::to_string(pose) + ": " + nameOf(run.poses[pose].verdict), picture});
   }
   if (sheet.empty()) return;

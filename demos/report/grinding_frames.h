@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "cell/grinding_run.h"
+#include "report/picture.h"
 #include "report/whole_files.h"
 
 namespace octoblisk::demos {
@@ -13,10 +16,13 @@ namespace octoblisk::demos {
 /// `count` poses from the first to the last, evenly, each once; all where there are fewer.
 std::vector<std::size_t> posesOfFrames(std::size_t poses, std::size_t count);
 
+/// Renders a picture to a PNG file.
+using DrawPicture = std::function<void(const Picture& picture, const std::string& path)>;
+
 /// Adds folder/frames/0000.png … and folder/contact_sheet.png to `files`: the blisk with the tool at each of
 /// the poses, all seen by one camera, and all of them on a sheet. The folder must exist. Throws
 /// std::runtime_error naming a file or folder that cannot be written.
 void writeFrames(const GrindingRun& run, std::size_t count, const std::filesystem::path& folder,
-                 WholeFiles& files);
+                 WholeFiles& files, const DrawPicture& draw);
 
 }  // namespace octoblisk::demos

@@ -203,9 +203,4 @@ Picture closeupOf(const GrindingRun& run) {
   return closeup;
 }
 
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder) {
-  writePng(overviewOf(run), (folder / "overview.png").string());
-  writePng(closeupOf(run), (folder / "closeup.png").string());
-}
-
 }  // namespace octoblisk::demos

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 
 #include "report/grinding_report.h"
@@ -26,8 +25,5 @@ Picture overviewOf(const GrindingRun& run);
 
 /// Where the tool touches at the pose to show, or comes nearest, with the boxes of the blisk's tree there.
 Picture closeupOf(const GrindingRun& run);
-
-/// Writes overview.png and closeup.png. Throws std::runtime_error naming a file that can't be written.
-void writePictures(const GrindingRun& run, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

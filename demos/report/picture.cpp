@@ -4,11 +4,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "report/renderer.h"
-
 namespace octoblisk::demos {
 
-Image render(const Picture& picture, int width, int height, unsigned threads) {
+Image render(const Picture& picture, int width, int height, unsigned threads,
+             const RenderProgress& progress) {
   constexpr int kLargestSide = 16384;
   if (std::min(width, height) < 1 || std::max(width, height) > kLargestSide) {
     throw std::invalid_argument("a picture of " + std::to_string(width) + " × " + std::to_string(height) +
@@ -18,7 +17,7 @@ Image render(const Picture& picture, int width, int height, unsigned threads) {
 
   const Layout layout(picture.annotation, width, height);
   const Image scene = renderScene(picture.scene, picture.camera, width, layout.sceneHeight(),
-                                  static_cast<float>(layout.scale()), threads);
+                                  static_cast<float>(layout.scale()), threads, progress);
   Image page(width, height, {255, 255, 255, 255});
   std::copy(scene.pixels.begin(), scene.pixels.end(),
             page.pixels.begin() + static_cast<std::ptrdiff_t>(layout.sceneTop()) * width);

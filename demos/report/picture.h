@@ -13,6 +13,7 @@
 #include "report/annotation.h"
 #include "report/camera.h"
 #include "report/image.h"
+#include "report/renderer.h"
 #include "report/scene.h"
 
 namespace octoblisk::demos {
@@ -38,14 +39,19 @@ struct Picture {
   Annotation annotation;
 };
 
-/// The whole page. The same, bit for bit, for any number of threads; 0 stands for one a processor.
+/// Of a page, where nothing else is asked for; pixels.
+inline constexpr int kPageWidth = 1600, kPageHeight = 1200;
+
+/// The whole page. The same, bit for bit, for any number of threads; 0 stands for one a processor. `progress`
+/// is told as by renderScene.
 /// Throws std::invalid_argument for a page that is not 1 to 16384 pixels wide and high, or a camera that
 /// makes no picture, and std::runtime_error where Embree or Cairo fails.
-Image render(const Picture& picture, int width, int height, unsigned threads = 0);
+Image render(const Picture& picture, int width, int height, unsigned threads = 0,
+             const RenderProgress& progress = {});
 
 /// Renders the page to a PNG file. Throws as above, and std::runtime_error, naming the path, where it cannot
 /// be written.
-void writePng(const Picture& picture, const std::string& path, int width = 1600, int height = 1200,
-              unsigned threads = 0);
+void writePng(const Picture& picture, const std::string& path, int width = kPageWidth,
+              int height = kPageHeight, unsigned threads = 0);
 
 }  // namespace octoblisk::demos

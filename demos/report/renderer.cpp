@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <vector>
 
-#include "report/for_all.h"
+#include "octoblisk/parallel.h"
 #include "report/sampler.h"
 
 namespace octoblisk::demos {
@@ -275,13 +276,17 @@ class BandRenderer {
 }  // namespace
 
 Image renderScene(const Scene& scene, const Camera& camera, int width, int height, float pixels_per_point,
-                  unsigned threads) {
+                  unsigned threads, const RenderProgress& progress) {
   const View view(camera, width, height, scene.bounds());
   const Sampler sampler(scene, view, pixels_per_point);
   Image image(width, height, {255, 255, 255, 255});
-  const int bands = (height + kBandRows - 1) / kBandRows;
-  forAll(bands, threads, [&] {
-    return [renderer = BandRenderer(sampler, image)](int band) mutable { renderer.render(band); };
+  const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
+  std::vector<BandRenderer> renderers(threads, BandRenderer(sampler, image));  // one a thread
+  std::atomic<std::size_t> done = 0;
+  parallelFor(bands, static_cast<int>(threads), [&](std::size_t band, std::size_t worker) {
+    renderers[worker].render(static_cast<int>(band));
+    ++done;
+    if (progress && worker == 0) progress(done, bands);
   });
   return image;
 }

@@ -187,6 +187,24 @@ TEST(Picture, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.pixels, renderSmall(picture, 5).pixels);
 }
 
+TEST(Picture, TellsItsProgressAndIsTheSame) {
+  for (const unsigned threads : {1u, 3u}) {
+    std::vector<std::size_t> told;
+    std::size_t of = 0;
+    const Image image =
+        render(busyPicture(), kWidth, kHeight, threads, [&](std::size_t done, std::size_t bands) {
+          told.push_back(done);
+          of = bands;
+        });
+    EXPECT_TRUE(image.pixels == renderSmall(busyPicture()).pixels);
+    EXPECT_TRUE(std::ranges::is_sorted(told));
+    if (threads > 1) continue;  // one of them tells of all
+    ASSERT_GT(of, 1u);
+    ASSERT_EQ(told.size(), of);
+    EXPECT_EQ(told.back(), of);
+  }
+}
+
 TEST(Picture, EmptySceneIsWhite) {
   for (const Image::Pixel& pixel : renderSmall(Picture{}).pixels) ASSERT_EQ(pixel, kWhite);
 }

@@ -1,0 +1,17 @@
+// The folder that a subcommand writes to.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace octoblisk::demos {
+
+/// Makes the folder where it is missing. Throws std::runtime_error naming it.
+inline void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder.string() + ": the folder cannot be made: " + error.message());
+}
+
+}  // namespace octoblisk::demos
