@@ -10,7 +10,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kGap = 6;  // between frames, pixels
+constexpr int kFrameGap = 6;  // between frames, pixels
 
 /// Copies `rows` rows and `columns` columns of an image.
 void paste(const Image& image, int from_row, int rows, int columns, Image& page, int left, int top) {
@@ -55,7 +55,8 @@ Image contactSheet(const std::vector<SheetFrame>& frames, const std::string& tit
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   const int count = static_cast<int>(frames.size()), used = std::min(columns, count);
   const int rows = (count + used - 1) / used;
-  const int width = used * (frame_width + kGap) - kGap, frames_height = rows * (frame_height + kGap) - kGap;
+  const int width = used * (frame_width + kFrameGap) - kFrameGap,
+            frames_height = rows * (frame_height + kFrameGap) - kFrameGap;
 
   Annotation annotation;
   annotation.title = title;
@@ -68,7 +69,8 @@ Image contactSheet(const std::vector<SheetFrame>& frames, const std::string& tit
         page.height - words.below());
   for (int f = 0; f < count; ++f) {
     const SheetFrame& frame = frames[static_cast<std::size_t>(f)];
-    const int left = f % used * (frame_width + kGap), top = words.above() + f / used * (frame_height + kGap);
+    const int left = f % used * (frame_width + kFrameGap),
+              top = words.above() + f / used * (frame_height + kFrameGap);
     Annotation caption;
     caption.subtitle = frame.caption;
     const Words of_frame(caption, width);

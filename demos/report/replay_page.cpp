@@ -27,7 +27,7 @@ extern "C" const char octoblisk_replay_page_begin[], octoblisk_replay_page_end[]
 namespace octoblisk::demos {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using PageJson = nlohmann::ordered_json;
 
 constexpr std::string_view kPlaceOfRun = "@@RUN@@";
 constexpr std::uint8_t kNoPartByte = 255;
@@ -66,11 +66,11 @@ std::uint16_t stepOf(double value, double low, double high) {
       std::lround(std::clamp((value - low) / (high - low), 0.0, 1.0) * 65535.0));
 }
 
-Json boxJson(const Aabb& box) {
+PageJson boxJson(const Aabb& box) {
   return {box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z()};
 }
 
-Json meshJson(const DisplayMesh& mesh) {
+PageJson meshJson(const DisplayMesh& mesh) {
   Aabb box;
   for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
   std::vector<std::uint16_t> steps;
@@ -103,7 +103,7 @@ std::vector<Vec3> placesOf(const Replay& replay) {
   return some;
 }
 
-Json boxesJson(const ReplayBoxes& found) {
+PageJson boxesJson(const ReplayBoxes& found) {
   Aabb around;
   double half = 0.0;
   for (const ReplayBox& each : found.boxes) {
@@ -127,7 +127,7 @@ Json boxesJson(const ReplayBoxes& found) {
           {"whole", found.whole_to},  {"deepest", found.deepest}};
 }
 
-Json posesJson(const ReplayTrack& track) {
+PageJson posesJson(const ReplayTrack& track) {
   std::vector<float> poses;
   for (const ReplayPose& pose : track.poses) {
     append(poses, pose.tool_in_blisk.translation);
@@ -139,7 +139,7 @@ Json posesJson(const ReplayTrack& track) {
   return packed(poses);
 }
 
-Json nearestJson(const ReplayTrack& track) {
+PageJson nearestJson(const ReplayTrack& track) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   std::vector<std::uint8_t> part, side, clearance_part;
   std::vector<std::uint16_t> blade, clearance_blade;
@@ -166,7 +166,7 @@ Json nearestJson(const ReplayTrack& track) {
 }
 
 /// The contacts of each pose that are drawn: the deepest where there are too many.
-Json contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_out) {
+PageJson contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_out) {
   std::size_t total = 0;
   for (const ReplayPose& pose : track.poses) total += pose.contacts.size();
   const std::size_t a_pose = total > most ? std::max<std::size_t>(1, most / track.poses.size())
@@ -196,10 +196,10 @@ Json contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_
           {"normals", packed(normals)}};
 }
 
-Json findingsJson(const ReplayTrack& track) {
-  Json rows = Json::array();
+PageJson findingsJson(const ReplayTrack& track) {
+  PageJson rows = PageJson::array();
   for (const ReplayFinding& finding : track.findings) {
-    Json value;  // null
+    PageJson value;  // null
     if (finding.value) value = *finding.value;
     rows.push_back({finding.at, finding.verdict,
                     finding.part ? static_cast<std::int64_t>(*finding.part) : std::int64_t{-1},
@@ -209,15 +209,15 @@ Json findingsJson(const ReplayTrack& track) {
   return rows;
 }
 
-Json trackJson(const ReplayTrack& track, const ReplayLimits& limits, std::size_t& contacts_left_out) {
+PageJson trackJson(const ReplayTrack& track, const ReplayLimits& limits, std::size_t& contacts_left_out) {
   std::vector<std::uint8_t> verdicts;
-  Json texts;  // null
+  PageJson texts;  // null
   for (const ReplayPose& pose : track.poses) {
     verdicts.push_back(static_cast<std::uint8_t>(pose.verdict));
     if (!pose.text.empty()) texts.push_back(pose.text);
   }
   if (texts.size() != track.poses.size()) texts = nullptr;
-  Json series = Json::array();
+  PageJson series = PageJson::array();
   for (const ReplaySeries& each : track.series) {
     std::vector<float> values;
     for (const double value : each.values) values.push_back(static_cast<float>(value));
@@ -257,17 +257,18 @@ std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const 
 }
 
 /// The meshes, and a note for each that is thinned.
-void addMeshes(const Replay& replay, const ReplayMeshes& meshes, Json& run, std::vector<std::string>& notes) {
+void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
+               std::vector<std::string>& notes) {
   const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
     if (drawn.merged_within > 0.0) notes.push_back(thinningNote(of, drawn, whole));
   };
   tellThinned("the blisk", meshes.blisk, replay.blisk->mesh());
-  Json groups = Json::array();
+  PageJson groups = PageJson::array();
   for (const DisplayMesh::Group& group : meshes.blisk.groups) {
     groups.push_back({group.number, group.first, group.count});
   }
   run["blisk"] = {{"mesh", meshJson(meshes.blisk)}, {"groups", groups}};
-  Json parts = Json::array();
+  PageJson parts = PageJson::array();
   for (std::size_t p = 0; p < replay.parts.size(); ++p) {
     const std::string& name = replay.parts[p].name;
     tellThinned(name, meshes.parts[p], replay.parts[p].tree->mesh());
@@ -276,8 +277,8 @@ void addMeshes(const Replay& replay, const ReplayMeshes& meshes, Json& run, std:
   run["parts"] = parts;
 }
 
-Json factsJson(const std::vector<Table>& facts) {
-  Json tables = Json::array();
+PageJson factsJson(const std::vector<Table>& facts) {
+  PageJson tables = PageJson::array();
   for (const Table& table : facts) {
     tables.push_back({{"title", table.caption}, {"columns", table.columns}, {"rows", table.rows}});
   }
@@ -287,7 +288,8 @@ Json factsJson(const std::vector<Table>& facts) {
 }  // namespace
 
 std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const ReplayLimits& limits) {
-  Json verdicts = Json::array(), counts = Json::array(), charts = Json::array(), tracks = Json::array();
+  PageJson verdicts = PageJson::array(), counts = PageJson::array(), charts = PageJson::array(),
+           tracks = PageJson::array();
   for (const ReplayVerdict& verdict : replay.verdicts) {
     verdicts.push_back({{"name", verdict.name}, {"tone", nameOf(verdict.tone)}});
   }
@@ -295,7 +297,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
     counts.push_back({{"name", count.name}, {"count", count.count}, {"tone", nameOf(count.tone)}});
   }
   for (const ReplayChart& chart : replay.charts) {
-    Json lines = Json::array();
+    PageJson lines = PageJson::array();
     for (const auto& [value, name] : chart.limits) lines.push_back({{"value", value}, {"name", name}});
     charts.push_back(
         {{"title", chart.title}, {"unit", chart.unit}, {"stretch", chart.linear_within}, {"limits", lines}});
@@ -307,24 +309,24 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
     notes.push_back("The picture leaves out " + withThousands(left_out) +
                     " contacts, the least deep of each pose; contacts.csv has all.");
   }
-  Json run = {{"format", 1},
-              {"command", replay.command},
-              {"title", replay.title},
-              {"subtitle", replay.subtitle},
-              {"step", {{"one", replay.one}, {"many", replay.many}}},
-              {"findings",
-               {{"title", replay.findings_title},
-                {"where", replay.one == "pose" ? "Where" : "Point"},
-                {"value", replay.findings_value},
-                {"none", replay.no_findings}}},
-              {"verdicts", verdicts},
-              {"counts", counts},
-              {"blade_count", replay.blade_count},
-              {"ground_blade", replay.ground_blade},
-              {"start", {{"track", replay.start_track}, {"at", replay.start_at}}},
-              {"everywhere", replay.contacts_of_all_poses},
-              {"charts", charts},
-              {"tracks", tracks}};
+  PageJson run = {{"format", 1},
+                  {"command", replay.command},
+                  {"title", replay.title},
+                  {"subtitle", replay.subtitle},
+                  {"step", {{"one", replay.one}, {"many", replay.many}}},
+                  {"findings",
+                   {{"title", replay.findings_title},
+                    {"where", replay.one == "pose" ? "Where" : "Point"},
+                    {"value", replay.findings_value},
+                    {"none", replay.no_findings}}},
+                  {"verdicts", verdicts},
+                  {"counts", counts},
+                  {"blade_count", replay.blade_count},
+                  {"ground_blade", replay.ground_blade},
+                  {"start", {{"track", replay.start_track}, {"at", replay.start_at}}},
+                  {"everywhere", replay.contacts_of_all_poses},
+                  {"charts", charts},
+                  {"tracks", tracks}};
   addMeshes(replay, meshes, run, notes);
   const ReplayBoxes boxes = replayBoxesOf(*replay.blisk, placesOf(replay), limits.boxes);
   if (boxes.whole_to < boxes.deepest) {
@@ -336,7 +338,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
   run["facts"] = factsJson(replay.facts);
   run["notes"] = notes;
 
-  const std::string text = run.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = run.dump(-1, ' ', false, PageJson::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
   for (const char c : text) {

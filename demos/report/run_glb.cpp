@@ -21,7 +21,7 @@ constexpr double kMarkRadius = 0.3;  // mm
 
 // Names of glTF's numbers.
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementArrayBuffer = 34963;
-constexpr int kChunkJson = 0x4E4F534A, kChunkBinary = 0x004E4942, kMagic = 0x46546C67;
+constexpr int kChunkJson = 0x4E4F534A, kChunkBinary = 0x004E4942, kGlbMagic = 0x46546C67;
 
 void appendWord(std::string& bytes, std::size_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
@@ -75,7 +75,7 @@ class GltfFile {
     std::string json = document_.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
     json.append((4 - json.size() % 4) % 4, ' ');
     std::string file;
-    appendWord(file, kMagic);
+    appendWord(file, kGlbMagic);
     appendWord(file, 2);
     appendWord(file, 12 + 8 + json.size() + 8 + buffer_.size());
     appendWord(file, json.size());
