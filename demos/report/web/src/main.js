@@ -183,11 +183,17 @@ function tellStatus() {
   $("scrub").value = index;
   $("scrub").setAttribute("aria-valuetext", text.textContent);
   if (document.activeElement !== $("number")) $("number").value = index;
-  $("play").innerHTML = player.playing ? '<span aria-hidden="true">❚❚</span> <span class="word">Pause</span>'
-    : '<span aria-hidden="true">▶</span> <span class="word">Play</span>';
+  tellPlaying();
   const offences = player.offences();
   $("offence-back").disabled = !offences.some((each) => each < at - 1e-4);
   $("offence-on").disabled = !offences.some((each) => each > at + 1e-4);
+}
+
+/** Only where it changes: a press of the button is lost if what is pressed is replaced before it is let go. */
+function tellPlaying() {
+  const [sign, word] = player.playing ? ["❚❚", "Pause"] : ["▶", "Play"];
+  if ($("play").querySelector(".word").textContent === word) return;
+  $("play").innerHTML = `<span aria-hidden="true">${sign}</span> <span class="word">${word}</span>`;
 }
 
 function fillChartHead(chart) {

@@ -46,10 +46,10 @@ test("something is drawn, and the replay moves it", async () => {
   await jump(0);
   const first = await picture();
   assert.ok(first.some((value) => value !== first[0]), "a blank picture");
-  await report.page.selectOption("#speed", "20");
+  await report.page.selectOption("#speed", "5");
   await report.page.click("#play");
   await report.page.waitForFunction(() => window.octoblisk.player.at > 10);
-  await report.page.click("#play");
+  await report.page.click("#play", { delay: 300 }); // held as a hand does, over many frames
   const reached = await at();
   assert.ok(reached > 10);
   assert.ok(differing(first, await picture()) > 20, "the picture stays as it was");
