@@ -32,9 +32,10 @@ inline void closestOnSegments(const Vec3& p0, const Vec3& p1, const Vec3& q0, co
   double s = 0.0;
   if (denominator > 1e-3 * pp * qq) {
     s = std::clamp((pq * q_offset - p_offset * qq) / denominator, 0.0, 1.0);
-  } else if (const Vec3 across = q.cross(p);
-             !across.isZero(0.0)) {  // nearly parallel: the same, less rounded
-    s = std::clamp(-across.dot(q.cross(offset)) / across.squaredNorm(), 0.0, 1.0);
+  } else {  // nearly parallel: the same, less rounded
+    const Vec3 across = q.cross(p);
+    const double squared = across.squaredNorm();
+    if (squared > 0.0) s = std::clamp(-across.dot(q.cross(offset)) / squared, 0.0, 1.0);
   }
   s = onP(onQ(s));
   keepCloser(best, p0 + s * p, q0 + onQ(s) * q);

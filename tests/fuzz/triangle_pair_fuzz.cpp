@@ -112,6 +112,8 @@ void checkContact(const Triangle& a, const Triangle& b, bool meet) {
   const double reach = (contact.point_on_a - contact.point_on_b).norm();
   require(std::abs(reach - std::abs(contact.distance)) <= 1e-14 * size + kUnderflow,
           "the points are not the distance apart", a, b);
+  require(meet || std::abs(contactOf(b, a).distance - contact.distance) <= 1e-13 * size + kUnderflow,
+          "the distance depends on the order of triangles", a, b);
   for (const Vec3& point : {contact.point_on_a, contact.point_on_b}) {
     require(point.cwiseAbs().maxCoeff() <= 4.0 * size + kUnderflow, "a point is beyond the triangles", a, b);
   }
