@@ -1,3 +1,11 @@
+// The octoblisk command.
 #include "commands/command_line.h"
+#include "commands/commands.h"
 
-int main(int argc, char** argv) { return octoblisk::demos::runCommandLine(argc, argv, OCTOBLISK_VERSION); }
+int main(int argc, char** argv) {
+  using namespace octoblisk::demos;
+  return runCommandLine(
+      argc, argv, OCTOBLISK_VERSION,
+      {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addMakeCommand,
+       addCheckCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
+}

@@ -5,14 +5,14 @@
 #include <ios>
 #include <iostream>
 
-#include "commands/commands.h"
 #include "commands/subcommand_names.h"
 #include "study/launch.h"
 #include "study/stop_signal.h"
 
 namespace octoblisk::demos {
 
-int runCommandLine(int argc, char** argv, const std::string& version) {
+int runCommandLine(int argc, char** argv, const std::string& version,
+                   std::initializer_list<AddCommand> subcommands) {
   CLI::App app{
       "OctoBlisk: checks an abrasive belt against a bladed disk (blisk), exactly on the triangles.\n"
       "Lengths are in mesh units; the generated models and the grinding check are in mm."};
@@ -25,16 +25,7 @@ int runCommandLine(int argc, char** argv, const std::string& version) {
       "Exit codes: 0 clean, 1 interference found, 2 bad input.");
 
   int exit_code = 0;
-  addGrindCommand(app, exit_code);
-  addBladesCommand(app, exit_code);
-  addPathCommand(app, exit_code);
-  addAccessCommand(app, exit_code);
-  addRepairCommand(app, exit_code);
-  addMakeCommand(app, exit_code);
-  addCheckCommand(app, exit_code);
-  addMergeCommand(app, exit_code);
-  addPaperCommand(app, exit_code);
-  addGalleryCommand(app, exit_code);
+  for (const AddCommand add : subcommands) add(app, exit_code);
 
   // Of several processes, one speaks, and its exit code counts.
   const bool is_first = launchedAs().rank == 0;
