@@ -42,7 +42,7 @@ struct LocalBox {
 
   LocalBox(const ClusteredOctree& tree, const Obb& box_in_tree) {
     const Vec3 center = box_in_tree.center - tree.origin();
-    box = {center.cast<float>(), box_in_tree.axes.cast<float>(), box_in_tree.half_extents.cast<float>()};
+    box = {center.cast<float>(), inSinglePrecision(box_in_tree.axes), box_in_tree.half_extents.cast<float>()};
     size = center.norm() + tree.radius() + box_in_tree.half_extents.norm();
   }
 };
