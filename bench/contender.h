@@ -146,6 +146,8 @@ class BoxQuery : public PoseQuery {
     double volume = 0.0;     ///< of them, mm³
   };
   virtual Left left(const Pose& belt_in_blisk) = 0;
+  /// Whether any is left: looks no further than the first.
+  virtual bool mayTouch(const Pose& belt_in_blisk) = 0;
   /// The volume of the boxes that a detection begins with, mm³.
   virtual double range() const = 0;
 };

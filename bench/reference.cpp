@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/triangle_pair.h"
 #include "shared/solids.h"
 
@@ -12,12 +13,6 @@ namespace octoblisk::bench {
 namespace {
 
 constexpr double kCellSize = 2.0;
-
-Aabb boundsOf(const Triangle& triangle) {
-  Aabb box;
-  for (const Vec3& corner : triangle) box.extend(corner);
-  return box;
-}
 
 template <typename Visit>
 void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&& visit) {

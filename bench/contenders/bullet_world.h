@@ -1,4 +1,4 @@
-// What the contenders that ask Bullet share: meshes in its layout, and a world with its questions.
+// What the contenders that ask Bullet share: a world with its questions.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -7,9 +7,9 @@
 #include <limits>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "contender.h"
+#include "gallery/bullet_mesh.h"
 #include "octoblisk_bullet/convert.h"
 
 namespace octoblisk::bench {
@@ -21,37 +21,7 @@ inline std::string bulletVersion() {
          (sizeof(btScalar) == sizeof(float) ? "single" : "double") + " precision";
 }
 
-/// Vertices and indices as Bullet reads them.
-class BulletMesh {
- public:
-  explicit BulletMesh(const TriangleMesh& mesh, double scale = 1.0) {
-    for (const Vec3& vertex : mesh.vertices()) {
-      for (const double x : vertex) vertices_.push_back(static_cast<btScalar>(scale * x));
-    }
-    for (const auto& corners : mesh.triangles())
-      indices_.insert(indices_.end(), corners.begin(), corners.end());
-    constexpr int kIndexStride = 3 * sizeof(int);
-    constexpr int kVertexStride = 3 * sizeof(btScalar);
-    view_ = std::make_unique<btTriangleIndexVertexArray>(
-        static_cast<int>(mesh.triangleCount()), indices_.data(), kIndexStride,
-        static_cast<int>(mesh.vertices().size()), vertices_.data(), kVertexStride);
-  }
-
-  btTriangleIndexVertexArray* view() const { return view_.get(); }
-
-  /// Moves the vertices to those of a mesh of the same triangles.
-  void move(const TriangleMesh& deformed) {
-    std::size_t k = 0;
-    for (const Vec3& vertex : deformed.vertices()) {
-      for (const double x : vertex) vertices_[k++] = static_cast<btScalar>(x);
-    }
-  }
-
- private:
-  std::vector<btScalar> vertices_;
-  std::vector<int> indices_;
-  std::unique_ptr<btTriangleIndexVertexArray> view_;
-};
+using gallery::BulletMesh;
 
 /// The blisk's shape and the belt's in a world, of which the belt moves. `Shapes` is made of a scene, has
 /// both shapes as blisk() and belt(), and registerAt(dispatcher) for algorithms of its own.

@@ -52,9 +52,15 @@ class PaperBoxes final : public BoxQuery {
 
   Left left(const Pose& belt_in_blisk) override {
     Left found;
-    const Obb belt = belt_in_blisk * belt_;
-    for (const Octree& octree : octrees_) visit(octree, octree.nodes().front(), belt, found);
+    forEachCell(belt_in_blisk, [&](const Obb& cell) {
+      ++found.leaves;
+      found.volume += cell.volume();
+      return true;
+    });
     return found;
+  }
+  bool mayTouch(const Pose& belt_in_blisk) override {
+    return !forEachCell(belt_in_blisk, [](const Obb&) { return false; });
   }
   double range() const override {
     return std::accumulate(octrees_.begin(), octrees_.end(), 0.0,
@@ -62,17 +68,24 @@ class PaperBoxes final : public BoxQuery {
   }
 
  private:
-  void visit(const Octree& octree, const Octree::Node& node, const Obb& belt, Left& found) const {
-    if (node.count() == 0) return;
+  /// Calls visit with each leaf's cell that meets the belt's box, until it says no; whether it never did.
+  template <typename Visit>
+  bool forEachCell(const Pose& belt_in_blisk, Visit&& visit) const {
+    const Obb belt = belt_in_blisk * belt_;
+    return std::ranges::all_of(
+        octrees_, [&](const Octree& octree) { return descend(octree, octree.nodes().front(), belt, visit); });
+  }
+
+  template <typename Visit>
+  bool descend(const Octree& octree, const Octree::Node& node, const Obb& belt, Visit& visit) const {
+    if (node.count() == 0) return true;
     const Obb cell = octree.cell(node);
-    if (!overlaps(belt, cell, axes_)) return;
-    if (node.isLeaf()) {
-      ++found.leaves;
-      found.volume += cell.volume();
-      return;
+    if (!overlaps(belt, cell, axes_)) return true;
+    if (node.isLeaf()) return visit(cell);
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      if (!descend(octree, octree.nodes()[node.first_child + octant], belt, visit)) return false;
     }
-    for (std::uint32_t octant = 0; octant < 8; ++octant)
-      visit(octree, octree.nodes()[node.first_child + octant], belt, found);
+    return true;
   }
 
   std::vector<Octree> octrees_;
@@ -88,24 +101,31 @@ class OurBoxes final : public BoxQuery {
 
   Left left(const Pose& belt_in_blisk) override {
     Left found;
-    visit(ClusteredOctree::kRoot, belt_in_blisk * belt_, found);
+    descend(ClusteredOctree::kRoot, belt_in_blisk * belt_, [&](const Obb& box) {
+      ++found.leaves;
+      found.volume += box.volume();
+      return true;
+    });
     return found;
+  }
+  bool mayTouch(const Pose& belt_in_blisk) override {
+    return !descend(ClusteredOctree::kRoot, belt_in_blisk * belt_, [](const Obb&) { return false; });
   }
   double range() const override { return blisk_.stats().root_volume; }
 
  private:
-  void visit(Slot slot, const Obb& belt, Left& found) const {
+  /// As PaperBoxes::descend.
+  template <typename Visit>
+  bool descend(Slot slot, const Obb& belt, const Visit& visit) const {
     const Obb box = blisk_.box(slot);
-    if (!overlaps(belt, box)) return;
+    if (!overlaps(belt, box)) return true;
     const Child child = blisk_.child(slot);
-    if (child.isLeaf()) {
-      ++found.leaves;
-      found.volume += box.volume();
-      return;
-    }
+    if (child.isLeaf()) return visit(box);
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (!blisk_.child({child.node(), lane}).isEmpty()) visit({child.node(), lane}, belt, found);
+      if (!blisk_.child({child.node(), lane}).isEmpty() && !descend({child.node(), lane}, belt, visit))
+        return false;
     }
+    return true;
   }
 
   ClusteredOctree blisk_;
@@ -118,7 +138,10 @@ class OurTriangles final : public BoxQuery {
   explicit OurTriangles(const Scene& scene) : trees_(scene, built()) {}
 
   Left left(const Pose& belt_in_blisk) override {
-    return {collide(trees_.blisk, trees_.belt, belt_in_blisk) ? std::size_t{1} : 0, 0.0};
+    return {mayTouch(belt_in_blisk) ? std::size_t{1} : 0, 0.0};
+  }
+  bool mayTouch(const Pose& belt_in_blisk) override {
+    return collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();
   }
   double range() const override { return trees_.blisk.stats().root_volume; }
 

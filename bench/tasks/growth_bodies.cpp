@@ -22,10 +22,11 @@ int main(int argc, char** argv) {
                     .prepare = prepare,
                     .scenes = {"1-bodies", "10-bodies", "100-bodies", "1000-bodies", "10000-bodies"},
                     .quick_scenes = {"1-bodies", "10-bodies", "100-bodies"},
-                    .takes_part = [](const Contender& contender, const std::string& scene) {
-                      return contender.name != "scaled-bvh" &&
-                             (contender.name != "gimpact" || scene != "10000-bodies");
-                    },
+                    .takes_part =
+                        [](const Contender& contender, const std::string& scene) {
+                          return contender.name != "scaled-bvh" &&
+                                 (contender.name != "gimpact" || scene != "10000-bodies");
+                        },
                     .visits = 1};
   return runTimedTasks(argc, argv, {task});
 }

@@ -78,27 +78,4 @@ inline btTransform at(double x, double y, double z) {
   return btTransform(btQuaternion::getIdentity(), toBullet(Vec3(x, y, z)));
 }
 
-/// A mesh of the core as Bullet's own mesh interface, with the arrays it points into.
-class BulletMesh {
- public:
-  explicit BulletMesh(const TriangleMesh& mesh) {
-    for (const Vec3& vertex : mesh.vertices()) vertices_.push_back(toBullet(vertex));
-    for (const auto& [a, b, c] : mesh.triangles()) indices_.insert(indices_.end(), {int(a), int(b), int(c)});
-    btIndexedMesh part;
-    part.m_numTriangles = int(indices_.size() / 3);
-    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data());
-    part.m_triangleIndexStride = 3 * sizeof(int);
-    part.m_numVertices = int(vertices_.size());
-    part.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices_.data());
-    part.m_vertexStride = sizeof(btVector3);
-    interface_.addIndexedMesh(part);
-  }
-  btTriangleIndexVertexArray* operator&() { return &interface_; }
-
- private:
-  std::vector<btVector3> vertices_;
-  std::vector<int> indices_;
-  btTriangleIndexVertexArray interface_;
-};
-
 }  // namespace octoblisk::gallery

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
 #include "gallery/scenes.h"
 #include "shapes/bodies.h"
@@ -147,7 +148,7 @@ class ClothBesideGimpact final : public GalleryScene {
       shapes::uProfile(ClothOnChannel::kHalfWidth, ClothOnChannel::kHalfDepth, ClothOnChannel::kWall, 0.5);
   BulletMesh source_{*mesh_};
   ClusteredOctreeShape ours_shape_{std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_))};
-  btGImpactMeshShape gimpact_shape_{&source_};
+  btGImpactMeshShape gimpact_shape_{source_.view()};
   std::unique_ptr<ClothOnChannel> ours_, gimpact_;
 };
 

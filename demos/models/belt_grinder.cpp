@@ -10,6 +10,7 @@
 #include "models/belt_path.h"
 #include "models/length_limit.h"
 #include "models/require.h"
+#include "shapes/box.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -76,26 +77,6 @@ TriangleMesh cylinder(const Vec3& centre, double radius, double width) {
     triangles.push_back({lower_centre + 1, at(kWheelRows, segment), at(kWheelRows, segment + 1)});
   }
   return TriangleMesh(std::move(vertices), std::move(triangles));
-}
-
-TriangleMesh box(const Vec3& low, const Vec3& high) {
-  std::vector<Vec3> vertices;
-  for (int corner = 0; corner < 8; ++corner) {
-    vertices.emplace_back(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
-                          corner & 4 ? high.z() : low.z());
-  }
-  return TriangleMesh(std::move(vertices), {{0, 2, 3},
-                                            {0, 3, 1},
-                                            {4, 5, 7},
-                                            {4, 7, 6},
-                                            {0, 1, 5},
-                                            {0, 5, 4},
-                                            {2, 6, 7},
-                                            {2, 7, 3},
-                                            {0, 4, 6},
-                                            {0, 6, 2},
-                                            {1, 3, 7},
-                                            {1, 7, 5}});
 }
 
 /// A closed band between two heights above the belt's inner surface.
@@ -175,7 +156,7 @@ TriangleMesh makeArm(const BeltParameters& p) {
   const double half_gap = std::min(path.halfGap(p.arm_start), path.halfGap(arm_end));
   require(0.5 * p.arm_height < half_gap, "the arm must be lower than the gap between the belt's strands");
   const Vec3 half_size(0.0, 0.5 * p.arm_height, 0.5 * p.arm_width);
-  return box(Vec3(p.arm_start, 0.0, 0.0) - half_size, Vec3(arm_end, 0.0, 0.0) + half_size);
+  return shapes::box(Vec3(p.arm_start, 0.0, 0.0) - half_size, Vec3(arm_end, 0.0, 0.0) + half_size);
 }
 
 }  // namespace octoblisk::demos

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shapes/box.h"
 #include "shapes/grid_mesh.h"
 #include "shapes/seeded.h"
 
@@ -20,24 +21,7 @@ SharedMesh torus(double major_radius, double minor_radius, int major_segments, i
 }
 
 SharedMesh boxMesh(const Vec3& half_extents) {
-  std::vector<Vec3> vertices;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 side(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-    vertices.push_back(side.cwiseProduct(half_extents));
-  }
-  return std::make_shared<const TriangleMesh>(std::move(vertices),
-                                              std::vector<TriangleMesh::Indices>{{0, 2, 3},
-                                                                                 {0, 3, 1},
-                                                                                 {4, 5, 7},
-                                                                                 {4, 7, 6},
-                                                                                 {0, 1, 5},
-                                                                                 {0, 5, 4},
-                                                                                 {2, 6, 7},
-                                                                                 {2, 7, 3},
-                                                                                 {0, 4, 6},
-                                                                                 {0, 6, 2},
-                                                                                 {1, 3, 7},
-                                                                                 {1, 7, 5}});
+  return std::make_shared<const TriangleMesh>(box(-half_extents, half_extents));
 }
 
 SharedMesh extrudedBand(const std::vector<Vector2d>& outer, const std::vector<Vector2d>& inner, bool is_ring,

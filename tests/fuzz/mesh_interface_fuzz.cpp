@@ -2,12 +2,11 @@
 // can be asked, scaled and written.
 #include <btBulletDynamicsCommon.h>
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <deque>
 
+#include "fuzz/bytes.h"
 #include "fuzz/fuzz_input.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/register.h"
@@ -16,34 +15,14 @@ using namespace octoblisk;
 
 namespace {
 
-/// Hands out the fuzzer's bytes; zeros once they are used up.
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
+using fuzz::Bytes;
 
-  std::uint8_t byte() { return left_ == 0 ? 0 : (--left_, *data_++); }
-
-  template <typename Number>
-  Number any() {
-    std::array<std::uint8_t, sizeof(Number)> bytes{};
-    const std::size_t count = std::min(left_, bytes.size());
-    std::copy_n(data_, count, bytes.begin());
-    data_ += count;
-    left_ -= count;
-    return std::bit_cast<Number>(bytes);
-  }
-
-  /// Small whole numbers, so that edges and planes are shared, or, one in eight, any.
-  template <typename Number>
-  Number coordinate() {
-    const std::uint8_t kind = byte();
-    return kind % 8 == 7 ? any<Number>() : static_cast<Number>(static_cast<std::int8_t>(kind)) / 8;
-  }
-
- private:
-  const std::uint8_t* data_;
-  std::size_t left_;
-};
+/// Small whole numbers, so that edges and planes are shared, or, one in eight, any.
+template <typename Number>
+Number coordinateOf(Bytes& bytes) {
+  const std::uint8_t kind = bytes.byte();
+  return kind % 8 == 7 ? bytes.any<Number>() : static_cast<Number>(static_cast<std::int8_t>(kind)) / 8;
+}
 
 /// A part, and what it points to. The buffers end where a caller's may, so that reading beyond shows.
 class Part {
@@ -86,8 +65,8 @@ class Part {
 
  private:
   static void putCoordinate(unsigned char* to, std::size_t size, Bytes& bytes) {
-    const auto single = size == 4 ? bytes.coordinate<float>() : 0.0f;
-    const auto twice = size == 8 ? bytes.coordinate<double>() : 0.0;
+    const auto single = size == 4 ? coordinateOf<float>(bytes) : 0.0f;
+    const auto twice = size == 8 ? coordinateOf<double>(bytes) : 0.0;
     std::memcpy(to, size == 4 ? static_cast<const void*>(&single) : &twice, size);
   }
 
@@ -164,8 +143,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     parts.emplace_back(bytes);
     source.addIndexedMesh(parts.back().mesh, parts.back().mesh.m_indexType);
   }
-  const btVector3 scaling(bytes.coordinate<btScalar>(), bytes.coordinate<btScalar>(),
-                          bytes.coordinate<btScalar>());
+  const btVector3 scaling(coordinateOf<btScalar>(bytes), coordinateOf<btScalar>(bytes),
+                          coordinateOf<btScalar>(bytes));
   if (head & 4) source.setScaling(scaling);
   try {
     ClusteredOctreeShape shape(&source,

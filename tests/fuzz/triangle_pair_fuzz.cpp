@@ -1,7 +1,6 @@
 // Two triangles of any coordinates a mesh may have: the verdict does not depend on the order of triangles and
 // corners, a contact is finite and agrees with the verdict.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "fuzz/bytes.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace {
@@ -20,27 +20,24 @@ using octoblisk::Triangle;
 using octoblisk::TriangleMesh;
 using octoblisk::Vec3;
 
-/// Hands out the fuzzer's bytes; zeros once they are used up.
-class Bytes {
+class Coordinates {
  public:
-  Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-
-  std::uint8_t byte() { return left_ == 0 ? 0 : (--left_, *data_++); }
+  explicit Coordinates(octoblisk::fuzz::Bytes bytes) : bytes_(bytes) {}
 
   /// A small integer, a double already seen, its neighbour, or any double that a mesh may have.
-  double coordinate() {
-    const std::uint8_t kind = byte();
+  double next() {
+    const std::uint8_t kind = bytes_.byte();
     double value = 0.0;
     switch (kind & 3) {
       case 0:
-        value = static_cast<std::int8_t>(byte());
+        value = static_cast<std::int8_t>(bytes_.byte());
         break;
       case 1:
-        value = seen_count_ == 0 ? 0.0 : seen_[byte() % seen_count_];
+        value = seen_count_ == 0 ? 0.0 : seen_[bytes_.byte() % seen_count_];
         if (kind & 4) value = std::nextafter(value, kind & 8 ? 1e300 : -1e300);
         break;
       default:
-        value = anyDouble();
+        value = bytes_.any<double>();
     }
     if (!(std::abs(value) <= TriangleMesh::kMaxCoordinate)) value = 0.0;
     seen_[seen_count_++] = value;
@@ -50,20 +47,13 @@ class Bytes {
   Triangle triangle() {
     Triangle t;
     for (Vec3& corner : t) {
-      for (int k = 0; k < 3; ++k) corner[k] = coordinate();
+      for (int k = 0; k < 3; ++k) corner[k] = next();
     }
     return t;
   }
 
  private:
-  double anyDouble() {
-    std::uint64_t bits = 0;
-    for (int i = 0; i < 8; ++i) bits = bits << 8 | byte();
-    return std::bit_cast<double>(bits);
-  }
-
-  const std::uint8_t* data_;
-  std::size_t left_;
+  octoblisk::fuzz::Bytes bytes_;
   double seen_[18] = {};
   std::size_t seen_count_ = 0;
 };
@@ -122,8 +112,8 @@ void checkContact(const Triangle& a, const Triangle& b, bool meet) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  Bytes bytes(data, size);
-  const Triangle a = bytes.triangle(), b = bytes.triangle();
+  Coordinates coordinates({data, size});
+  const Triangle a = coordinates.triangle(), b = coordinates.triangle();
   const bool meet = intersects(a, b);
   checkVerdict(a, b, meet);
   checkContact(a, b, meet);

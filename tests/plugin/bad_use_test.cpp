@@ -48,7 +48,7 @@ TEST(BadUse, partsThatAreNone) {
 TEST(BadUse, tooManyPartsInAnInterface) {
   testing::BulletMesh triangle(TriangleMesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   btTriangleIndexVertexArray many;
-  for (int part = 0; part < 1025; ++part) many.addIndexedMesh((&triangle)->getIndexedMeshArray()[0]);
+  for (int part = 0; part < 1025; ++part) many.addIndexedMesh(triangle.view()->getIndexedMeshArray()[0]);
   EXPECT_EQ(messageOf([&] { const ClusteredOctreeShape shape(&many); }),
             "the mesh has 1025 parts; Bullet numbers at most 1024");
 }

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
 
 namespace octoblisk::testing {

@@ -3,14 +3,16 @@
 
 #include <cmath>
 
-#include "plugin/concave_pile.h"
+#include "gallery/concave_pile.h"
+#include "plugin/bullet_world.h"
+#include "shared/meshes.h"
 
 namespace octoblisk {
 namespace {
 
+using gallery::ConcavePile;
 using testing::at;
 using testing::BulletWorld;
-using testing::ConcavePile;
 
 TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
   ConcavePile pile(64, 1);
@@ -69,7 +71,7 @@ bool areLinked(const Pose& a, const Pose& b, double radius) {
 TEST(ConcaveDynamics, aChainOfTwelveHangsFromASwingingTorusForAMinute) {
   constexpr double kRadius = 0.5, kTube = 0.12, kTimeStep = 1.0 / 60.0;
   constexpr int kLinks = 12;
-  const auto shape = testing::makeOurShape(testing::torus(kRadius, kTube, 20, 10));
+  const auto shape = gallery::makeOurShape(testing::torus(kRadius, kTube, 20, 10));
   BulletWorld world;
   std::vector<btRigidBody*> rings;
   const btQuaternion upright(btVector3(1, 0, 0), SIMD_HALF_PI), across(btVector3(0, 0, 1), SIMD_HALF_PI);

@@ -175,7 +175,7 @@ class ConvexPartners : public ::testing::TestWithParam<Partner> {};
 TEST_P(ConvexPartners, contacts_vs_bvh) {
   Pair pair(GetParam());
   BulletMesh source(*torusMesh());
-  btBvhTriangleMeshShape bvh(&source, true);
+  btBvhTriangleMeshShape bvh(source.view(), true);
   btCollisionObject bvh_object;
   bvh_object.setCollisionShape(&bvh);
   BulletWorld world;
@@ -309,7 +309,7 @@ GImpactContacts gimpactContacts(BulletWorld& world, btGImpactShapeInterface& gim
 
 TEST(GImpact, theLastRegistrationWins) {
   BulletMesh source(*testing::boxMesh({0.5, 0.5, 0.5}));
-  btGImpactMeshShape box(&source);
+  btGImpactMeshShape box(source.view());
   BulletWorld without;
   const GImpactContacts ours = gimpactContacts(without, box);
   EXPECT_LT(ours.first, 0.0);
@@ -346,7 +346,7 @@ TEST(GImpact, compoundsAreLeftToGImpact) {
 
 TEST(GImpact, itsOwnPairsStayAsTheyAre) {
   BulletMesh source(*testing::boxMesh({0.5, 0.5, 0.5}));
-  btGImpactMeshShape box(&source);
+  btGImpactMeshShape box(source.view());
   box.updateBound();
   BulletWorld world;
   btGImpactCollisionAlgorithm::registerAlgorithm(&world.dispatcher());

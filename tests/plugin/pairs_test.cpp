@@ -52,7 +52,7 @@ TEST_P(ConvexPairs, contacts_vs_bvh) {
   const auto mesh = testing::torus(2, 0.7, 24, 12);
   ClusteredOctreeShape ours(treeOf(mesh));
   BulletMesh source(*mesh);
-  btBvhTriangleMeshShape bvh(&source, true);
+  btBvhTriangleMeshShape bvh(source.view(), true);
   bvh.setMargin(0);
   const std::unique_ptr<btConvexShape> convex = GetParam().make();
   btCollisionObject ours_object, bvh_object, convex_object;
@@ -282,7 +282,7 @@ TEST(Pairs, foreignShapesOfTheSameTypeAreLeftToBullet) {
     }
   };
   BulletMesh source(*testing::torus(2, 0.7, 24, 12));
-  Foreign foreign(&source);
+  Foreign foreign(source.view());
   btSphereShape sphere(btScalar(0.6));
   btCollisionObject mesh, ball;
   mesh.setCollisionShape(&foreign);

@@ -73,7 +73,7 @@ TEST_P(Rays, closestAndAll_vs_bvhAndRaycast) {
   const Scene& scene = GetParam();
   const ClusteredOctreeShape shape = scene.shape();
   BulletMesh source(shape.tree().mesh());
-  const btBvhTriangleMeshShape bvh(&source, true);
+  const btBvhTriangleMeshShape bvh(source.view(), true);
   const Object ours(shape, btTransform::getIdentity()), stock(bvh, btTransform::getIdentity());
   std::mt19937_64 random(62);
   int hits = 0, at_rims = 0;

@@ -41,12 +41,12 @@ TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
   });
   BulletMesh source(*mesh), moved(*bent);
   for (const Vec3& scaling : {Vec3(1, 1, 1), Vec3(2, 0.5, 1), Vec3(2, -0.5, 1)}) {
-    ClusteredOctreeShape shape(&source);
+    ClusteredOctreeShape shape(source.view());
     shape.setLocalScaling(toBullet(scaling));
     const auto before = shape.sharedTree();
     const Vec3 corner = before->mesh().triangle(5)[0];
     const std::uint32_t revision = shape.revision();
-    shape.refit(&moved);
+    shape.refit(moved.view());
     EXPECT_GT(shape.revision(), revision);
     EXPECT_EQ(before->mesh().triangle(5)[0], corner);  // others may share it
     shape.tree().validate();
@@ -91,7 +91,7 @@ TEST(ShapeRefit, refusesAnotherMesh) {
   const auto tree = shape.sharedTree();
   const std::uint32_t revision = shape.revision();
   BulletMesh fewer(*testing::firstTriangles(*mesh, 143));
-  EXPECT_EQ(messageOf([&] { shape.refit(&fewer); }),
+  EXPECT_EQ(messageOf([&] { shape.refit(fewer.view()); }),
             "ClusteredOctreeShape: refit with 143 triangles; the shape has 144");
   EXPECT_EQ(messageOf([&] { shape.refit(static_cast<const btStridingMeshInterface*>(nullptr)); }),
             "ClusteredOctreeShape: the mesh interface is null");
@@ -102,7 +102,7 @@ TEST(ShapeRefit, refusesAnotherMesh) {
             "accepted");
   BulletMesh half(*testing::firstTriangles(*mesh, 72));
   btTriangleIndexVertexArray halves;
-  for (int part = 0; part < 2; ++part) halves.addIndexedMesh((&half)->getIndexedMeshArray()[0]);
+  for (int part = 0; part < 2; ++part) halves.addIndexedMesh(half.view()->getIndexedMeshArray()[0]);
   EXPECT_EQ(messageOf([&] { shape.refit(&halves); }),
             "ClusteredOctreeShape: refit with triangles in other parts");
   EXPECT_EQ(shape.sharedTree(), tree);

@@ -76,7 +76,7 @@ TEST_P(Resting, onAFlatFloorOfTriangles_vs_bvhAndClosedForm) {
   const testing::SharedMesh mesh = testing::waveSheet(20, 0.0, 60);
   ClusteredOctreeShape ours(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
   BulletMesh source(*mesh);
-  btBvhTriangleMeshShape bvh(&source, true);
+  btBvhTriangleMeshShape bvh(source.view(), true);
   bvh.setMargin(0);
   const std::unique_ptr<btConvexShape> shape = GetParam().make();
   std::mt19937_64 random(96);

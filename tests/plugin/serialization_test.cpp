@@ -53,8 +53,8 @@ struct TwoParts {
   btTriangleIndexVertexArray interface;
 
   TwoParts() {
-    interface.addIndexedMesh((&torus)->getIndexedMeshArray()[0]);
-    interface.addIndexedMesh((&sheet)->getIndexedMeshArray()[0]);
+    interface.addIndexedMesh(torus.view()->getIndexedMeshArray()[0]);
+    interface.addIndexedMesh(sheet.view()->getIndexedMeshArray()[0]);
     interface.setScaling(btVector3(2, btScalar(0.5), 1));
   }
 };

@@ -36,7 +36,7 @@ Found found(btCollisionShape& mover, const Partner& partner) {
   const Made made = partner.make();
   const auto torus = testing::torus(2, 0.7, 24, 12);
   BulletMesh source(*torus);
-  ClusteredOctreeShape ours(&source);
+  ClusteredOctreeShape ours(source.view());
   std::mt19937_64 random(73);
   Found sum;
   for (int i = 0; i < 40; ++i) {
@@ -82,7 +82,7 @@ std::vector<Partner> partners() {
 
 class StockPairs : public ::testing::TestWithParam<Partner> {
  protected:
-  StockPairs() : source(*testing::torus(2, 0.7, 24, 12)), bvh(&source, true), gimpact(&source) {
+  StockPairs() : source(*testing::torus(2, 0.7, 24, 12)), bvh(source.view(), true), gimpact(source.view()) {
     gimpact.updateBound();
   }
   static bool isConcave() {
@@ -96,7 +96,7 @@ class StockPairs : public ::testing::TestWithParam<Partner> {
 };
 
 TEST_P(StockPairs, oursFindsAll) {
-  ClusteredOctreeShape ours(&source);
+  ClusteredOctreeShape ours(source.view());
   const Found sum = found(ours, GetParam());
   EXPECT_EQ(sum.in_world, sum.touching);
   EXPECT_EQ(sum.by_pair_test, sum.touching);
@@ -160,9 +160,9 @@ double clothOn(btCollisionShape& shape) {
 
 TEST(StockCloth, fallsThroughGImpactAlone) {
   BulletMesh source(*testing::waveSheet(4, 0.0, 16));
-  ClusteredOctreeShape ours(&source);
-  btBvhTriangleMeshShape bvh(&source, true);
-  btGImpactMeshShape gimpact(&source);
+  ClusteredOctreeShape ours(source.view());
+  btBvhTriangleMeshShape bvh(source.view(), true);
+  btGImpactMeshShape gimpact(source.view());
   gimpact.updateBound();
   EXPECT_GT(clothOn(ours), -0.1);
   EXPECT_GT(clothOn(bvh), -0.1);

@@ -92,7 +92,7 @@ TEST_P(Sweeps, closestAndAll_vs_bvh) {
   const Scene& scene = GetParam();
   const ClusteredOctreeShape shape = scene.shape();
   BulletMesh source(shape.tree().mesh());
-  btBvhTriangleMeshShape bvh(&source, true);
+  btBvhTriangleMeshShape bvh(source.view(), true);
   bvh.setMargin(0);
   const Object ours(shape, btTransform::getIdentity()), stock(bvh, btTransform::getIdentity());
   const btBoxShape box(btVector3(btScalar(0.2), btScalar(0.1), btScalar(0.05)));

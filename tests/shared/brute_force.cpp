@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "octoblisk/point_bounds.h"
 #include "octoblisk/triangle_pair.h"
 
 namespace octoblisk::testing {
 namespace {
 
 using IntVec = Eigen::Matrix<std::int64_t, 3, 1>;
-
-Aabb boundsOf(const Triangle& triangle) {
-  Aabb box;
-  for (const Vec3& corner : triangle) box.extend(corner);
-  return box;
-}
 
 template <typename Visit>
 void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, double reach,
@@ -106,8 +101,7 @@ double boxTriangleOverlap(const Obb& box, const Triangle& triangle) {
   for (const Vec3& axis : axes) {
     if (axis.norm() < 1e-12) continue;
     const Vec3 unit = axis.normalized();
-    const auto [low, high] =
-        std::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
+    const auto [low, high] = std::minmax({unit.dot(local[0]), unit.dot(local[1]), unit.dot(local[2])});
     const double radius = unit.cwiseAbs().dot(box.half_extents);
     least = std::min({least, radius - low, radius + high});
   }
