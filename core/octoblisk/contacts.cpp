@@ -21,12 +21,15 @@ void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Po
       a, b, pose, NodePair(), gap, [&] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
+        auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
+        if (bounds.of_a == 0) return false;
         const TriangleLanes triangles_of_b(leaves);
-        const auto reach = [&] { return limit + 2.0f * leaves.coordinateRounding(); };
-        return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
-          near = triangles_of_b.within(limit, i, near);
-          if (near == 0) return false;
-          const auto [meet, open] = triangles_of_b.meet(i, near);
+        for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
+          const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+          const auto heights = triangles_of_b.heights(i);
+          const unsigned near = triangles_of_b.within(limit, heights, bounds.of[i]);
+          if (near == 0) continue;
+          const auto [meet, open] = triangles_of_b.meet(heights, near);
           unsigned apart = near & ~(meet | open);
           if (apart != 0) apart &= threshold > 0.0 ? TriangleDistances(leaves).from(i).within(limit) : 0u;
           const Triangle triangle_a = a.mesh().triangle(leaves.triangleA(i));
@@ -41,8 +44,8 @@ void appendContacts(const ClusteredOctree& a, const ClusteredOctree& b, const Po
             contact.triangle_b = leaves.triangleB(j);
             found.push_back(contact);
           }
-          return false;
-        });
+        }
+        return false;
       });
 }
 

@@ -75,13 +75,15 @@ class LeafPair {
   /// Corner v of the triangles of B; lanes beyond their count hold anything.
   HWY_INLINE const Vec8& cornerOfB(std::uint32_t v) const { return corner_of_b_[v]; }
 
-  /// Calls visit(i, near) for each triangle i of A whose bounds are within reach(), which may shrink, of
-  /// those of triangles of B: bit j of `near` stands for triangle j. Ends and returns true as soon as visit
-  /// does, else false.
-  /// The reach is a length: what three coordinates may be off together is less than twice
-  /// coordinateRounding().
-  template <typename Reach, typename Visit>
-  HWY_INLINE bool forEachNear(Reach&& reach, Visit&& visit) const {
+  /// Which triangles may be near each other.
+  struct Near {
+    unsigned of_a = 0;    ///< bit i: triangle i of A is near some of B
+    unsigned of[kLanes];  ///< [i], bit j: triangles i of A and j of B are near each other
+  };
+
+  /// Those whose bounds are within the reach of each other. It is a length: what three coordinates may be off
+  /// together is less than twice coordinateRounding().
+  HWY_INLINE Near within(float reach) const {
     const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),
                high = max(corner_of_b_[0], max(corner_of_b_[1], corner_of_b_[2]));
     float low_of_a[3][kLanes], high_of_a[3][kLanes];
@@ -91,16 +93,17 @@ class LeafPair {
       min(row(0), min(row(1), row(2))).store(low_of_a[k]);
       max(row(0), max(row(1), row(2))).store(high_of_a[k]);
     }
-    const Float8 zero(0.0f);
+    const Float8 zero(0.0f), limit(reach * reach);
+    Near near;
     for (std::uint32_t i = 0; i < countA(); ++i) {
       const auto gap = [&](int k, const Float8& low_of_b, const Float8& high_of_b) HWY_ATTR {
         return max(zero, max(Float8(low_of_a[k][i]) - high_of_b, low_of_b - Float8(high_of_a[k][i])));
       };
       const Vec8 apart{gap(0, low.x, high.x), gap(1, low.y, high.y), gap(2, low.z, high.z)};
-      const unsigned near = lanesOfB() & ~less(Float8(reach() * reach()), dot(apart, apart));
-      if (near != 0 && visit(i, near)) return true;
+      near.of[i] = lanesOfB() & ~less(limit, dot(apart, apart));
+      near.of_a |= static_cast<unsigned>(near.of[i] != 0) << i;
     }
-    return false;
+    return near;
   }
 
   // In units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A is off

@@ -31,10 +31,13 @@ bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, cons
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         tally.leafPair();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
-        const auto reach = [&] { return 2.0f * leaves.coordinateRounding(); };
-        return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
+        auto near = leaves.within(2.0f * leaves.coordinateRounding());
+        if (near.of_a == 0) return false;
+        const TriangleLanes triangles_of_b(leaves);
+        for (; near.of_a != 0; near.of_a &= near.of_a - 1) {
+          const auto i = static_cast<std::uint32_t>(std::countr_zero(near.of_a));
           tally.triangleTest();
-          const auto verdicts = TriangleLanes(leaves).meet(i, near);
+          const auto verdicts = triangles_of_b.meet(triangles_of_b.heights(i), near.of[i]);
           for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
             const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
@@ -44,8 +47,8 @@ bool forEachMeetingPair(const ClusteredOctree& a, const ClusteredOctree& b, cons
             }
             if (visit(pair, NodePair{slot_a.node, slot_b.node})) return true;
           }
-          return false;
-        });
+        }
+        return false;
       });
 }
 

@@ -28,16 +28,20 @@ void searchNearest(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     tally.leafPair();
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
-    const TriangleDistances distances(leaves);
-    const TriangleLanes triangles_of_b(leaves);
     const auto reach = [&] {
       return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
     };
-    return leaves.forEachNear(reach, [&](std::uint32_t i, unsigned near) HWY_ATTR {
-      near = triangles_of_b.within(reach(), i, near);
-      if (near == 0) return false;
+    auto bounds = leaves.within(reach());
+    if (bounds.of_a == 0) return false;
+    const TriangleLanes triangles_of_b(leaves);
+    const TriangleDistances distances(leaves);
+    for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+      const auto heights = triangles_of_b.heights(i);
+      unsigned near = triangles_of_b.within(reach(), heights, bounds.of[i]);
+      if (near == 0) continue;
       tally.triangleTest();
-      const auto verdicts = triangles_of_b.meet(i, near);
+      const auto verdicts = triangles_of_b.meet(heights, near);
       const auto [least, most] = distances.from(i);
       for (; near != 0; near &= near - 1) {
         const auto j = static_cast<std::uint32_t>(std::countr_zero(near));
@@ -47,8 +51,8 @@ void searchNearest(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
             may_meet ? nearest.offer(pair, true) : nearest.consider(pair, double(least[j]), double(most[j]));
         if (done) return true;
       }
-      return false;
-    });
+    }
+    return false;
   });
 }
 

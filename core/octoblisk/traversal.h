@@ -35,9 +35,9 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
 }
 
 /// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes of which no gap(boxes, box),
-/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first: of all
-/// with a TraversalQueue, of those below the same pair with a TraversalStack. Returns true as soon as visit
-/// does, else false. Where the pose is not finite, nothing is near.
+/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first: of all,
+/// to begin with, with a TraversalQueue, of those below the same pair with a TraversalStack. Returns true as
+/// soon as visit does, else false. Where the pose is not finite, nothing is near.
 template <template <typename Entry, int kLevels> typename ToDo, typename Gap, typename Limit, typename Visit>
 bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPose& pose, NodePair below,
                Gap&& gap, Limit&& limit, Visit&& visit) {
@@ -66,6 +66,7 @@ bool walkPairs(const ClusteredOctree& a, const ClusteredOctree& b, const LocalPo
     if (child_a.isEmpty() || child_b.isEmpty()) continue;  // of a pose that is none, as all gaps are NaN
     if (child_a.isLeaf() && child_b.isLeaf()) {
       if (visit(pair.a, pair.b)) return true;
+      to_do.sawLeaves(limit());
       continue;
     }
     const std::size_t first = to_do.size();

@@ -30,21 +30,6 @@ class TriangleLanes {
     unsigned open;  ///< bit i: too close to call; all others do not meet
   };
 
-  /// The verdicts on triangle i of A and those of `near`.
-  HWY_INLINE Verdicts meet(std::uint32_t i, unsigned near) const {
-    const Heights heights(*this, i);
-    const unsigned open = near & ~heights.apart(*this, leaves_.planeRounding());
-    return open == 0 ? Verdicts{0, 0} : piercing(heights, open);
-  }
-
-  /// Those of `near` that may be within `reach` of triangle i of A.
-  HWY_INLINE unsigned within(float reach, std::uint32_t i, unsigned near) const {
-    return near & ~Heights(*this, i).apart(*this, reach + leaves_.planeRounding());
-  }
-
- private:
-  static constexpr float kTiny = 1e-37f;  // more than denormal numbers can err
-
   /// The corners of each triangle over the plane of the other, times the plane's normal. The normal of a
   /// sliver may be all rounding: by the unevenness its own corners are off the plane.
   struct Heights {
@@ -80,6 +65,23 @@ class TriangleLanes {
              less(max(max(of_one[0], of_one[1]), of_one[2]), zero - slack_of_eight);
     }
   };
+
+  /// Of triangle i of A and all of B.
+  HWY_INLINE Heights heights(std::uint32_t i) const { return {*this, i}; }
+
+  /// The verdicts on triangle i of A and those of `near`.
+  HWY_INLINE Verdicts meet(const Heights& heights, unsigned near) const {
+    const unsigned open = near & ~heights.apart(*this, leaves_.planeRounding());
+    return open == 0 ? Verdicts{0, 0} : piercing(heights, open);
+  }
+
+  /// Those of `near` that may be within `reach` of triangle i of A.
+  HWY_INLINE unsigned within(float reach, const Heights& heights, unsigned near) const {
+    return near & ~heights.apart(*this, reach + leaves_.planeRounding());
+  }
+
+ private:
+  static constexpr float kTiny = 1e-37f;  // more than denormal numbers can err
 
   /// Two triangles meet where an edge of one pierces the other: its ends are on both sides of the other's
   /// plane, and it passes the other's three edges on the same hand.

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -65,16 +67,35 @@ TEST(TraversalQueue, dismissesAllThatWaitsBehindTheLast) {
   EXPECT_TRUE(queue->empty());
 }
 
-TEST(TraversalQueue, dismissesNothingInTheHeapForWhatWasInTheStack) {
+TEST(TraversalQueue, dismissesNothingOnceRoomRanOut) {
   const auto queue = std::make_unique<Queue>();
-  for (int i = 0; i < 1024; ++i) queue->pushSorted(queue->size(), {i, 1.0f + 0.001f * static_cast<float>(i)});
-  EXPECT_EQ(queue->pop().name, 0);
-  queue->pushSorted(0, {2000, 1.05f});  // takes the room that is left
-  queue->pushSorted(0, {2001, 5.0f});   // the stack's
-  EXPECT_EQ(queue->pop().name, 2001);
+  for (int i = 0; i < 1025; ++i) queue->pushSorted(queue->size(), {i, 1.0f + 0.001f * static_cast<float>(i)});
+  const std::size_t first = queue->size();
+  queue->pushSorted(first, {2000, 5.0f});  // below what was popped last
+  EXPECT_EQ(queue->pop().name, 2000);
   queue->dismiss();
-  EXPECT_FALSE(queue->empty());
-  EXPECT_EQ(queue->pop().name, 1);
+  EXPECT_EQ(queue->size(), 1025u);
+}
+
+TEST(TraversalQueue, goesOnDepthFirstOnceLeavesWereSeen) {
+  const auto queue = std::make_unique<Queue>();
+  std::mt19937_64 random(33);
+  std::vector<int> names(20);
+  std::iota(names.begin(), names.end(), 0);
+  std::ranges::shuffle(names, random);
+  for (const int name : names) queue->pushSorted(queue->size(), {name, static_cast<float>(name)});
+  for (int leaf = 0; leaf < 3; ++leaf) {
+    EXPECT_EQ(queue->pop().name, leaf);
+    queue->sawLeaves(17.0f);
+  }
+  const std::size_t first = queue->size();
+  queue->pushSorted(first, {102, 102.0f});
+  queue->pushSorted(first, {101, 101.0f});
+  queue->pushSorted(first, {103, 103.0f});
+  for (const int name : {101, 102, 103}) EXPECT_EQ(queue->pop().name, name);
+  queue->dismiss();
+  for (int name = 3; name <= 17; ++name) EXPECT_EQ(queue->pop().name, name);
+  EXPECT_TRUE(queue->empty());
 }
 
 }  // namespace
