@@ -150,8 +150,7 @@ void addWorlds(const GrindingScene& scene, Rows& rows) {
                   means.awake_islands, means.awake_bodies, means.tool_points, means.blisk_turned, time,
                   time / ours.time());
       rows.push_back({{"task", "broadphase-world"},
-                      {"scene", scene.name},
-                      {"blisk", name},
+                      {"scene", scene.name + ", " + name},
                       {"contender", broadphase},
                       {"mean_us", time},
                       {"ratio", time / ours.time()},
@@ -178,7 +177,8 @@ TriangleMesh readOutward(const char* file) {
 }
 
 int run(int argc, char** argv) {
-  if (argc > 1 && argv[1][0] == '-') throw std::runtime_error("usage: broadphase_gain [rows] [blisk file...]");
+  if (argc > 1 && argv[1][0] == '-')
+    throw std::runtime_error("usage: broadphase_gain [rows] [blisk file...]");
   Rows rows;
   const auto report = [&](const GrindingScene& scene) {
     addRanges(scene, rows);

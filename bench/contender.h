@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "report/rows.h"
 #include "scene.h"
 
 namespace octoblisk::bench {
@@ -182,9 +183,6 @@ void forEachMaker(Visit&& visit) {
        &Contender::world_ray, &Contender::world_sweep, &Contender::world_step, &Contender::pile,
        &Contender::distance, &Contender::ray, &Contender::build, &Contender::refit, &Contender::boxes);
 }
-
-/// The one that all others are compared with.
-inline constexpr const char* kOurs = "octoblisk";
 
 /// All of a group that are built in, ours first, the others by name.
 const std::vector<Contender>& contenders(const std::string& group = {});

@@ -30,8 +30,10 @@ const Scene& scene() {
 std::vector<Pose> touchingPoses(double depth) {
   demos::GrindingPathOptions options;
   options.depth = depth;
-  std::vector<Pose> path = demos::makeGrindingPath(*scene().blisk, demos::findBlades(*scene().blisk), options);
-  std::erase_if(path, [&](const Pose& pose) { return !collide(scene().blisk_tree, scene().belt_tree, pose); });
+  std::vector<Pose> path =
+      demos::makeGrindingPath(*scene().blisk, demos::findBlades(*scene().blisk), options);
+  std::erase_if(path,
+                [&](const Pose& pose) { return !collide(scene().blisk_tree, scene().belt_tree, pose); });
   return path;
 }
 

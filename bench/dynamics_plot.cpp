@@ -1,9 +1,6 @@
 // The pile of concave bodies of the tests, of our shapes and of GImpact's: energy and penetration over time.
 //
 //   dynamics_plot [name = dynamics] [seconds = 10]  ->  name.csv, name.svg
-#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
-#include <BulletCollision/Gimpact/btGImpactShape.h>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,12 +8,13 @@
 #include <fstream>
 #include <string>
 
-#include "plugin/concave_pile.h"
+#include "contenders/gimpact_shape.h"
+#include "gallery/concave_pile.h"
 
 namespace octoblisk::bench {
 namespace {
 
-using testing::ConcavePile;
+using gallery::ConcavePile;
 
 struct Sample {
   double time = 0.0;    ///< s
@@ -55,13 +53,10 @@ std::vector<Sample> dropOurs(double seconds) {
 }
 
 std::vector<Sample> dropGimpact(double seconds) {
-  std::vector<std::unique_ptr<testing::BulletMesh>> meshes;
-  ConcavePile pile(64, 1, [&](const testing::SharedMesh& mesh) {
-    meshes.push_back(std::make_unique<testing::BulletMesh>(*mesh));
-    auto shape = std::make_unique<btGImpactMeshShape>(&*meshes.back());
-    shape->setMargin(ConcavePile::kMargin);
-    shape->updateBound();
-    return shape;
+  std::vector<std::unique_ptr<gallery::BulletMesh>> meshes;
+  ConcavePile pile(64, 1, [&](const gallery::SharedMesh& mesh) {
+    meshes.push_back(std::make_unique<gallery::BulletMesh>(*mesh));
+    return gimpactShape(*meshes.back(), ConcavePile::kMargin);
   });
   btGImpactCollisionAlgorithm::registerAlgorithm(&pile.world().dispatcher());
   return drop(pile, seconds);

@@ -91,6 +91,9 @@ Rows rowsOf(const std::string& task, std::vector<std::unique_ptr<Entrant>>& entr
     }
     row["questions"] = entrant->trial->questions * entrant->trial->asked_at_once;
     row["passes"] = entrant->passes.size();
+    const auto [least, most] = std::ranges::minmax(entrant->passes, {}, &Pass::mean_us);
+    row["least_us"] = least.mean_us;
+    row["most_us"] = most.mean_us;
     for (const auto& [name, value] : entrant->trial->counters) row[name] = value;
     rows.push_back(std::move(row));
   }
@@ -115,6 +118,7 @@ void addEntrants(const TimedTask& task, const std::string& scene, const SessionO
                                        }
                                        visit(state, *entrant, task.on_threads);
                                      })
+            ->Iterations(1)
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond);
     if (task.visits > 0) registered->Repetitions(options.quick ? 1 : task.visits);

@@ -17,11 +17,9 @@ class BvhShapes {
   btCollisionShape* blisk() { return &blisk_; }
   btCollisionShape* belt() { return belt_.shape(); }
 
-  void refit(const TriangleMesh& deformed) {
-    mesh_.move(deformed);
-    btVector3 low, high;
-    mesh_.view()->calculateAabbBruteForce(low, high);
-    blisk_.refitTree(low, high);
+  void refit(const BulletMesh& moved, const Aabb& bounds) {
+    mesh_.readVerticesOf(moved);
+    blisk_.refitTree(toBullet(bounds.min), toBullet(bounds.max));
   }
 
  private:

@@ -93,17 +93,27 @@ class InBulletWorld final : public WorldContactsQuery,
   btCollisionObject blisk_, belt_;
 };
 
-/// The blisk's shape fitted anew, by refit(mesh) of the shapes. What it answers is asked by contactPairTest.
+/// The blisk's shape fitted anew, by refit(mesh, bounds) of the shapes, where the moved vertices are already.
+/// What it answers is asked by contactPairTest.
 template <typename Shapes>
 class BulletRefit final : public RefitQuery {
  public:
-  explicit BulletRefit(const Scene& scene) : scene_(scene), bent_(bench::bent(*scene.blisk)), world_(scene) {}
-  void refit(bool bent) override { world_.shapes().refit(bent ? *bent_ : *scene_.blisk); }
+  explicit BulletRefit(const Scene& scene) : BulletRefit(scene, *bench::bent(*scene.blisk)) {}
+  void refit(bool bent) override {
+    world_.shapes().refit(bent ? bent_ : unbent_, bent ? bounds_of_bent_ : bounds_of_unbent_);
+  }
   bool touches(const Pose& belt_in_blisk) override { return world_.points(belt_in_blisk) > 0; }
 
  private:
-  const Scene& scene_;
-  std::shared_ptr<const TriangleMesh> bent_;
+  BulletRefit(const Scene& scene, const TriangleMesh& bent)
+      : unbent_(*scene.blisk),
+        bent_(bent),
+        bounds_of_unbent_(scene.blisk->bounds()),
+        bounds_of_bent_(bent.bounds()),
+        world_(scene) {}
+
+  BulletMesh unbent_, bent_;
+  Aabb bounds_of_unbent_, bounds_of_bent_;
   InBulletWorld<Shapes> world_;
 };
 

@@ -1,47 +1,31 @@
 // Bullet's movable concave mesh, GImpact, against itself. All margins are 0.
-#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
-#include <BulletCollision/Gimpact/btGImpactShape.h>
-
 #include "bullet_world.h"
 #include "concave_pile.h"
 #include "contender.h"
+#include "gimpact_shape.h"
 #include "hulls_on_blisk.h"
 
 namespace octoblisk::bench {
 namespace {
 
-std::unique_ptr<btGImpactMeshShape> shapeOf(const BulletMesh& mesh, btScalar margin = 0) {
-  auto shape = std::make_unique<btGImpactMeshShape>(mesh.view());
-  shape->setMargin(margin);
-  shape->updateBound();
-  return shape;
-}
-
 class GimpactShapes {
  public:
   explicit GimpactShapes(const Scene& scene) : blisk_mesh_(*scene.blisk), belt_mesh_(*scene.belt) {}
 
-  void registerAt(btCollisionDispatcher* dispatcher) {
-    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher);
-    // It registers itself for stepping alone; contactPairTest looks into another table.
-    for (int other = 0; other < MAX_BROADPHASE_COLLISION_TYPES; ++other) {
-      dispatcher->registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, other, &create_);
-      dispatcher->registerClosestPointsCreateFunc(other, GIMPACT_SHAPE_PROXYTYPE, &create_);
-    }
-  }
+  void registerAt(btCollisionDispatcher* dispatcher) { algorithm_.registerAt(*dispatcher); }
   btCollisionShape* blisk() { return blisk_.get(); }
   btCollisionShape* belt() { return belt_.get(); }
 
-  void refit(const TriangleMesh& deformed) {
-    blisk_mesh_.move(deformed);
+  void refit(const BulletMesh& moved, const Aabb&) {
+    blisk_mesh_.readVerticesOf(moved);
     blisk_->postUpdate();
     blisk_->updateBound();
   }
 
  private:
   BulletMesh blisk_mesh_, belt_mesh_;
-  std::unique_ptr<btGImpactMeshShape> blisk_ = shapeOf(blisk_mesh_), belt_ = shapeOf(belt_mesh_);
-  btGImpactCollisionAlgorithm::CreateFunc create_;
+  std::unique_ptr<btGImpactMeshShape> blisk_ = gimpactShape(blisk_mesh_), belt_ = gimpactShape(belt_mesh_);
+  GimpactAlgorithm algorithm_;
 };
 
 class GimpactBuild final : public BuildQuery {
@@ -49,7 +33,7 @@ class GimpactBuild final : public BuildQuery {
   explicit GimpactBuild(const Scene& scene) : mesh_(*scene.blisk) {}
   void build() override {
     clear();
-    shape_ = shapeOf(mesh_);
+    shape_ = gimpactShape(mesh_);
   }
   void clear() override { shape_.reset(); }
 
@@ -64,14 +48,11 @@ class GimpactOnFloor {
   void registerAt(btCollisionDispatcher* dispatcher) {
     btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher);
   }
-  btCollisionShape* blisk() {
-    blisk_->updateBound();
-    return blisk_.get();
-  }
+  btCollisionShape* blisk() { return blisk_.get(); }
 
  private:
   BulletMesh mesh_;
-  std::unique_ptr<btGImpactMeshShape> blisk_ = shapeOf(mesh_);
+  std::unique_ptr<btGImpactMeshShape> blisk_ = gimpactShape(mesh_);
 };
 
 class GimpactPile final : public ConcavePileQuery {
@@ -79,7 +60,7 @@ class GimpactPile final : public ConcavePileQuery {
   explicit GimpactPile(const Scene&) {
     start([this](const gallery::SharedMesh& mesh) {
       meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
-      return shapeOf(*meshes_.back(), gallery::ConcavePile::kMargin);
+      return gimpactShape(*meshes_.back(), gallery::ConcavePile::kMargin);
     });
     btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher());
   }

@@ -132,13 +132,13 @@ class OurBoxes final : public BoxQuery {
   Obb belt_;
 };
 
-/// What we do instead: exact triangles on both sides. Where they touch, the triangles of the blisk that do.
+/// What we do instead: exact triangles on both sides. No boxes are left.
 class OurTriangles final : public BoxQuery {
  public:
   explicit OurTriangles(const Scene& scene) : trees_(scene, built()) {}
 
   Left left(const Pose& belt_in_blisk) override {
-    return {mayTouch(belt_in_blisk) ? std::size_t{1} : 0, 0.0};
+    return {mayTouch(belt_in_blisk) ? std::size_t{1} : 0, 0.0};  // a pair of triangles
   }
   bool mayTouch(const Pose& belt_in_blisk) override {
     return collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();

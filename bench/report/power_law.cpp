@@ -5,8 +5,6 @@
 
 namespace octoblisk::bench {
 
-double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
-
 PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
   const auto count = static_cast<double>(x.size());

@@ -9,8 +9,6 @@ namespace octoblisk::bench {
 struct PowerLaw {
   double factor = 1.0;
   double exponent = 0.0;
-
-  double at(double x) const;
 };
 
 /// The law of least squares between the logarithms. Throws std::invalid_argument for fewer than two different

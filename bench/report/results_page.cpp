@@ -10,8 +10,6 @@
 namespace octoblisk::bench {
 namespace {
 
-constexpr const char* kOurs = "octoblisk";
-
 Rows ofTask(const Rows& rows, const std::string& task) {
   Rows its;
   std::ranges::copy_if(rows, std::back_inserter(its), [&](const Row& row) { return row["task"] == task; });
@@ -26,14 +24,6 @@ std::vector<std::string> valuesOf(const Rows& rows, const char* key) {
     if (std::ranges::find(values, value) == values.end()) values.push_back(value);
   }
   return values;
-}
-
-const Row* find(const Rows& rows, const std::string& task, const std::string& scene,
-                const std::string& contender) {
-  const auto row = std::ranges::find_if(rows, [&](const Row& r) {
-    return r["task"] == task && r["scene"] == scene && r.value("contender", "") == contender;
-  });
-  return row == rows.end() ? nullptr : &*row;
 }
 
 double number(const Row& row, const char* key) {
@@ -58,6 +48,10 @@ std::string cellOf(const Row& row) {
                                                       : timeText(number(row, "mean_us"));
   const std::string ratio = ratioText(row);
   if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
+  for (const auto& [key, what] :
+       {std::pair("points_a_pose", "points a pose"), std::pair("contacts_a_step", "contacts a step")}) {
+    if (row.contains(key)) text += std::string(", ") + significant(number(row, key)) + ' ' + what;
+  }
   return text + differencesText(row);
 }
 
@@ -132,7 +126,7 @@ std::string taskTable(const Rows& all, const std::string& task) {
   for (const std::string& contender : valuesOf(rows, "contender")) {
     std::vector<std::string> cells = {contender};
     for (const std::string& scene : scenes) {
-      const Row* row = find(rows, task, scene, contender);
+      const Row* row = findRow(rows, task, scene, contender);
       cells.push_back(row ? cellOf(*row) : std::string());
     }
     table.add(cells);
@@ -183,7 +177,7 @@ std::string ablationTable(const Rows& all) {
   for (const std::string& variant : valuesOf(rows, "contender")) {
     std::vector<std::string> cells = {variant};
     for (const char* query : queries) {
-      const Row* row = find(rows, std::string("ablation-") + query, scene, variant);
+      const Row* row = findRow(rows, std::string("ablation-") + query, scene, variant);
       if (row == nullptr) {
         cells.emplace_back();
       } else {
@@ -202,7 +196,7 @@ std::string limitTable(const Rows& all) {
   for (const char* query : {"boolean", "contacts", "distance", "ray"}) {
     const std::string task = std::string("limit-") + query;
     for (const std::string& scene : valuesOf(ofTask(all, task), "scene")) {
-      const Row *ours = find(all, task, scene, kOurs), *bound = find(all, task, scene, "lower-bound");
+      const Row *ours = findRow(all, task, scene, kOurs), *bound = findRow(all, task, scene, "lower-bound");
       if (!ours || !bound) continue;
       table.add({query, scene, timeText(number(*ours, "mean_us")), timeText(number(*bound, "mean_us")),
                  significant(number(*ours, "mean_us") / number(*bound, "mean_us")),
@@ -220,9 +214,11 @@ std::string paperTable(const Rows& all) {
                        "volume left, mm³", "false alarms", "missed"});
   for (const Row& row : rows) {
     const double clear = number(row, "clear_poses"), poses = number(row, "questions");
+    const bool of_boxes = row.value("contender", "") != kOurs;
     table.add({row["scene"].get<std::string>(), row.value("contender", ""), timeText(number(row, "mean_us")),
                ratioText(row), significant(number(row, "range_mm3"), 3),
-               significant(number(row, "leaves_left")), significant(number(row, "volume_left_mm3")),
+               of_boxes ? significant(number(row, "leaves_left")) : "",
+               of_boxes ? significant(number(row, "volume_left_mm3")) : "",
                significant(number(row, "false_alarms"), 6) + " of " + significant(clear, 6),
                significant(number(row, "missed"), 6) + " of " + significant(poses - clear, 6)});
   }

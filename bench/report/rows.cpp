@@ -51,6 +51,14 @@ void writeRows(const std::filesystem::path& file, const Rows& rows) {
   if (!out) refuse(file, "cannot be written");
 }
 
+const Row* findRow(const Rows& rows, const std::string& task, const std::string& scene,
+                   const std::string& contender) {
+  const auto row = std::ranges::find_if(rows, [&](const Row& r) {
+    return r["task"] == task && r["scene"] == scene && r.value("contender", "") == contender;
+  });
+  return row == rows.end() ? nullptr : &*row;
+}
+
 Rows mergedRows(Rows before, const Rows& anew) {
   std::erase_if(before, [&](const Row& old) {
     return std::ranges::any_of(

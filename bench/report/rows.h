@@ -12,6 +12,13 @@ namespace octoblisk::bench {
 using Row = nlohmann::ordered_json;
 using Rows = std::vector<Row>;
 
+/// The one that all others are compared with.
+inline constexpr const char* kOurs = "octoblisk";
+
+/// The first row of a task and scene of that contender; null where there is none.
+const Row* findRow(const Rows& rows, const std::string& task, const std::string& scene,
+                   const std::string& contender);
+
 /// The rows of a file: a JSON array of objects, each with a task and a scene. None where there is
 /// no such file. Throws std::runtime_error that names the file and, where one is at fault, the row.
 Rows readRows(const std::filesystem::path& file);

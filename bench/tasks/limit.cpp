@@ -13,6 +13,7 @@ namespace octoblisk::bench {
 namespace {
 
 constexpr const char* kBound = "lower-bound";
+constexpr std::size_t kBundle = 20;  // poses between two readings of the clock, which takes as long as a test
 
 const bool kRegistered = registerContender({.name = kBound, .group = "limit"});
 
@@ -66,12 +67,15 @@ Trial pairsTrial(const Scene& scene, bool all) {
     }
   }
   const auto poses = static_cast<double>(scene.path.size());
-  return {.questions = scene.path.size(),
+  return {.questions = scene.path.size() / kBundle,
+          .asked_at_once = kBundle,
           .ask =
-              [pairs, &scene](std::size_t k) {
-                for (const TrianglePair& pair : (*pairs)[k]) {
-                  benchmark::DoNotOptimize(intersects(scene.blisk->triangle(pair.a),
-                                                      scene.path[k] * scene.belt->triangle(pair.b)));
+              [pairs, &scene](std::size_t bundle) {
+                for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
+                  for (const TrianglePair& pair : (*pairs)[k]) {
+                    benchmark::DoNotOptimize(intersects(scene.blisk->triangle(pair.a),
+                                                        scene.path[k] * scene.belt->triangle(pair.b)));
+                  }
                 }
               },
           .counters = {{"exact_tests", static_cast<double>(count) / poses},
@@ -84,20 +88,23 @@ Trial distanceTrial(const Scene& scene) {
   auto nearest = std::make_shared<std::vector<Clearance>>();
   for (const Pose& pose : distances.poses)
     nearest->push_back(distance(foundIn(scene).blisk, foundIn(scene).belt, pose));
-  return {.questions = distances.poses.size(),
+  return {.questions = distances.poses.size() / kBundle,
+          .asked_at_once = kBundle,
           .ask =
-              [nearest, &distances, &scene](std::size_t k) {
-                const Clearance& pair = (*nearest)[k];
-                benchmark::DoNotOptimize(
-                    closestPoints(scene.blisk->triangle(pair.triangle_a),
-                                  distances.poses[k] * scene.belt->triangle(pair.triangle_b)));
+              [nearest, &distances, &scene](std::size_t bundle) {
+                for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
+                  const Clearance& pair = (*nearest)[k];
+                  benchmark::DoNotOptimize(
+                      closestPoints(scene.blisk->triangle(pair.triangle_a),
+                                    distances.poses[k] * scene.belt->triangle(pair.triangle_b)));
+                }
               },
           .counters = {{"exact_tests", 1.0}, {"bytes", bytesOf(2)}}};
 }
 
 /// Where the way crosses the plane of the triangle that it hits.
 Trial hitsTrial(const Scene& scene) {
-  constexpr std::size_t kBundle = 100;
+  constexpr std::size_t kWays = 100;  // a bundle
   auto hit = std::make_shared<std::vector<std::uint32_t>>();
   std::size_t hits = 0;
   for (const Segment& way : scene.ways) {
@@ -107,11 +114,11 @@ Trial hitsTrial(const Scene& scene) {
     hits += found.has_value();
   }
   const double part = static_cast<double>(hits) / static_cast<double>(scene.ways.size());
-  return {.questions = scene.ways.size() / kBundle,
-          .asked_at_once = kBundle,
+  return {.questions = scene.ways.size() / kWays,
+          .asked_at_once = kWays,
           .ask =
               [hit, &scene](std::size_t bundle) {
-                for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
+                for (std::size_t k = bundle * kWays; k < (bundle + 1) * kWays; ++k) {
                   if ((*hit)[k] == kNoTriangle) continue;
                   benchmark::DoNotOptimize(hitOf(scene.blisk->triangle((*hit)[k]), scene.ways[k]));
                 }

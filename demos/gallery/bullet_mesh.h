@@ -3,6 +3,7 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -10,31 +11,43 @@
 
 namespace octoblisk::gallery {
 
-/// Vertices and indices as Bullet reads them, and the view of them.
+/// Vertices and indices as Bullet reads them, and the view of them, in parts where there are more triangles
+/// than Bullet numbers in one.
 class BulletMesh {
  public:
-  explicit BulletMesh(const TriangleMesh& mesh, double scale = 1.0) : vertices_(3 * mesh.vertices().size()) {
-    move(mesh, scale);
+  explicit BulletMesh(const TriangleMesh& mesh, double scale = 1.0) {
+    for (const Vec3& vertex : mesh.vertices()) {
+      for (const double x : vertex) vertices_.push_back(static_cast<btScalar>(scale * x));
+    }
     for (const auto& corners : mesh.triangles())
       indices_.insert(indices_.end(), corners.begin(), corners.end());
-    constexpr int kIndexStride = 3 * sizeof(int);
-    constexpr int kVertexStride = 3 * sizeof(btScalar);
-    view_ = std::make_unique<btTriangleIndexVertexArray>(
-        static_cast<int>(mesh.triangleCount()), indices_.data(), kIndexStride,
-        static_cast<int>(mesh.vertices().size()), vertices_.data(), kVertexStride);
+    view_ = std::make_unique<btTriangleIndexVertexArray>();
+    for (std::size_t begin = 0; begin < mesh.triangleCount(); begin += kMostTriangles) {
+      btIndexedMesh part;
+      part.m_numTriangles = static_cast<int>(std::min(kMostTriangles, mesh.triangleCount() - begin));
+      part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data() + 3 * begin);
+      part.m_triangleIndexStride = 3 * sizeof(int);
+      part.m_numVertices = static_cast<int>(mesh.vertices().size());
+      part.m_vertexBase = reinterpret_cast<const unsigned char*>(vertices_.data());
+      part.m_vertexStride = 3 * sizeof(btScalar);
+      view_->addIndexedMesh(part);
+    }
   }
 
   btTriangleIndexVertexArray* view() const { return view_.get(); }
 
-  /// Moves the vertices to those of a mesh of the same triangles.
-  void move(const TriangleMesh& deformed, double scale = 1.0) {
-    std::size_t k = 0;
-    for (const Vec3& vertex : deformed.vertices()) {
-      for (const double x : vertex) vertices_[k++] = static_cast<btScalar>(scale * x);
+  /// From now on the view's vertices are those of another mesh of the same triangles, which must outlive it.
+  void readVerticesOf(const BulletMesh& moved) {
+    for (int part = 0; part < view_->getNumSubParts(); ++part) {
+      view_->getIndexedMeshArray()[part].m_vertexBase =
+          reinterpret_cast<const unsigned char*>(moved.vertices_.data());
     }
   }
 
  private:
+  static constexpr std::size_t kMostTriangles = std::size_t{1}
+                                                << 21;  // of a part, for btBvhTriangleMeshShape
+
   std::vector<btScalar> vertices_;
   std::vector<int> indices_;
   std::unique_ptr<btTriangleIndexVertexArray> view_;

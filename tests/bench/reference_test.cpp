@@ -1,0 +1,105 @@
+// The reference that contenders are held to, held to brute force; and we to it, on a scene of the benchmarks.
+#include "reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "octoblisk/collide.h"
+#include "octoblisk/distance.h"
+#include "octoblisk/raycast.h"
+#include "octoblisk/triangle_pair.h"
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+#include "shared/solids.h"
+
+namespace octoblisk::bench {
+namespace {
+
+double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
+    for (std::size_t j = 0; j < b.triangleCount(); ++j)
+      least = std::min(least, closestPoints(a.triangle(i), b_in_a * b.triangle(j)).distance);
+  }
+  return least;
+}
+
+TEST(Reference, touchingPairsAndDistances_vs_bruteforce) {
+  std::mt19937_64 random(91);
+  const TriangleMesh a = *testing::bumpySphere(random, 9.0, 2.0, 14), b = *testing::torus(4.0, 1.5, 16, 8);
+  const Reference reference(a);
+  int hits = 0, near = 0;
+  constexpr int kPoses = 120;
+  for (int k = 0; k < kPoses; ++k) {
+    const Pose pose{testing::randomRotation(random), 12.5 * testing::randomPoint(random, 1.0).normalized()};
+    const std::size_t pairs = testing::bruteForcePairs(a, b, pose).size();
+    ASSERT_EQ(reference.touchingPairs(b, pose), pairs) << k;
+    hits += pairs > 0;
+    if (pairs > 0) continue;
+    const double distance = bruteForceDistance(a, b, pose);
+    const auto found = reference.distance(1.0, b, pose);
+    ASSERT_EQ(found.has_value(), distance <= 1.0) << k;
+    if (!found) continue;
+    ++near;
+    EXPECT_EQ(*found, distance);
+    EXPECT_TRUE(reference.within(distance, b, pose));
+    EXPECT_FALSE(reference.within(std::nextafter(distance, 0.0), b, pose));
+  }
+  EXPECT_GT(hits, kPoses * 3 / 10);
+  EXPECT_LT(hits, kPoses * 7 / 10);
+  EXPECT_GT(near, 10);
+}
+
+TEST(Reference, firstHits_vs_bruteforce) {
+  std::mt19937_64 random(92);
+  const TriangleMesh mesh = *testing::bumpySphere(random, 9.0, 2.0, 14);
+  const Reference reference(mesh);
+  int hits = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Segment way{testing::randomPoint(random, 16.0), testing::randomPoint(random, 16.0)};
+    double first = 1.0;
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+      first = std::min(first, hitOf(mesh.triangle(t), way));
+    ASSERT_EQ(reference.firstHit(way), first) << k;
+    hits += first < 1.0;
+  }
+  EXPECT_GT(hits, 600);
+  EXPECT_LT(hits, 1400);
+}
+
+TEST(Scene, ourAnswersAreTheReferences) {
+  const Scene& scene = sceneNamed("10k", {.poses = 220, .quick = true});
+  const Reference reference(*scene.blisk);
+  const ClusteredOctree blisk = ClusteredOctree::build(scene.blisk),
+                        belt = ClusteredOctree::build(scene.belt);
+  std::vector<TrianglePair> pairs;
+  std::size_t hits = 0, near = 0;
+  for (const Pose& pose : scene.path) {
+    touchingPairs(blisk, belt, pose, pairs);
+    ASSERT_EQ(reference.touchingPairs(*scene.belt, pose), pairs.size());
+    EXPECT_EQ(collide(blisk, belt, pose).has_value(), !pairs.empty());
+    hits += !pairs.empty();
+    if (!pairs.empty()) continue;
+    const auto distance_there = reference.distance(0.5, *scene.belt, pose);
+    if (!distance_there) continue;
+    ++near;
+    EXPECT_NEAR(distance(blisk, belt, pose).distance, *distance_there, 1e-12);
+  }
+  EXPECT_GT(hits, scene.path.size() * 3 / 10);
+  EXPECT_LT(hits, scene.path.size() * 7 / 10);
+  EXPECT_GT(near, scene.path.size() / 10);
+
+  std::size_t met = 0;
+  for (const Segment& way : scene.ways) {
+    const auto hit = closestHit(blisk, {.origin = way.from, .direction = way.to - way.from, .t_max = 1.0});
+    const double first = hit ? hit->t : 1.0;
+    ASSERT_NEAR(first, reference.firstHit(way), 1e-9);
+    met += first < 1.0;
+  }
+  EXPECT_GT(met, scene.ways.size() / 10);
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
