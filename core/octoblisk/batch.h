@@ -14,9 +14,9 @@ namespace octoblisk {
 /// had which poses.
 inline constexpr std::size_t kPosesAtOnce = 64;
 
-/// For each pose a pair of triangles that meet, or none, on up to so many threads; 0: as many as the machine
-/// runs at once. Fastest where neighbours in the list are near each other. The same bits for any number of
-/// threads. Throws std::bad_alloc where memory runs out.
+/// For each pose a pair of triangles that meet, or none, on up to so many threads; 0 or less: as many as the
+/// machine runs at once. Fastest where neighbours in the list are near each other. The same bits for any
+/// number of threads. Throws std::bad_alloc where memory runs out.
 std::vector<std::optional<TrianglePair>> collideAll(const ClusteredOctree& a, const ClusteredOctree& b,
                                                     std::span<const Pose> poses_of_b_in_a, int threads = 0);
 

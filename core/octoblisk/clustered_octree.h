@@ -15,6 +15,7 @@
 
 namespace octoblisk {
 
+/// What a tree is made of.
 struct BuildStats {
   std::size_t triangles = 0;
   std::size_t nodes = 0;
@@ -30,6 +31,8 @@ struct NodePair {
   std::uint32_t a = 0, b = 0;
 };
 
+/// The tree over the triangles of a mesh: up to eight children a node, each in an oriented box of its own
+/// that holds its whole triangles. Immutable; any number of threads may ask it at once.
 class ClusteredOctree {
  public:
   using Node = TreeNode;
@@ -55,7 +58,7 @@ class ClusteredOctree {
   ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) &&;
 
   /// The tree over arrays that the owner keeps and never changes, made by any tree of the mesh.
-  /// Throws std::invalid_argument that tells what is wrong where queries on them could fail: see checkTree.
+  /// Throws std::invalid_argument that tells what is wrong where queries on them could fail.
   static ClusteredOctree over(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
                               std::shared_ptr<const void> owner, const BuildOptions& options);
 

@@ -18,6 +18,7 @@ class Convex {
 
   /// The core's farthest point in a direction of any length but 0, in the body's frame.
   virtual Vec3 support(const Vec3& direction) const = 0;
+  /// How far the body reaches beyond its core, mesh units.
   virtual double radius() const { return 0.0; }
   /// The error of support points, relative to their size: searches are not driven beyond it.
   virtual double precision() const { return 1e-12; }

@@ -36,8 +36,8 @@ struct GougeDepth {
 ///
 /// Branch and bound: first the triangles of B that meet A's surface, and from their corners those that are
 /// wholly inside; these are divided until no part may be deeper than the deepest point found by more than the
-/// tolerance. The bounds of a part: depth_bounds.h, and that the signed distance to A's surface grows by no
-/// more than the way.
+/// tolerance. A part is bounded by the boxes near it, and because the signed distance to A's surface grows by
+/// no more than the way.
 ///
 /// Holds the working memory of the query: one object a thread. Warm queries allocate nothing.
 class DepthQuery {

@@ -11,7 +11,7 @@ namespace octoblisk {
 /// The points x with normal · x <= offset.
 struct HalfSpace {
   Vec3 normal = Vec3::UnitZ();  ///< unit, outward
-  double offset = 0.0;
+  double offset = 0.0;          ///< mesh units
 };
 
 /// Replaces `found` by a contact for every corner of the mesh no farther than `threshold` (>= 0) from the

@@ -20,6 +20,7 @@
 
 namespace octoblisk {
 
+/// The tree as bytes, with a version, a checksum and the fingerprint of its mesh, which is not among them.
 std::vector<std::byte> toBlob(const ClusteredOctree& tree);
 
 /// The tree of a blob, over the mesh that it was built for. Without an owner the bytes are copied; with one,

@@ -55,6 +55,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// Throws std::invalid_argument for null, for another number of triangles or parts, and as
   /// ClusteredOctree::refitted does; the shape is then as it was.
   void refit(const btStridingMeshInterface* mesh_interface);
+  /// The same of a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
   /// Grows whenever triangles move in the shape's frame: contacts kept from before are no more worth.
@@ -91,8 +92,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   const MassProperties& massProperties() const { return mass_properties_; }
 
   /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame. The
-  /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone
-  /// (cast_callbacks.h).
+  /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone.
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
