@@ -3,8 +3,8 @@
 //   bench_report RESULTS [README]
 //
 // Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's, which tell where the rows were
-// taken: that goes to RESULTS/machine.json), writes RESULTS/README.md and RESULTS/*.svg, and the summary into
-// README, between its lines for it.
+// taken: that goes to RESULTS/machine.json), writes RESULTS/README.md and RESULTS/*.svg, and table and plots
+// into README, between its lines for it.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -59,7 +59,7 @@ int run(const fs::path& results, const char* readme) {
   const ResultsPage page = resultsPage(rows, machine);
   write(results / "README.md", page.text);
   for (const auto& [file, plot] : page.plots) draw(plot, results / file);
-  if (readme != nullptr) write(readme, spliced(textOf(readme), "benchmarks", summaryTable(rows)));
+  if (readme != nullptr) write(readme, spliced(textOf(readme), "benchmarks", summary(rows, "bench/results")));
   std::printf("%zu rows: %s\n", rows.size(), (results / "README.md").c_str());
   return 0;
 }

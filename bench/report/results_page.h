@@ -45,7 +45,8 @@ struct ResultsPage {
 };
 ResultsPage resultsPage(const Rows& rows, const Row& context);
 
-/// The table of the root README: ours, and how many times as fast as others.
-std::string summaryTable(const Rows& rows);
+/// What the root README shows: a table of ours and how many times as long others take, and the plots of the
+/// page, two a line, in the folder `results`.
+std::string summary(const Rows& rows, const std::string& results);
 
 }  // namespace octoblisk::bench

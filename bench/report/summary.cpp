@@ -49,9 +49,7 @@ std::string calledIn(const std::string& contender) {
   return contender.starts_with("octoblisk") ? "" : contender;
 }
 
-}  // namespace
-
-std::string summaryTable(const Rows& rows) {
+std::string tableOf(const Rows& rows) {
   MarkdownTable table({"asked", "ours", "others take times as much"});
   for (const Line& line : kLines) {
     const Row* ours = findRow(rows, line.task, line.scene, kOurs);
@@ -75,6 +73,25 @@ std::string summaryTable(const Rows& rows) {
                others});
   }
   return table.text();
+}
+
+std::string plotsOf(const Rows& rows, const std::string& results) {
+  MarkdownTable table({"", ""});
+  std::vector<std::string> line;
+  for (const auto& [file, plot] : resultsPage(rows, Row()).plots) {
+    line.push_back("![" + plot.title + ", by " + plot.x_label + "](" + results + '/' + file + ')');
+    if (line.size() < 2) continue;
+    table.add(line);
+    line.clear();
+  }
+  if (!line.empty()) table.add({line.front(), ""});
+  return table.empty() ? "" : '\n' + table.text();
+}
+
+}  // namespace
+
+std::string summary(const Rows& rows, const std::string& results) {
+  return tableOf(rows) + plotsOf(rows, results);
 }
 
 }  // namespace octoblisk::bench

@@ -106,7 +106,7 @@ TEST(Results, readmeSaysWhatTheRowsSay) {
   const Rows rows = readAllRows(source / "bench" / "results");
   ASSERT_FALSE(rows.empty());
   const std::string readme = textOf(source / "README.md");
-  EXPECT_EQ(spliced(readme, "benchmarks", summaryTable(rows)), readme);
+  EXPECT_EQ(spliced(readme, "benchmarks", summary(rows, "bench/results")), readme);
 }
 
 }  // namespace
