@@ -8,9 +8,9 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <sstream>
 
 #include "demos/command.h"
+#include "demos/read_table.h"
 #include "demos/scratch_folder.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk.h"
@@ -259,16 +259,11 @@ TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
                            "grind --ground-blade 3 --poses-only --no-pictures --path path.csv --out run")
                   .exit_code,
               1);
-    std::istringstream table(contentOf(file("run/poses.csv")));
-    std::string line;
     int touching = 0;
-    for (std::getline(table, line); std::getline(table, line);) {
-      std::istringstream row(line);
-      std::string pose, verdict, part, blade, depth;
-      for (std::string* cell : {&pose, &verdict, &part, &blade, &depth}) std::getline(row, *cell, ',');
-      if (part != "belt" || blade != "3" || std::stod(depth) < 0.0) continue;
+    for (const auto& row : readTable(file("run/poses.csv"))) {
+      if (row.at("part") != "belt" || row.at("blade") != "3" || std::stod(row.at("depth_mm")) < 0.0) continue;
       ++touching;
-      EXPECT_LE(std::stod(depth), 0.0205) << side << ", pose " << pose;
+      EXPECT_LE(std::stod(row.at("depth_mm")), 0.0205) << side << ", pose " << row.at("pose");
     }
     EXPECT_GT(touching, 20) << side;
   }
