@@ -17,7 +17,7 @@
 #include "models/mesh_file.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
-#include "toolpath/cl_file.h"
+#include "toolpath/cl_moves.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
