@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 
 #include "demos/command.h"
 #include "demos/read_table.h"
@@ -15,6 +14,7 @@
 #include "models/blade_anatomy.h"
 #include "models/blisk.h"
 #include "models/mesh_file.h"
+#include "models/radians.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
 #include "toolpath/cl_moves.h"
@@ -54,7 +54,6 @@ const ClusteredOctree& bladeTree() {
   return result;
 }
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 Vec3 tangential(const Vec3& p) { return Vec3(-p.y(), p.x(), 0.0).normalized(); }
 
 /// n of the docstring, from a pose.
