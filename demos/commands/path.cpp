@@ -17,7 +17,7 @@
 #include "models/length_limit.h"
 #include "models/mesh_file.h"
 #include "report/whole_files.h"
-#include "toolpath/cl_file.h"
+#include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 #include "toolpath/surface_path.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
+#include "models/radians.h"
 #include "models/require.h"
 
 namespace octoblisk::demos {
@@ -40,8 +40,7 @@ std::vector<double> wideningSteps(double most, double spacing, double widest) {
 }  // namespace
 
 Pose changedPose(const Pose& tool_in_blisk, const Vec3& off_surface, const Change& change) {
-  const double radians = change.tilt * std::numbers::pi / 180.0;
-  const Mat3 tilt = Eigen::AngleAxisd(radians, Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 tilt = Eigen::AngleAxisd(radians(change.tilt), Vec3::UnitZ()).toRotationMatrix();
   const double lift = std::min(change.retract, kLift);
   const Vec3 shift = change.slide * tool_in_blisk.rotation.col(2) + lift * off_surface +
                      (change.retract - lift) * tool_in_blisk.rotation.col(0);

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace octoblisk::demos {
 
@@ -28,8 +28,8 @@ inline std::string base64(std::string_view bytes) {
 
 /// The same of an array of numbers, in the order of this machine's bytes.
 template <typename Number>
-std::string base64Of(std::span<const Number> numbers) {
-  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()});
+std::string base64Of(const std::vector<Number>& numbers) {
+  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
 }
 
 }  // namespace octoblisk::demos

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "models/radians.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -127,7 +128,7 @@ class SideOfBlade {
 
 /// The pose of the belt that touches a point.
 Pose touching(const SurfacePoint& point, const GrindingPathOptions& options) {
-  const double lean = options.lean_degrees * std::numbers::pi / 180.0;
+  const double lean = radians(options.lean_degrees);
   const Vec3& normal = point.normal;
   const Vec3 in_surface = armInSurface(options.arm, point.position, normal);
   const Vec3 arm = std::cos(lean) * in_surface + std::sin(lean) * normal;

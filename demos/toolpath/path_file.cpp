@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/input_file.h"
+#include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {

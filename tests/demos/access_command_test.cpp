@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <map>
-#include <sstream>
 
 #include "access/contact_site.h"
 #include "demos/command.h"
+#include "demos/read_table.h"
 #include "demos/scratch_folder.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
@@ -19,25 +17,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-/// The rows of a table, cell by cell, without the header.
-std::vector<std::vector<std::string>> rowsOf(const std::filesystem::path& file) {
-  std::istringstream stream(contentOf(file));
-  std::string line;
-  std::getline(stream, line);
-  std::vector<std::vector<std::string>> rows;
-  while (std::getline(stream, line)) {
-    rows.emplace_back(1);
-    for (const char letter : line) {
-      if (letter == ',') {
-        rows.back().emplace_back();
-      } else {
-        rows.back().back() += letter;
-      }
-    }
-  }
-  return rows;
-}
 
 class AccessCommand : public ::testing::Test {
  protected:
@@ -53,7 +32,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
   ASSERT_LE(outcome.exit_code, 1) << outcome.error;
   EXPECT_EQ(outcome.error, "");
   EXPECT_GT(std::filesystem::file_size(file("map/map.png")), 1'000u);
-  const auto points = rowsOf(file("map/points.csv"));
+  const auto points = readTable(file("map/points.csv"));
   ASSERT_EQ(points.size(), 6u);
 
   SiteGridOptions options;
@@ -70,16 +49,18 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
   ASSERT_LE(runOctoblisk(folder_.path(), "grind --path poses.csv --ground-blade 1 --no-pictures --out judged")
                 .exit_code,
             1);
-  const auto verdicts = rowsOf(file("judged/poses.csv"));
+  const auto verdicts = readTable(file("judged/poses.csv"));
   ASSERT_EQ(verdicts.size(), poses.size());
   std::vector<bool> free(poses.size(), false);
-  for (const auto& range : rowsOf(file("map/ranges.csv"))) {
-    for (int tilt = std::stoi(range[2]); tilt <= std::stoi(range[3]); tilt += 20) {
-      free[std::stoul(range[0]) * 8 + static_cast<std::size_t>((tilt + 40) / 20)] = true;
+  for (const auto& range : readTable(file("map/ranges.csv"))) {
+    for (int tilt = std::stoi(range.at("tilt_from_deg")); tilt <= std::stoi(range.at("tilt_to_deg"));
+         tilt += 20) {
+      free[std::stoul(range.at("point")) * 8 + static_cast<std::size_t>((tilt + 40) / 20)] = true;
     }
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    EXPECT_EQ(free[k], verdicts[k][1] != "interference") << "point " << k / 8 << ", tilt " << k % 8;
+    EXPECT_EQ(free[k], verdicts[k].at("verdict") != "interference")
+        << "point " << k / 8 << ", tilt " << k % 8;
   }
   const auto count = std::ranges::count(free, true);
   EXPECT_GE(count, 10);
@@ -87,10 +68,11 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto here = std::count(free.begin() + static_cast<std::ptrdiff_t>(8 * p),
                                  free.begin() + static_cast<std::ptrdiff_t>(8 * p + 8), true);
-    EXPECT_NEAR(std::stod(points[p][10]), static_cast<double>(here) / 8.0, 1e-9);
+    EXPECT_NEAR(std::stod(points[p].at("free_fraction")), static_cast<double>(here) / 8.0, 1e-9);
   }
-  EXPECT_EQ(outcome.exit_code,
-            std::ranges::any_of(points, [](const auto& row) { return row[10] == "0"; }) ? 1 : 0);
+  EXPECT_EQ(
+      outcome.exit_code,
+      std::ranges::any_of(points, [](const auto& row) { return row.at("free_fraction") == "0"; }) ? 1 : 0);
 
   // The same bytes from one thread.
   ASSERT_LE(run(grid + "--threads 1 --no-picture --out alone").exit_code, 1);
@@ -107,13 +89,13 @@ TEST_F(AccessCommand, ofAPathTakesThePosesThatTouchAndTellsTiltsAgainstThem) {
   writePoses(file("four.csv"), path);
   const Outcome outcome = run("--path four.csv --tilt-from -2 --tilt-to 2 --tilt-step 2 --out map");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  const auto points = rowsOf(file("map/points.csv"));
+  const auto points = readTable(file("map/points.csv"));
   ASSERT_EQ(points.size(), 2u);
-  EXPECT_EQ(points[0][1], "1");
-  EXPECT_EQ(points[1][1], "2");
+  EXPECT_EQ(points[0].at("pose"), "1");
+  EXPECT_EQ(points[1].at("pose"), "2");
   for (const auto& point : points) {
-    EXPECT_LE(std::stod(point[12]), 0.0) << "the path's own tilt is free";
-    EXPECT_GE(std::stod(point[13]), 0.0);
+    EXPECT_LE(std::stod(point.at("tilt_from_deg")), 0.0) << "the path's own tilt is free";
+    EXPECT_GE(std::stod(point.at("tilt_to_deg")), 0.0);
   }
   EXPECT_EQ(contentOf(file("four.csv")), (writePoses(file("same.csv"), path), contentOf(file("same.csv"))));
 }

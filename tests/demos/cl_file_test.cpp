@@ -9,6 +9,7 @@
 
 #include "demos/scratch_folder.h"
 #include "models/blisk.h"
+#include "toolpath/cl_moves.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 

@@ -8,11 +8,11 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "models/blisk.h"
+#include "models/radians.h"
 #include "octoblisk/collide.h"
 
 namespace octoblisk::demos {
@@ -40,11 +40,9 @@ std::vector<Pose> workOf(const std::vector<Pose>& path, const GrindingPathOption
   return {path.begin() + options.retract_poses, path.end() - options.retract_poses};
 }
 
-double degrees(double value) { return value * std::numbers::pi / 180.0; }
-
 /// n of the docstring, from a pose: the arm leans from the tangent plane towards it.
 Vec3 normalOf(const Pose& belt_in_blisk, const GrindingPathOptions& options) {
-  const double lean = degrees(options.lean_degrees);
+  const double lean = radians(options.lean_degrees);
   return std::sin(lean) * belt_in_blisk.rotation.col(0) + std::cos(lean) * belt_in_blisk.rotation.col(1);
 }
 
@@ -135,7 +133,7 @@ TEST(GrindingPath, StepsAreSmall) {
     for (std::size_t k = 1; k < path.size(); ++k) {
       const Mat3 turn = path[k - 1].rotation.transpose() * path[k].rotation;
       EXPECT_LE((path[k].translation - path[k - 1].translation).norm(), 4.0) << k;
-      EXPECT_LE(Eigen::AngleAxisd(turn).angle(), degrees(3.0)) << k;
+      EXPECT_LE(Eigen::AngleAxisd(turn).angle(), radians(3.0)) << k;
     }
   }
 }

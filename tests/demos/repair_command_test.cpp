@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "demos/command.h"
+#include "demos/read_table.h"
 #include "demos/scratch_folder.h"
 #include "toolpath/pose_file.h"
 
@@ -36,13 +35,8 @@ class RepairCommand : public ::testing::Test {
   /// The poses that changes.csv says are left.
   std::set<std::size_t> left(const std::string& folder) const {
     std::set<std::size_t> poses;
-    std::istringstream stream(contentOf(file(folder + "/changes.csv")));
-    std::string line;
-    for (std::size_t row = 0; std::getline(stream, line); ++row) {
-      std::istringstream cells(line);
-      std::string cell;
-      for (int column = 0; column <= 6; ++column) std::getline(cells, cell, ',');
-      if (cell == "interference") poses.insert(row - 1);
+    for (const auto& row : readTable(file(folder + "/changes.csv"))) {
+      if (row.at("after") == "interference") poses.insert(std::stoul(row.at("pose")));
     }
     return poses;
   }

@@ -7,17 +7,17 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
-#include <sstream>
 
 #include "demos/command.h"
+#include "demos/read_table.h"
 #include "demos/scratch_folder.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk.h"
 #include "models/mesh_file.h"
+#include "models/radians.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
-#include "toolpath/cl_file.h"
+#include "toolpath/cl_moves.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
@@ -54,7 +54,6 @@ const ClusteredOctree& bladeTree() {
   return result;
 }
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 Vec3 tangential(const Vec3& p) { return Vec3(-p.y(), p.x(), 0.0).normalized(); }
 
 /// n of the docstring, from a pose.
@@ -259,16 +258,11 @@ TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
                            "grind --ground-blade 3 --poses-only --no-pictures --path path.csv --out run")
                   .exit_code,
               1);
-    std::istringstream table(contentOf(file("run/poses.csv")));
-    std::string line;
     int touching = 0;
-    for (std::getline(table, line); std::getline(table, line);) {
-      std::istringstream row(line);
-      std::string pose, verdict, part, blade, depth;
-      for (std::string* cell : {&pose, &verdict, &part, &blade, &depth}) std::getline(row, *cell, ',');
-      if (part != "belt" || blade != "3" || std::stod(depth) < 0.0) continue;
+    for (const auto& row : readTable(file("run/poses.csv"))) {
+      if (row.at("part") != "belt" || row.at("blade") != "3" || std::stod(row.at("depth_mm")) < 0.0) continue;
       ++touching;
-      EXPECT_LE(std::stod(depth), 0.0205) << side << ", pose " << pose;
+      EXPECT_LE(std::stod(row.at("depth_mm")), 0.0205) << side << ", pose " << row.at("pose");
     }
     EXPECT_GT(touching, 20) << side;
   }

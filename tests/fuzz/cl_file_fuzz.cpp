@@ -2,7 +2,7 @@
 // come back as they are once written.
 #include "fuzz/fuzz_input.h"
 #include "shared/meshes.h"
-#include "toolpath/cl_file.h"
+#include "toolpath/cl_moves.h"
 
 using namespace octoblisk;
 using namespace octoblisk::demos;

@@ -1,0 +1,219 @@
+#include "report/replay_json.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "report/base64.h"
+#include "report/replay_boxes.h"
+#include "report/track_json.h"
+
+namespace octoblisk::demos {
+namespace {
+
+const char* nameOf(Tone tone) {
+  switch (tone) {
+    case Tone::clear:
+      return "clear";
+    case Tone::intended:
+      return "intended";
+    case Tone::near:
+      return "near";
+    case Tone::interference:
+      return "interference";
+    case Tone::open:
+      return "open";
+  }
+  return "";
+}
+
+/// A value between two as a 16-bit step of the way.
+std::uint16_t stepOf(double value, double low, double high) {
+  if (!(high > low)) return 0;
+  return static_cast<std::uint16_t>(
+      std::lround(std::clamp((value - low) / (high - low), 0.0, 1.0) * 65535.0));
+}
+
+PageJson boxJson(const Aabb& box) {
+  return {box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z()};
+}
+
+PageJson meshJson(const DisplayMesh& mesh) {
+  Aabb box;
+  for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
+  std::vector<std::uint16_t> steps;
+  steps.reserve(3 * mesh.vertices.size());
+  for (const Vec3& vertex : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) steps.push_back(stepOf(vertex[axis], box.min[axis], box.max[axis]));
+  }
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return {{"box", boxJson(box)}, {"vertices", base64Of(steps)}, {"triangles", base64Of(corners)}};
+}
+
+/// Points that the replay is about, a few hundred at most.
+std::vector<Vec3> placesOf(const Replay& replay) {
+  constexpr std::size_t kMost = 256;
+  std::vector<Vec3> places;
+  for (const ReplayTrack& track : replay.tracks) {
+    for (const ReplayPose& pose : track.poses) {
+      if (!pose.contacts.empty()) places.push_back(pose.contacts.front().point);
+    }
+  }
+  if (places.empty()) {
+    for (const ReplayPose& pose : replay.tracks.front().poses)
+      places.push_back(pose.tool_in_blisk.translation);
+  }
+  const std::size_t stride = (places.size() + kMost - 1) / kMost;
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < places.size(); i += stride) some.push_back(places[i]);
+  return some;
+}
+
+PageJson boxesJson(const ReplayBoxes& found) {
+  Aabb around;
+  double half = 0.0;
+  for (const ReplayBox& each : found.boxes) {
+    around.extend(each.box.center);
+    half = std::max(half, each.box.half_extents.maxCoeff());
+  }
+  std::vector<std::uint8_t> depths;
+  std::vector<std::uint16_t> places;
+  for (const auto& [box, depth, is_leaf] : found.boxes) {
+    constexpr int kLeafBit = 128;
+    depths.push_back(static_cast<std::uint8_t>(depth | (is_leaf ? kLeafBit : 0)));
+    for (int axis = 0; axis < 3; ++axis)
+      places.push_back(stepOf(box.center[axis], around.min[axis], around.max[axis]));
+    for (const double extent : box.half_extents) places.push_back(stepOf(extent, 0.0, half));
+    const Eigen::Quaterniond turn(box.axes);
+    for (const double value : turn.coeffs()) {  // x, y, z, w
+      places.push_back(static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(32767.0 * value))));
+    }
+  }
+  return {{"depths", base64Of(depths)}, {"places", base64Of(places)},
+          {"box", boxJson(around)},     {"half", half},
+          {"whole", found.whole_to},    {"deepest", found.deepest}};
+}
+
+std::string withThousands(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const TriangleMesh& mesh) {
+  std::ostringstream text;
+  text.precision(2);
+  text << "Thinned for display only: " << of << " is drawn with " << withThousands(drawn.triangles.size())
+       << " of its " << withThousands(mesh.triangleCount()) << " triangles, vertices within cubes of "
+       << drawn.merged_within << " mm being merged. All numbers are of the whole mesh.";
+  return text.str();
+}
+
+/// The meshes, and a note for each that is thinned.
+void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
+               std::vector<std::string>& notes) {
+  const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
+    if (drawn.merged_within > 0.0) notes.push_back(thinningNote(of, drawn, whole));
+  };
+  tellThinned("the blisk", meshes.blisk, replay.blisk->mesh());
+  PageJson groups = PageJson::array();
+  for (const DisplayMesh::Group& group : meshes.blisk.groups) {
+    groups.push_back({group.number, group.first, group.count});
+  }
+  run["blisk"] = {{"mesh", meshJson(meshes.blisk)}, {"groups", groups}};
+  PageJson parts = PageJson::array();
+  for (std::size_t p = 0; p < replay.parts.size(); ++p) {
+    const std::string& name = replay.parts[p].name;
+    tellThinned(name, meshes.parts[p], replay.parts[p].tree->mesh());
+    parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(meshes.parts[p])}});
+  }
+  run["parts"] = parts;
+}
+
+PageJson factsJson(const std::vector<Table>& facts) {
+  PageJson tables = PageJson::array();
+  for (const Table& table : facts) {
+    tables.push_back({{"title", table.caption}, {"columns", table.columns}, {"rows", table.rows}});
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const ReplayLimits& limits) {
+  PageJson verdicts = PageJson::array(), counts = PageJson::array(), charts = PageJson::array(),
+           tracks = PageJson::array();
+  for (const ReplayVerdict& verdict : replay.verdicts) {
+    verdicts.push_back({{"name", verdict.name}, {"tone", nameOf(verdict.tone)}});
+  }
+  for (const ReplayCount& count : replay.counts) {
+    counts.push_back({{"name", count.name}, {"count", count.count}, {"tone", nameOf(count.tone)}});
+  }
+  for (const ReplayChart& chart : replay.charts) {
+    PageJson lines = PageJson::array();
+    for (const auto& [value, name] : chart.limits) lines.push_back({{"value", value}, {"name", name}});
+    charts.push_back(
+        {{"title", chart.title}, {"unit", chart.unit}, {"stretch", chart.linear_within}, {"limits", lines}});
+  }
+  std::vector<std::string> notes = replay.notes;
+  std::size_t left_out = 0;
+  for (const ReplayTrack& track : replay.tracks) {
+    tracks.push_back(trackJson(track, limits.contacts, left_out));
+  }
+  if (left_out > 0) {
+    notes.push_back("The picture leaves out " + withThousands(left_out) +
+                    " contacts, the least deep of each pose; contacts.csv has all.");
+  }
+  PageJson run = {{"format", 1},
+                  {"command", replay.command},
+                  {"title", replay.title},
+                  {"subtitle", replay.subtitle},
+                  {"step", {{"one", replay.one}, {"many", replay.many}}},
+                  {"findings",
+                   {{"title", replay.findings_title},
+                    {"where", replay.one == "pose" ? "Where" : "Point"},
+                    {"value", replay.findings_value},
+                    {"none", replay.no_findings}}},
+                  {"verdicts", verdicts},
+                  {"counts", counts},
+                  {"blade_count", replay.blade_count},
+                  {"ground_blade", replay.ground_blade},
+                  {"start", {{"track", replay.start_track}, {"at", replay.start_at}}},
+                  {"everywhere", replay.contacts_of_all_poses},
+                  {"charts", charts},
+                  {"tracks", tracks}};
+  addMeshes(replay, meshes, run, notes);
+  const ReplayBoxes boxes = replayBoxesOf(*replay.blisk, placesOf(replay), limits.boxes);
+  if (boxes.whole_to < boxes.deepest) {
+    notes.push_back("Cluster boxes below level " + std::to_string(boxes.whole_to) +
+                    " are shown near the touches alone: the tree has " +
+                    withThousands(replay.blisk->stats().leaves) + " leaves.");
+  }
+  run["boxes"] = boxesJson(boxes);
+  run["facts"] = factsJson(replay.facts);
+  run["notes"] = notes;
+
+  const std::string text = run.dump(-1, ' ', false, PageJson::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,140 @@
+// octoblisk grind: blisks that are open, shrouded, lie anyhow, face inward or are none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "demos/block.h"
+#include "demos/grind_command.h"
+#include "demos/moved_blisk.h"
+#include "demos/read_table.h"
+#include "models/embedded_assets.h"
+#include "models/mesh_file.h"
+#include "models/orientation.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST_F(GrindCommand, anOpenBliskIsJudgedByPairsAndSaysSo) {
+  TriangleMesh whole = block({50, 50, 20}, 2);
+  std::vector<TriangleMesh::Indices> triangles = whole.triangles();
+  triangles.pop_back();
+  writeMesh(file("open.ply"), {whole.vertices(), triangles});
+  writeMesh(file("tool.ply"), block({10, 10, 10}, 4));
+  folder_.write("press.csv", "x,y,z,qw,qx,qy,qz\n59.95,0,0,1,0,0,0\n");
+  const Outcome outcome = run("--blisk open.ply --belt tool.ply --path press.csv --no-pictures --out run");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.error, HasSubstr("open.ply: 3 of its edges are open, the first from ("));
+  EXPECT_THAT(outcome.error, HasSubstr("depths are those of pairs of triangles"));
+  const auto table = readTable(file("run/poses.csv")), contacts = readTable(file("run/contacts.csv"));
+  double deepest = 0.0;
+  for (const auto& row : contacts) deepest = std::max(deepest, std::stod(row.at("depth_mm")));
+  EXPECT_EQ(std::stod(table.at(0).at("depth_mm")), deepest);
+}
+
+TEST_F(GrindCommand, onAClosedBliskTheBuiltInPathLeavesByTheChannelsEnd) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
+  const Outcome outcome = run("--blisk s.ply --poses-only --no-pictures --out run");
+  ASSERT_LE(outcome.exit_code, 1) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  std::size_t grinding = 0;
+  const auto table = readTable(file("run/poses.csv"));
+  for (const auto& row : table) {
+    if (row.at("verdict") == "interference") {
+      EXPECT_EQ(row.at("part"), "belt") << "not the arm";
+      EXPECT_EQ(row.at("blade"), "1") << "not the shroud";
+    }
+    grinding += row.at("blade") == "1" && std::stod(row.at("depth_mm")) > 0.0;
+  }
+  EXPECT_GT(grinding, table.size() * 2 / 3);
+}
+
+TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --blades 20 --out z.stl").exit_code,
+            0);
+  ASSERT_LE(run("--blisk z.stl --ground-blade 3 --no-pictures --out z").exit_code, 1);
+  const Pose blisk_in_mesh{Eigen::AngleAxisd(2.1, Vec3(3, -1, 2).normalized()).toRotationMatrix(),
+                           Vec3(300, -150, 80)};
+  writeMesh(file("moved.stl"), posed(readMesh(file("z.stl")), blisk_in_mesh));
+  std::vector<Pose> path = readPoses(file("z/path.csv"));
+  for (Pose& pose : path) pose = blisk_in_mesh * pose;
+  writePoses(file("moved.csv"), path);
+  const Outcome found = run("--blisk moved.stl --path moved.csv --no-pictures --out found");
+  ASSERT_LE(found.exit_code, 1) << found.error;
+  EXPECT_THAT(found.out, HasSubstr(" of 20 (intended up to"));
+  std::ostringstream axis;
+  for (int k = 0; k < 3; ++k) axis << blisk_in_mesh.rotation(k, 2) << ',';
+  axis << "300,-150,80";
+  const Outcome told =
+      run("--blisk moved.stl --path moved.csv --no-pictures --out told --axis " + axis.str());
+  ASSERT_LE(told.exit_code, 1) << told.error;
+
+  const auto about_z = readTable(file("z/poses.csv"));
+  std::size_t alike = 0, interfering = 0, sides = 0;
+  for (const char* folder : {"found", "told"}) {
+    const auto table = readTable(file(folder + std::string("/poses.csv")));
+    ASSERT_EQ(table.size(), about_z.size());
+    for (std::size_t pose = 0; pose < table.size(); ++pose) {
+      // Files round to single precision: limits themselves may fall to either side.
+      const double depth = std::stod(about_z[pose].at("depth_mm"));
+      const double clearance = std::stod(about_z[pose].at("clearance_mm"));
+      constexpr double kRounding = 1e-3;
+      if (std::abs(depth - 0.1) < 3 * kRounding || std::abs(clearance - 0.5) < kRounding ||
+          clearance < kRounding) {
+        continue;
+      }
+      EXPECT_EQ(table[pose].at("verdict"), about_z[pose].at("verdict")) << folder << ", pose " << pose;
+      interfering += table[pose].at("verdict") == "interference";
+      ++alike;
+      const bool has_side = std::string(folder) == "told" && table[pose].at("part") == "belt" &&
+                            about_z[pose].at("part") == "belt" && !about_z[pose].at("side").empty() &&
+                            table[pose].at("verdict") == "intended contact";
+      if (!has_side) continue;
+      EXPECT_EQ(table[pose].at("side"), about_z[pose].at("side"));
+      EXPECT_EQ(table[pose].at("face"), about_z[pose].at("face"));
+      const int blade = std::stoi(table[pose].at("blade"));
+      const int first = table[pose].at("side") == "forward" ? blade : blade > 1 ? blade - 1 : 20;
+      EXPECT_EQ(table[pose].at("channel"), std::to_string(first) + '-' + std::to_string(first % 20 + 1));
+      ++sides;
+    }
+  }
+  EXPECT_GT(alike, about_z.size());
+  EXPECT_GT(sides, 50u);
+  EXPECT_THAT(run("--blisk moved.stl --axis 1,2 --out bad").error, HasSubstr("--axis"));
+  EXPECT_EQ(run("--blisk moved.stl --no-pictures --out made").error, "") << "a path of its own, too";
+}
+
+TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {
+  writeMesh(file("outward.ply"), embeddedBlisk());
+  writeMesh(file("inward.ply"), turned(embeddedBlisk()));
+  for (const char* way : {"outward", "inward"}) {
+    ASSERT_LE(run("--blisk " + std::string(way) + ".ply --no-pictures --out " + way).exit_code, 1);
+  }
+  const std::string outward = contentOf(file("outward/contacts.csv"));
+  EXPECT_GT(outward.size(), 10'000u);
+  EXPECT_EQ(outward, contentOf(file("inward/contacts.csv")));
+}
+
+TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make drive-wheel --out round.ply").exit_code, 0);
+  // The wheel, 20 mm wide at x = 270 to 330, is no blisk; the belt's contact wheel is put into its rim.
+  folder_.write("touch.csv", "x,y,z,qw,qx,qy,qz\n335,0,0,1,0,0,0\n");
+  const Outcome outcome = run("--blisk round.ply --path touch.csv --no-pictures --out run");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.error, StartsWith("octoblisk: warning: round.ply: no blades were found"));
+  EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("on hub or shroud"));
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
