@@ -34,4 +34,7 @@ class MarkdownTable {
 /// std::invalid_argument where it has not both lines.
 std::string spliced(const std::string& text, const std::string& name, const std::string& block);
 
+/// Whether a ratio of times to ours, or of bytes, is below 1 when it is rounded to two digits.
+constexpr bool isFaster(double ratio) { return ratio < 0.995; }
+
 }  // namespace octoblisk::bench

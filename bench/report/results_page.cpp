@@ -34,7 +34,7 @@ std::string ratioText(const Row& row) {
   const double ratio = number(row, "ratio");
   if (ratio == 0.0) return "";
   const std::string text = significant(ratio, ratio >= 99.5 ? 3 : 2);
-  return ratio < 1.0 && row.value("contender", "") != kOurs ? std::string("**") + text + "**" : text;
+  return isFaster(ratio) && row.value("contender", "") != kOurs ? std::string("**") + text + "**" : text;
 }
 
 std::string differencesText(const Row& row) {
