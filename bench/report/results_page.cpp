@@ -43,6 +43,10 @@ std::string differencesText(const Row& row) {
   return std::string(" (") + std::to_string(std::llround(differences)) + " differ)";
 }
 
+std::string partText(double part, double all) {
+  return std::to_string(std::llround(part)) + " of " + std::to_string(std::llround(all));
+}
+
 std::string cellOf(const Row& row) {
   std::string text = row.contains("bytes_a_triangle") ? significant(number(row, "bytes_a_triangle")) + " B"
                                                       : timeText(number(row, "mean_us"));
@@ -219,8 +223,7 @@ std::string paperTable(const Rows& all) {
                ratioText(row), significant(number(row, "range_mm3"), 3),
                of_boxes ? significant(number(row, "leaves_left")) : "",
                of_boxes ? significant(number(row, "volume_left_mm3")) : "",
-               significant(number(row, "false_alarms"), 6) + " of " + significant(clear, 6),
-               significant(number(row, "missed"), 6) + " of " + significant(poses - clear, 6)});
+               partText(number(row, "false_alarms"), clear), partText(number(row, "missed"), poses - clear)});
   }
   return table.text();
 }
