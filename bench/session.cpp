@@ -160,7 +160,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
 Session::Session(const SessionOptions& options, const std::string& scene) : rows_file_(options.rows_file) {
   // Defaults that the user's own options, which come later, replace.
   std::vector<std::string> arguments = {
-      options.of_google[0], options.quick ? "--benchmark_repetitions=2" : "--benchmark_repetitions=5",
+      options.of_google[0], options.quick ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
       "--benchmark_enable_random_interleaving=true", "--benchmark_display_aggregates_only=true"};
   for (std::size_t k = 1; k < options.of_google.size(); ++k)
     arguments.push_back(forScene(options.of_google[k], scene));

@@ -27,7 +27,7 @@ struct TimedTask {
   bool on_threads =
       false;  ///< contenders may use several: not pinned to a core, and passes taken by the clock
   std::vector<std::string> scenes = {"50k", "300k", "1500k"};
-  std::vector<std::string> quick_scenes = {"300k"};
+  std::vector<std::string> quick_scenes = {"50k"};
   std::size_t poses = 0;   ///< about how many of the path; 0: all
   std::string group = {};  ///< whose contenders take part
   std::function<bool(const Contender&, const std::string& scene)> takes_part = {};  ///< empty: in all scenes

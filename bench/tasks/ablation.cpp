@@ -12,7 +12,6 @@ int main(int argc, char** argv) {
   for (TimedTask& task : tasks) {
     task.group = "ablation";
     task.scenes = {"300k"};
-    task.quick_scenes = {"50k"};
     task.poses = 440;
   }
   return runTimedTasks(argc, argv, tasks);

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   using namespace octoblisk::bench;
   const SessionOptions options = sessionOptions(argc, argv);
   const std::vector<std::string> scenes =
-      options.quick ? std::vector<std::string>{"300k"} : std::vector<std::string>{"50k", "300k", "1500k"};
+      options.quick ? std::vector<std::string>{"50k"} : std::vector<std::string>{"50k", "300k", "1500k"};
   return forEachScene(options, scenes, [&](const std::string& scene) {
     const Session session(options, scene);
     std::vector<std::unique_ptr<Measured>> all;

@@ -47,7 +47,6 @@ int main(int argc, char** argv) {
                          .can_do = can_do,
                          .prepare = prepare,
                          .scenes = {"50k", "300k"},
-                         .quick_scenes = {"50k"},
                          .poses = 440,
                          .group = "paper"}});
 }

@@ -18,6 +18,5 @@ int main(int argc, char** argv) {
                          .can_do = canStep,
                          .prepare = prepare,
                          .scenes = {"50k", "300k", "1500k", "1000-bodies"},
-                         .quick_scenes = {"50k"},
                          .visits = 3}});
 }
