@@ -19,7 +19,7 @@ bool isBelt(const std::string& scene) { return scene.starts_with("belt"); }
 /// largest leave them out.
 TimedTask growing(TimedTask task, const std::vector<std::string>& names, bool with_belts) {
   task.scenes = kBlisks;
-  task.quick_scenes = {"10k", "100k"};
+  task.quick_scenes = {"10k"};
   if (with_belts) {
     task.scenes.insert(task.scenes.end(), kBelts.begin(), kBelts.end());
     task.quick_scenes.emplace_back("belt-2k");
