@@ -7,6 +7,7 @@
 #include "access/contact_site.h"
 #include "demos/command.h"
 #include "demos/read_table.h"
+#include "demos/refusal.h"
 #include "demos/scratch_folder.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
@@ -123,11 +124,7 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
       {"--tilt-from -180 --tilt-to 180 --out run", "--tilt-to"},
       {"--lead-from 0 --lead-to 360 --lead-step 0.001 --out run", "--lead-step"}};
   for (const auto& [arguments, named] : cases) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("octoblisk: "));
-    EXPECT_THAT(outcome.error, HasSubstr(named));
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    expectRefusal(run(arguments), named);
     EXPECT_FALSE(std::filesystem::exists(file("run")));
   }
   for (const char* arguments :

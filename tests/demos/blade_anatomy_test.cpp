@@ -12,6 +12,7 @@
 #include "demos/block.h"
 #include "demos/command.h"
 #include "demos/moved_blisk.h"
+#include "demos/refusal.h"
 #include "demos/scratch_folder.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
@@ -323,10 +324,7 @@ TEST_F(BladesCommand, refusesInOneLineWhatItCannotTell) {
       {"--axis 0,0,1, --out run", "--axis"},
       {"--blisk straight.ply --out run", "straight.ply: the blades are too straight"}};
   for (const auto& [arguments, named] : cases) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, HasSubstr(named));
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    expectRefusal(run(arguments), named);
   }
   EXPECT_EQ(run("--blisk straight.ply --convex forward --axis 0,0,-1 --no-picture --out run").exit_code, 0);
 }

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
 
 #include "demos/grind_command.h"
+#include "demos/refusal.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -28,11 +28,7 @@ TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
       {"--blisk round.ply --out run", "round.ply: no blades were found"},
       {"--ground-blade 99 --out run", "99"}};
   for (const auto& [arguments, named] : cases) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("octoblisk: "));
-    EXPECT_THAT(outcome.error, HasSubstr(named));
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    expectRefusal(run(arguments), named);
   }
   EXPECT_EQ(run("").exit_code, 2);
   for (const char* arguments :

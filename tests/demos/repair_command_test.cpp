@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "demos/command.h"
 #include "demos/read_table.h"
+#include "demos/refusal.h"
 #include "demos/scratch_folder.h"
 #include "toolpath/pose_file.h"
 
@@ -119,11 +119,7 @@ TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
       {"--ground-blade 99 --out run", "--ground-blade 99"},
       {"--tilt 1000 --tilt-grid 0.01 --out run", "too many changes"}};
   for (const auto& [arguments, named] : cases) {
-    const Outcome outcome = run("repair " + std::string(arguments));
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("octoblisk: "));
-    EXPECT_THAT(outcome.error, HasSubstr(named));
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    expectRefusal(run("repair " + std::string(arguments)), named);
     EXPECT_FALSE(std::filesystem::exists(file("run")));
   }
   for (const char* arguments :

@@ -10,6 +10,7 @@
 
 #include "demos/command.h"
 #include "demos/read_table.h"
+#include "demos/refusal.h"
 #include "demos/scratch_folder.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk.h"
@@ -339,10 +340,8 @@ TEST_F(PathCommand, RefusesInOneLine) {
   for (const char* arguments :
        {"--blade 25 --out p.csv", "--blisk missing.stl --out p.csv", "--edge-margin 70 --out p.csv",
         "--out missing/p.csv", "--height-from 0.99 --out p.csv"}) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_TRUE(outcome.error.starts_with("octoblisk: ")) << outcome.error;
-    EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+    SCOPED_TRACE(arguments);
+    expectRefusal(run(arguments), "");
   }
   for (const char* arguments :
        {"--side top --out p.csv", "--tilt 90 --out p.csv", "--step-over 0 --out p.csv",
