@@ -157,15 +157,16 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
   return exit_code;
 }
 
-Session::Session(const SessionOptions& options, const std::string& scene) : rows_file_(options.rows_file) {
-  // Defaults that the user's own options, which come later, replace.
-  std::vector<std::string> arguments = {
-      options.of_google[0], options.quick ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
-      "--benchmark_enable_random_interleaving=true", "--benchmark_display_aggregates_only=true"};
+// The user's own options come later and replace the defaults.
+Session::Session(const SessionOptions& options, const std::string& scene)
+    : rows_file_(options.rows_file),
+      arguments_{options.of_google[0],
+                 options.quick ? "--benchmark_repetitions=1" : "--benchmark_repetitions=5",
+                 "--benchmark_enable_random_interleaving=true", "--benchmark_display_aggregates_only=true"} {
   for (std::size_t k = 1; k < options.of_google.size(); ++k)
-    arguments.push_back(forScene(options.of_google[k], scene));
+    arguments_.push_back(forScene(options.of_google[k], scene));
   std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  for (std::string& argument : arguments_) pointers.push_back(argument.data());
   int count = static_cast<int>(pointers.size());
   benchmark::Initialize(&count, pointers.data());
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) std::exit(2);

@@ -39,6 +39,8 @@ class Session {
   /// Pins the process, and tells Google Benchmark the options and the versions of all contenders. Exits with
   /// a message on an option that is not known.
   Session(const SessionOptions& options, const std::string& scene);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   /// Runs what was registered with Google Benchmark.
   void run() const;
@@ -48,6 +50,7 @@ class Session {
 
  private:
   std::string rows_file_;
+  std::vector<std::string> arguments_;  // Google Benchmark keeps a pointer to the program's name
 };
 
 }  // namespace octoblisk::bench

@@ -1,0 +1,37 @@
+#include "session.h"
+
+#include <benchmark/benchmark.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace octoblisk::bench {
+namespace {
+
+void rest(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(state.iterations());
+}
+
+TEST(Session, googlesFileIsJsonThatNamesTheProgram) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "octoblisk_session";
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path out = folder / "google-50k.json";
+  std::filesystem::remove(out);
+  const SessionOptions options{
+      .quick = true,
+      .of_google = {"some/bench_rest", "--benchmark_out=" + (folder / "google.json").string()}};
+  const Session session(options, "50k");
+  benchmark::RegisterBenchmark("rest", rest)->Iterations(1);
+  session.run();
+
+  std::ifstream file(out);
+  const nlohmann::json google = nlohmann::json::parse(file);  // throws on bytes that are not UTF-8
+  EXPECT_EQ(google.at("context").at("executable"), "some/bench_rest");
+  ASSERT_EQ(google.at("benchmarks").size(), 1u);
+  EXPECT_EQ(google.at("benchmarks")[0].at("run_name"), "rest/iterations:1");
+}
+
+}  // namespace
+}  // namespace octoblisk::bench
