@@ -16,7 +16,7 @@ bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
 
 void addCornerContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                        double threshold, std::vector<Contact>& contacts) {
-  if (convex.points().size() < 3) return;
+  if (convex.points().size() < 2) return;
   const std::size_t count = contacts.size();
   for (std::size_t c = 0; c < count; ++c) {
     const Contact deepest = contacts[c];

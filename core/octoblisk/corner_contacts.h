@@ -9,9 +9,10 @@
 
 namespace octoblisk {
 
-/// Appends to the contacts of a mesh (A) and a convex body (B) those of the body's corners (Convex::points)
-/// that are over, or in, a triangle of one of the contacts whose normal is the triangle's, no farther from it
-/// than `threshold`. Contacts are in the mesh's frame. Where `contacts` has the room, allocates nothing.
+/// Appends to the contacts of a mesh (A) and a convex body (B) those of the body's corners (Convex::points;
+/// the ends of a capsule) that are over, or in, a triangle of one of the contacts whose normal is the
+/// triangle's, no farther from it than `threshold`. Contacts are in the mesh's frame. Where `contacts` has
+/// the room, allocates nothing.
 void addCornerContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                        double threshold, std::vector<Contact>& contacts);
 

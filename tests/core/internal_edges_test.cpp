@@ -103,5 +103,30 @@ TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
   }
 }
 
+TEST(CornerContacts, aLyingCapsuleRestsOnBothEnds) {
+  const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(10, 0.0, 1));  // two triangles
+  std::mt19937_64 random(95);
+  int ends_found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double radius = 0.3, turn = uniform(random, 0, 6.3);
+    const Vec3 middle(uniform(random, -4, 4), uniform(random, -4, 4), radius + uniform(random, -0.01, 0.01));
+    const Vec3 half(0.5 * std::cos(turn), 0.5 * std::sin(turn), 0.0);
+    const ConvexHull capsule({middle - half, middle + half}, radius);
+    std::vector<Contact> found;
+    contacts(floor, capsule, Pose(), 0.02, found);
+    addCornerContacts(floor.mesh(), capsule, Pose(), 0.02, found);
+    for (const Vec3& end : capsule.points()) {
+      const auto below = std::ranges::find_if(found, [&](const Contact& contact) {
+        return (contact.point_on_b - (end - Vec3(0, 0, radius))).norm() < 1e-6;
+      });
+      ASSERT_NE(below, found.end()) << "case " << i;
+      ASSERT_NEAR(below->distance, end.z() - radius, 1e-9);
+      ASSERT_NEAR(below->normal.z(), -1.0, 1e-9);
+      ++ends_found;
+    }
+  }
+  EXPECT_EQ(ends_found, 200);
+}
+
 }  // namespace
 }  // namespace octoblisk
