@@ -100,14 +100,14 @@ Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<c
 class LocalBounds {
  public:
   LocalBounds(const Eigen::Matrix3f& axes, const Eigen::Vector3f& origin) : axes_(axes), origin_(origin) {
-    for (int k = 0; k < 3; ++k) to_local_[k].head<3>() = axes.row(k).transpose().array();
+    for (int k = 0; k < 3; ++k) to_local_.col(k).head<3>() = axes.row(k).transpose().array();
   }
 
   void extend(const TriangleRecord& record) {
     for (const Eigen::Vector3f& vertex : record.vertices) {
       const Eigen::Vector3f offset = vertex - origin_;
       const Eigen::Array4f local =
-          to_local_[0] * offset[0] + to_local_[1] * offset[1] + to_local_[2] * offset[2];
+          to_local_.col(0) * offset[0] + to_local_.col(1) * offset[1] + to_local_.col(2) * offset[2];
       low_ = low_.min(local);
       high_ = high_.max(local);
     }
@@ -125,7 +125,7 @@ class LocalBounds {
   Eigen::Matrix3f axes_;
   Eigen::Vector3f origin_;
   // Four components, so that the compiler uses vectors; the last is 0.
-  Eigen::Array4f to_local_[3] = {Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};
+  Eigen::Array<float, 4, 3> to_local_ = Eigen::Array<float, 4, 3>::Zero();
   Eigen::Array4f low_ = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity());
   Eigen::Array4f high_ = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
 };

@@ -153,7 +153,8 @@ ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, const
 
 ClusteredOctree::ClusteredOctree(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<OwnedArrays> owned,
                                  BuildOptions options)
-    : ClusteredOctree(std::move(mesh), owned->view(), nullptr, owned, std::move(options)) {}
+    // In braces, so that the view is taken before the owner moves on.
+    : ClusteredOctree{std::move(mesh), owned->view(), nullptr, std::move(owned), std::move(options)} {}
 
 ClusteredOctree ClusteredOctree::over(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
                                       std::shared_ptr<const void> owner, const BuildOptions& options) {

@@ -24,7 +24,7 @@ struct TrianglePair {
   std::uint32_t a = kNoTriangle;
   std::uint32_t b = kNoTriangle;
   bool operator==(const TrianglePair&) const = default;
-  auto operator<=>(const TrianglePair&) const = default;
+  auto operator<=>(const TrianglePair&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 }  // namespace octoblisk

@@ -22,7 +22,7 @@ DetectionRange detectionRange(const TriangleMesh& mesh, const PartClusterOptions
   centroids.reserve(mesh.triangleCount());
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto [a, b, c] = mesh.triangle(t);
-    centroids.push_back((a + b + c) / 3.0);
+    centroids.emplace_back((a + b + c) / 3.0);
   }
   DetectionRange range;
   for (const std::vector<TriangleSet>& part : partClusters(centroids, options)) {

@@ -54,13 +54,14 @@ class PaperPartitioner {
   PaperPartitioner(std::span<const TriangleRecord> records, const PaperPartitionOptions& options)
       : options_(options) {
     centroids_.reserve(records.size());
-    for (const TriangleRecord& record : records) centroids_.push_back(record.centroid.cast<double>());
+    for (const TriangleRecord& record : records) centroids_.emplace_back(record.centroid.cast<double>());
   }
 
   Cell divide() const {
     std::vector<Cell> parts;
     for (const std::vector<TriangleSet>& part : partClusters(centroids_, options_.parts)) {
       std::vector<Cell> cells;
+      cells.reserve(part.size());
       for (const TriangleSet& cluster : part) cells.push_back(divideCluster(cluster));
       parts.push_back(enclose(std::move(cells)));
     }

@@ -36,6 +36,7 @@ std::vector<std::vector<TriangleSet>> partClusters(std::span<const Vec3> centroi
   std::map<int, TriangleSet> parts;
   for (std::uint32_t t = 0; t < centroids.size(); ++t) parts[part_of.empty() ? 0 : part_of[t]].push_back(t);
   std::vector<std::vector<TriangleSet>> clusters;
+  clusters.reserve(parts.size());
   for (const auto& [number, part] : parts) clusters.push_back(clustersOf(part, centroids, options));
   return clusters;
 }

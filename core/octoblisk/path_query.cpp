@@ -33,7 +33,7 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
   if (provedBeyond(options.upper_bound, b_in_a)) return {.distance = options.upper_bound};
   DistanceOptions hinted = options;
   if (witness_.a != kNoTriangle) hinted.hint = witness_;
-  const Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
+  Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
   if (found.found()) {
     witness_ = {found.triangle_a, found.triangle_b};
     nodes_ = NodePair();

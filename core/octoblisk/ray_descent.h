@@ -17,7 +17,7 @@ namespace octoblisk {
 /// above 0, so that their bits are in the order of their values.
 class RayTask {
  public:
-  RayTask() {}  // not set: there are many of them
+  RayTask() {}  // NOLINT(modernize-use-equals-default): not set, by {} neither: there are many of them
   RayTask(float reach, Slot slot)
       : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
@@ -92,15 +92,15 @@ class RayDescent {
       here = {index, static_cast<std::uint32_t>(std::countr_zero(entered))};
       return true;
     }
-    const auto next = [&]() HWY_ATTR {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
-      entered &= entered - 1;
+    const auto take = [&](unsigned& lanes) HWY_ATTR {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      lanes &= lanes - 1;
       return RayTask(reaches[lane], {index, lane});
     };
-    RayTask nearest = next();
+    RayTask nearest = take(entered);
     const std::size_t first = count_;
     while (entered != 0) {
-      RayTask task = next();
+      RayTask task = take(entered);
       if (task < nearest) std::swap(task, nearest);
       prefetch(task.slot());
       std::size_t place = count_++;

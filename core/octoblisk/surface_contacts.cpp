@@ -120,7 +120,10 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
     const auto [first, second] = endsOf(feature);
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
-    for (const auto [key, o] : std::ranges::equal_range(corners_, keyOf(own[first]), {}, &Corner::key)) {
+    const double key = keyOf(own[first]);
+    for (auto corner = std::ranges::lower_bound(corners_, key, {}, &Corner::key);
+         corner != corners_.end() && corner->key == key; ++corner) {
+      const std::uint32_t o = corner->contact;
       const Contact& other = contacts[o];
       // What is wholly past the face is deeper than what meets it.
       const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size

@@ -177,7 +177,7 @@ PointPair closestPairAtOrigin(const Triangle& a, const Triangle& b) {
 /// The closest points of two triangles that do not meet. Found near the origin, so that the distance is
 /// right to the triangles' size however far away they are.
 PointPair closestPair(const Triangle& a, const Triangle& b) {
-  const Vec3 origin = a[0];
+  const Vec3& origin = a[0];
   PointPair found = closestPairAtOrigin({Vec3::Zero(), a[1] - origin, a[2] - origin},
                                         {b[0] - origin, b[1] - origin, b[2] - origin});
   found.on_a += origin;

@@ -20,7 +20,7 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
   corners.clear();
   switch (shape.getShapeType()) {
     case SPHERE_SHAPE_PROXYTYPE:
-      corners.push_back(Vec3::Zero());
+      corners.emplace_back(Vec3::Zero());
       break;
     case CAPSULE_SHAPE_PROXYTYPE: {
       const auto& capsule = static_cast<const btCapsuleShape&>(shape);
@@ -32,7 +32,7 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
       const Vec3 half = fromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
       for (const double x : {-1.0, 1.0}) {
         for (const double y : {-1.0, 1.0}) {
-          for (const double z : {-1.0, 1.0}) corners.push_back(half.cwiseProduct(Vec3(x, y, z)));
+          for (const double z : {-1.0, 1.0}) corners.emplace_back(half.cwiseProduct(Vec3(x, y, z)));
         }
       }
       break;
@@ -41,7 +41,7 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
       const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
       for (int i = 0; i < hull.getNumPoints(); ++i)
-        corners.push_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
+        corners.emplace_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
       break;
     }
     default:
