@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "models/quoted_text.h"
 #include "report/annotation.h"
 #include "report/picture.h"
 
@@ -119,7 +120,7 @@ AccessSummary accessSummaryOfTally(const std::string& tally) {
     is_right = !words.fail() && std::getline(words, what);
     summary.in_the_way[what] += times;
   }
-  if (!is_right) throw std::invalid_argument("has a tally of no accessibility map: " + tally);
+  if (!is_right) throw std::invalid_argument("has a tally of no accessibility map: " + inQuotes(tally));
   return summary;
 }
 

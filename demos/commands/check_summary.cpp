@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "models/quoted_text.h"
 #include "paper/number_text.h"
 #include "study/exact_number.h"
 
@@ -71,7 +72,7 @@ CheckSummary summaryOfTally(const std::string& tally) {
     is_right = (name == kLeastWord || name == kGreatestWord) && words >> extreme.value >> extreme.pose;
     (name == kLeastWord ? summary.least_clearance : summary.greatest_depth) = extreme;
   }
-  if (!is_right) throw std::invalid_argument("has a tally of no check: " + tally);
+  if (!is_right) throw std::invalid_argument("has a tally of no check: " + inQuotes(tally));
   return summary;
 }
 

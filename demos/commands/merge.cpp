@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "access/access_report.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
+#include "models/quoted_text.h"
 #include "study/merge_parts.h"
 
 namespace octoblisk::demos {
@@ -20,6 +22,16 @@ struct MergeRequest {
   std::vector<std::string> parts;
   std::string out;
 };
+
+void checkPart(const PartText& part) {
+  if (part.study.name == kCheckName) {
+    for (const GroupInText& group : part.groups) summaryOfTally(group.tally);
+  }
+  if (part.study.name == kAccessName) {
+    questionOfLine(part.study.options);
+    for (const GroupInText& group : part.groups) accessSummaryOfTally(group.tally);
+  }
+}
 
 /// Tells what the study's own subcommand does, and returns its exit code.
 int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
@@ -34,7 +46,7 @@ int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
     finishAccess(out, question, true);
     return exit_code;
   }
-  std::cout << merged.study.items << " items of a study by " << merged.study.name << '\n';
+  std::cout << merged.study.items << " items of a study by " << inQuotes(merged.study.name) << '\n';
   return 0;
 }
 
@@ -57,7 +69,7 @@ void addMergeCommand(CLI::App& app, int& exit_code) {
       "is written then, and one of an earlier run stays as it was.");
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
-    exit_code = tellStudy(mergeParts(parts, request->out), request->out);
+    exit_code = tellStudy(mergeParts(parts, request->out, checkPart), request->out);
   });
 }
 

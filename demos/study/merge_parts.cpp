@@ -10,7 +10,6 @@
 #include "octoblisk/tree_file.h"
 #include "study/new_file.h"
 #include "study/part_text.h"
-#include "study/run_study.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -34,12 +33,13 @@ std::string itemsText(ItemRange items) {
   return "items " + std::to_string(items.begin) + " to " + std::to_string(items.end);
 }
 
-PartFile openPart(const std::filesystem::path& path) {
+PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
   PartFile file{path.string(), nullptr, {}};
   openForReading(path);  // which tells better what is wrong
   file.mapped = std::make_unique<const MappedFile>(path);
   try {
     file.part = readPart(file.text());
+    if (check) check(file.part);
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }
@@ -88,10 +88,11 @@ void requireWhole(const std::vector<PartFile>& files) {
 
 }  // namespace
 
-MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const std::string& out) {
+MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const std::string& out,
+                       const CheckPart& check) {
   requireNotRead(out, parts);
   std::vector<PartFile> files;
-  for (const std::filesystem::path& path : parts) files.push_back(openPart(path));
+  for (const std::filesystem::path& path : parts) files.push_back(openPart(path, check));
   if (files.empty()) throw std::runtime_error(out + ": there are no parts to make it of");
   requireSameStudy(files);
   std::ranges::stable_sort(files, {}, [](const PartFile& file) { return file.part.items.begin; });

@@ -16,6 +16,18 @@ bool isDevice(const std::filesystem::path& file) {
          !std::filesystem::is_directory(status);
 }
 
+void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
+  for (const std::filesystem::path& input : files_read) {
+    std::error_code ignored;  // there is no such file yet
+    if (std::filesystem::equivalent(out, input, ignored)) {
+      throw std::runtime_error(out + ": cannot be both read and written");
+    }
+  }
+  if (out == "-") {
+    throw std::runtime_error("-: the summary goes to standard output, the result to a file: name one");
+  }
+}
+
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), written_(file_) {
   if (std::filesystem::is_directory(file_)) {
     throw std::runtime_error(file_.string() + ": this is a folder, not a file");

@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace octoblisk::demos {
 
@@ -16,6 +18,9 @@ using OpenFile = std::unique_ptr<std::FILE, FileCloser>;
 /// Whether there is something of this name that is no file on a disk, e.g. a pipe: it can be written to, but
 /// not be replaced.
 bool isDevice(const std::filesystem::path& file);
+
+/// Throws std::runtime_error naming the file where it is one of those read, or "-".
+void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
 
 /// Writes to a new file in the same folder, which takes the name when all is written; to a device directly.
 class NewFile {

@@ -80,6 +80,12 @@ class TextParts {
   bool failed_ = false;
 };
 
+/// Names are told in messages.
+bool isWord(std::string_view name) {
+  return !name.empty() &&
+         std::ranges::all_of(name, [](char letter) { return letter > ' ' && letter <= '~'; });
+}
+
 std::vector<ItemRange> answeredItems(const PartText& part) {
   std::vector<ItemRange> answered;
   for (const GroupInText& group : part.groups) answered.push_back(group.items);
@@ -151,13 +157,16 @@ PartText readPart(std::string_view text) {
   parts.skip("# study ").upTo('\n', study.name);
   parts.skip("# items ").number(part.items.begin).skip(" to ").number(part.items.end).skip(" of ");
   parts.number(study.items).skip(", in groups of ").number(study.group).skip("\n");
+  bool are_words = true;
   while (parts.beginsWith("# input ")) {
     StudyInput input;
     parts.skip("# input ").upTo(' ', input.name).hex(input.fingerprint).skip("\n");
+    are_words = are_words && isWord(input.name);
     study.inputs.push_back(input);
   }
   parts.skip("# options ").upTo('\n', study.options).upTo('\n', study.columns);
-  if (parts.failed()) throw std::invalid_argument("is no part of a study: its head is damaged or cut off");
+  if (parts.failed() || !are_words)
+    throw std::invalid_argument("is no part of a study: its head is damaged or cut off");
   if (study.group == 0 || part.items.begin > part.items.end || part.items.end > study.items) {
     throw std::invalid_argument("is no part of a study: its head tells of impossible items");
   }

@@ -29,18 +29,6 @@ void requireSameAtAll(Ranks& ranks, const std::string& head) {
 
 }  // namespace
 
-void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
-  for (const std::filesystem::path& input : files_read) {
-    std::error_code ignored;  // there is no such file yet
-    if (std::filesystem::equivalent(out, input, ignored)) {
-      throw std::runtime_error(out + ": cannot be both read and written");
-    }
-  }
-  if (out == "-") {
-    throw std::runtime_error("-: the summary goes to standard output, the result to a file: name one");
-  }
-}
-
 StudyOutcome runStudy(const Study& study, const StudyTarget& target,
                       const std::vector<std::filesystem::path>& files_read, Ranks& ranks,
                       const AnswerItems& answer) {

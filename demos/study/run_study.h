@@ -37,7 +37,4 @@ StudyOutcome runStudy(const Study& study, const StudyTarget& target,
                       const std::vector<std::filesystem::path>& files_read, Ranks& ranks,
                       const AnswerItems& answer);
 
-/// Throws std::runtime_error naming the file where it is one of those read, or "-".
-void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
-
 }  // namespace octoblisk::demos

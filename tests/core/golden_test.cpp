@@ -11,6 +11,7 @@
 #include "core/only_targets.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/closest_point.h"
+#include "octoblisk/clusters_near.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
@@ -20,8 +21,10 @@
 #include "octoblisk/k_means.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/raycast.h"
+#include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
 #include "octoblisk/tree_blob.h"
+#include "shared/mesh_source.h"
 
 namespace octoblisk {
 namespace {
@@ -44,8 +47,12 @@ const std::vector<Golden> kGolden = {
     {"refit", 0x92976be164151401u},
     {"collide", 0xb26d2f877a3cbb3bu},
     {"collide with a soup", 0x60f3a3c57a5449bbu},
+    {"touching pairs", 0xe1041353fecff6c5u},
+    {"touching pairs with a soup", 0x5bd1d512cd2585d6u},
     {"contacts", 0xb36e19ff854bcb3fu},
     {"contacts with a soup", 0x78eddf4b86c8b69bu},
+    {"contacts of a source", 0x6e82fb0fffdae8a9u},
+    {"clusters near", 0x24d4d8a04287b03au},
     {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
     {"distance", 0x59aa96b2d8416f72u},
     {"rays", 0x1547be03d967fea6u},
@@ -111,6 +118,17 @@ std::uint64_t hashOfCollide(const Scene& scene, const ClusteredOctree& a, const 
   return answers.hash();
 }
 
+std::uint64_t hashOfTouchingPairs(const Scene& scene, const ClusteredOctree& a, const ClusteredOctree& b) {
+  Answers answers;
+  std::vector<TrianglePair> pairs;
+  for (const Pose& pose : scene.poses) {
+    touchingPairs(a, b, pose, pairs);
+    answers.add(std::uint64_t{pairs.size()});
+    for (const TrianglePair& pair : pairs) answers.add(std::uint64_t{pair.a} << 32 | pair.b);
+  }
+  return answers.hash();
+}
+
 std::uint64_t hashOfContacts(const Scene& scene, const ClusteredOctree& a, const ClusteredOctree& b) {
   Answers answers;
   std::vector<Contact> found;
@@ -118,6 +136,40 @@ std::uint64_t hashOfContacts(const Scene& scene, const ClusteredOctree& a, const
     contacts(a, b, pose, 0.05, found);
     for (const Contact& contact : found) add(answers, contact);
   }
+  return answers.hash();
+}
+
+std::uint64_t hashOfSourceContacts(const Scene& scene, const ClusteredOctree& a, const TriangleMesh& b) {
+  Answers answers;
+  const testing::MeshSource source(b);
+  SourceContacts query;
+  std::vector<Contact> found;
+  for (const Pose& pose : scene.poses) {
+    query.find(a, source, pose, 0.05, found);
+    for (const Contact& contact : found) {
+      add(answers, contact);
+      answers.add(static_cast<std::uint64_t>(query.triangle(contact.triangle_b).index));
+    }
+  }
+  return answers.hash();
+}
+
+/// Of all depths, and how many of the answers are yes.
+std::uint64_t hashOfClustersNear(const Scene& scene, const ClusteredOctree& a, const ClusteredOctree& b,
+                                 double& near) {
+  Answers answers;
+  int yes = 0, asked = 0;
+  for (const Pose& pose : scene.poses) {
+    for (int depth = 0; depth <= 5; ++depth) {
+      const Obb box{pose.translation, pose.rotation, Vec3(0.4, 0.1, 0.05)};
+      for (const bool answer : {clustersNear(a, b, pose, 0.02, depth), clustersNear(a, box, 0.02, depth)}) {
+        answers.add(std::uint64_t{answer});
+        yes += answer;
+        ++asked;
+      }
+    }
+  }
+  near = static_cast<double>(yes) / asked;
   return answers.hash();
 }
 
@@ -219,6 +271,7 @@ std::vector<Golden> goldenOf(const Scene& scene, int threads, std::size_t& hits)
   const ClusteredOctree ball = ClusteredOctree::build(scene.ball), knob = ClusteredOctree::build(scene.knob),
                         soup = ClusteredOctree::build(scene.soup);
   std::size_t hits_of_knob, hits_of_soup;
+  double near = 0.0;
   std::vector<Golden> found = {
       {"trees", hashOfTrees(scene, {}, threads)},
       {"fast trees", hashOfTrees(scene, fast, threads)},
@@ -227,8 +280,12 @@ std::vector<Golden> goldenOf(const Scene& scene, int threads, std::size_t& hits)
       {"refit", hashOfRefit(scene, ball, threads)},
       {"collide", hashOfCollide(scene, ball, knob, threads, hits_of_knob)},
       {"collide with a soup", hashOfCollide(scene, soup, knob, threads, hits_of_soup)},
+      {"touching pairs", hashOfTouchingPairs(scene, ball, knob)},
+      {"touching pairs with a soup", hashOfTouchingPairs(scene, soup, knob)},
       {"contacts", hashOfContacts(scene, ball, knob)},
       {"contacts with a soup", hashOfContacts(scene, soup, knob)},
+      {"contacts of a source", hashOfSourceContacts(scene, soup, *scene.knob)},
+      {"clusters near", hashOfClustersNear(scene, ball, knob, near)},
       {"contacts of convex bodies", hashOfConvexContacts(scene, ball)},
       {"distance", hashOfDistance(scene, ball, knob, threads)},
       {"rays", hashOfRays(scene, soup)},
@@ -236,6 +293,8 @@ std::vector<Golden> goldenOf(const Scene& scene, int threads, std::size_t& hits)
       {"sweeps", hashOfSweeps(scene, ball, knob)},
       {"solids", hashOfSolids(scene, ball, knob)},
   };
+  EXPECT_GT(near, 0.3);
+  EXPECT_LT(near, 0.9);
   hits = hits_of_knob;
   return found;
 }

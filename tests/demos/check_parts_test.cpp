@@ -5,7 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
+
+#include "study/part_text.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -84,6 +87,29 @@ TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
   EXPECT_FALSE(exists("merged.csv"));
   EXPECT_FALSE(exists("out.csv"));
   EXPECT_FALSE(exists("out.csv.partial"));
+}
+
+/// Checksums are no proof that octoblisk wrote it.
+TEST_F(CheckParts, PartsOfRightChecksumsAndWrongWordsAreRefused) {
+  const auto merge = [&](const Study& study, const std::string& tally) {
+    const std::string head = headOf(study, {0, 1});
+    folder_.write("part", head + textOf({{0, 1}, "0,0,,\n", tally}, head));
+    return run("merge part --out merged.csv");
+  };
+  Study study{"check", "pose,colliding,triangle_fixed,triangle_moving", 1, 64, {{"fixed", 1}}, "none"};
+  EXPECT_EQ(merge(study, "1 0 0 0 0 0").exit_code, 0);
+  ASSERT_TRUE(std::filesystem::remove(folder_.path() / "merged.csv"));
+  EXPECT_EQ(merge(study, "1 0 0 0 0 least\x1b").error,
+            "octoblisk: part: has a tally of no check: '1 0 0 0 0 least?'\n");
+  for (const std::string name : {"", "fix\ned", "\x1b[2J"}) {
+    study.inputs[0].name = name;
+    EXPECT_EQ(merge(study, "1 0 0 0 0 0").error,
+              "octoblisk: part: is no part of a study: its head is damaged or cut off\n");
+  }
+  study.inputs[0].name = "fixed";
+  study.name = "access";
+  EXPECT_EQ(merge(study, "1 0 0").error, "octoblisk: part: has options of no accessibility map: 'none'\n");
+  EXPECT_FALSE(exists("merged.csv"));
 }
 
 TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
