@@ -88,7 +88,12 @@ std::string replaced(const std::string& text, const std::string& part, const std
 /// Runs lines for a shell in a folder, where `octoblisk` is ours.
 Outcome runScript(const ScratchFolder& folder, const std::string& script) {
   const std::string path = std::filesystem::path(OCTOBLISK_COMMAND).parent_path().string();
-  folder.write("script.sh", "export PATH='" + path + "':\"$PATH\" LSAN_OPTIONS='suppressions=" +
+  // Whoever the user is, and however many processors the machine has.
+  const std::string mpi =
+      "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+      "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_vader_single_copy_mechanism=none "
+      "OMPI_MCA_btl=self,vader\n";
+  folder.write("script.sh", mpi + "export PATH='" + path + "':\"$PATH\" LSAN_OPTIONS='suppressions=" +
                                 OCTOBLISK_LEAK_SUPPRESSIONS ":print_suppressions=0'\n" + script);
   const std::string command =
       "cd '" + folder.path().string() + "' && sh -eu script.sh >stdout.txt 2>stderr.txt </dev/null";
