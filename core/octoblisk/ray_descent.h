@@ -127,7 +127,8 @@ class RayDescent {
     }
   }
 
-  /// What exact tests read: two steps of indirection, which the test in single precision can hide.
+  /// What exact tests read: two steps of indirection, which the test in single precision can hide. That of a
+  /// compact tree reads the same itself.
   HWY_INLINE void prefetchExact(std::span<const std::uint32_t> triangles) const {
     const TriangleMesh& mesh = tree_.mesh();
     for (const std::uint32_t triangle : triangles) {
@@ -144,7 +145,7 @@ class RayDescent {
     LeafVertices corners;
     const ShearedRay sheared(local_, boxesAt(tree_, slot, room), slot.lane);
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
-    prefetchExact(triangles);
+    if (!tree_.isCompact()) prefetchExact(triangles);
     const unsigned in_leaf = (1u << triangles.size()) - 1;
     unsigned crossed =
         mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;

@@ -3,9 +3,10 @@
 #include <benchmark/benchmark.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "demos/scratch_folder.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -15,18 +16,15 @@ void rest(benchmark::State& state) {
 }
 
 TEST(Session, googlesFileIsJsonThatNamesTheProgram) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "octoblisk_session";
-  std::filesystem::create_directories(folder);
-  const std::filesystem::path out = folder / "google-50k.json";
-  std::filesystem::remove(out);
+  const demos::ScratchFolder folder;
   const SessionOptions options{
       .quick = true,
-      .of_google = {"some/bench_rest", "--benchmark_out=" + (folder / "google.json").string()}};
+      .of_google = {"some/bench_rest", "--benchmark_out=" + (folder.path() / "google.json").string()}};
   const Session session(options, "50k");
   benchmark::RegisterBenchmark("rest", rest)->Iterations(1);
   session.run();
 
-  std::ifstream file(out);
+  std::ifstream file(folder.path() / "google-50k.json");
   const nlohmann::json google = nlohmann::json::parse(file);  // throws on bytes that are not UTF-8
   EXPECT_EQ(google.at("context").at("executable"), "some/bench_rest");
   ASSERT_EQ(google.at("benchmarks").size(), 1u);
