@@ -148,11 +148,14 @@ LogLogPlot growthPlot(const Rows& all, const Growth& growth) {
   std::ranges::stable_sort(rows, {}, [](const Row& row) { return number(row, "size"); });
   for (const std::string& contender : valuesOf(rows, "contender")) {
     Curve curve{.name = contender};
+    bool has_wrong = false;
     for (const Row& row : rows) {
       if (row.value("contender", "") != contender) continue;
       curve.x.push_back(number(row, "size"));
       curve.y.push_back(number(row, "mean_us"));
+      has_wrong |= row.value("differences", 0) > 0;
     }
+    if (has_wrong) curve.name += '*';
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -236,7 +239,8 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
       "cell is "
       "the mean time of a\nquestion · its ratio to ours in the same run, bold where the contender is faster "
       "(how "
-      "many answers differ from the\nreference).\n\n## Where they were taken\n\n" +
+      "many answers differ from the\nreference); in what is told of growth a * marks who has some that "
+      "differ.\n\n## Where they were taken\n\n" +
       machineText(context);
   const auto section = [&](const std::string& title, const std::string& table) {
     if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';

@@ -69,8 +69,9 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, 
   } else {
     std::cout << "ground blade " << blade << " of " << input.blades.count;
   }
-  std::cout << ": " << repair.interferedBefore() << " interfered, " << repair.posesLeft() << " and "
-            << repair.movesLeft() << " moves between free poses are left\n";
+  std::cout << ": " << repair.interferedBefore() << " interfered; left: " << repair.posesLeft()
+            << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.movesLeft()
+            << (repair.movesLeft() == 1 ? " move" : " moves") << " between free poses\n";
   if (repair.changed() > 0) tellChanges(repair);
   constexpr std::size_t kMost = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts);

@@ -38,7 +38,12 @@ NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), written_(
     written_ += ".new" + std::to_string(::getpid());
   }
   open_.reset(std::fopen(written_.c_str(), "wb"));
-  if (!open_) throw std::runtime_error(file_.string() + ": cannot be written");
+  if (open_) return;
+  const std::filesystem::path folder = file_.parent_path();
+  throw std::runtime_error(file_.string() + ": cannot be written" +
+                           (folder.empty() || std::filesystem::is_directory(folder)
+                                ? std::string()
+                                : ", as there is no folder " + folder.string()));
 }
 
 NewFile::~NewFile() {

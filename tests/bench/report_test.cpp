@@ -77,7 +77,8 @@ TEST(ResultsPage, fitsHowFastThingsGrow) {
     rows.push_back(row("growth-ray", scene, "octoblisk", 0.01 * std::sqrt(size), 1.0));
     rows.back()["size"] = size;
   }
-  const LogLogPlot plot = growthPlot(rows, {"growth-ray", "", "rays", "triangles"});
+  const Growth growth = {"growth-ray", "", "rays", "triangles"};
+  const LogLogPlot plot = growthPlot(rows, growth);
   ASSERT_EQ(plot.curves.size(), 1u);
   EXPECT_EQ(plot.curves[0].x, std::vector<double>({1e4, 1e5, 1e6}));  // sorted, without the belt's
   EXPECT_NE(growthTable(plot).find("| octoblisk | 10,000 | 1,000,000 | 1.0 µs | 10 µs | 0.50 |"),
@@ -86,6 +87,8 @@ TEST(ResultsPage, fitsHowFastThingsGrow) {
   const std::string script = gnuplotScript(plot, "it's.svg");
   EXPECT_NE(script.find("'it''s.svg'"), std::string::npos);
   EXPECT_NE(script.find("octoblisk: ^0.50"), std::string::npos);
+  rows[1]["differences"] = 2;
+  EXPECT_EQ(growthPlot(rows, growth).curves[0].name, "octoblisk*");
 }
 
 TEST(ResultsPage, tellsHowFarOursIsFromTheBound) {

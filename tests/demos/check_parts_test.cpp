@@ -75,7 +75,7 @@ TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
-                  "missing/out.csv: cannot be written\n");
+                  "missing/out.csv: cannot be written, as there is no folder missing\n");
     expectRefused(check_.substr(6) + options + "--out .", ".: this is a folder");
     expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: cannot be both");
   }

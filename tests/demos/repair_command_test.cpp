@@ -69,7 +69,7 @@ TEST_F(RepairCommand, grindRepairGrindOfTheDefaultBliskEndsClean) {
   // What is free already stays as it is.
   const Outcome again = run("repair --path repaired/path.csv --ground-blade 1 --out again");
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_THAT(again.out, HasSubstr(": 0 interfered, 0 and 0 moves between free poses are left"));
+  EXPECT_THAT(again.out, HasSubstr(": 0 interfered; left: 0 poses, 0 moves between free poses"));
   EXPECT_THAT(again.out, ::testing::Not(HasSubstr("Changed:")));
 }
 
