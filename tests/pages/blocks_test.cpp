@@ -314,6 +314,7 @@ TEST(Pages, StudiesAreShared) {
   const std::string whole = contentOf(folder.path() / "RESULT.csv"),
                     asked = without(plain, " --out RESULT.csv").substr(16);
   EXPECT_EQ(std::ranges::count(whole, '\n'), 1001);
+  std::filesystem::remove(folder.path() / "RESULT.csv");
   for (const CodeBlock& block : blocksOf(Kind::study)) {
     std::istringstream lines(replaced(block.text, "…", asked));
     for (std::string line; std::getline(lines, line);) {
