@@ -21,8 +21,8 @@ std::vector<std::string> pagesOf(const std::filesystem::path& project) {
   std::filesystem::recursive_directory_iterator entry(project), end;
   for (; entry != end; ++entry) {
     const std::filesystem::path name = entry->path().filename();
-    if (entry->is_directory() &&
-        (name == "build" || name == "out" || name == "node_modules" || name == ".git")) {
+    if (entry->is_directory() && (entry->path() == OCTOBLISK_BINARY_DIR || name == "build" || name == "out" ||
+                                  name == "node_modules" || name == ".git")) {
       entry.disable_recursion_pending();
     } else if (name.extension() == ".md") {
       pages.push_back(std::filesystem::relative(entry->path(), project).generic_string());
