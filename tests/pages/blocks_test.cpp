@@ -98,8 +98,13 @@ Outcome runScript(const ScratchFolder& folder, const std::string& script) {
   return demos::outcomeOf(std::system(command.c_str()), folder.path());
 }
 
+/// Exit code 0; or 1 where the last call of octoblisk is one that may find interference.
 void expectDone(const ScratchFolder& folder, const std::string& script) {
-  EXPECT_LE(runScript(folder, script).exit_code, 1) << script;  // interference is a finding
+  const std::set<std::string> studies = {"access", "check", "grind", "merge", "repair"};
+  const std::vector<std::string> commands = found(script, "octoblisk ([a-z]+)");
+  const demos::ExitCode exit_code = runScript(folder, script).exit_code;
+  EXPECT_TRUE(exit_code == 0 || (exit_code == 1 && !commands.empty() && studies.contains(commands.back())))
+      << script << "\nexit code " << exit_code;
 }
 
 TEST(Pages, HaveNoBlocksButThoseThatAreTested) {
@@ -280,7 +285,7 @@ TEST(Pages, SynopsesHold) {
     if (long_commands.contains(command) && !commands_run.insert(command).second) {
       expectLackOfFile(folder, replaced(call, "small.stl", "missing.stl"));
     } else {
-      EXPECT_LE(runScript(folder, withoutPictures(call)).exit_code, 1);
+      expectDone(folder, withoutPictures(call));
     }
   }
 }
@@ -324,8 +329,8 @@ TEST(Pages, StudiesAreShared) {
       SCOPED_TRACE(line);
       std::string script = line + "\n";
       if (line.find("SLURM") != std::string::npos) {
-        script = "set +e\nfor SLURM_ARRAY_TASK_ID in $(seq 12); do " + line.substr(0, line.find('#')) +
-                 "; done\ntrue\n";
+        script = "for SLURM_ARRAY_TASK_ID in $(seq 12); do " + line.substr(0, line.find('#')) +
+                 "|| test $? = 1; done\n";
       }
 #ifndef OCTOBLISK_WITH_MPI
       if (line.starts_with("mpirun ")) continue;
