@@ -19,6 +19,7 @@ namespace {
 using demos::contentOf;
 using demos::Outcome;
 using demos::ScratchFolder;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string without(const std::string& text, const std::string& part) { return replaced(text, part, ""); }
@@ -124,7 +125,7 @@ TEST(Pages, ExamplesRun) {
 TEST(Pages, StudiesAreShared) {
   const ScratchFolder folder;
   std::string poses = "x,y,z,qw,qx,qy,qz\n";
-  for (int i = 0; i < 1000; ++i) poses += "0,0," + std::to_string(0.01 * i) + ",1,0,0,0\n";
+  for (int i = 0; i < 1000; ++i) poses += std::to_string(-0.01 * i) + ",0,0,1,0,0,0\n";
   folder.write("poses.csv", poses);
   ASSERT_EQ(
       runScript(folder, "octoblisk make contact-wheel --out small.stl; octoblisk make arm --out belt.stl")
@@ -139,6 +140,7 @@ TEST(Pages, StudiesAreShared) {
   const std::string whole = contentOf(folder.path() / "RESULT.csv"),
                     asked = without(without(plain, " --out RESULT.csv"), "octoblisk check ");
   EXPECT_EQ(std::ranges::count(whole, '\n'), 1001);
+  EXPECT_THAT(whole, AllOf(HasSubstr(",0,"), HasSubstr(",1,")));
   std::filesystem::remove(folder.path() / "RESULT.csv");
   for (const CodeBlock& block : blocksOf(Kind::study)) {
     std::istringstream lines(replaced(replaced(block.text, "/100 ", "/12 "), "…", asked));
