@@ -5,14 +5,24 @@
 #include <stdexcept>
 
 namespace octoblisk::pages {
+namespace {
+
+/// Of a line outside of fences: whether Markdown, but not codeBlocksOf, takes it for code.
+bool isOtherCode(const std::string& line) {
+  const std::size_t blanks = std::min(line.find_first_not_of(" \t"), line.size());
+  const std::string rest = line.substr(blanks);
+  return line.find('\t') < blanks || rest.starts_with("~~~") || (blanks > 0 && rest.starts_with("```"));
+}
+
+}  // namespace
 
 std::vector<std::string> pagesOf(const std::filesystem::path& project) {
   std::vector<std::string> pages;
   std::filesystem::recursive_directory_iterator entry(project), end;
   for (; entry != end; ++entry) {
     const std::filesystem::path name = entry->path().filename();
-    if (entry->is_directory() &&
-        (name == "build" || name == "out" || name == "node_modules" || name == ".git")) {
+    if (entry->is_directory() && (entry->path() == OCTOBLISK_BINARY_DIR || name == "build" || name == "out" ||
+                                  name == "node_modules" || name == ".git")) {
       entry.disable_recursion_pending();
     } else if (name.extension() == ".md") {
       pages.push_back(std::filesystem::relative(entry->path(), project).generic_string());
@@ -35,6 +45,9 @@ std::vector<CodeBlock> codeBlocksOf(const std::filesystem::path& project, const 
       if (is_fenced) blocks.push_back({page, number, line.substr(fence.size()), {}});
     } else if (is_fenced) {
       blocks.back().text += line + '\n';
+    } else if (isOtherCode(line)) {
+      throw std::invalid_argument(page + ":" + std::to_string(number) +
+                                  ": code is set by ``` in the first column, or by four spaces");
     } else if (line.starts_with(indentation) && (is_indented || is_after_blank)) {
       if (!is_indented) blocks.push_back({page, number, {}, {}});
       is_indented = true;

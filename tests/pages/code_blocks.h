@@ -19,7 +19,8 @@ struct CodeBlock {
 /// All pages of the project: of its root and of the folders in it, but for what is built or not its own.
 std::vector<std::string> pagesOf(const std::filesystem::path& project);
 
-/// In order. Throws std::invalid_argument where a fence is not closed.
+/// In order. Throws std::invalid_argument, with page and line, on a fence that is not closed, that is
+/// indented or of tildes, and on a line behind a tab.
 std::vector<CodeBlock> codeBlocksOf(const std::filesystem::path& project, const std::string& page);
 
 }  // namespace octoblisk::pages

@@ -1,0 +1,166 @@
+// Every call of octoblisk that a page shows is run as it stands there, or with smaller inputs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pages/page_test.h"
+#include "pages/synopsis.h"
+
+namespace octoblisk::pages {
+namespace {
+
+using demos::contentOf;
+using demos::Outcome;
+using demos::ScratchFolder;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string without(const std::string& text, const std::string& part) { return replaced(text, part, ""); }
+
+/// Exit code 0; or 1 where the last call of octoblisk is one that may find interference.
+void expectDone(const ScratchFolder& folder, const std::string& script) {
+  const std::set<std::string> studies = {"access", "check", "grind", "merge", "repair"};
+  const std::vector<std::string> commands = found(script, "octoblisk ([a-z]+)");
+  const demos::ExitCode exit_code = runScript(folder, script).exit_code;
+  EXPECT_TRUE(exit_code == 0 || (exit_code == 1 && !commands.empty() && studies.contains(commands.back())))
+      << script << "\nexit code " << exit_code;
+}
+
+/// Small models, and a short path.
+void makeInputs(const ScratchFolder& folder) {
+  const std::string path = "octoblisk path --blisk small.stl --step-over 60 --pose-step 30 --out ";
+  ASSERT_EQ(runScript(folder,
+                      "octoblisk make blisk --triangles 10000 --out small.stl\n"
+                      "octoblisk make belt --stations 200 --out belt.stl\n"
+                      "octoblisk make grinder --out tool\n" +
+                          path + "poses.csv\n" + path + "poses.cl --format apt\n")
+                .exit_code,
+            0);
+}
+
+const std::vector<Placeholder> kPlaceholders = {{"", "DIR", "out"},
+                                                {"--out", "FILE", "out.stl"},
+                                                {"--blisk", "FILE", "small.stl"},
+                                                {"--blade", "FILE", "small.stl"},
+                                                {"--belt", "FILE", "belt.stl"},
+                                                {"", "A", "small.stl"},
+                                                {"", "B", "belt.stl"},
+                                                {"", "POSES.csv", "poses.csv"},
+                                                {"", "FILE.cl", "poses.cl"},
+                                                {"", "RESULT.csv", "RESULT.csv"},
+                                                {"", "TOOL.json", "tool/tool.json"},
+                                                {"", "x,y,z[,px,py,pz]", "0,0,1,0,0,20"},
+                                                {"--blade", "N", "2"},
+                                                {"--points", "N", "100"},
+                                                {"--seed", "N", "3"},
+                                                {"", "MM", "20"},
+                                                {"", "DEG", "5"},
+                                                {"", "MM/MIN", "900"}};
+
+/// What takes long is left out: pictures.
+std::string withoutPictures(const std::string& call) {
+  for (const auto& [command, option] :
+       {std::pair("grind", " --no-pictures"), {"blades", " --no-picture"}, {"access", " --no-picture"}}) {
+    if (call.starts_with(std::string("octoblisk ") + command)) return call + option;
+  }
+  return call;
+}
+
+/// What is refused is a file that is not there: so the call is a valid one, but for that.
+void expectLackOfFile(const ScratchFolder& folder, const std::string& call) {
+  const Outcome outcome = runScript(folder, call);
+  EXPECT_EQ(outcome.exit_code, 2) << call;
+  EXPECT_THAT(outcome.error, HasSubstr("missing.stl: no such file")) << call;
+}
+
+/// All options that are shown, one alternative after another; and with none but those that must be told.
+/// Of commands that take long the first call is run; the others are held to lack a file, and nothing else.
+TEST(Pages, SynopsesHold) {
+  const ScratchFolder folder;
+  makeInputs(folder);
+  std::vector<std::string> calls;
+  for (const CodeBlock& block : blocksOf(Kind::octoblisk)) {
+    for (const std::string& synopsis : synopsesOf(block.text, "octoblisk")) {
+      for (const std::string& call : fullCalls(synopsis, kPlaceholders)) calls.push_back(call);
+      const auto optional = found(synopsis, R"(\[(--blisk|--blade) FILE)");
+      if (optional.empty()) continue;
+      expectLackOfFile(folder, leastCall(synopsis, kPlaceholders) + ' ' + optional[0] + " missing.stl");
+    }
+  }
+  EXPECT_GE(calls.size(), 20u);
+  const std::set<std::string> long_commands = {"access", "grind", "paper", "repair"};
+  std::set<std::string> commands_run;
+  for (const std::string& call : calls) {
+    SCOPED_TRACE(call);
+    const std::string command = found(call, "^octoblisk ([a-z]+)").at(0);
+    if (long_commands.contains(command) && !commands_run.insert(command).second) {
+      expectLackOfFile(folder, replaced(call, "small.stl", "missing.stl"));
+    } else {
+      expectDone(folder, withoutPictures(call));
+    }
+  }
+}
+
+/// An example of a whole blade, in larger steps.
+TEST(Pages, ExamplesRun) {
+  const ScratchFolder folder;
+  for (const CodeBlock& block : blocksOf(Kind::example)) {
+    expectDone(folder,
+               replaced(block.text, "--step-over 1.2 --pose-step 1 ", "--step-over 60 --pose-step 100 "));
+    const std::string both = contentOf(folder.path() / "both.csv"),
+                      run = contentOf(folder.path() / "run/poses.csv");
+    EXPECT_GT(std::ranges::count(both, '\n'), 20);
+    EXPECT_EQ(std::ranges::count(run, '\n'), std::ranges::count(both, '\n'));
+  }
+}
+
+/// A study among the tasks of a job array, and by mpirun: the file of one run.
+TEST(Pages, StudiesAreShared) {
+  const ScratchFolder folder;
+  std::string poses = "x,y,z,qw,qx,qy,qz\n";
+  for (int i = 0; i < 1000; ++i) poses += std::to_string(-0.01 * i) + ",0,0,1,0,0,0\n";
+  folder.write("poses.csv", poses);
+  ASSERT_EQ(
+      runScript(folder, "octoblisk make contact-wheel --out small.stl; octoblisk make arm --out belt.stl")
+          .exit_code,
+      0);
+  std::string plain;
+  for (const CodeBlock& block : blocksOf(Kind::octoblisk)) {
+    if (block.text.starts_with("octoblisk check ")) plain = fullCalls(block.text, kPlaceholders).front();
+  }
+  ASSERT_NE(plain, "");
+  expectDone(folder, plain);
+  const std::string whole = contentOf(folder.path() / "RESULT.csv"),
+                    asked = without(without(plain, " --out RESULT.csv"), "octoblisk check ");
+  EXPECT_EQ(std::ranges::count(whole, '\n'), 1001);
+  EXPECT_THAT(whole, AllOf(HasSubstr(",0,"), HasSubstr(",1,")));
+  std::filesystem::remove(folder.path() / "RESULT.csv");
+  for (const CodeBlock& block : blocksOf(Kind::study)) {
+    std::istringstream lines(replaced(replaced(block.text, "/100 ", "/12 "), "…", asked));
+    for (std::string line; std::getline(lines, line);) {
+      SCOPED_TRACE(line);
+      std::string script = line + "\n";
+      if (line.find("SLURM") != std::string::npos) {
+        script = "for SLURM_ARRAY_TASK_ID in $(seq 12); do " + line.substr(0, line.find('#')) +
+                 "|| test $? = 1; done\n";
+      }
+#ifndef OCTOBLISK_WITH_MPI
+      if (line.starts_with("mpirun ")) continue;
+#endif
+      expectDone(folder, script);
+      if (line.find(" RESULT.csv") == std::string::npos) continue;
+      EXPECT_EQ(contentOf(folder.path() / "RESULT.csv"), whole);
+      std::filesystem::remove(folder.path() / "RESULT.csv");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk::pages

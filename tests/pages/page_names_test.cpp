@@ -1,0 +1,136 @@
+// What pages name is there: every block of code is of a kind that is tested, and verbs, presets, programs,
+// options, keys and files in blocks are those of the project. C++ is compiled by tests/consumers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pages/page_test.h"
+
+namespace octoblisk::pages {
+namespace {
+
+using demos::contentOf;
+using demos::Outcome;
+using demos::ScratchFolder;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+TEST(Pages, HaveNoBlocksButThoseThatAreTested) {
+  std::set<Kind> kinds;
+  for (const CodeBlock& block : allBlocks()) {
+    const std::optional<Kind> kind = kindOf(block);
+    ASSERT_TRUE(kind) << block.place() << ": no test knows what to do with it";
+    kinds.insert(*kind);
+    const std::filesystem::path page = block.page;
+    const bool is_compiled =
+        page == "README.md" || (page.parent_path() == "docs" && page.filename() != "gallery.md");
+    EXPECT_TRUE(kind != Kind::cpp || is_compiled) << block.place() << ": tests/consumers does not take it";
+    EXPECT_TRUE(kind != Kind::cmake || block.page == "README.md") << block.place();
+  }
+  EXPECT_EQ(kinds.size(), kBeginnings.size() + kLanguages.size());
+}
+
+/// In blocks and in sentences: verbs that ./dev knows.
+TEST(Pages, NameVerbsOfDev) {
+  const ScratchFolder folder;
+  const Outcome help = runScript(folder, "cd '" + kProject.string() + "'; ./dev help");
+  ASSERT_EQ(help.exit_code, 0);
+  std::string lines;
+  for (const CodeBlock& block : blocksOf(Kind::dev_verbs)) lines += block.text;
+  EXPECT_GE(found(lines, R"(\./dev ([a-z-]+))").size(), 5u);
+  for (const std::string& page : pagesOf(kProject)) {
+    for (const std::string& verb : found(contentOf(kProject / page), R"(\./dev\s+([a-z][a-z-]*))")) {
+      EXPECT_THAT(found(help.out, R"(\n  ([a-z-]+) +[a-z])"), Contains(verb)) << page;
+    }
+  }
+  for (const std::string& option : found(lines, "(--[a-z]+)")) EXPECT_THAT(help.out, HasSubstr(option + " "));
+  for (const std::string& tasks : found(lines, "--only ([^ ]+)")) {
+    for (std::string task : found(tasks, "([a-z-]+)")) {
+      std::ranges::replace(task, '-', '_');
+      const auto begins = [&](const auto& entry) {
+        return entry.path().filename().string().starts_with(task);
+      };
+      EXPECT_TRUE(std::ranges::any_of(std::filesystem::directory_iterator(kProject / "bench/tasks"), begins))
+          << task;
+    }
+  }
+}
+
+TEST(Pages, NamePresets) {
+  const auto presets = nlohmann::json::parse(contentOf(kProject / "CMakePresets.json"));
+  const std::map<std::string, std::string> kinds = {{"cmake --preset", "configurePresets"},
+                                                    {"cmake --build --preset", "buildPresets"},
+                                                    {"ctest --preset", "testPresets"}};
+  for (const CodeBlock& block : blocksOf(Kind::presets)) {
+    std::istringstream commands(replaced(block.text, " && ", "\n"));
+    for (std::string command; std::getline(commands, command);) {
+      const std::size_t space = command.rfind(' ');
+      ASSERT_TRUE(kinds.contains(command.substr(0, space))) << command;
+      std::vector<std::string> names;
+      for (const auto& preset : presets.at(kinds.at(command.substr(0, space))))
+        names.push_back(preset.at("name"));
+      EXPECT_THAT(names, Contains(command.substr(space + 1))) << block.place();
+    }
+  }
+}
+
+TEST(Pages, NameProgramsAndOptionsOfBenchmarks) {
+  const std::string session = contentOf(kProject / "bench/session.cpp");
+  for (const CodeBlock& block : blocksOf(Kind::benchmark)) {
+    for (const std::string& task : found(block.text, "/bench_([a-z_]+)")) {
+      EXPECT_TRUE(std::filesystem::exists(kProject / "bench/tasks" / (task + ".cpp"))) << task;
+    }
+    for (const std::string& option : found(block.text, "(--[a-z_]+)")) {
+      EXPECT_TRUE(option.starts_with("--benchmark_") || session.find('"' + option + '"') != std::string::npos)
+          << option;
+    }
+  }
+}
+
+TEST(Pages, TellOfRowsAsTheyAre) {
+  int rows = 0;
+  for (const CodeBlock& block : blocksOf(Kind::row)) {
+    const std::vector<std::string> keys = found(block.text, "\"([a-z_]+)\"");
+    for (const auto& entry : std::filesystem::directory_iterator(kProject / "bench/results")) {
+      if (entry.path().extension() != ".json") continue;
+      const auto table = nlohmann::ordered_json::parse(contentOf(entry.path()));
+      if (!table.is_array()) continue;
+      for (const auto& row : table) {
+        if (!row.contains("ratio")) continue;
+        const bool has_median = entry.path().stem() != "broadphase";  // as the page says
+        for (const std::string& key : keys) {
+          EXPECT_TRUE(row.contains(key) || (!has_median && key == "median_us"))
+              << entry.path() << ": " << key;
+        }
+        ++rows;
+      }
+    }
+  }
+  EXPECT_GT(rows, 100);
+}
+
+/// Charts name the files where what they show is done.
+TEST(Pages, ChartsNameFilesThatExist) {
+  for (const CodeBlock& block : blocksOf(Kind::flow_chart)) {
+    int files = 0;
+    const auto expectFile = [&](const std::string& name) {
+      EXPECT_TRUE(std::filesystem::exists(kProject / (name + ".h"))) << block.place() << ": " << name;
+      ++files;
+    };
+    for (const std::string& name : found(block.text, "core ([a-z_]+)")) expectFile("core/octoblisk/" + name);
+    for (const std::string& name : found(block.text, "([a-z]+/[a-z_]+)\\)")) expectFile("demos/" + name);
+    EXPECT_GE(files, 8);
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk::pages

@@ -1,0 +1,93 @@
+// What the tests of pages share: the blocks of a kind, parts of texts, and lines run by a shell.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "pages/code_blocks.h"
+
+namespace octoblisk::pages {
+
+inline const std::filesystem::path kProject = OCTOBLISK_SOURCE_DIR;
+
+enum class Kind { cpp, cmake, flow_chart, dev_verbs, presets, benchmark, row, octoblisk, example, study };
+
+/// How a block that no fence names begins.
+inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
+    {"./dev ", Kind::dev_verbs},    {"cmake --preset ", Kind::presets}, {"build/bench/bin/", Kind::benchmark},
+    {"{\"task\", ", Kind::row},     {"octoblisk check …", Kind::study}, {"octoblisk ", Kind::octoblisk},
+    {"for side in ", Kind::example}};
+inline const std::map<std::string, Kind> kLanguages = {
+    {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
+
+inline std::optional<Kind> kindOf(const CodeBlock& block) {
+  if (const auto known = kLanguages.find(block.language); known != kLanguages.end()) return known->second;
+  if (!block.language.empty()) return std::nullopt;
+  for (const auto& [beginning, kind] : kBeginnings) {
+    if (block.text.starts_with(beginning)) return kind;
+  }
+  return std::nullopt;
+}
+
+inline std::vector<CodeBlock> allBlocks() {
+  std::vector<CodeBlock> all;
+  for (const std::string& page : pagesOf(kProject)) {
+    for (CodeBlock& block : codeBlocksOf(kProject, page)) all.push_back(std::move(block));
+  }
+  return all;
+}
+
+/// Those of a kind; a failure where there is none.
+inline std::vector<CodeBlock> blocksOf(Kind kind) {
+  std::vector<CodeBlock> blocks = allBlocks();
+  std::erase_if(blocks, [&](const CodeBlock& block) { return kindOf(block) != kind; });
+  EXPECT_FALSE(blocks.empty()) << "this test asks nothing";
+  return blocks;
+}
+
+/// All that the group of an expression fits.
+inline std::vector<std::string> found(const std::string& text, const std::string& expression) {
+  const std::regex searched(expression);
+  std::vector<std::string> all;
+  for (std::sregex_iterator at(text.begin(), text.end(), searched), end; at != end; ++at) {
+    all.push_back((*at)[1]);
+  }
+  return all;
+}
+
+/// With another text for every part that is there; a failure where there is none.
+inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
+  EXPECT_THAT(text, ::testing::HasSubstr(part));
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, part.size(), by);
+  }
+  return text;
+}
+
+/// Runs lines for a shell in a folder, where `octoblisk` is ours.
+inline demos::Outcome runScript(const demos::ScratchFolder& folder, const std::string& script) {
+  const std::string path = std::filesystem::path(OCTOBLISK_COMMAND).parent_path().string();
+  // Whoever the user is, and however many processors the machine has.
+  const std::string mpi =
+      "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+      "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_vader_single_copy_mechanism=none "
+      "OMPI_MCA_btl=self,vader\n";
+  folder.write("script.sh", mpi + "export PATH='" + path + "':\"$PATH\" LSAN_OPTIONS='suppressions=" +
+                                OCTOBLISK_LEAK_SUPPRESSIONS ":print_suppressions=0'\n" + script);
+  const std::string command =
+      "cd '" + folder.path().string() + "' && sh -eu script.sh >stdout.txt 2>stderr.txt </dev/null";
+  return demos::outcomeOf(std::system(command.c_str()), folder.path());
+}
+
+}  // namespace octoblisk::pages
