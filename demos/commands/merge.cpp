@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "access/access_report.h"
+#include "access/access_summary.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
