@@ -47,16 +47,20 @@ AccessSummary accessSummaryOfTally(const std::string& tally) {
   std::getline(stream, first, '\t');
   std::istringstream numbers(first);
   numbers >> summary.points >> summary.free_poses >> summary.nowhere_free;
-  bool is_right = !numbers.fail();
-  for (std::string entry; is_right && std::getline(stream, entry, '\t');) {
+  for (std::string entry; std::getline(stream, entry, '\t');) {
     std::istringstream words(entry);
     std::size_t times = 0;
     std::string what;
-    words >> times >> std::ws;
-    is_right = !words.fail() && std::getline(words, what);
+    words >> times;
+    words.ignore();
+    std::getline(words, what);
     summary.in_the_way[what] += times;
   }
-  if (!is_right) throw std::invalid_argument("has a tally of no accessibility map: " + inQuotes(tally));
+  const bool is_printable = std::ranges::all_of(
+      tally, [](char letter) { return letter == '\t' || (letter >= ' ' && letter <= '~'); });
+  // What is read in part, or not as it is written, is another line.
+  if (!is_printable || tallyOf(summary) != tally)
+    throw std::invalid_argument("has a tally of no accessibility map: " + inQuotes(tally));
   return summary;
 }
 

@@ -87,10 +87,13 @@ AccessQuestion questionOfLine(const std::string& line) {
   std::string kind, part, blade, depth, margin, tilts, leads;
   words >> kind >> part >> rules.grinding_part >> blade >> rules.ground_blade >> depth >> rules.max_depth >>
       margin >> rules.margin >> tilts >> options.tilts >> options.tilt_from >> options.tilt_step >> leads;
-  if (!words || leads != "leads") throw std::invalid_argument("has options of no accessibility map: " + inQuotes(line));
   of_path = kind == "path";
   options.leads.clear();
   for (double lead = 0.0; words >> lead;) options.leads.push_back(lead);
+  // What is read in part, or not as it is written, is another line.
+  if (lineOf(question) != line) {
+    throw std::invalid_argument("has options of no accessibility map: " + inQuotes(line));
+  }
   return question;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 
+#include "access/access_table.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {
@@ -106,10 +107,25 @@ TEST_F(CheckParts, PartsOfRightChecksumsAndWrongWordsAreRefused) {
     EXPECT_EQ(merge(study, "1 0 0 0 0 0").error,
               "octoblisk: part: is no part of a study: its head is damaged or cut off\n");
   }
-  study.inputs[0].name = "fixed";
-  study.name = "access";
-  EXPECT_EQ(merge(study, "1 0 0").error, "octoblisk: part: has options of no accessibility map: 'none'\n");
   EXPECT_FALSE(exists("merged.csv"));
+}
+
+TEST_F(CheckParts, AccessPartsOfRightChecksumsAndWrongWordsAreRefused) {
+  const std::string good_tally = "1 180 1\t1 belt on blade 2", options = lineOf(AccessQuestion{});
+  const auto merge = [&](const Study& study, const std::string& tally) {
+    const std::string head = headOf(study, {0, 1});
+    folder_.write("part", head + textOf({{0, 1}, "0\n", tally}, head));
+    return run("merge part --out merged.csv");
+  };
+  Study study{"access", accessColumns(), 1, 8, {{"blisk", 1}}, "none"};
+  EXPECT_EQ(merge(study, good_tally).error, "octoblisk: part: has options of no accessibility map: 'none'\n");
+  study.options = options + " \x1b";
+  EXPECT_THAT(merge(study, good_tally).error, StartsWith("octoblisk: part: has options of no acc"));
+  study.options = options;
+  EXPECT_EQ(merge(study, "1 180 1 rubbish").error,
+            "octoblisk: part: has a tally of no accessibility map: '1 180 1 rubbish'\n");
+  EXPECT_EQ(merge(study, good_tally + "\x1b").error,
+            "octoblisk: part: has a tally of no accessibility map: '1 180 1?1 belt on blade 2?'\n");
 }
 
 TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
