@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "access/access_report.h"
+#include "access/access_summary.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {

@@ -29,7 +29,7 @@ enum AccessColumn {
   kTiltToColumn = 13,
   kHalfWidthColumn = 18,
   kHalfHeightColumn = 19,
-  kRangesColumn = 20
+  kRangesColumn = 20  // the last
 };
 
 std::vector<std::string> cellsOf(std::string_view line, char delimiter) {
@@ -52,6 +52,7 @@ double valueOf(const std::string& cell) {
 }
 
 AccessRow rowOfCells(const std::vector<std::string>& cells) {
+  if (cells.size() != kRangesColumn + 1) throw std::invalid_argument("columns");
   AccessRow row;
   row.height = valueOf(cells[kHeightColumn]);
   row.arc = valueOf(cells[kArcColumn]);
@@ -87,10 +88,13 @@ AccessQuestion questionOfLine(const std::string& line) {
   std::string kind, part, blade, depth, margin, tilts, leads;
   words >> kind >> part >> rules.grinding_part >> blade >> rules.ground_blade >> depth >> rules.max_depth >>
       margin >> rules.margin >> tilts >> options.tilts >> options.tilt_from >> options.tilt_step >> leads;
-  if (!words || leads != "leads") throw std::invalid_argument("has options of no accessibility map: " + inQuotes(line));
   of_path = kind == "path";
   options.leads.clear();
   for (double lead = 0.0; words >> lead;) options.leads.push_back(lead);
+  // What is read in part, or not as it is written, is another line.
+  if (lineOf(question) != line) {
+    throw std::invalid_argument("has options of no accessibility map: " + inQuotes(line));
+  }
   return question;
 }
 
@@ -130,6 +134,14 @@ std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAcce
   return stream.str();
 }
 
+AccessRow rowOfLine(std::string_view line) {
+  try {
+    return rowOfCells(cellsOf(line, ','));
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument("has a row of no accessibility map: " + inQuotes(line));
+  }
+}
+
 std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
   std::ifstream stream = openForReading(file);
   std::string line;
@@ -137,14 +149,11 @@ std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
   if (!std::getline(stream, line) || line != kAccessColumns) {
     throw std::runtime_error(atLine(file, number, "this is no table of an accessibility map"));
   }
-  const std::size_t columns = cellsOf(kAccessColumns, ',').size();
   std::vector<AccessRow> rows;
   while (std::getline(stream, line)) {
     ++number;
-    const std::vector<std::string> cells = cellsOf(line, ',');
     try {
-      if (cells.size() != columns) throw std::invalid_argument("columns");
-      rows.push_back(rowOfCells(cells));
+      rows.push_back(rowOfLine(line));
     } catch (const std::invalid_argument&) {
       throw std::runtime_error(atLine(file, number, "this is no row of an accessibility map"));
     }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "access/access_map.h"
@@ -37,6 +38,9 @@ struct AccessRow {
   double widest = -1.0;             ///< degrees, of its widest free range; below 0: nothing is free
   std::vector<std::string> ranges;  ///< "lead,from,to" of each
 };
+
+/// Of a row's line, without its end. Throws std::invalid_argument where it is another.
+AccessRow rowOfLine(std::string_view line);
 
 /// Reads a table that was written so. Throws std::runtime_error naming file and line.
 std::vector<AccessRow> readAccessTable(const std::filesystem::path& file);

@@ -3,7 +3,8 @@
 #include <iostream>
 #include <vector>
 
-#include "access/access_report.h"
+#include "access/access_picture.h"
+#include "access/access_summary.h"
 #include "report/annotation.h"
 #include "report/whole_files.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "access/access_report.h"
+#include "access/access_summary.h"
 #include "cmm/blade_section.h"
 #include "commands/access_files.h"
 #include "models/blisk_axis.h"

@@ -101,6 +101,8 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
     options.continuous |= word == kContinuousWord;
     if (word == kToleranceWord) words >> options.tolerance;
   }
+  // What is read in part, or not as it is written, is another line.
+  if (optionsLine(options) != line) throw std::invalid_argument("has options of no check: " + inQuotes(line));
   return options;
 }
 

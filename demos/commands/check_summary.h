@@ -45,6 +45,7 @@ CheckSummary summaryOfTally(const std::string& tally);
 CheckSummary summaryOfTallies(std::span<const std::string> tallies);
 
 /// What a summary must know of the options, as the study's line of options; and back.
+/// Throws std::invalid_argument where the line is another.
 std::string optionsLine(const PoseCheckOptions& options);
 PoseCheckOptions optionsOfLine(const std::string& line);
 

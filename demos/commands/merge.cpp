@@ -3,15 +3,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "access/access_report.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "commands/option_checks.h"
+#include "commands/part_check.h"
 #include "models/quoted_text.h"
 #include "study/merge_parts.h"
 
@@ -22,16 +21,6 @@ struct MergeRequest {
   std::vector<std::string> parts;
   std::string out;
 };
-
-void checkPart(const PartText& part) {
-  if (part.study.name == kCheckName) {
-    for (const GroupInText& group : part.groups) summaryOfTally(group.tally);
-  }
-  if (part.study.name == kAccessName) {
-    questionOfLine(part.study.options);
-    for (const GroupInText& group : part.groups) accessSummaryOfTally(group.tally);
-  }
-}
 
 /// Tells what the study's own subcommand does, and returns its exit code.
 int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {

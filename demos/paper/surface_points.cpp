@@ -68,25 +68,32 @@ std::vector<Vec3> evenPoints(const TriangleMesh& mesh, std::size_t count, std::u
 
 double surfaceArea(const TriangleMesh& mesh) { return cumulativeArea(mesh).back(); }
 
-TriangleMesh partOf(const TriangleMesh& mesh, std::span<const int> number_of_triangle, int number) {
-  if (number_of_triangle.size() != mesh.triangleCount()) {
-    throw std::invalid_argument("there are " + std::to_string(number_of_triangle.size()) + " numbers for " +
-                                std::to_string(mesh.triangleCount()) + " triangles");
-  }
+TriangleMesh partOf(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
   std::map<std::uint32_t, std::uint32_t> new_index;
   std::vector<Vec3> vertices;
-  std::vector<TriangleMesh::Indices> triangles;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    if (number_of_triangle[t] != number) continue;
+  std::vector<TriangleMesh::Indices> renumbered;
+  for (const std::uint32_t t : triangles) {
     TriangleMesh::Indices corners = mesh.triangles()[t];
     for (std::uint32_t& corner : corners) {
       const auto [known, is_new] = new_index.try_emplace(corner, static_cast<std::uint32_t>(vertices.size()));
       if (is_new) vertices.push_back(mesh.vertices()[corner]);
       corner = known->second;
     }
-    triangles.push_back(corners);
+    renumbered.push_back(corners);
   }
-  return {std::move(vertices), std::move(triangles)};
+  return {std::move(vertices), std::move(renumbered)};
+}
+
+TriangleMesh partOf(const TriangleMesh& mesh, std::span<const int> number_of_triangle, int number) {
+  if (number_of_triangle.size() != mesh.triangleCount()) {
+    throw std::invalid_argument("there are " + std::to_string(number_of_triangle.size()) + " numbers for " +
+                                std::to_string(mesh.triangleCount()) + " triangles");
+  }
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < number_of_triangle.size(); ++t) {
+    if (number_of_triangle[t] == number) triangles.push_back(t);
+  }
+  return partOf(mesh, triangles);
 }
 
 }  // namespace octoblisk::demos

@@ -17,6 +17,10 @@ std::vector<Vec3> evenPoints(const TriangleMesh& mesh, std::size_t count, std::u
 
 double surfaceArea(const TriangleMesh& mesh);
 
+/// These triangles, by their indices, with their vertices alone.
+/// Throws std::invalid_argument where there are none.
+TriangleMesh partOf(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles);
+
 /// The triangles with the given number, with their vertices alone.
 /// Throws std::invalid_argument where no triangle has it, or there are not as many numbers as triangles.
 TriangleMesh partOf(const TriangleMesh& mesh, std::span<const int> number_of_triangle, int number);

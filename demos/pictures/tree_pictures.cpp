@@ -15,6 +15,7 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/separating_axis.h"
+#include "paper/surface_points.h"
 #include "report/contact_sheet.h"
 #include "toolpath/grinding_path.h"
 
@@ -53,33 +54,8 @@ std::vector<Obb> boxesOf(const ClusteredOctree& tree, const std::vector<Slot>& s
   return boxes;
 }
 
-/// Some triangles of a mesh, without the vertices of others.
-TriangleMesh partOf(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles) {
-  constexpr std::uint32_t kUnused = ~0u;
-  std::vector<std::uint32_t> number(mesh.vertices().size(), kUnused);
-  std::vector<Vec3> vertices;
-  std::vector<TriangleMesh::Indices> renumbered;
-  for (const std::uint32_t t : triangles) {
-    TriangleMesh::Indices corners = mesh.triangles()[t];
-    for (std::uint32_t& corner : corners) {
-      std::uint32_t& known = number[corner];
-      if (known == kUnused) {
-        known = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(mesh.vertices()[corner]);
-      }
-      corner = known;
-    }
-    renumbered.push_back(corners);
-  }
-  return {std::move(vertices), std::move(renumbered)};
-}
-
 std::shared_ptr<const TriangleMesh> bladeOf(const Blisk& blisk) {
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t t = 0; t < blisk.blade_of_triangle.size(); ++t) {
-    if (blisk.blade_of_triangle[t] == 1) triangles.push_back(t);
-  }
-  return std::make_shared<const TriangleMesh>(partOf(blisk.mesh, triangles));
+  return std::make_shared<const TriangleMesh>(partOf(blisk.mesh, blisk.blade_of_triangle, 1));
 }
 
 std::string percentText(double part) {
@@ -129,15 +105,11 @@ std::vector<std::uint32_t> trianglesBelow(const ClusteredOctree& tree, Slot slot
   return all;
 }
 
-Vec3 normalOf(const Triangle& triangle) {
-  return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-}
-
 /// Of the triangles below a slot, along the axis.
 double meanNormal(const ClusteredOctree& tree, Slot slot, const Vec3& axis) {
   double sum = 0.0;
   const std::vector<std::uint32_t> triangles = trianglesBelow(tree, slot);
-  for (const std::uint32_t t : triangles) sum += normalOf(tree.mesh().triangle(t)).dot(axis);
+  for (const std::uint32_t t : triangles) sum += scaledNormal(tree.mesh().triangle(t)).normalized().dot(axis);
   return sum / static_cast<double>(triangles.size());
 }
 
@@ -175,7 +147,7 @@ Image divisionPicture(const ClusteredOctree& tree) {
       const Triangle corners = mesh.triangle(t);
       const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
       const Vec3 place = box.axes.transpose() * (centroid - box.center);
-      places.push_back({place.x(), place.y(), height * normalOf(corners).dot(thin)});
+      places.push_back({place.x(), place.y(), height * scaledNormal(corners).normalized().dot(thin)});
     }
     Obb moved = tree.box(children[c]);
     const Vec3 outward = moved.center - box.center;
@@ -202,10 +174,6 @@ struct Pair {
   Slot a, b;
 };
 
-Obb posed(const Obb& box, const Pose& pose) {
-  return {pose * box.center, pose.rotation * box.axes, box.half_extents};
-}
-
 /// The pairs of boxes that overlap after so many steps down, of which each opens the larger box of a pair.
 std::vector<Pair> step(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                        const std::vector<Pair>& pairs, std::size_t& tests) {
@@ -218,7 +186,7 @@ std::vector<Pair> step(const ClusteredOctree& a, const ClusteredOctree& b, const
     for (const Slot slot : opens_a ? below_a : below_b) {
       const Pair child = opens_a ? Pair{slot, pair.b} : Pair{pair.a, slot};
       ++tests;
-      if (overlaps(a.box(child.a), posed(b.box(child.b), b_in_a))) next.push_back(child);
+      if (overlaps(a.box(child.a), b_in_a * b.box(child.b))) next.push_back(child);
     }
   }
   return next;
@@ -254,7 +222,7 @@ Image walkPicture(const ClusteredOctree& blisk, const ClusteredOctree& belt, con
     std::vector<Obb> of_blisk, of_belt;
     for (const Pair& pair : pairs) {
       of_blisk.push_back(blisk.box(pair.a));
-      of_belt.push_back(posed(belt.box(pair.b), belt_in_blisk));
+      of_belt.push_back(belt_in_blisk * belt.box(pair.b));
     }
     scene.addBoxes(of_blisk, {.color = palette::kBlue, .width = 2.4f, .hidden_opacity = 0.35f});
     scene.addBoxes(of_belt, {.color = palette::kVermilion, .width = 2.4f, .hidden_opacity = 0.35f});

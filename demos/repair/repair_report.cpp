@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "access/access_report.h"
+#include "access/access_summary.h"
 
 namespace octoblisk::demos {
 namespace {

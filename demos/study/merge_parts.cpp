@@ -39,7 +39,7 @@ PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
   file.mapped = std::make_unique<const MappedFile>(path);
   try {
     file.part = readPart(file.text());
-    if (check) check(file.part);
+    if (check) check(file.part, file.text());
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/part_text.h"
@@ -16,8 +17,8 @@ struct MergedStudy {
   std::vector<std::string> tallies;  ///< of all groups, in order
 };
 
-/// Throws std::invalid_argument where a part's options or tallies are none that its subcommand writes.
-using CheckPart = std::function<void(const PartText&)>;
+/// Throws std::invalid_argument where a part is none of its subcommand; `text` is what it was read from.
+using CheckPart = std::function<void(const PartText& part, std::string_view text)>;
 
 /// Writes the table that the study gives in one run, from its parts in any order, to a file that is what it
 /// was until all is found to be right. Throws std::runtime_error naming the part that cannot be read, is

@@ -80,7 +80,7 @@ class TextParts {
   bool failed_ = false;
 };
 
-/// Names are told in messages.
+/// Printable and without spaces, as names are told in messages.
 bool isWord(std::string_view name) {
   return !name.empty() &&
          std::ranges::all_of(name, [](char letter) { return letter > ' ' && letter <= '~'; });

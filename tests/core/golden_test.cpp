@@ -154,7 +154,7 @@ std::uint64_t hashOfSourceContacts(const Scene& scene, const ClusteredOctree& a,
   return answers.hash();
 }
 
-/// Of all depths, and how many of the answers are yes.
+/// Of all depths, and which share of the answers is yes.
 std::uint64_t hashOfClustersNear(const Scene& scene, const ClusteredOctree& a, const ClusteredOctree& b,
                                  double& near) {
   Answers answers;

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "access/access_report.h"
+#include "access/access_picture.h"
+#include "access/access_summary.h"
 #include "demos/block.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
@@ -181,6 +182,9 @@ TEST(AccessMap, whatAStudyKeepsInLinesIsReadBack) {
   EXPECT_EQ(same.options.tilt_step, 0.1);
   EXPECT_EQ(same.options.leads, question.options.leads);
   EXPECT_THROW(questionOfLine("clearance tolerance 1"), std::invalid_argument);
+  for (const std::string behind : {"x", " ", " 0 x", " 0\x1b"}) {
+    EXPECT_THROW(questionOfLine(lineOf(question) + behind), std::invalid_argument) << behind;
+  }
 
   AccessSummary summary{9, 100, 3, {{"arm on hub or shroud", 2}, {"belt too deep in blade 1", 1}}};
   AccessSummary read = accessSummaryOfTally(tallyOf(summary));
@@ -188,7 +192,13 @@ TEST(AccessMap, whatAStudyKeepsInLinesIsReadBack) {
   read.add(summary);
   EXPECT_EQ(read.points, 18u);
   EXPECT_EQ(read.in_the_way.at("arm on hub or shroud"), 4u);
-  EXPECT_THROW(accessSummaryOfTally("none"), std::invalid_argument);
+  for (const std::string wrong :
+       {"none", "1 0", "1 0 0 rubbish", "1 0 0 ", "1 0 0\t", "1 0 -1", "1 0 1\tbelt", "1 0 1\t1",
+        "1 0 1\t1 belt\x1b[2J", "1 0 1\t1 b\xc3\xa9lt"}) {
+    EXPECT_THROW(accessSummaryOfTally(wrong), std::invalid_argument) << wrong;
+  }
+  EXPECT_EQ(accessSummaryOfTally("1 0 1\t1  belt on blade 2").in_the_way.count(" belt on blade 2"), 1u)
+      << "a part's name may begin with a space";
 }
 
 }  // namespace

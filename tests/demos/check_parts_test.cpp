@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
+#include "access/access_table.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {
@@ -89,27 +91,82 @@ TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
   EXPECT_FALSE(exists("out.csv.partial"));
 }
 
+/// A part of one item, of right checksums.
+std::string partOf(const Study& study, const std::string& rows, const std::string& tally) {
+  const std::string head = headOf(study, {0, 1});
+  return head + textOf({{0, 1}, rows, tally}, head);
+}
+
 /// Checksums are no proof that octoblisk wrote it.
 TEST_F(CheckParts, PartsOfRightChecksumsAndWrongWordsAreRefused) {
-  const auto merge = [&](const Study& study, const std::string& tally) {
-    const std::string head = headOf(study, {0, 1});
-    folder_.write("part", head + textOf({{0, 1}, "0,0,,\n", tally}, head));
+  const std::string columns = "pose,colliding,triangle_fixed,triangle_moving", rows = "0,0,,\n";
+  const std::string right = "1 0 0 0 0 0";
+  const Study study{"check", columns, 1, 64, {{"fixed", 1}}, "none"};
+  const auto merge = [&](const Study& of, const std::string& tally) {
+    folder_.write("part", partOf(of, rows, tally));
     return run("merge part --out merged.csv");
   };
-  Study study{"check", "pose,colliding,triangle_fixed,triangle_moving", 1, 64, {{"fixed", 1}}, "none"};
-  EXPECT_EQ(merge(study, "1 0 0 0 0 0").exit_code, 0);
-  ASSERT_TRUE(std::filesystem::remove(folder_.path() / "merged.csv"));
+  EXPECT_EQ(merge(study, right).exit_code, 0);
+  EXPECT_EQ(content("merged.csv"), columns + '\n' + rows);
+  folder_.write("merged.csv", "of an earlier run");
   EXPECT_EQ(merge(study, "1 0 0 0 0 least\x1b").error,
             "octoblisk: part: has a tally of no check: '1 0 0 0 0 least?'\n");
+  Study other = study;
+  for (const std::string options :
+       {"", "non\x1b", "none depth", "clearance tolerance 0.5", "depth tolerance 1 "}) {
+    other.options = options;
+    std::string shown = options;
+    std::ranges::replace(shown, '\x1b', '?');
+    EXPECT_EQ(merge(other, right).error, "octoblisk: part: has options of no check: '" + shown + "'\n");
+  }
+  other = study;
   for (const std::string name : {"", "fix\ned", "\x1b[2J"}) {
-    study.inputs[0].name = name;
-    EXPECT_EQ(merge(study, "1 0 0 0 0 0").error,
+    other.inputs[0].name = name;
+    EXPECT_EQ(merge(other, right).error,
               "octoblisk: part: is no part of a study: its head is damaged or cut off\n");
   }
-  study.inputs[0].name = "fixed";
-  study.name = "access";
-  EXPECT_EQ(merge(study, "1 0 0").error, "octoblisk: part: has options of no accessibility map: 'none'\n");
-  EXPECT_FALSE(exists("merged.csv"));
+  EXPECT_EQ(content("merged.csv"), "of an earlier run");
+}
+
+/// Its other files are made of the table, once that is written.
+TEST_F(CheckParts, AccessPartsOfRightChecksumsAndWrongWordsAreRefused) {
+  const std::string row = "0,,1,2,3,0,0,1,5,7,0.5,0,-10,20,0,0,,,0.5,0.5,0 -10 20";
+  const std::string right = "1 180 1\t1 belt on blade 2";
+  const Study study{"access", accessColumns(), 1, 8, {{"blisk", 1}}, lineOf(AccessQuestion{})};
+  const auto merge = [&](const Study& of, const std::string& rows, const std::string& tally) {
+    folder_.write("part", partOf(of, rows, tally));
+    return run("merge part --out points.csv");
+  };
+  const auto expect_refused = [&](const Study& of, const std::string& rows, const std::string& tally,
+                                  const std::string& message) {
+    const Outcome outcome = merge(of, rows, tally);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.error, "octoblisk: part: has " + message + '\n');
+    EXPECT_FALSE(exists("ranges.csv"));
+    EXPECT_EQ(content("points.csv"), "of an earlier run");
+  };
+  folder_.write("points.csv", "of an earlier run");
+  const std::string no_map = " of no accessibility map: ";
+  Study other = study;
+  other.options = "none";
+  expect_refused(other, row + '\n', right, "options" + no_map + "'none'");
+  other = study;
+  other.columns = "a,b\x1b";
+  expect_refused(other, row + '\n', right, "columns" + no_map + "'a,b?'");
+  expect_refused(study, row + '\n', "1 180 1 x", "a tally" + no_map + "'1 180 1 x'");
+  expect_refused(study, row + '\n', "1 0 1\t1 \x1b[2J", "a tally" + no_map + "'1 0 1?1 ?[2J'");
+  expect_refused(study, "0,x\n", right, "a row" + no_map + "'0,x'");
+  std::string word = row;
+  word.replace(word.find(",5,"), 3, ",x,");
+  expect_refused(study, word + '\n', right, "a row" + no_map + "'" + word + "'");
+  expect_refused(study, row, right, "a row without its end: '" + row + "'");
+  expect_refused(study, row + '\n' + row + '\n', right, "2 rows for 1 points");
+  expect_refused(study, "", right, "0 rows for 1 points");
+
+  EXPECT_EQ(merge(study, row + '\n', right).exit_code, 1);
+  EXPECT_EQ(content("points.csv"), accessColumns() + '\n' + row + '\n');
+  EXPECT_THAT(content("ranges.csv"), HasSubstr("\n0,0,-10,20\n"));
 }
 
 TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {

@@ -4,7 +4,10 @@
 #include <cstdio>
 #include <optional>
 
+#include "access/access_summary.h"
+#include "commands/access_files.h"
 #include "commands/check_summary.h"
+#include "commands/part_check.h"
 #include "fuzz/fuzz_input.h"
 #include "study/merge_parts.h"
 #include "study/part_text.h"
@@ -102,9 +105,19 @@ void resume(const fuzz::ScratchFolder& folder, const PartText& part, std::string
   }
 }
 
-void requireTallies(const PartText& part) {
-  if (part.study.name != kCheckName) return;
-  for (const GroupInText& group : part.groups) summaryOfTally(group.tally);
+/// What octoblisk merge goes on with once the table is written: refusing is too late then.
+void requireReadable(const MergedStudy& merged, const std::filesystem::path& table) {
+  if (merged.study.name == kCheckName) {
+    summaryOfTallies(merged.tallies);
+    optionsOfLine(merged.study.options);
+  }
+  if (merged.study.name != kAccessName) return;
+  AccessSummary summary;
+  for (const std::string& tally : merged.tallies) summary.add(accessSummaryOfTally(tally));
+  for (const char letter : inWords(summary, questionOfLine(merged.study.options))) {
+    if (letter != '\n' && (letter < ' ' || letter > '~')) fuzz::fail("bytes of a part reach the terminal");
+  }
+  if (readAccessTable(table).size() != merged.study.items) fuzz::fail("there are not as many rows as points");
 }
 
 void merge(const fuzz::ScratchFolder& folder, const std::vector<std::string>& texts) {
@@ -115,12 +128,13 @@ void merge(const fuzz::ScratchFolder& folder, const std::vector<std::string>& te
   const std::filesystem::path out = folder.path() / "merged.csv";
   std::filesystem::remove(out);
   try {
-    const MergedStudy merged = mergeParts(files, out, requireTallies);
+    const MergedStudy merged = mergeParts(files, out, checkPart);
     std::size_t size = merged.study.columns.size() + 1;
     for (const std::string& text : texts) {
       for (const GroupInText& group : readPart(text).groups) size += group.bytes;
     }
     if (std::filesystem::file_size(out) != size) fuzz::fail("rows were lost");
+    requireReadable(merged, out);
   } catch (const std::runtime_error& refusal) {
     fuzz::requireClear(refusal, folder.path() / "part");
     if (std::filesystem::exists(out)) fuzz::fail("a file was written of refused parts");

@@ -1,4 +1,4 @@
-// What is told of an accessibility map: words and a picture.
+// What is told of an accessibility map in words.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,6 @@
 #include <string>
 
 #include "access/access_table.h"
-#include "report/image.h"
 
 namespace octoblisk::demos {
 
@@ -32,10 +31,5 @@ AccessSummary accessSummaryOfTally(const std::string& tally);
 
 /// Lines with their ends.
 std::string inWords(const AccessSummary& summary, const AccessQuestion& question);
-
-/// The blade's side unrolled, height over arc length, each point's cell in the colour of its widest free
-/// range of tilt. Points without an arc length are left out.
-Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& question, int width = 1600,
-                    int height = 1200);
 
 }  // namespace octoblisk::demos

@@ -1,0 +1,84 @@
+#include "access/access_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "models/quoted_text.h"
+
+namespace octoblisk::demos {
+
+std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts) {
+  const std::string& part = parts[obstacle.part].name;
+  const std::string blade = "blade " + std::to_string(obstacle.blade);
+  if (obstacle.is_inside) return part + " wholly inside";
+  if (obstacle.too_deep) return part + " too deep in " + blade;
+  return part + " on " + (obstacle.blade == 0 ? "hub or shroud" : blade);
+}
+
+void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> parts) {
+  ++points;
+  free_poses += access.free;
+  if (access.free > 0) return;
+  ++nowhere_free;
+  ++in_the_way[describe(access.in_the_way.front().obstacle, parts)];
+}
+
+void AccessSummary::add(const AccessSummary& other) {
+  points += other.points;
+  free_poses += other.free_poses;
+  nowhere_free += other.nowhere_free;
+  for (const auto& [what, times] : other.in_the_way) in_the_way[what] += times;
+}
+
+std::string tallyOf(const AccessSummary& summary) {
+  std::string line = std::to_string(summary.points) + ' ' + std::to_string(summary.free_poses) + ' ' +
+                     std::to_string(summary.nowhere_free);
+  // Names of parts have no tabs.
+  for (const auto& [what, times] : summary.in_the_way) line += '\t' + std::to_string(times) + ' ' + what;
+  return line;
+}
+
+AccessSummary accessSummaryOfTally(const std::string& tally) {
+  AccessSummary summary;
+  std::istringstream stream(tally);
+  std::string first;
+  std::getline(stream, first, '\t');
+  std::istringstream numbers(first);
+  numbers >> summary.points >> summary.free_poses >> summary.nowhere_free;
+  for (std::string entry; std::getline(stream, entry, '\t');) {
+    std::istringstream words(entry);
+    std::size_t times = 0;
+    std::string what;
+    words >> times;
+    words.ignore();
+    std::getline(words, what);
+    summary.in_the_way[what] += times;
+  }
+  const bool is_printable = std::ranges::all_of(
+      tally, [](char letter) { return letter == '\t' || (letter >= ' ' && letter <= '~'); });
+  // What is read in part, or not as it is written, is another line.
+  if (!is_printable || tallyOf(summary) != tally)
+    throw std::invalid_argument("has a tally of no accessibility map: " + inQuotes(tally));
+  return summary;
+}
+
+std::string inWords(const AccessSummary& summary, const AccessQuestion& question) {
+  const auto numberOf = [](std::size_t count, const std::string& one) {
+    return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
+  };
+  const auto asked = static_cast<double>(std::max<std::size_t>(1, summary.points * question.poses()));
+  std::ostringstream text;
+  text << numberOf(summary.points, "point") << " of blade " << question.rules.ground_blade << ", "
+       << numberOf(static_cast<std::size_t>(question.options.tilts), "tilt") << " at "
+       << numberOf(question.options.leads.size(), "lead")
+       << " each: " << std::round(1000.0 * static_cast<double>(summary.free_poses) / asked) / 10.0
+       << " % free; " << summary.nowhere_free << " nowhere free\n";
+  for (const auto& [what, times] : summary.in_the_way) {
+    text << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace octoblisk::demos
