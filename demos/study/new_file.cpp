@@ -28,6 +28,13 @@ void requireNotRead(const std::string& out, const std::vector<std::filesystem::p
   }
 }
 
+std::string cannotBeWritten(const std::filesystem::path& file) {
+  const std::string refusal = "cannot be written";
+  const std::filesystem::path folder = file.parent_path();
+  if (folder.empty() || std::filesystem::is_directory(folder)) return refusal;
+  return refusal + ", as there is no folder " + folder.string();
+}
+
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), written_(file_) {
   if (std::filesystem::is_directory(file_)) {
     throw std::runtime_error(file_.string() + ": this is a folder, not a file");
@@ -38,12 +45,7 @@ NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), written_(
     written_ += ".new" + std::to_string(::getpid());
   }
   open_.reset(std::fopen(written_.c_str(), "wb"));
-  if (open_) return;
-  const std::filesystem::path folder = file_.parent_path();
-  throw std::runtime_error(file_.string() + ": cannot be written" +
-                           (folder.empty() || std::filesystem::is_directory(folder)
-                                ? std::string()
-                                : ", as there is no folder " + folder.string()));
+  if (!open_) throw std::runtime_error(file_.string() + ": " + cannotBeWritten(file_));
 }
 
 NewFile::~NewFile() {

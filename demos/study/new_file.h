@@ -22,6 +22,9 @@ bool isDevice(const std::filesystem::path& file);
 /// Throws std::runtime_error naming the file where it is one of those read, or "-".
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
 
+/// "cannot be written", and why not where its folder is missing.
+std::string cannotBeWritten(const std::filesystem::path& file);
+
 /// Writes to a new file in the same folder, which takes the name when all is written; to a device directly.
 class NewFile {
  public:

@@ -80,7 +80,7 @@ void StudyJournal::open() {
   } else {
     file_.reset(std::tmpfile());
   }
-  if (!file_) refuse(out_, "cannot be written");
+  if (!file_) refuse(out_, cannotBeWritten(out_));
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   // File systems without locks do without.
   const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
