@@ -34,7 +34,6 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file) {
 std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& blisk) {
   const std::size_t count = file.moves.size();
   std::vector<Vec3> second_axes(count, Vec3::Zero());  // zero: not told by the surface either
-  std::vector<bool> is_told(count, false);
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < count; ++k) {
@@ -44,21 +43,19 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& bli
       least = closest.distance;
       nearest = k;
     }
-    is_told[k] = move.second_axis.has_value();
-    second_axes[k] = move.second_axis.value_or(move.tool_axis.cross(move.position - closest.point));
-    const double length = second_axes[k].norm();
-    constexpr double kLeastSine = 0.01;
-    if (length > kLeastSine * closest.distance && length > 0.0) {
-      second_axes[k] /= length;
-    } else {
-      second_axes[k].setZero();
+    if (move.second_axis) {
+      second_axes[k] = *move.second_axis;
+      continue;
     }
+    const Vec3 across = move.tool_axis.cross(move.position - closest.point);
+    constexpr double kLeastSine = 0.01;
+    if (across.norm() > kLeastSine * closest.distance) second_axes[k] = across.normalized();
   }
   // From the move nearest to the surface on to both ends.
   const auto follow = [&](std::size_t k, const Vec3& before) {
     const Vec3& tool_axis = file.moves[k].tool_axis;
     Vec3& axis = second_axes[k];
-    if (is_told[k]) return;
+    if (file.moves[k].second_axis) return;
     if (axis.isZero()) {
       constexpr double kLeastSine = 1e-6;  // less is lost to rounding
       const Vec3 square = before - before.dot(tool_axis) * tool_axis;

@@ -241,6 +241,20 @@ TEST_F(ClFileTest, SixNumbersAreCompletedByTheSurface) {
   EXPECT_THAT(messageOf<std::invalid_argument>([&] { toolMovesOf(file); }), HasSubstr("line 1"));
 }
 
+TEST_F(ClFileTest, ASecondAxisHoldsHoweverFarFromTheBlisk) {
+  const auto tree =
+      ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh));
+  const ClFile file =
+      read("GOTO/300,0,90,1,0,0,0,0.6,0.8\nGOTO/5000,0,90,1,0,0,0,0.8,0.6\nGOTO/9000,0,90,1,0,0\n");
+  const std::vector<ToolMove> moves = toolMovesOf(file, tree);
+  ASSERT_EQ(moves.size(), 3u);
+  EXPECT_TRUE(moves[0].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.6, 0.8), 1e-12));
+  EXPECT_TRUE(moves[1].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.8, 0.6), 1e-12));
+  for (const ToolMove& move : moves) {
+    EXPECT_TRUE((move.tool_in_blisk.rotation.transpose() * move.tool_in_blisk.rotation).isIdentity(1e-12));
+  }
+}
+
 TEST_F(ClFileTest, AnArmAlongTheLastSecondAxisStillMakesARotation) {
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
