@@ -10,4 +10,4 @@ rm -rf "$out_dir/prefix"
 cmake --install "$out_dir/build" --prefix "$out_dir/prefix" >/dev/null
 "$here/installed.sh" "$out_dir/prefix" "$example_dir" "$out_dir/programs"
 # What is linked is the shared library, by a name that tells its version.
-readelf -d "$out_dir/programs/readme_example" | grep -q 'liboctoblisk-bullet\.so\.[0-9]*\.[0-9]*\]'
+readelf -d "$out_dir/programs/yours" | grep -q 'liboctoblisk-bullet\.so\.[0-9]*\.[0-9]*\]'
