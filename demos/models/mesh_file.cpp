@@ -14,6 +14,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -188,6 +189,15 @@ std::string oneLine(std::string message) {
   return message;
 }
 
+bool hasPolygons(const aiScene& scene) {
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+      if (face.mNumIndices > 3) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 TriangleMesh readMesh(const std::filesystem::path& file) { return readMesh(file, readBytes(file)); }
@@ -196,8 +206,9 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
   const Format& format = formatOf(file);
   format.check(bytes, file.string());
   Assimp::Importer importer;
-  const aiScene* const scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, format.extension + 1);
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.extension + 1);
+  // Assimp takes faces without corners for polygons, and aborts where it finds none to divide.
+  if (scene && hasPolygons(*scene)) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
     throw std::runtime_error(file.string() + ": " + oneLine(importer.GetErrorString()));
   }

@@ -231,6 +231,13 @@ TEST_F(MeshFile, RefusesFilesWithoutTriangles) {
               HasSubstr("no triangles"));
 }
 
+TEST_F(MeshFile, RefusesFacesWithoutCorners) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0\n0\n";
+  EXPECT_THAT(refusal("a.ply", ply), HasSubstr("triangle"));
+}
+
 TEST_F(MeshFile, RefusesCoordinatesThatAreNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
