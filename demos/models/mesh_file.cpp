@@ -189,6 +189,19 @@ std::string oneLine(std::string message) {
   return message;
 }
 
+/// Throws where a face has a corner that is no vertex: Assimp itself does not look.
+void requireVertices(const aiScene& scene, const std::string& file) {
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+      for (const unsigned corner : std::span(face.mIndices, face.mNumIndices)) {
+        if (corner < mesh->mNumVertices) continue;
+        throw std::runtime_error(file + ": a face has the vertex " + std::to_string(corner) + ", of " +
+                                 std::to_string(mesh->mNumVertices));
+      }
+    }
+  }
+}
+
 bool hasPolygons(const aiScene& scene) {
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
     for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
@@ -207,6 +220,7 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
   format.check(bytes, file.string());
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.extension + 1);
+  if (scene) requireVertices(*scene, file.string());
   // Assimp takes faces without corners for polygons, and aborts where it finds none to divide.
   if (scene && hasPolygons(*scene)) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
