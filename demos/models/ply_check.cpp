@@ -177,7 +177,7 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
         for (double v = 0; v < values; ++v) {
           const double value = reader.number(property.type);
           if (is_index && !(value >= 0 && value < vertices)) {
-            reader.fail(element.name + " " + std::to_string(static_cast<std::uint64_t>(k) + 1) +
+            reader.fail(inQuotes(element.name) + " " + std::to_string(static_cast<std::uint64_t>(k) + 1) +
                         " uses vertex " + std::to_string(static_cast<std::int64_t>(value)) +
                         ", but there are " + std::to_string(static_cast<std::uint64_t>(vertices)));
           }
