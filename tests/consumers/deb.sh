@@ -14,7 +14,13 @@ rm -rf "$out_dir/_CPack_Packages"
 for package in "$out_dir"/*.deb; do
   dpkg-deb --field "$package" Package Version Depends
   dpkg-deb --extract "$package" "$out_dir/root"
-  zcat "$out_dir/root/usr/share/doc/$(dpkg-deb --field "$package" Package)/changelog.gz" | grep -q '^# Changelog'
+  documents=$out_dir/root/usr/share/doc/$(dpkg-deb --field "$package" Package)
+  zcat "$documents/changelog.gz" | grep -q '^# Changelog'
+  version=$(zcat "$documents/changelog.Debian.gz" | dpkg-parsechangelog --file - --show-field Version)
+  [ "$version" = "$(dpkg-deb --field "$package" Version)" ]
+  for packed in "$documents"/*.gz; do
+    [ "$(od -An -tu4 -j4 -N4 "$packed" | tr -d ' ')" = 0 ]  # no time: the same bytes whenever it is made
+  done
 done
 zcat "$out_dir/root/usr/share/man/man1/octoblisk.1.gz" | grep -q '^\.TH OCTOBLISK 1'
 
