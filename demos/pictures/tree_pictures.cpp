@@ -159,14 +159,17 @@ Image divisionPicture(const ClusteredOctree& tree) {
   }
   on_blade.addMesh(mesh, {}, colors);
   on_blade.addBoxes(std::span(&box, 1), {.color = palette::kInk, .width = 2.4f, .hidden_opacity = 0.3f});
-  frames[0].caption = "a node of the tree, and its box";
+  frames[0].caption = "a node with both sides of a blade";
   frames[0].picture.camera = frame(mesh.vertices(), kSideways, Vec3::UnitX());
-  frames[1].caption = "its children, drawn apart";
+  frames[1].caption = "its 8 children, drawn apart: 4 a side";
   frames[1].picture.camera = frame(apart.points(), kSideways, Vec3::UnitX());
-  frames[2].caption = "its triangles, up by their normal";
+  frames[2].caption = "a dot a triangle: by place, up by normal";
   frames[2].picture.camera = frame(dots.points(), {-0.4, 1.0, -0.5}, Vec3::UnitZ());
-  return contactSheet(frames, "A node's triangles are divided by place and normal",
-                      "One colour for each child", 3, kFrameWidth, kFrameHeight);
+  return contactSheet(
+      frames, "A node's triangles are divided by place and normal",
+      "One colour for each child. Where the blade is thin its two sides are near in place, and "
+      "far apart by normal",
+      3, kFrameWidth, kFrameHeight);
 }
 
 /// A box of each tree.
