@@ -85,9 +85,9 @@ std::string depthOnMoves(const GrindingRun& run) {
   if (proved == moves) return text.str();
   const double bound = run.depthBound();
   if (std::isfinite(bound)) {
-    text << ", at most " << bound << " mm on the others";
+    text << "; on the others not measured, but no more than " << bound << " mm";
   } else {
-    text << ", not known on the others, as the blisk is open";
+    text << "; on the others not known, as the blisk is open";
   }
   return text.str();
 }

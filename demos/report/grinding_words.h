@@ -11,8 +11,8 @@ namespace octoblisk::demos {
 /// For a run of at least one pose.
 std::string inWords(const GrindingRun& run);
 
-/// How deep what may touch is between the poses: "proved within the limit on 380 of 393 moves, at most 0.4 mm
-/// on the others". For a run whose moves were checked.
+/// How deep what may touch is between the poses: "proved within the limit on 380 of 393 moves; on the others
+/// not measured, but no more than 0.4 mm". For a run whose moves were checked.
 std::string depthOnMoves(const GrindingRun& run);
 
 }  // namespace octoblisk::demos
