@@ -108,6 +108,8 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
     }
   }
   EXPECT_GT(alike, about_z.size());
+  EXPECT_GT(interfering, alike * 3 / 10);
+  EXPECT_LT(interfering, alike * 7 / 10);
   EXPECT_GT(sides, 50u);
   EXPECT_THAT(run("--blisk moved.stl --axis 1,2 --out bad").error, HasSubstr("--axis"));
   EXPECT_EQ(run("--blisk moved.stl --no-pictures --out made").error, "") << "a path of its own, too";
