@@ -106,7 +106,8 @@ class HullsOnBlisk final : public WorldStepQuery {
   void addHull() {
     Hull hull{std::make_unique<btConvexHullShape>(), nullptr};
     for (int corner = 0; corner < 20; ++corner) {
-      const Vec3 direction(normal_(random_), normal_(random_), normal_(random_));
+      Vec3 direction;
+      for (int k = 2; k >= 0; --k) direction[k] = normal_(random_);
       hull.shape->addPoint(toBullet(6.0 * direction.normalized()), false);
     }
     hull.shape->recalcLocalAabb();

@@ -50,9 +50,9 @@ class ConcavePile {
     const double lift = std::max(0.0, shapes::trayHeight(corner, corner) - 0.3);
     for (int i = 0; i < bodies; ++i) {
       const std::size_t kind = static_cast<std::size_t>(i + i / 4) % std::size(meshes);
-      const Vec3 position(1.3 * (i % layer_side - middle) + shapes::uniform(random, -0.1, 0.1),
-                          1.3 * (i / layer_side % layer_side - middle) + shapes::uniform(random, -0.1, 0.1),
-                          1.3 + lift + 1.2 * (i / (layer_side * layer_side)));
+      Vec3 position(1.3 * (i % layer_side - middle), 1.3 * (i / layer_side % layer_side - middle),
+                    1.3 + lift + 1.2 * (i / (layer_side * layer_side)));
+      for (int k = 1; k >= 0; --k) position[k] += shapes::uniform(random, -0.1, 0.1);
       btRigidBody& body =
           world_.add(*kinds_[kind].shape, 1, toBullet(Pose{shapes::randomRotation(random), position}));
       body.setFriction(btScalar(0.5));

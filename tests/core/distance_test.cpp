@@ -122,7 +122,8 @@ TEST(Distance, ofEdgesAllButParallel_vs_bruteforce) {
     std::vector<Vec3> of_a, of_b;
     const Vec3 along = testing::randomPoint(random, 1.0).normalized();
     const Vec3 across = along.unitOrthogonal();
-    const Vec3 turned = (along + testing::uniform(random, 0, 2e-3) * testing::randomPoint(random, 1.0));
+    const double turn = testing::uniform(random, 0, 2e-3);
+    const Vec3 turned = along + turn * testing::randomPoint(random, 1.0);
     for (int t = 0; t < 4; ++t) {
       const Vec3 at = t * Vec3(1e-6, 2e-6, -1e-6), gap = across * testing::uniform(random, 2e-5, 2e-4);
       for (const double end : {-testing::uniform(random, 0, 1), testing::uniform(random, 0, 1)}) {

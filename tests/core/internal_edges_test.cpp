@@ -32,8 +32,8 @@ TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
   constexpr int kCases = 200;
   for (int i = 0; i < kCases; ++i) {
     const double depth = uniform(random, 0.001, 0.02);
-    const Obb box = boxAt({uniform(random, -2, 2), uniform(random, -2, 2), 0.3 - depth}, {0.5, 0.4, 0.3},
-                          uniform(random, 0, 3));
+    const Vec3 place{uniform(random, -2, 2), uniform(random, -2, 2), 0.3 - depth};
+    const Obb box = boxAt(place, {0.5, 0.4, 0.3}, uniform(random, 0, 3));
     contacts(floor, ConvexBox(box), Pose(), 0.02, found);
     const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.999; };
     askew += std::ranges::any_of(found, isAskew);
@@ -80,8 +80,8 @@ TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
   std::mt19937_64 random(94);
   for (int i = 0; i < 100; ++i) {
     const double depth = uniform(random, -0.01, 0.02);
-    const Obb box = boxAt({uniform(random, -5, 5), uniform(random, -5, 5), 0.3 - depth}, {0.5, 0.4, 0.3},
-                          uniform(random, 0, 3));
+    const Vec3 place{uniform(random, -5, 5), uniform(random, -5, 5), 0.3 - depth};
+    const Obb box = boxAt(place, {0.5, 0.4, 0.3}, uniform(random, 0, 3));
     std::vector<Vec3> corners;
     for (int c = 0; c < 8; ++c) {
       corners.push_back(box.center + box.axes * box.half_extents.cwiseProduct(
@@ -109,7 +109,7 @@ TEST(CornerContacts, aLyingCapsuleRestsOnBothEnds) {
   int ends_found = 0;
   for (int i = 0; i < 100; ++i) {
     const double radius = 0.3, turn = uniform(random, 0, 6.3);
-    const Vec3 middle(uniform(random, -4, 4), uniform(random, -4, 4), radius + uniform(random, -0.01, 0.01));
+    const Vec3 middle{uniform(random, -4, 4), uniform(random, -4, 4), radius + uniform(random, -0.01, 0.01)};
     const Vec3 half(0.5 * std::cos(turn), 0.5 * std::sin(turn), 0.0);
     const ConvexHull capsule({middle - half, middle + half}, radius);
     std::vector<Contact> found;

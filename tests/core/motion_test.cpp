@@ -30,7 +30,7 @@ TEST(Motion, goesFromPoseToPoseWithItsCentreStraight) {
 TEST(Motion, turnsAtConstantSpeed) {
   std::mt19937_64 random(71);
   for (int i = 0; i < 300; ++i) {
-    const Motion motion(testing::randomPose(random, 5.0), testing::randomPose(random, 5.0));
+    const Motion motion{testing::randomPose(random, 5.0), testing::randomPose(random, 5.0)};
     const double fraction = testing::uniform(random, 0.0, 0.9);
     const Mat3 tenth = motion.at(fraction + 0.1).rotation * motion.at(fraction).rotation.transpose();
     ASSERT_NEAR(Eigen::AngleAxisd(tenth).angle(), 0.1 * motion.angle(), 1e-12);
@@ -105,8 +105,8 @@ TEST(RelativeMotion, noDistanceChangesByMoreThanTheBound) {
     const auto screw = [&](bool still, bool turns) {
       const Vec3 turn = testing::randomPoint(random, turns ? 2.0 : 0.0);
       const Vec3 way = testing::randomPoint(random, still ? 0.0 : 3.0);
-      return Motion::about(testing::randomPose(random, 4.0), testing::randomPoint(random, 5.0), turn,
-                           way + common);
+      const Pose begin = testing::randomPose(random, 4.0);
+      return Motion::about(begin, testing::randomPoint(random, 5.0), turn, way + common);
     };
     const Motion motion_a = screw(i % 4 < 2, i % 4 == 2), motion_b = screw(i % 4 == 1, i % 4 > 0);
     const double bound = relativeLengthBound(a, motion_a, b, motion_b);

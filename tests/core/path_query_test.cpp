@@ -12,7 +12,7 @@ namespace {
 std::vector<Pose> finePath(std::mt19937_64& random, int motions, int steps, double spread) {
   std::vector<Pose> path;
   for (int m = 0; m < motions; ++m) {
-    const Motion motion(testing::randomPose(random, spread), testing::randomPose(random, spread));
+    const Motion motion{testing::randomPose(random, spread), testing::randomPose(random, spread)};
     const double part = testing::uniform(random, 0.05, 0.5);
     for (int step = 0; step < steps; ++step) path.push_back(motion.at(part * step / steps));
   }

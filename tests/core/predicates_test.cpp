@@ -36,7 +36,8 @@ TEST(Predicates, orient3dEqualsIntegers) {
     Vec3 d = point();
     if (i % 4 !=
         0) {  // in the plane of a, b, c up to rounding: the filter must give up, the exact sum decide
-      d = (a + uniform(random, -1, 1) * (b - a) + uniform(random, -1, 1) * (c - a)).array().round();
+      const double u = uniform(random, -1, 1), v = uniform(random, -1, 1);
+      d = (a + u * (b - a) + v * (c - a)).array().round();
       if (i % 4 == 1) d = 2.0 * b - a;  // on the line through a and b: exactly 0
     }
     const int expected = integerOrient3d(a, b, c, d);

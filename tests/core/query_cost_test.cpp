@@ -75,7 +75,7 @@ TEST_F(QueryCostTest, rayThatPassesByCostsNothing) {
 TEST_F(QueryCostTest, rayMeasuresTheTriangleItNamesAndFewOthers) {
   std::mt19937_64 random(78);
   std::normal_distribution<double> somewhere(0.0, 0.3);
-  const auto point = [&] { return Vec3(somewhere(random), somewhere(random), somewhere(random)); };
+  const auto point = [&] { return Vec3{somewhere(random), somewhere(random), somewhere(random)}; };
   std::size_t hits = 0, exact_tests = 0;
   constexpr int kRays = 500;
   for (int i = 0; i < kRays; ++i) {

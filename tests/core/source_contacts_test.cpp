@@ -78,8 +78,8 @@ TEST(SourceContacts, hugeTrianglesAreTouchedWhereTheyAreTouched) {
   constexpr int kPoses = 100;
   for (int i = 0; i < kPoses; ++i) {
     const TriangleMesh floor({Vec3(-3e6, -2e6, 0), Vec3(3e6, -2e6, 0), Vec3(0, 4e6, 0)}, {{0, 1, 2}});
-    const Pose pose = Pose{testing::randomRotation(random), Vec3::Zero()} *
-                      Pose{Mat3::Identity(), Vec3(0, 0, testing::uniform(random, -2.1, 2.1))};
+    const Mat3 rotation = testing::randomRotation(random);
+    const Pose pose{rotation, rotation * Vec3(0, 0, testing::uniform(random, -2.1, 2.1))};
     const auto expected = testing::bruteForceContacts(*mesh, floor, pose, i % 2 ? 0.02 : 0.0);
     query.find(ring, testing::MeshSource(floor), pose, i % 2 ? 0.02 : 0.0, found);
     ASSERT_EQ(found.size(), expected.size()) << "pose " << i;

@@ -50,7 +50,8 @@ Triangle awkwardTriangle(std::mt19937_64& random, int kind) {
   const double width = std::pow(10.0, uniform(random, -18, -5));
   switch (kind) {
     case 0:
-      t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]) + randomPoint(random, width);
+      t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]);
+      t[2] += randomPoint(random, width);
       break;
     case 1:
       t[2] = t[1];
@@ -165,7 +166,8 @@ Triangle awkwardTriangleWithNormal(std::mt19937_64& random, int kind) {
   if (kind != 0) return awkwardTriangle(random, kind + 2);
   Triangle t = randomTriangle(random, 1.5);
   const double width = std::pow(10.0, uniform(random, -5, -1));
-  t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]) + randomPoint(random, width);
+  t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]);
+  t[2] += randomPoint(random, width);
   return t;
 }
 

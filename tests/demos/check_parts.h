@@ -23,13 +23,13 @@ class CheckParts : public CheckCommand {
   void SetUp() override {
     writeMesh(folder_.path() / "ring.obj", *octoblisk::testing::torus(1.0, 0.4, 40, 20));
     writeMesh(folder_.path() / "box.obj", *octoblisk::testing::boxMesh({0.3, 0.2, 0.4}));
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(6);
     std::uniform_real_distribution<double> part(-1.0, 1.0);
     std::vector<Pose> poses;
     Vec3 place(1.3, 0.0, 0.0);
     double angle = 0.0;
     for (int i = 0; i < kPoses; ++i) {
-      place += 0.1 * Vec3(part(random), part(random), part(random));
+      place += 0.1 * Vec3{part(random), part(random), part(random)};
       if (place.norm() > 2.4 || place.norm() < 1.1) place = 1.7 * place.normalized();
       angle += 0.1 * part(random);
       poses.push_back({Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix(), place});

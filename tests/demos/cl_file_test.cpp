@@ -34,7 +34,7 @@ std::vector<ToolMove> randomMoves(int count) {
   std::vector<ToolMove> moves;
   for (int k = 0; k < count; ++k) {
     const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+        Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
     const double feed = k % 3 == 0 ? 0.0 : 100.0 + 1.0 / 3.0 * (k / 5);
     moves.push_back({{turn.toRotationMatrix(), {normal(random), 1e3 * normal(random), 1e-7 / 3.0}}, feed});
   }
@@ -259,7 +259,7 @@ TEST_F(ClFileTest, AnArmAlongTheLastSecondAxisStillMakesARotation) {
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
   for (int round = 0; round < 100; ++round) {
-    const Vec3 up = Vec3(normal(random), normal(random), normal(random)).normalized();
+    const Vec3 up = Vec3{normal(random), normal(random), normal(random)}.normalized();
     const Vec3 side = up.unitOrthogonal(), other = up.cross(side);
     const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
         std::vector<Vec3>{9.0 * side, 9.0 * other, -9.0 * (side + other)},

@@ -46,7 +46,7 @@ inline RandomBlisk randomBlisk(unsigned seed, bool shroud, std::size_t triangles
   Blisk blisk = makeBlisk(sections, cylinderProfile(blade.hub_radius, 100.0), options);
   std::normal_distribution<double> normal;
   const Eigen::Quaterniond turn =
-      Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+      Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
   const Pose pose{turn.toRotationMatrix(),
                   {uniform(-500.0, 500.0), uniform(-500.0, 500.0), uniform(-500.0, 500.0)}};
   TriangleMesh mesh = posed(blisk.mesh, pose);

@@ -62,7 +62,7 @@ TEST(PoseJudge, callsFreeWhatGrindDoesNotCallInterference) {
     poses.push_back(path[i]);
     Pose changed = path[i];
     changed.rotation = Mat3(path[i].rotation * Eigen::AngleAxisd(tilt(random), Vec3::UnitZ()));
-    changed.translation += Vec3(shift(random), shift(random), shift(random));
+    changed.translation += Vec3{shift(random), shift(random), shift(random)};
     poses.push_back(changed);
   }
   const VerdictRules rules{0, 1, 0.1};
@@ -118,7 +118,7 @@ TEST(PoseJudge, equalsEveryPairOfTrianglesOfASlotAndABar) {
   std::vector<Pose> poses;
   for (int k = 0; k < 200; ++k) {
     poses.push_back({Mat3(Eigen::AngleAxisd(angle(random), Vec3::UnitZ())),
-                     Vec3(shift(random), shift(random), shift(random))});
+                     Vec3{shift(random), shift(random), shift(random)}});
   }
   const auto states = judge.judge(poses);
   std::size_t free = 0;

@@ -348,8 +348,8 @@ TEST(GroupMessages, ComeAsTheyWent) {
 TEST(ExactNumbers, AreThoseOfStreamsAndReadBackAsTheyAre) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 10000; ++i) {
-    const double value = std::ldexp(std::uniform_real_distribution<double>(-1.0, 1.0)(random),
-                                    static_cast<int>(random() % 200) - 100);
+    const double fraction = std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+    const double value = std::ldexp(fraction, static_cast<int>(random() % 200) - 100);
     std::ostringstream stream;
     stream << std::setprecision(17) << value;
     ASSERT_EQ(exactText(value), stream.str());

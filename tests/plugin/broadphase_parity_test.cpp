@@ -40,7 +40,8 @@ void liveTwice(const std::vector<btCollisionShape*>& shapes, Check&& check) {
   TightWorld tight;
   std::mt19937_64 random(73);
   const auto place = [&] {
-    return at(uniform(random, -6, 6), uniform(random, -6, 6), uniform(random, -6, 6));
+    const double x = uniform(random, -6, 6), y = uniform(random, -6, 6);
+    return at(x, y, uniform(random, -6, 6));
   };
   const auto anyShape = [&] { return shapes[random() % shapes.size()]; };
   for (int i = 0; i < 100; ++i) {
@@ -52,8 +53,8 @@ void liveTwice(const std::vector<btCollisionShape*>& shapes, Check&& check) {
   for (int step = 0; step < 60; ++step) {
     for (std::size_t i = 0; i < stock.objects.size(); ++i) {
       if (random() % 3 == 0) continue;
-      const btTransform pose = at(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), 0) *
-                               stock.objects[i]->getWorldTransform();
+      const double x = uniform(random, -0.5, 0.5), y = uniform(random, -0.5, 0.5);
+      const btTransform pose = at(x, y, 0) * stock.objects[i]->getWorldTransform();
       btCollisionShape* shape = random() % 20 == 0 ? anyShape() : nullptr;
       const bool toggled = random() % 15 == 0;
       const auto change = [&](auto& world) {

@@ -104,8 +104,8 @@ inline void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name;
 inline std::vector<Scene> scenes() {
   const Vec3 one = Vec3::Ones();
   return {{"torus", torus(2, 0.7, 48, 24), one, 1.0},
-          {"wave", waveSheet(4, 0.5, 40), one, 1.5},
-          {"blades", fan(11, 24), one, 0.25},
+          {"wave", waveSheet(4, 0.5, 40), one, 1.0},
+          {"blades", fan(11, 24), one, 0.2},
           {"stretched torus", torus(2, 0.7, 48, 24), {1.5, 0.5, 1}, 0.8},
           {"mirrored blades", fan(11, 24), {-1, 1.2, 0.8}, 0.15}};
 }
@@ -116,8 +116,8 @@ struct Way {
 
 inline Way randomWay(std::mt19937_64& random, const Scene& scene) {
   const auto& vertices = scene.mesh->vertices();
-  const Vec3 target =
-      vertices[random() % vertices.size()].cwiseProduct(scene.scaling) + randomPoint(random, scene.miss);
+  const Vec3 vertex = vertices[random() % vertices.size()].cwiseProduct(scene.scaling);
+  const Vec3 target = vertex + randomPoint(random, scene.miss);
   const Vec3 from = randomPoint(random, 5.0);
   Vec3 to = from + uniform(random, 0.4, 1.6) * (target - from);
   if (random() % 4 == 0) to[int(random() % 3)] = from[int(random() % 3)];

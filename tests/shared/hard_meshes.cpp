@@ -41,7 +41,8 @@ SharedMesh slivers(std::mt19937_64& random) {
     vertices.push_back(from);
     vertices.push_back(to);
     const double width = std::pow(10.0, uniform(random, -17.0, -3.0));
-    vertices.emplace_back(from + uniform(random, -0.2, 1.2) * (to - from) + randomPoint(random, width));
+    const Vec3 off_line = randomPoint(random, width);
+    vertices.emplace_back(from + uniform(random, -0.2, 1.2) * (to - from) + off_line);
     triangles.push_back({first, first + 1, first + 2});
   }
   return meshOf(std::move(vertices), std::move(triangles));
@@ -68,7 +69,8 @@ SharedMesh duplicates(std::mt19937_64& random) {
 
 /// A box and a torus' triangles cut at the middle of an edge again and again, those beside them not.
 SharedMesh tJunctions(std::mt19937_64& random) {
-  const Vec3 half(uniform(random, 0.3, 0.9), uniform(random, 0.3, 0.9), uniform(random, 0.02, 0.9));
+  Vec3 half;
+  for (int k = 2; k >= 0; --k) half[k] = uniform(random, k == 2 ? 0.02 : 0.3, 0.9);
   const SharedMesh base = random() % 2 == 0 ? boxMesh(half) : torus(0.8, 0.3, 6, 4);
   Vertices vertices = base->vertices();
   Triangles triangles = base->triangles();

@@ -137,9 +137,8 @@ SoakTally soak(std::uint64_t scene_number, int poses) {
   const SharedMesh mesh_a =
       placed(*hardMesh(random, scene.a), scene.scale, scene.scale * scene.far * direction);
   // B may lie far from its own origin, too.
-  const SharedMesh mesh_b =
-      placed(*hardMesh(random, scene.b), size_of_b,
-             random() % 2 == 0 ? Vec3::Zero().eval() : size_of_b * scene.far * direction);
+  const double far_of_b = random() % 2 == 0 ? 0.0 : size_of_b * scene.far;
+  const SharedMesh mesh_b = placed(*hardMesh(random, scene.b), size_of_b, far_of_b * direction);
   const TreeKind& kind = treeKinds()[scene_number % treeKinds().size()];
   const ClusteredOctree a = treeOf(mesh_a, kind), b = treeOf(mesh_b, kind);
 

@@ -32,7 +32,8 @@ Vec3 inSkewPlane(std::mt19937_64& random, double half_size) {
 Triangle sliver(std::mt19937_64& random) {
   Triangle t = randomTriangle(random, 1);
   const double width = std::pow(10.0, uniform(random, -18.0, -6.0));
-  t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]) + randomPoint(random, width);
+  t[2] = t[0] + uniform(random, -0.3, 1.3) * (t[1] - t[0]);
+  t[2] += randomPoint(random, width);
   return t;
 }
 
@@ -121,8 +122,8 @@ TrianglePairSample touching(std::mt19937_64& random, PairKind kind) {
     case PairKind::slivers: {
       a = sliver(random);
       b = sliver(random);
-      const Vec3 to_meet = onEdge(random, a) - onEdge(random, b);
-      for (Vec3& corner : b) corner += to_meet;
+      const Vec3 from = onEdge(random, b), to = onEdge(random, a);
+      for (Vec3& corner : b) corner += to - from;
       break;
     }
     case PairKind::degenerate:
