@@ -12,6 +12,8 @@ namespace octoblisk {
 
 /// Replaces `found` by the contact of every pair of triangles no farther apart than `threshold` (>= 0), by
 /// ascending indices. Points and normals are in A's frame. Where `found` has the room, allocates nothing.
+/// A pair knows nothing of the triangles beside it: where bodies hardly meet, one of a coarse mesh may be as
+/// deep as a triangle is wide (SurfaceContacts leaves these out).
 void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 

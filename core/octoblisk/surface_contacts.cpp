@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "octoblisk/triangle_feature.h"
+#include "octoblisk/triangle_pair.h"
 
 namespace octoblisk {
 namespace {
@@ -32,11 +33,21 @@ void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& 
   }
 }
 
+/// Whether all of a triangle is below the plane of another, or on it.
+bool isBelow(const Triangle& triangle, const Triangle& face) {
+  constexpr double kOn = 1e-4;  // of the triangle's size
+  const Vec3 facing = scaledNormal(face);
+  const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
+  return std::ranges::all_of(triangle, [&](const Vec3& corner) {
+    return facing.dot(corner - face[0]) <= kOn * size * facing.norm();
+  });
+}
+
 }  // namespace
 
 void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
-  removed_.assign(contacts.size(), kKept);
+  removeLongWays(contacts);
   join(contacts);
   markPast(contacts);
   forEachOfOne(&Contact::triangle_b, contacts, by_b_,
@@ -51,12 +62,62 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   contacts.resize(kept);
 }
 
-/// Groups those that hang together by triangles. The root of a group is its deepest.
-void SurfaceContacts::join(const std::vector<Contact>& contacts) {
-  for (auto* indices : {&parent_, &by_a_, &by_b_}) {
-    indices->resize(contacts.size());
+/// All kept, in the order that they come in.
+void SurfaceContacts::reset(std::size_t contacts) {
+  removed_.assign(contacts, kKept);
+  for (auto* indices : {&by_a_, &by_b_}) {
+    indices->resize(contacts);
     std::iota(indices->begin(), indices->end(), 0u);
   }
+}
+
+/// First of all: nothing is to be told from how deep these are.
+void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
+  reset(contacts.size());
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
+               [&](Members opposite_one) { markLongWays(contacts, opposite_one, true); });
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
+               [&](Members opposite_one) { markLongWays(contacts, opposite_one, false); });
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (removed_[c] != kKept) continue;
+    contacts[kept] = contacts[c];
+    pairs_[kept++] = pairs_[c];
+  }
+  if (kept == contacts.size()) return;
+  contacts.resize(kept);
+  pairs_.resize(kept);
+  reset(kept);
+}
+
+/// Of the contacts with one triangle of the other body, those square to a face of this body's that the
+/// triangle's deepest point is far less deep below, or out of, another face that meets it. The two faces are
+/// of a convex edge, or on two sides of a sheet: each is below the other's plane.
+void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  if (opposite_one.size() < 2) return;
+  const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
+  for (const std::uint32_t c : opposite_one) {
+    const Contact& contact = contacts[c];
+    const Triangle& own = ownOf(c);
+    if (!(contact.distance < 0.0) || !isSquare(own, contact.normal)) continue;
+    const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
+    const double far_less = -0.5 * contact.distance;
+    const auto isShortWay = [&](std::uint32_t o) {
+      if (contacts[o].distance > 0.0 || contacts[o].distance <= contact.distance) return false;
+      const Triangle& other = ownOf(o);
+      const Vec3 facing = scaledNormal(other);
+      const double depth = facing.dot(other[0] - deepest);  // times the facing's length
+      return depth < far_less * facing.norm() && isBelow(own, other) && isBelow(other, own) &&
+             (depth < 0.0 || closestPoints(other, {deepest, deepest, deepest}).distance < far_less);
+    };
+    if (std::ranges::any_of(opposite_one, isShortWay)) removed_[c] = kLongWay;
+  }
+}
+
+/// Groups those that hang together by triangles. The root of a group is its deepest.
+void SurfaceContacts::join(const std::vector<Contact>& contacts) {
+  parent_.resize(contacts.size());
+  std::iota(parent_.begin(), parent_.end(), 0u);
   const auto joinAll = [&](Members of_one) {
     for (const std::uint32_t c : of_one.subspan(1)) {
       std::uint32_t a = rootOf(parent_, of_one.front()), b = rootOf(parent_, c);

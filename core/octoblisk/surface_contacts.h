@@ -12,6 +12,8 @@ namespace octoblisk {
 
 /// Two triangles know nothing of the surfaces that they are of. Of two bodies that meet, the contacts of
 /// their triangles hold such as neither body means:
+/// - that push a triangle out of a face the long way, past a sharp edge over which it is nearly out: as deep
+///   as the triangles are large, where the bodies hardly touch;
 /// - of triangles that are past each other's faces, inside the other body, a hair's breadth apart: they would
 ///   keep the bodies in one another;
 /// - that push askew from an edge or corner beyond which the surface goes on, nearer or deeper: the bodies
@@ -42,6 +44,9 @@ class SurfaceContacts {
   using Members = std::span<const std::uint32_t>;
 
   void keepIn(std::vector<Contact>& contacts);
+  void reset(std::size_t contacts);
+  void removeLongWays(std::vector<Contact>& contacts);
+  void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   void join(const std::vector<Contact>& contacts);
   void keepDeepest(const std::vector<Contact>& contacts);
   void markPast(const std::vector<Contact>& contacts);
@@ -49,7 +54,7 @@ class SurfaceContacts {
 
   std::vector<Pair> pairs_;  // of each contact
   std::vector<Corner> corners_;
-  enum Removed : std::uint8_t { kKept, kPast, kInner };
+  enum Removed : std::uint8_t { kKept, kLongWay, kPast, kInner };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> by_a_, by_b_, parent_;
   std::vector<bool> stays_;  // of a root: whether something of its group does

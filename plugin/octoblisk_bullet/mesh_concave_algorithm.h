@@ -3,6 +3,7 @@
 #pragma once
 
 #include "octoblisk/source_contacts.h"
+#include "octoblisk/surface_contacts.h"
 #include "octoblisk_bullet/mesh_algorithm.h"
 
 namespace octoblisk {
@@ -22,6 +23,7 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
                                                 const Contact& contact) const override;
 
   SourceContacts source_contacts_;
+  SurfaceContacts surface_contacts_;
 };
 
 }  // namespace octoblisk

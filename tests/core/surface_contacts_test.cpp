@@ -44,7 +44,7 @@ TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
     const double height = 0.3 + uniform(random, -0.008, 0.008), tilt = uniform(random, -0.002, 0.002);
     const Pose pose{Eigen::AngleAxisd(uniform(random, 0, 3), Vec3::UnitZ()).toRotationMatrix() *
                         Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix(),
-                    Vec3(uniform(random, -2, 2), uniform(random, -2, 2), height)};
+                    Vec3{uniform(random, -2, 2), uniform(random, -2, 2), height}};
     const Found found(floor, box, pose, 0.02);
     const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.99; };
     askew += std::ranges::any_of(found.all, isAskew);
@@ -63,7 +63,8 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
   constexpr int kCases = 60;
   for (int i = 0; i < kCases; ++i) {
     Pose pose = testing::randomPose(random, 0.0);
-    pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.75, 1.95);
+    const Vec3 direction = testing::randomRotation(random).col(0);
+    pose.translation = direction * uniform(random, 1.75, 1.95);
     const Found found(tree, tree, pose, 0.04);
     if (found.all.empty() || deepest(found.all) > 0.0) continue;
     // A point midway between two surfaces that are past each other is in both solids.
@@ -78,6 +79,32 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
   }
   EXPECT_GT(inside_before, kCases / 3);
   EXPECT_EQ(inside_after, 0);
+}
+
+TEST(SurfaceContacts, coarseBoxesArePushedTheShortWay) {
+  std::mt19937_64 random(99);
+  const auto mesh_a = testing::boxMesh({1.0, 0.8, 0.5}), mesh_b = testing::boxMesh({0.6, 0.7, 0.9});
+  const ClusteredOctree a = ClusteredOctree::build(mesh_a), b = ClusteredOctree::build(mesh_b);
+  int long_ways = 0;
+  constexpr int kCases = 300;
+  for (int i = 0; i < kCases; ++i) {
+    // Upright on top, or with one edge or corner a little in it.
+    const double turn = uniform(random, 0, 3), tilt = i % 3 ? uniform(random, -0.3, 0.3) : 0.0;
+    const Mat3 rotation = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix() *
+                          Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix();
+    Pose pose{rotation, Vec3{uniform(random, -1, 1), uniform(random, -1, 1), 0.0}};
+    double lowest = 0.0;
+    for (const Vec3& vertex : mesh_b->vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    const double depth = uniform(random, 1e-4, 0.05);
+    pose.translation.z() = 0.5 - lowest - depth;
+    const Found found(a, b, pose, 0.0);
+    if (found.all.empty()) continue;  // what is lowest is beside A
+    long_ways += deepest(found.all) < -2.0 * depth;
+    ASSERT_GE(deepest(found.kept), -2.0 * depth) << "case " << i;
+    ASSERT_LE(deepest(found.kept), testing::deepestShortWay(*mesh_a, *mesh_b, pose, found.all))
+        << "case " << i;
+  }
+  EXPECT_GT(long_ways, kCases / 3);
 }
 
 TEST(SurfaceContacts, sheetsHaveTwoSides) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gallery/bullet_mesh.h"
 #include "gallery/concave_pile.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
@@ -50,6 +51,29 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
   }
   EXPECT_LE(moved, 2);    // a torus may still roll
   EXPECT_GT(lifted, 10);  // they lie on one another, not side by side
+}
+
+/// Cubes of twelve triangles, half a size of 1, dropped on each other without a margin; on one of our shape,
+/// or of Bullet's. Where they meet, their walls hardly do, and each could be pushed out by all of its width.
+TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
+  for (const bool on_bvh : {false, true}) {
+    const auto mesh = testing::boxMesh({1, 1, 1});
+    ClusteredOctreeShape cube(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    gallery::BulletMesh source(*mesh);
+    btBvhTriangleMeshShape bvh(source.view(), true);
+    BulletWorld world;
+    world.add(on_bvh ? static_cast<btCollisionShape&>(bvh) : cube, 0, at(0, 0, 0));
+    std::vector<btRigidBody*> stack;
+    for (int i = 1; i <= 4; ++i) {
+      stack.push_back(&world.add(cube, 1, at(i % 2 ? 0.2 : 0.0, 0.1, 2.1 * i)));
+    }
+    world.step(4 * 240);
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+      const Vec3 place = fromBullet(stack[i]->getWorldTransform().getOrigin());
+      EXPECT_NEAR(place.z(), 2.0 * double(i + 1), 0.02) << i << (on_bvh ? " on BVH" : "");
+      EXPECT_LT((place - Vec3(i % 2 ? 0.0 : 0.2, 0.1, place.z())).norm(), 0.02) << i;
+    }
+  }
 }
 
 /// Whether two rings of a radius, each round the z axis of its pose, go through each other: of the two points

@@ -8,6 +8,7 @@
 #include "plugin/bullet_world.h"
 #include "plugin/partners.h"
 #include "shared/brute_force.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 namespace {
@@ -120,12 +121,18 @@ TEST_P(ConcavePairs, contacts_vs_bruteforce) {
     ASSERT_EQ(report.points.empty(), expected.empty()) << "pose " << i;
     hits += !expected.empty();
     if (expected.empty()) continue;
-    ASSERT_NEAR(report.deepest(), deepest, kNoise) << "pose " << i;
+    // The plane's contacts are those of corners: none goes a long way.
+    const double least_deep =
+        pair.made.mesh && deepest + margins <= 0.0
+            ? testing::deepestShortWay(*torusMesh(), *pair.made.mesh, pair.other_in_torus, expected) - margins
+            : deepest;
+    ASSERT_GE(report.deepest(), deepest - kNoise) << "pose " << i;
+    ASSERT_LE(report.deepest(), least_deep + kNoise) << "pose " << i;
     // Of two bodies of our shape the first is the one whose frame is taken.
     if (GetParam().name != "ours") {
       ASSERT_NO_FATAL_FAILURE(expectMirrored(report, swapped)) << "pose " << i;
     }
-    ASSERT_NEAR(swapped.deepest(), deepest, kNoise);
+    ASSERT_NEAR(swapped.deepest(), report.deepest(), kNoise);
     for (const PairReport::Point& point : report.points) {
       ASSERT_EQ(point.part0, 0);
       const auto same = std::ranges::find_if(expected, [&](const Contact& c) {

@@ -1,6 +1,7 @@
 // Closed meshes, and oracles of what is inside them. All seeded, all by looking at every triangle.
 #pragma once
 
+#include "octoblisk/contact.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
@@ -32,5 +33,11 @@ double windingNumber(const TriangleMesh& mesh, const Vec3& point);
 /// The distance to the nearest triangle, by a search of each triangle that shares no step with the library's.
 double bruteForceDistance(const TriangleMesh& mesh, const Vec3& point);
 double bruteForceDistance(const Triangle& triangle, const Vec3& point);
+
+/// How deep the deepest is of the contacts that push the short way, below 0; 0 where none does. These are
+/// contacts of A and B, not all; one pushes the short way where what it pushes is inside the body that it is
+/// pushed out of, and no part of the surface is nearer than half of the way.
+double deepestShortWay(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
+                       const std::vector<Contact>& contacts);
 
 }  // namespace octoblisk::testing
