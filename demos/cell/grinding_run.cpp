@@ -171,8 +171,9 @@ double GrindingRun::depthBound() const {
 }
 
 bool GrindingRun::interferes() const {
-  return count(Verdict::interference) + count(MoveReport::Outcome::hit) +
-             count(MoveReport::Outcome::too_deep) >
+  using Outcome = MoveReport::Outcome;
+  return count(Verdict::interference) + count(Outcome::hit) + count(Outcome::too_deep) +
+             count(Outcome::not_proved) >
          0;
 }
 

@@ -117,6 +117,15 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   EXPECT_THAT(inWords(of_open), ::testing::HasSubstr("on the others not known"));
 }
 
+TEST(GrindingRun, aMoveThatIsNotProvedFreeCountsAsInterference) {
+  GrindingRun run;
+  run.poses.resize(2);
+  run.poses[1].move = MoveReport{};
+  EXPECT_FALSE(run.interferes());
+  run.poses[1].move->outcome = Outcome::not_proved;
+  EXPECT_TRUE(run.interferes());
+}
+
 TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
   constexpr double kDepth = 0.05, kSlide = 3.0;
   GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2),
