@@ -1,4 +1,5 @@
-// Built trees as bytes: saved to a file, and used from there without being read.
+// Built trees as bytes: saved to a file, and used where they lie there: read once to be checked, never
+// copied.
 //
 // A blob holds the tree and a fingerprint of the mesh, not the mesh. It is bound to this format's version, to
 // the machine's byte order and to the mesh, and carries a checksum (XXH64, checksum.h) over all of it: a

@@ -21,13 +21,14 @@ class LockedPart {
   LockedPart& operator=(const LockedPart&) = delete;
 
   void requireUsable() const {
-    const auto require = [&](int count, const unsigned char* data, const char* what) {
+    const auto require = [&](int count, const unsigned char* data, int stride, const char* what) {
       const std::string number = std::to_string(count);
       if (count < 0) throw unusable(number + " " + what);
       if (count > 0 && !data) throw unusable("a null pointer to its " + number + " " + what);
+      if (count > 1 && stride == 0) throw unusable("a stride of 0 between its " + number + " " + what);
     };
-    require(vertex_count, vertices_, "vertices");
-    require(triangle_count, indices_, "triangles");
+    require(vertex_count, vertices_, vertex_stride_, "vertices");
+    require(triangle_count, indices_, index_stride_, "triangles");
   }
 
   Vec3 vertex(int v) const {
@@ -103,8 +104,9 @@ InterfaceMesh readMeshInterface(const btStridingMeshInterface& source) {
       for (std::uint32_t& index : corners) {
         if (index >= static_cast<std::uint32_t>(part.vertex_count)) {
           throw std::invalid_argument("triangle " + std::to_string(t) + " of part " + std::to_string(p) +
-                                      " uses vertex " + std::to_string(index) + ", but the part has " +
-                                      std::to_string(part.vertex_count) + " vertices");
+                                      " uses vertex " + std::to_string(static_cast<std::int32_t>(index)) +
+                                      ", but the part has " + std::to_string(part.vertex_count) +
+                                      " vertices");
         }
         index += first_vertex;
       }

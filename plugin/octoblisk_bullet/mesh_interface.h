@@ -15,9 +15,10 @@ struct InterfaceMesh {
 };
 
 /// Reads any vertex type (float, double), index type (32, 16 or 8 bits), stride and number of parts.
-/// Throws std::invalid_argument that names the part, and the triangle or vertex of the whole, where there are
-/// no triangles, a type is none of these, a count is below 0, a pointer is null, an index is out of range or a
-/// coordinate is not finite.
+/// Throws std::invalid_argument where there are no triangles; that names the part, where a type is none of
+/// these, a count is below 0, a pointer is null or a stride is 0; the part and its triangle, where an index
+/// is out of range; the vertex, counted over all parts, where a coordinate is not finite or beyond
+/// TriangleMesh::kMaxCoordinate.
 InterfaceMesh readMeshInterface(const btStridingMeshInterface& source);
 
 }  // namespace octoblisk

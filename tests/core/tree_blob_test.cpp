@@ -237,7 +237,8 @@ TEST(TreeBlob, tellsWhatIsWrong) {
   expect(blob, testing::torus(3, 1, 20, 11), "belongs to another mesh, of 400 triangles");
   std::vector<Vec3> vertices = mesh->vertices();
   vertices[7].x() = std::nextafter(vertices[7].x(), 9.0);
-  expect(blob, std::make_shared<const TriangleMesh>(vertices, mesh->triangles()), "belongs to another mesh");
+  expect(blob, std::make_shared<const TriangleMesh>(vertices, mesh->triangles()),
+         "belongs to another mesh, with as many triangles");
   expect(blob, nullptr, "needs the mesh");
 }
 

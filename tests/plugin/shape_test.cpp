@@ -153,8 +153,14 @@ TEST(Shape, refusesBadMeshes) {
   btTriangleIndexVertexArray outside(1, corners, sizeof corners, 3, vertices, 3 * sizeof(btScalar));
   EXPECT_EQ(messageOf(&outside), "triangle 0 of part 0 uses vertex 5, but the part has 3 vertices");
 
+  corners[2] = -1;
+  EXPECT_EQ(messageOf(&outside), "triangle 0 of part 0 uses vertex -1, but the part has 3 vertices");
+
   corners[2] = 2;
   EXPECT_EQ(messageOf(&outside), "accepted");
+  btTriangleIndexVertexArray of_one_vertex(1, corners, sizeof corners, 3, vertices, 0);
+  EXPECT_EQ(messageOf(&of_one_vertex),
+            "part 0 of the mesh interface has a stride of 0 between its 3 vertices");
   vertices[4] = std::numeric_limits<btScalar>::quiet_NaN();
   EXPECT_EQ(messageOf(&outside), "vertex 1 has the coordinate nan; it must be finite and at most 1e12");
   vertices[4] = 0;
