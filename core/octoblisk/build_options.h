@@ -21,7 +21,7 @@ enum class BuildQuality {
 /// What the tree takes of memory, and queries of time.
 enum class Storage {
   fast,     ///< about 60 bytes a triangle beside the mesh
-  compact,  ///< a quarter of that: boxes of sixteen-bit integers, corners read from the mesh; slower queries
+  compact,  ///< a fifth of that: boxes of sixteen-bit integers, corners read from the mesh; slower queries
 };
 
 struct BuildOptions {

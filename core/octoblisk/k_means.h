@@ -27,8 +27,8 @@ struct Clustering {
 
 /// Clusters the points. Deterministic: the same bits for the same points and options. A point at equal
 /// distance belongs to the lowest cluster. A cluster that runs empty takes the point farthest from its own
-/// centre; only where there are fewer than k distinct points may one stay empty. Throws std::invalid_argument
-/// where k is not in 1..n or max_iterations is below 1.
+/// centre; one may stay empty where there are fewer than k distinct points, or where max_iterations ends the
+/// run. Throws std::invalid_argument where k is not in 1..n or max_iterations is below 1.
 Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options = {});
 
 }  // namespace octoblisk

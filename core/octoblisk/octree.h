@@ -41,7 +41,7 @@ class Octree {
     std::uint32_t count() const { return end - begin; }
   };
 
-  /// Throws std::invalid_argument for no points, more than 2^29, a leaf capacity of 0 or a negative depth.
+  /// Throws std::invalid_argument for no points, 2^29 - 1 or more, a leaf capacity of 0 or a negative depth.
   static Octree build(std::span<const Vec3> points, const OctreeOptions& options = {});
 
   const std::vector<Node>& nodes() const { return nodes_; }           ///< the root first

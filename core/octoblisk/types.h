@@ -12,7 +12,8 @@ namespace octoblisk {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal.
+/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. Queries do not look whether
+/// all of it is finite: at a pose with a NaN bodies do not meet, and are infinitely far from each other.
 struct Pose {
   Mat3 rotation = Mat3::Identity();
   Vec3 translation = Vec3::Zero();

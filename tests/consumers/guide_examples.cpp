@@ -138,7 +138,7 @@ bool isHeld(bool clamped) {
   octoblisk::MotionClamping clamping;
   first.world.addRigidBody(&floor);
   first.world.addRigidBody(&ring);
-  if (clamped) clampMotion(first.world, clamping, ring, btScalar(0.4));
+  if (clamped) clampMotions(first.world, clamping, btScalar(0.4));
   for (int step = 0; step < 10; ++step) first.world.stepSimulation(btScalar(1) / 240, 0);
   const btScalar height = ring.getWorldTransform().getOrigin().z();
   if (clamped) first.world.removeAction(&clamping);
