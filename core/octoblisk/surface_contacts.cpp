@@ -1,7 +1,10 @@
 #include "octoblisk/surface_contacts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "octoblisk/triangle_feature.h"
 #include "octoblisk/triangle_pair.h"
@@ -33,17 +36,22 @@ void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& 
   }
 }
 
-/// Whether all of a triangle is below the plane of another, or on it.
-bool isBelow(const Triangle& triangle, const Triangle& face) {
-  constexpr double kOn = 1e-4;  // of the triangle's size
-  const Vec3 facing = scaledNormal(face);
-  const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
-  return std::ranges::all_of(triangle, [&](const Vec3& corner) {
-    return facing.dot(corner - face[0]) <= kOn * size * facing.norm();
-  });
-}
-
 }  // namespace
+
+SurfaceContacts::Face::Face(const Triangle& of, double contact)
+    : triangle(of), facing(scaledNormal(of).normalized()), contact_distance(contact) {}
+
+/// Whether each of two faces is below the other's plane, or on it: those of a convex edge, or of two sides of
+/// a sheet. Never where the other has no area.
+bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
+  constexpr double kOn = 1e-4;  // of the triangle's size
+  const auto isBelow = [](const Face& low, const Face& high) {
+    const Triangle& t = low.triangle;
+    const double most = -kOn * ((t[1] - t[0]).norm() + (t[2] - t[0]).norm());
+    return high.depthOf(t[0]) >= most && high.depthOf(t[1]) >= most && high.depthOf(t[2]) >= most;
+  };
+  return !other.facing.isZero() && isBelow(face, other) && isBelow(other, face);
+}
 
 void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
@@ -90,27 +98,53 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
   reset(kept);
 }
 
-/// Of the contacts with one triangle of the other body, those square to a face of this body's that the
-/// triangle's deepest point is far less deep below, or out of, another face that meets it. The two faces are
-/// of a convex edge, or on two sides of a sheet: each is below the other's plane.
+/// Of the contacts with one triangle of the other body, those square to a face of this body's where another
+/// face, below whose plane all of that one is and the other way round, meets the triangle far less deep, and
+/// - is near the triangle's deepest point, or
+/// - is near the face, and the deepest point is out of the body, over a third face or that one.
 void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
   if (opposite_one.size() < 2) return;
-  const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
+  faces_.clear();
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
-    const Triangle& own = ownOf(c);
+    const Triangle& own = of_a ? pairs_[c].a : pairs_[c].b;
     if (!(contact.distance < 0.0) || !isSquare(own, contact.normal)) continue;
+    if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
+    const Face face(own, contact.distance);
     const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
-    const double far_less = -0.5 * contact.distance;
-    const auto isShortWay = [&](std::uint32_t o) {
-      if (contacts[o].distance > 0.0 || contacts[o].distance <= contact.distance) return false;
-      const Triangle& other = ownOf(o);
-      const Vec3 facing = scaledNormal(other);
-      const double depth = facing.dot(other[0] - deepest);  // times the facing's length
-      return depth < far_less * facing.norm() && isBelow(own, other) && isBelow(other, own) &&
-             (depth < 0.0 || closestPoints(other, {deepest, deepest, deepest}).distance < far_less);
+    const double half_way = -0.5 * contact.distance;
+    const auto isOver = [&](const Face& other) {
+      return other.depthOf(deepest) < -0.1 * half_way && isConvex(face, other);
     };
-    if (std::ranges::any_of(opposite_one, isShortWay)) removed_[c] = kLongWay;
+    std::optional<bool> is_out;
+    const auto isShortWay = [&](const Face& other) {
+      if (other.contact_distance <= -half_way) return false;
+      if (other.depthOf(deepest) < half_way && isConvex(face, other) &&
+          closestPoints(other.triangle, {deepest, deepest, deepest}).distance < half_way) {
+        return true;
+      }
+      if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
+      return *is_out && isConvex(face, other) && contactOf(own, other.triangle).distance < half_way;
+    };
+    if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = kLongWay;
+  }
+}
+
+/// The faces that meet a triangle, those of the least deep contacts; not all, so that a large triangle under
+/// a fine mesh takes no time that goes with the square of what it meets.
+void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  constexpr std::size_t kMost = 256;
+  shallowest_.clear();
+  std::ranges::copy_if(opposite_one, std::back_inserter(shallowest_),
+                       [&](std::uint32_t c) { return contacts[c].distance <= 0.0; });
+  if (shallowest_.size() > kMost) {
+    // Of equally deep ones the first: the same on every machine.
+    const auto depthOf = [&](std::uint32_t c) { return std::pair(-contacts[c].distance, c); };
+    std::ranges::nth_element(shallowest_, shallowest_.begin() + kMost, {}, depthOf);
+    shallowest_.resize(kMost);
+  }
+  for (const std::uint32_t c : shallowest_) {
+    faces_.emplace_back(of_a ? pairs_[c].a : pairs_[c].b, contacts[c].distance);
   }
 }
 

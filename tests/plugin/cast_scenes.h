@@ -104,7 +104,7 @@ inline void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name;
 inline std::vector<Scene> scenes() {
   const Vec3 one = Vec3::Ones();
   return {{"torus", torus(2, 0.7, 48, 24), one, 1.0},
-          {"wave", waveSheet(4, 0.5, 40), one, 1.0},
+          {"wave", waveSheet(4, 0.5, 40), one, 0.6},
           {"blades", fan(11, 24), one, 0.2},
           {"stretched torus", torus(2, 0.7, 48, 24), {1.5, 0.5, 1}, 0.8},
           {"mirrored blades", fan(11, 24), {-1, 1.2, 0.8}, 0.15}};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/concave_pile.h"
@@ -72,6 +73,32 @@ TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
       const Vec3 place = fromBullet(stack[i]->getWorldTransform().getOrigin());
       EXPECT_NEAR(place.z(), 2.0 * double(i + 1), 0.02) << i << (on_bvh ? " on BVH" : "");
       EXPECT_LT((place - Vec3(i % 2 ? 0.0 : 0.2, 0.1, place.z())).norm(), 0.02) << i;
+    }
+  }
+}
+
+/// A bar lies on the edges of two boxes turned by 45°, or on two upright plates, and stays.
+TEST(ConcaveDynamics, aCoarseBarLiesOnEdgesAndOnThinPlatesWithoutAMargin) {
+  const auto treeOf = [](const Vec3& half_extents) {
+    return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh(half_extents)));
+  };
+  ClusteredOctreeShape bar(treeOf({1.5, 0.3, 0.2})), box(treeOf({0.5, 1, 0.5})),
+      plate(treeOf({0.005, 1, 0.5}));
+  const double edge = 0.5 * std::numbers::sqrt2;
+  std::mt19937_64 random(61);
+  for (int i = 0; i < 10; ++i) {
+    for (const bool on_edges : {true, false}) {
+      BulletWorld world;
+      const btQuaternion turn(btVector3(0, 1, 0), on_edges ? btScalar(0.25 * std::numbers::pi) : 0);
+      for (const double x : {-1.0, 1.0}) {
+        world.add(on_edges ? box : plate, 0, btTransform(turn, btVector3(btScalar(x), 0, 0)));
+      }
+      const double top = (on_edges ? edge : 0.5) + 0.2, x = testing::uniform(random, -0.1, 0.1);
+      btRigidBody& body = world.add(bar, 1, at(x, testing::uniform(random, -0.2, 0.2), top + 0.05));
+      world.step(3 * 240);
+      const Vec3 place = fromBullet(body.getWorldTransform().getOrigin());
+      EXPECT_NEAR(place.z(), top, 0.02) << i << (on_edges ? ", edges" : ", plates");
+      EXPECT_NEAR(place.x(), x, 0.2) << i << (on_edges ? ", edges" : ", plates");
     }
   }
 }
