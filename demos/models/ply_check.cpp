@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -162,6 +164,13 @@ class AsciiReader {
   TextReader& text_;
 };
 
+/// The shortest text of a number, which need not fit any integer.
+std::string textOf(double number) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
 template <typename Reader>
 void checkPlyBody(const PlyHeader& header, Reader& reader) {
   double vertices = 0;
@@ -178,8 +187,8 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
           const double value = reader.number(property.type);
           if (is_index && !(value >= 0 && value < vertices)) {
             reader.fail(inQuotes(element.name) + " " + std::to_string(static_cast<std::uint64_t>(k) + 1) +
-                        " uses vertex " + std::to_string(static_cast<std::int64_t>(value)) +
-                        ", but there are " + std::to_string(static_cast<std::uint64_t>(vertices)));
+                        " uses vertex " + textOf(value) + ", but there are " +
+                        std::to_string(static_cast<std::uint64_t>(vertices)));
           }
         }
       }

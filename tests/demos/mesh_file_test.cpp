@@ -212,6 +212,7 @@ TEST_F(MeshFile, RefusesIndicesOfNoVertex) {
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 4")),
               AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are 4")));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 -1")), HasSubstr("uses vertex -1"));
+  EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 1e76 3")), HasSubstr("uses vertex 1e+76"));
   const std::pair<const char*, const char*> of_obj[] = {
       {"f 1 2 9", "uses vertex 9, but there are 4"},   {"f 1/1 2/2 5/3", "uses vertex 5, but there are 4"},
       {"f 0 1 2", "uses vertex 0, but there are 4"},   {"f -5 1 2", "uses vertex -5, but there are 4"},
