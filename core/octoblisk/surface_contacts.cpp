@@ -63,11 +63,18 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
   forEachOfOne(&Contact::triangle_a, contacts, by_a_,
                [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
   keepDeepest(contacts);
+  dropRemoved(contacts);
+}
+
+void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
   std::size_t kept = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (removed_[c] == kKept) contacts[kept++] = contacts[c];
+    if (removed_[c] != kKept) continue;
+    contacts[kept] = contacts[c];
+    pairs_[kept++] = pairs_[c];
   }
   contacts.resize(kept);
+  pairs_.resize(kept);
 }
 
 /// All kept, in the order that they come in.
@@ -86,16 +93,9 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
                [&](Members opposite_one) { markLongWays(contacts, opposite_one, true); });
   forEachOfOne(&Contact::triangle_a, contacts, by_a_,
                [&](Members opposite_one) { markLongWays(contacts, opposite_one, false); });
-  std::size_t kept = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (removed_[c] != kKept) continue;
-    contacts[kept] = contacts[c];
-    pairs_[kept++] = pairs_[c];
-  }
-  if (kept == contacts.size()) return;
-  contacts.resize(kept);
-  pairs_.resize(kept);
-  reset(kept);
+  const std::size_t before = contacts.size();
+  dropRemoved(contacts);
+  if (contacts.size() < before) reset(contacts.size());
 }
 
 /// Of the contacts with one triangle of the other body, those square to a face of this body's where another

@@ -53,6 +53,7 @@ class SurfaceContacts {
 
   void keepIn(std::vector<Contact>& contacts);
   void reset(std::size_t contacts);
+  void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);
   void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
