@@ -20,9 +20,12 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   app.require_subcommand(1);
   app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
   app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("octoblisk: ") + error.what() + "; see --help\n";
+  });
   app.footer(
       "Mesh files are read with coordinates rounded to 32-bit floats.\n"
-      "Exit codes: 0 clean, 1 interference found, 2 bad input.");
+      "Exit codes: 0 clean, 1 interference found or a motion not proved free, 2 bad input.");
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);

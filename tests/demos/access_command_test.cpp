@@ -132,7 +132,7 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
         "--max-depth nan --out run", "--threads -1 --out run"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("--")) << "names the option";
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --")) << "names the option";
   }
   const std::string help = run("--help").out;
   for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "Degrees"})

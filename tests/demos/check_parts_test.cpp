@@ -73,7 +73,7 @@ TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
   for (const std::string wrong : {"0/2", "3/2", "2", "a/b", "1/2/3"}) {
     const Outcome outcome = run(check_ + "--out out.csv --shard " + wrong);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.error, StartsWith("--shard: '" + wrong + "' is no part of a whole"));
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --shard: '" + wrong + "' is no part of a whole"));
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",

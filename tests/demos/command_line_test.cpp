@@ -35,7 +35,7 @@ TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {
   const std::pair<std::string, std::string> cases[] = {
       {"make belt --stations 2e9", "--stations: '2e9' is no whole number from 16 to 100000"},
       {"make belt --stations 2000000000", "--stations: '2000000000' is no whole number from 16 to 100000"},
-      {"make arm --stations 100000 --points-per-station 100000", "octoblisk: stations times points"},
+      {"make arm --stations 100000 --points-per-station 100000", "stations times points"},
       {"make belt --width nan", "--width: 'nan' is no number from -100000 to 100000"},
       {"make blisk --section-count 1000000", "--section-count: '1000000' is no whole number from 2 to 1000"},
       {"make blisk --triangles 100000000", "--triangles: '100000000' is no whole number from 1 to 10000000"},
@@ -45,12 +45,20 @@ TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments + " --out made.stl");
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith(message)) << arguments;
-    EXPECT_LT(outcome.error.find('\n'), 90u) << outcome.error;
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: " + message)) << arguments;
+    EXPECT_EQ(outcome.error.find('\n'), outcome.error.size() - 1) << "one line";
+    EXPECT_LT(outcome.error.size(), 100u) << outcome.error;
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "made.stl")) << arguments;
   }
-  EXPECT_THAT(run("make arm --out ''").error, StartsWith("--out: the name is empty"));
+  EXPECT_THAT(run("make arm --out ''").error, StartsWith("octoblisk: --out: the name is empty"));
   make("blisk --triangles 20000 --shroud --shroud-thickness 3 --lean=-1 --out made.stl");
+}
+
+TEST_F(CommandLine, WrongOptionsAreToldInOneLine) {
+  EXPECT_EQ(run("").error, "octoblisk: A subcommand is required; see --help\n");
+  EXPECT_EQ(run("make belt").error, "octoblisk: --out is required; see --help\n");
+  EXPECT_EQ(run("make belt --out belt.stl --colour red").error,
+            "octoblisk: The following arguments were not expected: red --colour; see --help\n");
 }
 
 TEST_F(CommandLine, Helps) {

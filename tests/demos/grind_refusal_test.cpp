@@ -37,7 +37,7 @@ TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
         "--blisk '' --out run", "--path '' --out run", "--ground-blade 0 --out run"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("--")) << "names the option";
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --")) << "names the option";
     EXPECT_LT(outcome.error.find('\n'), 80u) << outcome.error;
   }
   EXPECT_EQ(run("--help").exit_code, 0);

@@ -126,7 +126,7 @@ TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
        {"--tilt -1 --out run", "--retract-grid 0 --out run", "--move-step nan --out run"}) {
     const Outcome outcome = run("repair " + std::string(arguments));
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    EXPECT_THAT(outcome.error, StartsWith("--")) << "names the option";
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --")) << "names the option";
   }
   EXPECT_THAT(run("repair --help").out, HasSubstr("changes.csv"));
 }
