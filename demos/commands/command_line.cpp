@@ -1,15 +1,34 @@
 #include "commands/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <ios>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "commands/subcommand_names.h"
 #include "study/launch.h"
 #include "study/stop_signal.h"
 
 namespace octoblisk::demos {
+namespace {
+
+/// One line on the standard error, whatever control bytes a user's words and file names brought along.
+void complain(std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char byte) { return byte < ' ' || byte == 127; }, '?');
+  std::cerr << "octoblisk: " << message << '\n';
+}
+
+/// The command with the subcommands that were given: "octoblisk make belt".
+std::string commandAskedFor(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
+}
+
+}  // namespace
 
 int runCommandLine(int argc, char** argv, const std::string& version,
                    std::initializer_list<AddCommand> subcommands) {
@@ -20,9 +39,6 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   app.require_subcommand(1);
   app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
   app.set_help_all_flag("--help-all", "Help of every subcommand");
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("octoblisk: ") + error.what() + "; see --help\n";
-  });
   app.footer(
       "Mesh files are read with coordinates rounded to 32-bit floats.\n"
       "Exit codes: 0 clean, 1 interference found or a motion not proved free, 2 bad input.");
@@ -39,13 +55,16 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   try {
     requireKnownSubcommands(app, argc, argv);
     app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    exit_code = app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    exit_code = app.exit(error) == 0 ? 0 : 2;
+    complain(error.what() + ("; see " + commandAskedFor(app) + " --help"));
+    exit_code = 2;
   } catch (const Stopped& stopped) {
-    std::cerr << "octoblisk: " << stopped.what() << '\n';
+    complain(stopped.what());
     exit_code = stopped.exitCode();
   } catch (const std::exception& error) {
-    std::cerr << "octoblisk: " << error.what() << '\n';
+    complain(error.what());
     exit_code = 2;
   }
   return is_first ? exit_code : 0;

@@ -10,6 +10,7 @@
 
 #include "commands/commands.h"
 #include "commands/option_checks.h"
+#include "models/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -40,7 +41,7 @@ void showAsked(const GalleryRequest& request) {
     std::cout << std::endl;
   }
   if (!is_known) {
-    throw std::invalid_argument("'" + request.scene + "' is no scene; there are: " + sceneNames());
+    throw std::invalid_argument(inQuotes(request.scene) + " is no scene; there are: " + sceneNames());
   }
 }
 

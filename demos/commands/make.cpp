@@ -217,6 +217,7 @@ void addGrinder(CLI::App& make) {
 void addMakeCommand(CLI::App& app, int&) {
   CLI::App& make = *app.add_subcommand("make", "Write a generated blisk or belt grinder part to a file");
   make.require_subcommand(1);
+  make.footer("Exit codes: 0 written, 2 bad input.");
   make.option_defaults()->always_capture_default();
   addBlisk(make);
   addGrinder(make);
