@@ -16,11 +16,9 @@ class ClusteredOctreeShape;
 /// What Bullet's own motion clamping does for convex bodies by an embedded sphere, done by the meshes: a body
 /// that would come upon another within a step is put back to where it comes near it, and keeps its velocity.
 /// There the next step's detection makes contacts, and the solver bounces or stops it. An action, as it is
-/// called right after a world has moved its bodies by what the solver made of their velocities:
-///
-///     octoblisk::MotionClamping clamping;
-///     world.addAction(&clamping);         // before other actions that move bodies or change velocities
-///     body->setCcdMotionThreshold(0.05);  // half the body's thickness, in world units
+/// called right after a world has moved its bodies by what the solver made of their velocities: added before
+/// other actions that move bodies or change velocities. `setCcdMotionThreshold` of a body takes half its
+/// thickness, in world units. docs/limits.md has an example.
 ///
 /// Looked at are pairs of bodies with ClusteredOctreeShape that their filters let collide, one or both with
 /// a motion threshold (default: 0, none), the smaller of which their motion to each other in the step exceeds

@@ -61,7 +61,7 @@ TEST_F(CommandLine, WrongOptionsAreToldInOneLine) {
   expectRefusal(run("make belt"), "--out is required; see octoblisk make belt --help");
   expectRefusal(run("make belt --out belt.stl --colour red"), "--colour");
   expectRefusal(run("grind --convex 'a\nb' --out run"), "a?b");
-  expectRefusal(run("check --fixed 'a\nb.stl' --moving a.stl --poses p.csv --out o.csv"), "a?b.stl: ");
+  expectRefusal(run("grind --blisk 'a\nb.stl' --out run"), "a?b.stl: ");
 }
 
 TEST_F(CommandLine, Helps) {
