@@ -2,7 +2,8 @@
 //
 //   body_soak [seconds = 300]
 //
-// Prints one line. Fails, with 1, where a body leaves through the floor or into the blisk, or memory grows.
+// Prints one line. Fails, with 1, where a body leaves through the floor or into the blisk, memory grows, or the time
+// was too short to compare memory.
 #include <btBulletDynamicsCommon.h>
 #include <malloc.h>
 
