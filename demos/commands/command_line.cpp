@@ -1,26 +1,19 @@
 #include "commands/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <exception>
 #include <ios>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "commands/complain.h"
 #include "commands/subcommand_names.h"
 #include "study/launch.h"
 #include "study/stop_signal.h"
 
 namespace octoblisk::demos {
 namespace {
-
-/// One line on the standard error, whatever control bytes a user's words and file names brought along.
-void complain(std::string message) {
-  std::ranges::replace_if(
-      message, [](unsigned char byte) { return byte < ' ' || byte == 127; }, '?');
-  std::cerr << "octoblisk: " << message << '\n';
-}
 
 /// The command with the subcommands that were given: "octoblisk make belt".
 std::string commandAskedFor(const CLI::App& app) {

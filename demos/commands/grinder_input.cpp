@@ -6,6 +6,7 @@
 #include "cell/ground_blade.h"
 #include "cell/tool_file.h"
 #include "commands/axis_option.h"
+#include "commands/complain.h"
 #include "commands/option_checks.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
@@ -213,9 +214,7 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
   }
 }
 
-void warnOf(const std::string& of, const std::string& what) {
-  std::cerr << "octoblisk: warning: " << of << ": " << what << '\n';
-}
+void warnOf(const std::string& of, const std::string& what) { complain("warning: " + of + ": " + what); }
 
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {

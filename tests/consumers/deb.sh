@@ -28,12 +28,6 @@ zcat "$out_dir/root/usr/share/man/man1/octoblisk.1.gz" | grep -q '^\.TH OCTOBLIS
 command=$out_dir/root/usr/bin/octoblisk
 if ldd "$command" | grep 'not found'; then exit 1; fi
 dpkg-deb --field "$out_dir"/octoblisk_*.deb Depends | grep -q libembree
-"$command" --version
-"$command" make arm --out "$out_dir/arm.ply"
-printf 'x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n' >"$out_dir/poses.csv"
-status=0
-"$command" check --fixed "$out_dir/arm.ply" --moving "$out_dir/arm.ply" --poses "$out_dir/poses.csv" \
-  --out "$out_dir/result.csv" || status=$?
-[ "$status" -eq 1 ]  # an arm meets itself
+"$here/use_command.sh" "$command" "$out_dir"
 
 "$here/installed.sh" "$out_dir/root/usr" "$example_dir" "$out_dir/programs"

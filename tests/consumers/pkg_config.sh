@@ -15,8 +15,7 @@ for package; do
   [ "$package" != octoblisk-core ] || source=core_example.cpp
   flags=$(pkg-config --cflags --libs "$package")
   echo "$package: $flags"
-  # Words of flags are meant to be split.
-  # shellcheck disable=SC2086
-  ${CXX:-c++} -std=c++20 -I"$example_dir" "$here/$source" -o "$out_dir/$package" $flags
+  # Flags come quoted for a shell.
+  eval "${CXX:-c++} -std=c++20 -I'$example_dir' '$here/$source' -o '$out_dir/$package' $flags"
   LD_LIBRARY_PATH=${PKG_CONFIG_PATH%/pkgconfig} "$out_dir/$package"
 done

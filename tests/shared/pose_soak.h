@@ -1,5 +1,5 @@
-// Random poses of hard meshes, every answer held to exact arithmetic: soaked for long by bench/pose_soak, for
-// a moment by the tests.
+// Random poses of hard meshes, pairs held to exact arithmetic and distances to those of all pairs: soaked for
+// long by bench/pose_soak, for a moment by the tests.
 #pragma once
 
 #include <cstdint>
