@@ -11,15 +11,18 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "detection_range.h"
 #include "grinding_world.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
 #include "models/orientation.h"
-#include "octoblisk/detection_range.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "report/rows.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 /// The statistics of a broadphase that holds the blisk alone.

@@ -21,9 +21,12 @@
 #include <string>
 #include <string_view>
 
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 using testing::SoakScene;

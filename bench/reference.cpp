@@ -5,11 +5,14 @@
 #include <limits>
 #include <map>
 
-#include "octoblisk/point_bounds.h"
-#include "octoblisk/triangle_pair.h"
+#include "geometry/point_bounds.h"
+#include "geometry/triangle_pair.h"
 #include "shared/solids.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kCellSize = 2.0;

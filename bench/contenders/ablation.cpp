@@ -116,7 +116,7 @@ Maker<Query> made() {
 
 const bool kRegistered = [] {
   registerVariant(kOurs, built());
-  registerVariant("fast-build", built({.quality = BuildQuality::fast}));
+  registerVariant("fast-build", built({.quality = BuildQuality::low}));
   registerVariant("compact", built({.storage = Storage::compact}));
   for (const int capacity : {1, 2, 4})
     registerVariant(numbered("leaf-", capacity), built({.leaf_capacity = capacity}));

@@ -5,9 +5,12 @@
 #include <string>
 
 #include "contender.h"
-#include "octoblisk/triangle_pair.h"
+#include "geometry/triangle_pair.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 /// So many threads, 0 for all, with the memory that it takes counted.

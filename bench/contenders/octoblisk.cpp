@@ -74,7 +74,7 @@ const bool kRegistered = registerTrees(kOurs, {}) &&
 const bool kRefit = registerContender<OctoBliskRefit>(kOurs);
 const bool kCompact = registerTrees("octoblisk-compact", {.storage = Storage::compact});
 const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
-const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::fast});
+const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::low});
 const bool kCold =
     registerContender({.name = "octoblisk-cold", .collide = answers<OctoBliskCold, CollideQuery>(built())});
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");

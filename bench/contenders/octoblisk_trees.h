@@ -15,8 +15,8 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/path_query.h"
-#include "octoblisk/query_cost.h"
 #include "octoblisk/raycast.h"
+#include "query_cost.h"
 
 namespace octoblisk::bench {
 

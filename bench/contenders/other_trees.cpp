@@ -2,25 +2,30 @@
 
 #include <span>
 
-#include "octoblisk/obb.h"
+#include "build/paper/principal_box.h"
+#include "tree/tree.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 /// A tree of arrays that have the right nodes and axes: its boxes are fitted to what they hold.
 ClusteredOctree fitted(const std::shared_ptr<const TriangleMesh>& mesh, OwnedArrays arrays) {
   const auto owner = std::make_shared<const OwnedArrays>(std::move(arrays));
-  return ClusteredOctree::over(mesh, owner->view(), owner, {}).refitted(mesh);
+  return octreeOver(mesh, owner->view(), owner, {}).refitted(mesh);
 }
 
 /// Writes the nodes of a tree anew, depth first, with fewer children each.
 class Narrower {
  public:
   Narrower(const ClusteredOctree& tree, std::size_t children) : tree_(tree), most_(children) {
-    arrays_.triangle_order.assign(tree.triangleOrder().begin(), tree.triangleOrder().end());
-    arrays_.leaf_vertices.assign(tree.arrays().leaf_vertices.begin(), tree.arrays().leaf_vertices.end());
+    arrays_.triangle_order.assign(treeOf(tree).triangleOrder().begin(), treeOf(tree).triangleOrder().end());
+    arrays_.leaf_vertices.assign(treeOf(tree).arrays().leaf_vertices.begin(),
+                                 treeOf(tree).arrays().leaf_vertices.end());
     arrays_.nodes.emplace_back();
-    write(ClusteredOctree::kRoot, {0, 0});
+    write(Tree::kRoot, {0, 0});
   }
 
   OwnedArrays take() { return std::move(arrays_); }
@@ -29,7 +34,7 @@ class Narrower {
   /// Puts a box of the tree, and all below it, into a slot.
   void write(Slot from, Slot to) {
     const Child child = tree_.child(from);
-    set(to, tree_.arrays().box(from));
+    set(to, treeOf(tree_).arrays().box(from));
     if (child.isLeaf()) {
       arrays_.nodes[to.node].children[to.lane] = child;
       return;
@@ -95,10 +100,10 @@ class Narrower {
 MakeTree axisAligned(Aligned which) {
   return [which](const std::shared_ptr<const TriangleMesh>& mesh) {
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
-    OwnedArrays arrays(tree.arrays());
-    forEachChild(tree.arrays(), [&](Slot slot, Child child) {
+    OwnedArrays arrays(treeOf(tree).arrays());
+    forEachChild(treeOf(tree).arrays(), [&](Slot slot, Child child) {
       if (which != Aligned::all && child.isLeaf() != (which == Aligned::leaves)) return;
-      BoxF box = tree.arrays().box(slot);
+      BoxF box = treeOf(tree).arrays().box(slot);
       box.axes.setIdentity();
       arrays.nodes[slot.node].boxes.set(static_cast<int>(slot.lane), box);
     });

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "build/paper/octree.h"
+#include "build/paper/part_clusters.h"
+#include "build/paper/principal_box.h"
+#include "geometry/separating_axis.h"
 #include "models/blade_finder.h"
-#include "octoblisk/obb.h"
-#include "octoblisk/octree.h"
-#include "octoblisk/part_clusters.h"
-#include "octoblisk/separating_axis.h"
 #include "octoblisk_trees.h"
+#include "tree/tree.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kFnop = 2, kClusters = 2;  // the paper's optimum
@@ -101,7 +105,7 @@ class OurBoxes final : public BoxQuery {
 
   Left left(const Pose& belt_in_blisk) override {
     Left found;
-    descend(ClusteredOctree::kRoot, belt_in_blisk * belt_, [&](const Obb& box) {
+    descend(Tree::kRoot, belt_in_blisk * belt_, [&](const Obb& box) {
       ++found.leaves;
       found.volume += box.volume();
       return true;
@@ -109,7 +113,7 @@ class OurBoxes final : public BoxQuery {
     return found;
   }
   bool mayTouch(const Pose& belt_in_blisk) override {
-    return !descend(ClusteredOctree::kRoot, belt_in_blisk * belt_, [](const Obb&) { return false; });
+    return !descend(Tree::kRoot, belt_in_blisk * belt_, [](const Obb&) { return false; });
   }
   double range() const override { return blisk_.stats().root_volume; }
 
@@ -167,9 +171,9 @@ Maker<BoxQuery> ofPaper(std::vector<Octree> (*octrees)(const TriangleMesh&), Sep
 const bool kRegistered = registerBoxes(kOurs, made<OurTriangles>()) &&
                          registerBoxes("octoblisk-boxes", made<OurBoxes>()) &&
                          registerBoxes("octree", ofPaper(traditional, SeparatingAxes::exact15)) &&
-                         registerBoxes("octree-one-axis", ofPaper(traditional, SeparatingAxes::paper1)) &&
+                         registerBoxes("octree-one-axis", ofPaper(traditional, SeparatingAxes::first_x)) &&
                          registerBoxes("octree-k2", ofPaper(improved, SeparatingAxes::exact15)) &&
-                         registerBoxes("octree-k2-one-axis", ofPaper(improved, SeparatingAxes::paper1));
+                         registerBoxes("octree-k2-one-axis", ofPaper(improved, SeparatingAxes::first_x));
 
 }  // namespace
 }  // namespace octoblisk::bench

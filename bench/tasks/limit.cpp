@@ -3,13 +3,16 @@
 #include "boolean.h"
 #include "contacts.h"
 #include "distance.h"
+#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
-#include "octoblisk/triangle_pair.h"
 #include "ray.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 constexpr const char* kBound = "lower-bound";

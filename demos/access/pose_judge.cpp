@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/parallel.h"
 #include "cell/fine_features.h"
 #include "cell/lift.h"
 #include "models/triangle_tree.h"
@@ -12,9 +13,11 @@
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kPosesOfTrail = 64;  // then memory begins afresh, whatever the number of threads

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 bool isFine(const ClusteredOctree& tree, std::uint32_t index, double depth) {

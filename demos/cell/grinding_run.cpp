@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/parallel.h"
 #include "cell/ground_blade.h"
 #include "cell/moves.h"
 #include "cell/pose_clearances.h"
 #include "cell/reduce_contacts.h"
 #include "octoblisk/batch.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// Poses that are done before the next are begun. A multiple of kPosesAtOnce, so that no answer depends on

@@ -5,10 +5,12 @@
 #include <set>
 #include <vector>
 
+#include "base/parallel.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 std::optional<int> bladeTouchedMost(const ClusteredOctree& blisk, const ClusteredOctree& belt,
                                     std::span<const int> blade_of_triangle, std::span<const Pose> path,

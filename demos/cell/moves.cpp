@@ -4,12 +4,15 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "cell/pose_clearances.h"
 #include "models/shared_tree.h"
-#include "octoblisk/parallel.h"
 #include "octoblisk/sweep.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {

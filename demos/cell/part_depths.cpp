@@ -4,11 +4,14 @@
 #include <map>
 #include <utility>
 
+#include "base/parallel.h"
 #include "cell/lift.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kPartOfLimit = 0.01;

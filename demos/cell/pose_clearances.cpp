@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/parallel.h"
 #include "octoblisk/batch.h"
-#include "octoblisk/parallel.h"
 #include "octoblisk/path_query.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// A clearance of two neighbours of this length proves a move free; the rest is for rounding.

@@ -3,9 +3,11 @@
 #include <map>
 #include <utility>
 
-#include "octoblisk/contact_patches.h"
+#include "contact/contact_patches.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 std::vector<PartContact> reduceContacts(std::span<const PartContact> contacts,
                                         std::span<const int> blade_of_triangle) {

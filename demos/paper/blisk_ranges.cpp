@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
-#include "octoblisk/obb.h"
+#include "build/paper/principal_box.h"
 #include "paper/comparison_table.h"
 #include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kMostClusters = 8;

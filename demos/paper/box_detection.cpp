@@ -3,11 +3,15 @@
 #include <utility>
 #include <vector>
 
+#include "build/paper/principal_box.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/convex.h"
-#include "octoblisk/obb.h"
+#include "tree/tree.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// Goes down from the root to the leaves with points for which every cell on the way is kept, until
@@ -35,7 +39,7 @@ bool descend(const Segmentation& blisk, const Keep& keep, const Visit& visit) {
 
 /// The slots below a box that is no leaf.
 template <typename Visit>
-void forEachBelow(const ClusteredOctree& tree, Slot slot, const Visit& visit) {
+void forEachBelow(const Tree& tree, Slot slot, const Visit& visit) {
   const std::uint32_t node = tree.child(slot).node();
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     if (!tree.child({node, lane}).isEmpty()) visit(Slot{node, lane});
@@ -44,7 +48,7 @@ void forEachBelow(const ClusteredOctree& tree, Slot slot, const Visit& visit) {
 
 /// The same in a clustered octree, where the leaves' boxes hold whole triangles.
 template <typename Keep, typename Visit>
-bool descend(const ClusteredOctree& tree, Slot slot, const Keep& keep, const Visit& visit) {
+bool descend(const Tree& tree, Slot slot, const Keep& keep, const Visit& visit) {
   const Obb box = tree.box(slot);
   if (!keep(box)) return false;
   if (tree.child(slot).isLeaf()) return visit(box);
@@ -61,11 +65,11 @@ struct BodyBox {
 
 class PairDescent {
  public:
-  PairDescent(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk)
+  PairDescent(const Tree& blisk, const Tree& body, const Pose& body_in_blisk)
       : blisk_(blisk), body_(body), body_in_blisk_(body_in_blisk) {}
 
   BoxesLeft find() {
-    visit(ClusteredOctree::kRoot, {bodyBox(ClusteredOctree::kRoot)});
+    visit(Tree::kRoot, {bodyBox(Tree::kRoot)});
     return left_;
   }
 
@@ -99,7 +103,7 @@ class PairDescent {
     forEachBelow(blisk_, slot, [&](Slot below) { visit(below, overlapping); });
   }
 
-  const ClusteredOctree &blisk_, &body_;
+  const Tree &blisk_, &body_;
   const Pose body_in_blisk_;
   BoxesLeft left_;
 };
@@ -152,7 +156,7 @@ bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& bli
 bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
   const Pose blisk_in_body = body_in_blisk.inverse();
   const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
-  return descend(blisk, ClusteredOctree::kRoot, meets, [](const Obb&) { return true; });
+  return descend(treeOf(blisk), Tree::kRoot, meets, [](const Obb&) { return true; });
 }
 
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
@@ -161,7 +165,7 @@ BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
     ++left.tested;
     return overlaps(box, here);
   };
-  descend(blisk, ClusteredOctree::kRoot, near, [&](const Obb& leaf) {
+  descend(treeOf(blisk), Tree::kRoot, near, [&](const Obb& leaf) {
     ++left.leaves;
     left.volume += leaf.volume();
     return false;
@@ -170,7 +174,7 @@ BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
 }
 
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
-  return PairDescent(blisk, body, body_in_blisk).find();
+  return PairDescent(treeOf(blisk), treeOf(body), body_in_blisk).find();
 }
 
 }  // namespace octoblisk::demos

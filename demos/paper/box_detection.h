@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "geometry/separating_axis.h"
 #include "octoblisk/clustered_octree.h"
-#include "octoblisk/separating_axis.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
@@ -22,7 +22,7 @@ struct BoxesLeft {
 
 /// The leaf cells with points that overlap the box, found from the roots down. O_a of the test is the box:
 /// with `paper1` only its X axis is looked at.
-BoxesLeft leavesNear(const Segmentation& blisk, const Obb& box, SeparatingAxes axes);
+BoxesLeft leavesNear(const Segmentation& blisk, const Obb& box, detail::SeparatingAxes axes);
 
 /// Whether any leaf cell with points overlaps the box, by all fifteen axes.
 bool anyLeafNear(const Segmentation& blisk, const Obb& box);

@@ -4,13 +4,16 @@
 #include <span>
 #include <utility>
 
+#include "build/paper/principal_box.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/obb.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// One way to detect: what is left at a pose of the belt.
@@ -64,7 +67,7 @@ struct PaperOctrees {
 std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredOctree& belt,
                                   const PaperOctrees& paper) {
   const Obb belt_box = principalBox(belt.mesh().vertices());
-  const double our_range = blisk.box(ClusteredOctree::kRoot).volume();
+  const double our_range = blisk.boxes(0).front().volume();
   const auto oneBox = [&](std::string method, const Obb& box) {
     return Detector{std::move(method), box.volume(), [belt_box, box](const Pose& pose) {
                       const bool overlap = overlaps(pose * belt_box, box);
@@ -82,10 +85,10 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
       oneBox("one box along the axes", boundingBox(blisk.mesh().vertices(), Mat3::Identity()));
   detectors[kOneObb] = oneBox("one box along the principal axes", principalBox(blisk.mesh().vertices()));
   detectors[kTraditionalOneAxis] =
-      octrees("traditional octree, 1 axis", paper.traditional, SeparatingAxes::paper1);
+      octrees("traditional octree, 1 axis", paper.traditional, SeparatingAxes::first_x);
   detectors[kTraditional] =
       octrees("traditional octree, 15 axes", paper.traditional, SeparatingAxes::exact15);
-  detectors[kImprovedOneAxis] = octrees("paper's improved, 1 axis", paper.improved, SeparatingAxes::paper1);
+  detectors[kImprovedOneAxis] = octrees("paper's improved, 1 axis", paper.improved, SeparatingAxes::first_x);
   detectors[kImproved] = octrees("paper's improved, 15 axes", paper.improved, SeparatingAxes::exact15);
   detectors[kImprovedPrincipal] =
       octrees("improved in principal frames, 15 axes", paper.improved_principal, SeparatingAxes::exact15);

@@ -3,12 +3,15 @@
 #include <array>
 #include <utility>
 
-#include "octoblisk/obb.h"
+#include "build/paper/principal_box.h"
 #include "paper/algorithm_chart.h"
 #include "paper/number_text.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr int kWidth = 1000, kHeight = 800;  // pixels

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "build/paper/principal_box.h"
 #include "models/embedded_assets.h"
 #include "models/mesh_file.h"
 #include "models/shared_tree.h"
-#include "octoblisk/obb.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"
 #include "paper/claims.h"
@@ -38,6 +38,9 @@
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kLift = 1.0;             // mm, of the path held off the blade

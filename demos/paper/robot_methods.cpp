@@ -3,13 +3,16 @@
 #include <chrono>
 #include <span>
 
+#include "build/paper/principal_box.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/obb.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "paper/box_detection.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::uint64_t kClusterSeed = 1;  // of k-means

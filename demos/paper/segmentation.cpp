@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "octoblisk/k_means.h"
-#include "octoblisk/obb.h"
+#include "build/paper/k_means.h"
+#include "build/paper/principal_box.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed) {
   if (k == 0) return {points};

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "octoblisk/octree.h"
+#include "build/paper/octree.h"
 #include "paper/paper_model.h"
 
 namespace octoblisk::demos {
@@ -34,7 +34,7 @@ class Segmentation {
   /// An octree over each cluster. Throws std::invalid_argument for no points, or an FNOP of 0.
   Segmentation(std::span<const Points> clusters, std::size_t fnop, CellFrame frame);
 
-  const std::vector<Octree>& octrees() const { return octrees_; }
+  const std::vector<detail::Octree>& octrees() const { return octrees_; }
 
   std::size_t totalNodes() const;  ///< TNON: k + 8 · splits
   double rootVolume() const;       ///< of all roots, mm³
@@ -42,7 +42,7 @@ class Segmentation {
   std::vector<Obb> leafCells() const;
 
  private:
-  std::vector<Octree> octrees_;
+  std::vector<detail::Octree> octrees_;
 };
 
 }  // namespace octoblisk::demos

@@ -9,17 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "geometry/separating_axis.h"
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
 #include "models/blisk.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/separating_axis.h"
 #include "paper/surface_points.h"
 #include "report/contact_sheet.h"
 #include "toolpath/grinding_path.h"
+#include "tree/tree.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr int kFrameWidth = 500, kFrameHeight = 450;  // pixels
@@ -27,7 +31,7 @@ constexpr std::array<Color, kLanes> kColors = {palette::kBlue,   palette::kVermi
                                                palette::kYellow, palette::kPurple,    palette::kSky,
                                                palette::kSlate,  palette::kOrange};
 
-std::vector<Slot> slotsBelow(const ClusteredOctree& tree, Slot slot) {
+std::vector<Slot> slotsBelow(const Tree& tree, Slot slot) {
   std::vector<Slot> below;
   const Child child = tree.child(slot);
   for (std::uint32_t lane = 0; !child.isLeaf() && lane < kLanes; ++lane) {
@@ -37,7 +41,7 @@ std::vector<Slot> slotsBelow(const ClusteredOctree& tree, Slot slot) {
 }
 
 /// The boxes so many levels below a slot, or of leaves above.
-std::vector<Slot> slotsBelow(const ClusteredOctree& tree, Slot slot, int levels) {
+std::vector<Slot> slotsBelow(const Tree& tree, Slot slot, int levels) {
   const std::vector<Slot> below = slotsBelow(tree, slot);
   if (levels == 0 || below.empty()) return {slot};
   std::vector<Slot> all;
@@ -48,7 +52,7 @@ std::vector<Slot> slotsBelow(const ClusteredOctree& tree, Slot slot, int levels)
   return all;
 }
 
-std::vector<Obb> boxesOf(const ClusteredOctree& tree, const std::vector<Slot>& slots) {
+std::vector<Obb> boxesOf(const Tree& tree, const std::vector<Slot>& slots) {
   std::vector<Obb> boxes;
   for (const Slot slot : slots) boxes.push_back(tree.box(slot));
   return boxes;
@@ -65,7 +69,7 @@ std::string percentText(double part) {
 const Vec3 kSideways(-0.35, -1.0, 0.55);  // on a side of the blade, from one edge
 
 /// The blade's boxes at four depths, coloured by the root's child that they are below.
-Image depthsPicture(const ClusteredOctree& tree) {
+Image depthsPicture(const Tree& tree) {
   const Camera camera =
       frame(tree.mesh().vertices(), kSideways, Vec3::UnitX(), Projection::kOrthographic, 1.15);
   std::vector<SheetFrame> frames;
@@ -74,7 +78,7 @@ Image depthsPicture(const ClusteredOctree& tree) {
     std::size_t count = 0, cluster = 0;
     double volume = 0.0;
     frame.picture.scene.addMesh(tree.mesh(), {}, palette::kSteel);
-    for (const Slot child : slotsBelow(tree, ClusteredOctree::kRoot)) {
+    for (const Slot child : slotsBelow(tree, Tree::kRoot)) {
       const std::vector<Obb> boxes = boxesOf(tree, slotsBelow(tree, child, depth - 1));
       for (const Obb& box : boxes) volume += box.volume();
       count += boxes.size();
@@ -96,9 +100,9 @@ Vec3 thinAxis(const Obb& box) {
   return box.axes.col(thin);
 }
 
-std::vector<std::uint32_t> trianglesBelow(const ClusteredOctree& tree, Slot slot) {
+std::vector<std::uint32_t> trianglesBelow(const Tree& tree, Slot slot) {
   std::vector<std::uint32_t> all;
-  for (const Slot leaf : slotsBelow(tree, slot, ClusteredOctree::kMaxDepth)) {
+  for (const Slot leaf : slotsBelow(tree, slot, Tree::kMaxDepth)) {
     const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
     all.insert(all.end(), triangles.begin(), triangles.end());
   }
@@ -106,7 +110,7 @@ std::vector<std::uint32_t> trianglesBelow(const ClusteredOctree& tree, Slot slot
 }
 
 /// Of the triangles below a slot, along the axis.
-double meanNormal(const ClusteredOctree& tree, Slot slot, const Vec3& axis) {
+double meanNormal(const Tree& tree, Slot slot, const Vec3& axis) {
   double sum = 0.0;
   const std::vector<std::uint32_t> triangles = trianglesBelow(tree, slot);
   for (const std::uint32_t t : triangles) sum += scaledNormal(tree.mesh().triangle(t)).normalized().dot(axis);
@@ -114,9 +118,9 @@ double meanNormal(const ClusteredOctree& tree, Slot slot, const Vec3& axis) {
 }
 
 /// The first whose children face one side or the other of what their parent holds both of.
-Slot dividedByNormals(const ClusteredOctree& tree) {
+Slot dividedByNormals(const Tree& tree) {
   for (int depth = 0; depth < tree.stats().depth; ++depth) {
-    for (const Slot slot : slotsBelow(tree, ClusteredOctree::kRoot, depth)) {
+    for (const Slot slot : slotsBelow(tree, Tree::kRoot, depth)) {
       const std::vector<Slot> children = slotsBelow(tree, slot);
       const Vec3 axis = thinAxis(tree.box(slot));
       const auto is_one_sided = [&](Slot child) { return std::abs(meanNormal(tree, child, axis)) > 0.9; };
@@ -128,7 +132,7 @@ Slot dividedByNormals(const ClusteredOctree& tree) {
 }
 
 /// A node's triangles in the colours of its children: where they are, drawn apart, and by place and normal.
-Image divisionPicture(const ClusteredOctree& tree) {
+Image divisionPicture(const Tree& tree) {
   const TriangleMesh& mesh = tree.mesh();
   const Slot node = dividedByNormals(tree);
   const std::vector<Slot> children = slotsBelow(tree, node);
@@ -178,8 +182,8 @@ struct Pair {
 };
 
 /// The pairs of boxes that overlap after so many steps down, of which each opens the larger box of a pair.
-std::vector<Pair> step(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                       const std::vector<Pair>& pairs, std::size_t& tests) {
+std::vector<Pair> step(const Tree& a, const Tree& b, const Pose& b_in_a, const std::vector<Pair>& pairs,
+                       std::size_t& tests) {
   std::vector<Pair> next;
   for (const Pair& pair : pairs) {
     const std::vector<Slot> below_a = slotsBelow(a, pair.a), below_b = slotsBelow(b, pair.b);
@@ -195,7 +199,7 @@ std::vector<Pair> step(const ClusteredOctree& a, const ClusteredOctree& b, const
   return next;
 }
 
-bool isDone(const ClusteredOctree& a, const ClusteredOctree& b, const std::vector<Pair>& pairs) {
+bool isDone(const Tree& a, const Tree& b, const std::vector<Pair>& pairs) {
   return std::ranges::all_of(
       pairs, [&](const Pair& pair) { return a.child(pair.a).isLeaf() && b.child(pair.b).isLeaf(); });
 }
@@ -205,16 +209,18 @@ std::string countText(std::size_t count, const std::string& what) {
 }
 
 /// What is left of the walk down two trees after some steps: the boxes that overlap one of the other body.
-Image walkPicture(const ClusteredOctree& blisk, const ClusteredOctree& belt, const Pose& belt_in_blisk) {
+Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& belt_octree,
+                  const Pose& belt_in_blisk) {
+  const Tree &blisk = treeOf(blisk_octree), &belt = treeOf(belt_octree);
   std::vector<TrianglePair> touching;
-  touchingPairs(blisk, belt, belt_in_blisk, touching);
+  touchingPairs(blisk_octree, belt_octree, belt_in_blisk, touching);
   if (touching.empty()) throw std::logic_error("the belt touches nothing");
   const Vec3 touch = blisk.mesh().triangle(touching.front().a)[0];
   const Vec3 outward = Vec3(touch.x(), touch.y(), 0.0).normalized();
   const Vec3 looking = -0.5 * outward - 0.9 * Vec3::UnitZ().cross(outward) - 0.8 * Vec3::UnitZ();
 
   std::vector<SheetFrame> frames;
-  std::vector<Pair> pairs = {{ClusteredOctree::kRoot, ClusteredOctree::kRoot}};
+  std::vector<Pair> pairs = {{Tree::kRoot, Tree::kRoot}};
   std::size_t tests = 0;
   const std::array<double, 6> half_sides = {320.0, 320.0, 90.0, 45.0, 22.0, 12.0};  // of what is seen, mm
   for (std::size_t f = 0, steps = 0; f < half_sides.size(); ++f) {
@@ -254,9 +260,9 @@ void makePictures(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const Blisk model = makeDefaultBlisk(200'000);
   const ClusteredOctree blade = ClusteredOctree::build(bladeOf(model));
-  writePng(depthsPicture(blade), folder / "tree-depths.png");
+  writePng(depthsPicture(treeOf(blade)), folder / "tree-depths.png");
   const ClusteredOctree fine = ClusteredOctree::build(bladeOf(makeDefaultBlisk(1'500'000)));
-  writePng(divisionPicture(fine), folder / "tree-division.png");
+  writePng(divisionPicture(treeOf(fine)), folder / "tree-division.png");
   const ClusteredOctree blisk = ClusteredOctree::build(std::make_shared<const TriangleMesh>(model.mesh));
   const ClusteredOctree belt = ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeBelt()));
   const std::vector<Pose> path = makeGrindingPath(model.mesh, findBlades(model.mesh));

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 #include "octoblisk/sweep.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kLeastRim = 1.0;  // mm: of tools whose belt has no contact wheel at the origin

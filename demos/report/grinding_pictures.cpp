@@ -8,10 +8,13 @@
 #include <optional>
 #include <sstream>
 
+#include "geometry/separating_axis.h"
 #include "octoblisk/distance.h"
-#include "octoblisk/separating_axis.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kCloseUp = 26.0;  // half the side of the cube that the close-up shows, mm

@@ -9,10 +9,13 @@
 #include <optional>
 #include <vector>
 
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 #include "report/sampler.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr int kBandRows = 32;

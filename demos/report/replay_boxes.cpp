@@ -5,7 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "tree/tree.h"
+
 namespace octoblisk::demos {
+
+using namespace detail;
 namespace {
 
 /// From the box to the nearest of the places, roughly: less than 0 where one is within the ball round the
@@ -16,7 +20,7 @@ double wayTo(const Obb& box, std::span<const Vec3> places) {
   return std::sqrt(least) - box.half_extents.norm();
 }
 
-std::vector<Slot> slotsBelow(const ClusteredOctree& tree, std::span<const Slot> slots) {
+std::vector<Slot> slotsBelow(const Tree& tree, std::span<const Slot> slots) {
   std::vector<Slot> below;
   for (const Slot slot : slots) {
     const Child child = tree.child(slot);
@@ -31,10 +35,11 @@ std::vector<Slot> slotsBelow(const ClusteredOctree& tree, std::span<const Slot> 
 
 }  // namespace
 
-ReplayBoxes replayBoxesOf(const ClusteredOctree& tree, std::span<const Vec3> places, std::size_t most) {
+ReplayBoxes replayBoxesOf(const ClusteredOctree& octree, std::span<const Vec3> places, std::size_t most) {
+  const Tree& tree = treeOf(octree);
   ReplayBoxes found;
   found.deepest = tree.stats().depth - 1;
-  std::vector<Slot> level = {ClusteredOctree::kRoot};
+  std::vector<Slot> level = {Tree::kRoot};
   bool is_whole = true;
   for (int depth = 0; !level.empty(); ++depth) {
     const std::size_t room = most > found.boxes.size() ? most - found.boxes.size() : 0;

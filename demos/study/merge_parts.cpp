@@ -6,12 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "base/file.h"
 #include "models/input_file.h"
-#include "octoblisk/tree_file.h"
 #include "study/new_file.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// A part in a file, mapped to memory.

@@ -6,12 +6,15 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/checksum.h"
 #include "models/mesh_file.h"
-#include "octoblisk/checksum.h"
 #include "octoblisk/tree_blob.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 static_assert(sizeof(Pose) == 12 * sizeof(double) && std::is_standard_layout_v<Pose>);

@@ -6,9 +6,12 @@
 #include <span>
 #include <stdexcept>
 
-#include "octoblisk/checksum.h"
+#include "base/checksum.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::string_view kMagic = "# octoblisk study part 1\n";

@@ -2,12 +2,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 #include "study/answer_alone.h"
 #include "study/launch.h"
 #include "study/ranks.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 struct Ranks::Joined {};
 

@@ -8,13 +8,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 #include "study/answer_alone.h"
 #include "study/answer_mpi.h"
 #include "study/launch.h"
 #include "study/ranks.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 struct Ranks::Joined {
   bool has_mpi = false;

@@ -6,12 +6,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "octoblisk/checksum.h"
+#include "base/checksum.h"
 #include "report/progress_bar.h"
 #include "study/stop_signal.h"
 #include "study/study_journal.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 Stopped stoppedAt(const StudyJournal& journal, std::size_t items, const std::string& out) {

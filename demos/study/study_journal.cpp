@@ -12,9 +12,12 @@
 #include <system_error>
 #include <utility>
 
-#include "octoblisk/tree_file.h"
+#include "base/file.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 std::string_view textIn(const MappedFile& file) {

@@ -4,11 +4,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/parallel.h"
 #include "models/open_edges.h"
 #include "octoblisk/batch.h"
-#include "octoblisk/parallel.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
 
 PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving,
                      const PoseCheckOptions& options)

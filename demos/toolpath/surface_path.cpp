@@ -5,13 +5,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/parallel.h"
 #include "models/radians.h"
 #include "models/require.h"
-#include "octoblisk/parallel.h"
 #include "toolpath/ground_region.h"
 #include "toolpath/path_steps.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 /// The pose of the belt that touches a point.

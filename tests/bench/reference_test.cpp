@@ -6,15 +6,18 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
-#include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
 
 namespace octoblisk::bench {
+
+using namespace detail;
+
 namespace {
 
 double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {

@@ -5,9 +5,10 @@
 #include <cstdlib>
 #include <new>
 
+#include "contact/contact_patches.h"
+#include "contact/triangles_along.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/contact_patches.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
@@ -16,7 +17,6 @@
 #include "octoblisk/raycast.h"
 #include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
-#include "octoblisk/triangles_along.h"
 #include "shared/mesh_source.h"
 #include "shared/meshes.h"
 
@@ -34,6 +34,9 @@ void* operator new(std::size_t size) {
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 TEST(Allocation, warmQueriesAllocateNothing) {
@@ -41,7 +44,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
   const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
   const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(0.4, 0.2, 0.1)});
   ContactPatches patches;
-  NearTriangles near;
+  TriangleCache near;
   std::vector<Contact> found;
   std::vector<RayHit> ray_hits;
   std::size_t hits = 0, along = 0;

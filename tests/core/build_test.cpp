@@ -6,13 +6,17 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/parallel.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;
@@ -26,14 +30,15 @@ std::vector<SharedMesh> largeMeshes() {
 }
 
 bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(a.triangleOrder(), b.triangleOrder()) && a.nodes().size() == b.nodes().size() &&
-         std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(ClusteredOctree::Node)) ==
-             0;
+  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
+         treeOf(a).nodes().size() == treeOf(b).nodes().size() &&
+         std::memcmp(treeOf(a).nodes().data(), treeOf(b).nodes().data(),
+                     treeOf(a).nodes().size() * sizeof(TreeNode)) == 0;
 }
 
 TEST(Build, isTheSameForAnyNumberOfThreads) {
   for (const SharedMesh& mesh : largeMeshes()) {
-    for (const BuildQuality quality : {BuildQuality::standard, BuildQuality::fast}) {
+    for (const BuildQuality quality : {BuildQuality::high, BuildQuality::low}) {
       const ClusteredOctree alone = ClusteredOctree::build(mesh, {.quality = quality, .threads = 1});
       alone.validate();
       for (const int threads : {2, 3, 8, 0}) {
@@ -47,7 +52,7 @@ TEST(Build, isTheSameForAnyNumberOfThreads) {
 TEST(Build, fastTreesAreAnotherTreeWithLooserBoxes) {
   const SharedMesh mesh = testing::fan(12, 30);
   const ClusteredOctree standard = ClusteredOctree::build(mesh);
-  const ClusteredOctree fast = ClusteredOctree::build(mesh, {.quality = BuildQuality::fast});
+  const ClusteredOctree fast = ClusteredOctree::build(mesh, {.quality = BuildQuality::low});
   EXPECT_FALSE(sameBits(standard, fast));
   EXPECT_GT(fast.stats().leaf_volume, standard.stats().leaf_volume);
   EXPECT_LT(fast.stats().leaf_volume, 3.0 * standard.stats().leaf_volume);
@@ -56,7 +61,7 @@ TEST(Build, fastTreesAreAnotherTreeWithLooserBoxes) {
 TEST(Build, bothQualitiesGiveTheVerdictsOfAllPairs) {
   std::mt19937_64 random(17);
   const SharedMesh a = testing::fan(5, 10), b = testing::torus(0.4, 0.1, 16, 8);
-  const BuildOptions fast{.quality = BuildQuality::fast};
+  const BuildOptions fast{.quality = BuildQuality::low};
   const ClusteredOctree standard_a = ClusteredOctree::build(a), standard_b = ClusteredOctree::build(b);
   const ClusteredOctree fast_a = ClusteredOctree::build(a, fast), fast_b = ClusteredOctree::build(b, fast);
   const Aabb& bounds = a->bounds();

@@ -6,8 +6,11 @@
 #include <set>
 
 #include "shared/meshes.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
 namespace {
 
 using testing::SharedMesh;
@@ -59,7 +62,7 @@ TEST(ClusteredOctree, leavesHoldNoMoreThanTheirCapacity) {
       const ClusteredOctree tree =
           ClusteredOctree::build(mesh, {.partition = partition, .leaf_capacity = capacity});
       std::size_t leaves = 0;
-      for (const ClusteredOctree::Node& node : tree.nodes()) {
+      for (const TreeNode& node : treeOf(tree).nodes()) {
         for (const Child child : node.children) {
           if (!child.isLeaf()) continue;
           ++leaves;
@@ -68,7 +71,7 @@ TEST(ClusteredOctree, leavesHoldNoMoreThanTheirCapacity) {
       }
       EXPECT_EQ(tree.stats().leaves, leaves);
       EXPECT_EQ(tree.stats().triangles, mesh->triangleCount());
-      EXPECT_EQ(tree.stats().nodes, tree.nodeCount());
+      EXPECT_EQ(tree.stats().nodes, treeOf(tree).nodeCount());
     }
   }
 }
@@ -83,11 +86,11 @@ TEST(ClusteredOctree, partsAreNeverMixedInTheUpperLevels) {
   const ClusteredOctree tree = ClusteredOctree::build(
       mesh, {.partition = PartitionKind::paper, .clusters = 3, .part_of_triangle = blade});
   tree.validate();
-  for (const ClusteredOctree::Node& node : tree.nodes()) {
+  for (const TreeNode& node : treeOf(tree).nodes()) {
     for (const Child child : node.children) {
       if (!child.isLeaf()) continue;
       std::set<int> blades;
-      for (const std::uint32_t t : tree.triangles(child)) blades.insert(blade[t]);
+      for (const std::uint32_t t : treeOf(tree).triangles(child)) blades.insert(blade[t]);
       EXPECT_EQ(blades.size(), 1u);
     }
   }
@@ -96,9 +99,10 @@ TEST(ClusteredOctree, partsAreNeverMixedInTheUpperLevels) {
 TEST(ClusteredOctree, isTheSameEveryTime) {
   const SharedMesh mesh = testing::fan(5, 20);
   const ClusteredOctree a = ClusteredOctree::build(mesh), b = ClusteredOctree::build(mesh);
-  EXPECT_TRUE(std::ranges::equal(a.triangleOrder(), b.triangleOrder()));
-  ASSERT_EQ(a.nodes().size(), b.nodes().size());
-  EXPECT_EQ(std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size() * sizeof(ClusteredOctree::Node)),
+  EXPECT_TRUE(std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()));
+  ASSERT_EQ(treeOf(a).nodes().size(), treeOf(b).nodes().size());
+  EXPECT_EQ(std::memcmp(treeOf(a).nodes().data(), treeOf(b).nodes().data(),
+                        treeOf(a).nodes().size() * sizeof(TreeNode)),
             0);
 }
 

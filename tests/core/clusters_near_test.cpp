@@ -1,6 +1,6 @@
 // Clusters at a depth against a box and against another tree's: never apart where triangles are near, and
 // near only where boxes of that depth are.
-#include "octoblisk/clusters_near.h"
+#include "contact/clusters_near.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,14 @@
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::uniform;
 
-ClusteredOctree treeOf(const testing::SharedMesh& mesh, Storage storage = Storage::fast) {
+ClusteredOctree treeOf(const testing::SharedMesh& mesh, Storage storage = Storage::full) {
   return ClusteredOctree::build(mesh, {.storage = storage});
 }
 
@@ -42,7 +45,7 @@ double leastGap(const std::vector<Obb>& some, const std::vector<Obb>& others) {
 }
 
 class ClustersNear : public ::testing::TestWithParam<Storage> {};
-INSTANTIATE_TEST_SUITE_P(fastAndCompact, ClustersNear, ::testing::Values(Storage::fast, Storage::compact));
+INSTANTIATE_TEST_SUITE_P(fastAndCompact, ClustersNear, ::testing::Values(Storage::full, Storage::compact));
 
 TEST_P(ClustersNear, missesNoPairOfTreesAndInventsNone) {
   const ClusteredOctree a = treeOf(testing::fan(5, 8), GetParam());

@@ -18,8 +18,11 @@
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
 namespace {
 
 using testing::SharedMesh;
@@ -119,9 +122,9 @@ TEST(CompactTree, isValidForEveryMesh) {
     for (const PartitionKind partition : {PartitionKind::clustering, PartitionKind::paper}) {
       const ClusteredOctree tree = compact(mesh, partition);
       EXPECT_NO_THROW(tree.validate());
-      EXPECT_TRUE(tree.isCompact());
+      EXPECT_TRUE(treeOf(tree).isCompact());
       const ClusteredOctree fast = ClusteredOctree::build(mesh, {.partition = partition});
-      EXPECT_TRUE(std::ranges::equal(tree.triangleOrder(), fast.triangleOrder()));
+      EXPECT_TRUE(std::ranges::equal(treeOf(tree).triangleOrder(), treeOf(fast).triangleOrder()));
       EXPECT_EQ(tree.stats().leaves, fast.stats().leaves);
       EXPECT_GE(tree.boxes(0)[0].volume(), 0.999 * fast.boxes(0)[0].volume());
     }
@@ -132,19 +135,20 @@ TEST(CompactTree, takesAQuarterOfTheMemory) {
   for (const SharedMesh& mesh : {testing::torus(3, 1, 300, 100), testing::fan(24, 40)}) {
     const ClusteredOctree tree = compact(mesh), fast = ClusteredOctree::build(mesh);
     const auto triangles = static_cast<double>(mesh->triangleCount());
-    EXPECT_EQ(tree.stats().bytes, tree.compactNodes().size() * sizeof(CompactNode) +
+    EXPECT_EQ(tree.stats().bytes, treeOf(tree).compactNodes().size() * sizeof(CompactNode) +
                                       mesh->triangleCount() * sizeof(std::uint32_t));
     EXPECT_LE(static_cast<double>(tree.stats().bytes) / triangles, kLeanBytes);
     EXPECT_LT(3 * tree.stats().bytes, fast.stats().bytes);
     EXPECT_LT(tree.stats().leaf_volume, 1.3 * fast.stats().leaf_volume);
-    EXPECT_TRUE(tree.nodes().empty());
+    EXPECT_TRUE(treeOf(tree).nodes().empty());
   }
 }
 
 bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(a.triangleOrder(), b.triangleOrder()) &&
-         a.compactNodes().size() == b.compactNodes().size() &&
-         std::memcmp(a.compactNodes().data(), b.compactNodes().data(), a.compactNodes().size_bytes()) == 0;
+  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
+         treeOf(a).compactNodes().size() == treeOf(b).compactNodes().size() &&
+         std::memcmp(treeOf(a).compactNodes().data(), treeOf(b).compactNodes().data(),
+                     treeOf(a).compactNodes().size_bytes()) == 0;
 }
 
 TEST(CompactTree, isTheSameForAnyNumberOfThreads) {
@@ -166,7 +170,7 @@ TEST(CompactTree, refits) {
     const auto moved = std::make_shared<const TriangleMesh>(vertices, mesh->triangles());
     ClusteredOctree tree = compact(mesh);
     const ClusteredOctree alone = tree.refitted(moved, 1);
-    EXPECT_TRUE(alone.isCompact());
+    EXPECT_TRUE(treeOf(alone).isCompact());
     EXPECT_NO_THROW(alone.validate());
     EXPECT_TRUE(sameBits(alone, tree.refitted(moved, 4)));
     EXPECT_TRUE(sameBits(alone, std::move(tree).refitted(moved, 4)));

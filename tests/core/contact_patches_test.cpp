@@ -1,4 +1,4 @@
-#include "octoblisk/contact_patches.h"
+#include "contact/contact_patches.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 Contact contactAt(const Vec3& point, const Vec3& normal, double distance, std::uint32_t a, std::uint32_t b) {

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <map>
 
-#include "octoblisk/half_line_crossing.h"
+#include "geometry/half_line_crossing.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;

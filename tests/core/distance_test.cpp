@@ -3,13 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/path_query.h"
-#include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 /// 0 where two triangles meet, else the least distance of any two.

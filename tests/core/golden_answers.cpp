@@ -1,16 +1,16 @@
 #include "core/golden_answers.h"
 
+#include "build/paper/k_means.h"
+#include "contact/clusters_near.h"
 #include "core/golden_scene.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/closest_point.h"
-#include "octoblisk/clusters_near.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/half_space_contacts.h"
-#include "octoblisk/k_means.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/raycast.h"
 #include "octoblisk/source_contacts.h"
@@ -19,6 +19,9 @@
 #include "shared/mesh_source.h"
 
 namespace octoblisk::testing {
+
+using namespace detail;
+
 namespace {
 
 void add(Answers& answers, const Contact& contact) {
@@ -223,7 +226,7 @@ GoldenScene::GoldenScene() {
 }
 
 GoldenAnswers goldenAnswers(const GoldenScene& scene, int threads) {
-  const BuildOptions fast{.quality = BuildQuality::fast}, compact{.storage = Storage::compact},
+  const BuildOptions fast{.quality = BuildQuality::low}, compact{.storage = Storage::compact},
       paper{.partition = PartitionKind::paper, .leaf_capacity = 4, .clusters = 3};
   const ClusteredOctree ball = ClusteredOctree::build(scene.ball), knob = ClusteredOctree::build(scene.knob),
                         soup = ClusteredOctree::build(scene.soup);

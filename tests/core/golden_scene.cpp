@@ -4,9 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "octoblisk/checksum.h"
+#include "base/checksum.h"
 
 namespace octoblisk::testing {
+
+using namespace detail;
 
 SharedMesh bumpyBall(std::mt19937_64& random, double radius, double bump, int segments) {
   using Cell = std::array<int, 3>;

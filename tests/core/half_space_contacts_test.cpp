@@ -24,7 +24,8 @@ TEST(HalfSpaceContacts, corners_vs_bruteforce) {
     for (int i = 0; i < kPlanes; ++i) {
       // Some far beyond the mesh, on both sides.
       const HalfSpace plane{testing::randomRotation(random).col(0),
-                            testing::uniform(random, -1, 1) * tree.radius() * (i % 10 ? 1.8 : 1000.0)};
+                            testing::uniform(random, -1, 1) * tree.mesh().bounds().halfExtents().norm() *
+                                (i % 10 ? 1.8 : 1000.0)};
       const double threshold = i % 3 ? 0.1 : 0.0;
       contacts(tree, plane, threshold, found);
       std::vector<double> expected, distances;

@@ -5,16 +5,20 @@
 #include <cstring>
 #include <vector>
 
+#include "contact/triangles_along.h"
 #include "core/only_targets.h"
 #include "octoblisk/raycast.h"
-#include "octoblisk/triangles_along.h"
 #include "shared/meshes.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 struct Answers {
-  std::vector<ClusteredOctree::Node> nodes;
+  std::vector<TreeNode> nodes;
   std::vector<std::uint32_t> order;
   std::vector<double> t;
   std::size_t hits = 0;
@@ -28,8 +32,8 @@ struct Answers {
 Answers answers(const testing::SharedMesh& mesh, BuildQuality quality) {
   const ClusteredOctree tree = ClusteredOctree::build(mesh, {.quality = quality});
   Answers all;
-  all.nodes.assign(tree.nodes().begin(), tree.nodes().end());
-  all.order.assign(tree.triangleOrder().begin(), tree.triangleOrder().end());
+  all.nodes.assign(treeOf(tree).nodes().begin(), treeOf(tree).nodes().end());
+  all.order.assign(treeOf(tree).triangleOrder().begin(), treeOf(tree).triangleOrder().end());
   std::mt19937_64 random(8);
   for (int i = 0; i < 2000; ++i) {
     Ray ray;
@@ -52,7 +56,7 @@ TEST(InstructionSets, giveTheSameBits) {
   std::mt19937_64 random(7);
   for (const testing::SharedMesh& mesh :
        {testing::torus(3, 1, 120, 60), testing::fan(12, 20), testing::soup(random, 5000, 10, 0.3)}) {
-    for (const BuildQuality quality : {BuildQuality::standard, BuildQuality::fast}) {
+    for (const BuildQuality quality : {BuildQuality::high, BuildQuality::low}) {
       const Answers best = answers(mesh, quality);
       for (const std::int64_t target : testing::compiledTargets()) {
         const testing::OnlyTargets only(target);

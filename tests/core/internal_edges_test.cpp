@@ -1,16 +1,19 @@
 // What is left of a body's contacts with a surface cut into triangles.
-#include "octoblisk/internal_edges.h"
+#include "contact/internal_edges.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "contact/corner_contacts.h"
 #include "octoblisk/contacts.h"
-#include "octoblisk/corner_contacts.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::uniform;

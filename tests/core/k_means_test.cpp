@@ -1,13 +1,16 @@
-#include "octoblisk/k_means.h"
+#include "build/paper/k_means.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "octoblisk/k_opt.h"
+#include "build/paper/k_opt.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 std::vector<Vec3> randomPoints(std::uint64_t seed, int count) {

@@ -1,10 +1,12 @@
-#include "octoblisk/obb.h"
-
 #include <gtest/gtest.h>
 
+#include "build/paper/principal_box.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 TEST(Obb, covarianceOfKnownPoints) {

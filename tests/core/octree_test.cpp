@@ -1,4 +1,4 @@
-#include "octoblisk/octree.h"
+#include "build/paper/octree.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,9 @@
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 /// Splits counted by plain recursion over copies of the points.

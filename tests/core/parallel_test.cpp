@@ -1,5 +1,5 @@
 // Loops over threads: every index once, and what is thrown in one reaches the caller.
-#include "octoblisk/parallel.h"
+#include "base/parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {

@@ -1,4 +1,4 @@
-#include "octoblisk/part_clusters.h"
+#include "build/paper/part_clusters.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,13 @@
 #include <set>
 #include <stdexcept>
 
-#include "octoblisk/k_means.h"
+#include "build/paper/k_means.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 constexpr int kNumbers[] = {7, -1, 3, 0, 5};  // of parts

@@ -1,10 +1,13 @@
-#include "octoblisk/predicates.h"
+#include "geometry/predicates.h"
 
 #include <gtest/gtest.h>
 
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::randomPoint;

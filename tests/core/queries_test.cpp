@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/triangle_convex.h"
+#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
-#include "octoblisk/triangle_convex.h"
-#include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;

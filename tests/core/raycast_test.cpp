@@ -7,10 +7,15 @@
 #include <functional>
 #include <tuple>
 
-#include "octoblisk/ray_triangle.h"
+#include "geometry/ray_triangle.h"
+#include "query/ray_walk.h"
 #include "shared/meshes.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;
@@ -333,21 +338,23 @@ TEST(Raycast, aVisitorEndsTheSearchWhereItLikes) {
   allHits(tree, ray, all);
   ASSERT_EQ(all.size(), 4u);
 
-  std::vector<double> seen;
-  visitHits(tree, ray, [&](const RayHit& hit) {
-    seen.push_back(hit.t);
-    return all[1].t;  // the two behind are of no interest
-  });
-  std::ranges::sort(seen);
-  EXPECT_TRUE(std::ranges::includes(seen, std::vector{all[0].t, all[1].t}));
-  EXPECT_LE(seen.size(), 3u);  // all of them but the first are within the limit
+  struct {
+    std::vector<double> seen;
+    double wanted;
+  } visited{{}, all[1].t};  // the two behind are of no interest
+  const detail::CrossingVisitor visitor = [](void* context, const detail::RayCrossing& crossing) {
+    auto& [seen, wanted] = *static_cast<decltype(visited)*>(context);
+    seen.push_back(crossing.t);
+    return wanted;
+  };
+  detail::walkRay(detail::treeOf(tree), ray, visitor, &visited);
+  std::ranges::sort(visited.seen);
+  EXPECT_TRUE(std::ranges::includes(visited.seen, std::vector{all[0].t, all[1].t}));
+  EXPECT_LE(visited.seen.size(), 3u);  // all of them but the first are within the limit
 
-  int calls = 0;
-  visitHits(tree, ray, [&](const RayHit&) {
-    ++calls;
-    return -1.0;
-  });
-  EXPECT_EQ(calls, 1);
+  visited = {{}, -1.0};
+  detail::walkRay(detail::treeOf(tree), ray, visitor, &visited);
+  EXPECT_EQ(visited.seen.size(), 1u);
 }
 
 TEST(Raycast, raysThatAreNoneMeetNothing) {

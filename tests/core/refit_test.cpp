@@ -14,8 +14,11 @@
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
 namespace {
 
 using testing::SharedMesh;
@@ -62,8 +65,9 @@ SharedMesh applied(const Deformation& deformation, const TriangleMesh& mesh) {
 }
 
 bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(a.triangleOrder(), b.triangleOrder()) && a.nodes().size() == b.nodes().size() &&
-         std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size_bytes()) == 0;
+  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
+         treeOf(a).nodes().size() == treeOf(b).nodes().size() &&
+         std::memcmp(treeOf(a).nodes().data(), treeOf(b).nodes().data(), treeOf(a).nodes().size_bytes()) == 0;
 }
 
 TEST(Refit, isValidForEveryDeformationAndScale) {
@@ -207,16 +211,16 @@ TEST(Refit, isTheSameForAnyNumberOfThreadsAndInItsOwnMemory) {
   const ClusteredOctree alone = tree.refitted(moved, 1);
   for (const int threads : {2, 4, 0}) EXPECT_TRUE(sameBits(alone, tree.refitted(moved, threads)));
 
-  const ClusteredOctree::Node* const memory = tree.nodes().data();
+  const TreeNode* const memory = treeOf(tree).nodes().data();
   {
     const ClusteredOctree shared = tree;
     const ClusteredOctree other = ClusteredOctree(tree).refitted(moved, 4);
-    EXPECT_NE(other.nodes().data(), memory);
+    EXPECT_NE(treeOf(other).nodes().data(), memory);
     EXPECT_TRUE(sameBits(alone, other));
     EXPECT_NO_THROW(shared.validate());  // is over the first mesh still
   }
   tree = std::move(tree).refitted(moved, 4);
-  EXPECT_EQ(tree.nodes().data(), memory);
+  EXPECT_EQ(treeOf(tree).nodes().data(), memory);
   EXPECT_TRUE(sameBits(alone, tree));
   EXPECT_NO_THROW(tree.validate());
 }

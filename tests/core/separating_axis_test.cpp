@@ -1,10 +1,13 @@
-#include "octoblisk/separating_axis.h"
+#include "geometry/separating_axis.h"
 
 #include <gtest/gtest.h>
 
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::randomPoint;
@@ -79,7 +82,7 @@ TEST(SeparatingAxis, someBoxesArePartedByEdgeAxesAlone) {
           (Mat3() << b.axes.col(k), b.axes.col((k + 1) % 3), b.axes.col((k + 2) % 3)).finished(),
           {b.half_extents[k], b.half_extents[(k + 1) % 3], b.half_extents[(k + 2) % 3]}};
       faces_part |=
-          !overlaps(a_turned, b, SeparatingAxes::paper1) || !overlaps(b_turned, a, SeparatingAxes::paper1);
+          !overlaps(a_turned, b, SeparatingAxes::first_x) || !overlaps(b_turned, a, SeparatingAxes::first_x);
     }
     edge_axes_needed += !faces_part && !overlaps(a, b);
   }
@@ -91,7 +94,7 @@ TEST(SeparatingAxis, paper1NeverMissesButOftenClaims) {
   int false_claims = 0;
   for (int i = 0; i < 20'000; ++i) {
     const Obb a = randomBox(random, 1.5), b = randomBox(random, 1.5);
-    const bool exact = overlaps(a, b), paper = overlaps(a, b, SeparatingAxes::paper1);
+    const bool exact = overlaps(a, b), paper = overlaps(a, b, SeparatingAxes::first_x);
     ASSERT_TRUE(paper || !exact);
     false_claims += paper && !exact;
   }

@@ -1,5 +1,5 @@
 // What is left of the contacts of two surfaces cut into triangles.
-#include "octoblisk/surface_contacts.h"
+#include "contact/surface_contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,9 @@
 #include "shared/solids.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::uniform;

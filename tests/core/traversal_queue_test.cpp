@@ -1,6 +1,6 @@
 // The to-do list of searches for the nearest: by gap while there is room, and nothing is lost when there is
 // none.
-#include "octoblisk/traversal_queue.h"
+#include "query/traversal_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,9 @@
 #include <vector>
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 struct Entry {

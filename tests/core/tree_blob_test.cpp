@@ -11,19 +11,23 @@
 #include <string>
 #include <string_view>
 
-#include "octoblisk/checksum.h"
+#include "base/checksum.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
 #include "shared/meshes.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;
 using Blob = std::vector<std::byte>;
 
-constexpr Storage kStorages[] = {Storage::fast, Storage::compact};
+constexpr Storage kStorages[] = {Storage::full, Storage::compact};
 
 TEST(Checksum, xxh64_vs_publishedValues) {
   const auto sum = [](std::string_view text) { return xxh64(std::as_bytes(std::span(text))); };
@@ -123,7 +127,7 @@ TEST(TreeBlob, roundTripGivesTheSameTree) {
   const std::vector<int> parts(mesh->triangleCount(), 3);
   for (const Storage storage : kStorages) {
     for (const BuildOptions& options :
-         {BuildOptions{.leaf_capacity = 5, .quality = BuildQuality::fast, .storage = storage},
+         {BuildOptions{.leaf_capacity = 5, .quality = BuildQuality::low, .storage = storage},
           BuildOptions{.partition = PartitionKind::paper,
           .storage = storage,
           .clusters = 3,
@@ -164,14 +168,14 @@ TEST(TreeBlob, usesTheOwnersBytesWhereTheyAre) {
   const SharedMesh mesh = testing::fan(9, 10);
   const ClusteredOctree tree = ClusteredOctree::build(mesh);
   const Blob blob = toBlob(tree);
-  const auto owner =
-      std::make_shared<std::vector<ClusteredOctree::Node>>(blob.size() / 512 + 2);  // is aligned
+  const auto owner = std::make_shared<std::vector<TreeNode>>(blob.size() / 512 + 2);  // is aligned
   const auto bytes = std::as_writable_bytes(std::span(*owner));
   std::ranges::copy(blob, bytes.begin());
   const std::weak_ptr<const void> watched = owner;
   {
     const ClusteredOctree over = fromBlob(bytes.first(blob.size()), mesh, owner);
-    EXPECT_EQ(static_cast<const void*>(over.nodes().data()), static_cast<const void*>(bytes.data() + 128));
+    EXPECT_EQ(static_cast<const void*>(treeOf(over).nodes().data()),
+              static_cast<const void*>(bytes.data() + 128));
     EXPECT_EQ(owner.use_count(), 2);
     expectTheSame(tree, over);
   }
@@ -246,7 +250,7 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
   const SharedMesh mesh = testing::torus(3, 1, 20, 10);
   const ClusteredOctree fast = ClusteredOctree::build(mesh);
   const Blob blob = toBlob(fast);
-  const std::size_t nodes = 128, order = nodes + sizeof(TreeNode) * fast.nodeCount();
+  const std::size_t nodes = 128, order = nodes + sizeof(TreeNode) * treeOf(fast).nodeCount();
   const auto childAt = [&](std::size_t node, std::size_t lane) {
     return nodes + node * sizeof(TreeNode) + offsetof(TreeNode, children) + lane * sizeof(Child);
   };
@@ -257,8 +261,8 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
     const std::string said = refusal(bad, mesh);
     EXPECT_NE(said.find(what), std::string::npos) << said;
   };
-  ASSERT_GT(fast.nodeCount(), 3u);
-  ASSERT_FALSE(fast.child({1, 0}).isLeaf());
+  ASSERT_GT(treeOf(fast).nodeCount(), 3u);
+  ASSERT_FALSE(treeOf(fast).child({1, 0}).isLeaf());
   expect(patched(blob, 124, std::uint32_t{1}), "reserved words");
   expect(patched(blob, childAt(0, 0), std::uint32_t{0}), "node 0 is empty");
   expect(patched(blob, childAt(0, 1), Child::leaf(0, 1)), "more than one box");
@@ -266,14 +270,14 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
   expect(patched(blob, childAt(1, 0), std::uint32_t{0x7fffffff}), "not the next node");
   expect(patched(blob, childAt(1, 0), Child::leaf(0, 8)), "next node");
   std::size_t leaf_node = 1;
-  while (!fast.child({static_cast<std::uint32_t>(leaf_node), 0}).isLeaf()) ++leaf_node;
+  while (!treeOf(fast).child({static_cast<std::uint32_t>(leaf_node), 0}).isLeaf()) ++leaf_node;
   expect(patched(blob, childAt(leaf_node, 0), Child::leaf(399, 8)), "ends beyond");
   expect(patched(blob, childAt(leaf_node, 0), std::uint32_t{0xffffffff}), "ends beyond");
-  const Child leaf = fast.child({static_cast<std::uint32_t>(leaf_node), 0});
+  const Child leaf = treeOf(fast).child({static_cast<std::uint32_t>(leaf_node), 0});
   const Child longer = Child::leaf(leaf.first(), leaf.count() % 8 + 1);
   EXPECT_NE(refusal(patched(blob, childAt(leaf_node, 0), longer), mesh), "");
   expect(patched(blob, order, std::uint32_t{400}), "triangle 400");
-  expect(patched(blob, order, fast.triangleOrder()[1]), "place 1 of the order");
+  expect(patched(blob, order, treeOf(fast).triangleOrder()[1]), "place 1 of the order");
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
     for (std::size_t place = 0; place < 15 * kLanes; place += kLanes)
@@ -307,7 +311,7 @@ TEST(TreeBlob, tooDeepTreesAreRefused) {
   for (const std::uint32_t depth : {64u, 65u}) {
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     OwnedArrays arrays;
-    const BoxF root = tree.arrays().box(ClusteredOctree::kRoot);
+    const BoxF root = treeOf(tree).arrays().box(Tree::kRoot);
     std::uint32_t held = 0;
     for (std::uint32_t n = 0; n < depth; ++n) {
       TreeNode node;
@@ -327,7 +331,7 @@ TEST(TreeBlob, tooDeepTreesAreRefused) {
         mesh->vertices(), std::vector(mesh->triangles().begin(), mesh->triangles().begin() + held));
     for (std::uint32_t t = 0; t < held; ++t) arrays.triangle_order.push_back(t);
     arrays.leaf_vertices.resize(9 * held + kLanes);
-    const std::string said = refusal([&] { ClusteredOctree::over(part, arrays.view(), nullptr, {}); });
+    const std::string said = refusal([&] { octreeOver(part, arrays.view(), nullptr, {}); });
     EXPECT_EQ(said, depth == 64 ? "" : "the tree is deeper than 64");
   }
 }

@@ -1,14 +1,17 @@
-#include "octoblisk/triangle_convex.h"
+#include "geometry/triangle_convex.h"
 
 #include <gtest/gtest.h>
 
+#include "geometry/epa.h"
+#include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
-#include "octoblisk/epa.h"
-#include "octoblisk/triangle_pair.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::randomPoint;

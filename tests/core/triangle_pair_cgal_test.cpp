@@ -10,12 +10,15 @@
 #include <sstream>
 #include <tuple>
 
-#include "octoblisk/triangle_pair.h"
+#include "geometry/triangle_pair.h"
 #include "shared/cgal_shapes.h"
 #include "shared/meshes.h"
 #include "shared/triangle_pairs.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::kPairKinds;

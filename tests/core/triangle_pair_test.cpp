@@ -1,12 +1,15 @@
-#include "octoblisk/triangle_pair.h"
+#include "geometry/triangle_pair.h"
 
 #include <gtest/gtest.h>
 
-#include "octoblisk/triangle_convex.h"
+#include "geometry/triangle_convex.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::randomPoint;

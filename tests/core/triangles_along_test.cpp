@@ -1,5 +1,5 @@
 // The triangles that a moving box meets, against looking at every triangle at many times.
-#include "octoblisk/triangles_along.h"
+#include "contact/triangles_along.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,9 @@
 #include "shared/solids.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::SharedMesh;

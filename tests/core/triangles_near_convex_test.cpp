@@ -5,10 +5,13 @@
 
 #include <algorithm>
 
-#include "octoblisk/triangle_convex.h"
+#include "geometry/triangle_convex.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::randomPoint;

@@ -1,5 +1,5 @@
 // Sine, cosine and angle beside those of the C library in extended precision.
-#include "octoblisk/turn.h"
+#include "base/turn.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,9 @@
 #include "shared/meshes.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 TEST(Turn, sineAndCosineAreThoseOfTheCLibrary) {

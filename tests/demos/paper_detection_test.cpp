@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "octoblisk/obb.h"
+#include "build/paper/principal_box.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"
 #include "paper/box_detection.h"
@@ -16,6 +16,9 @@
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 const Progress kSilent = [](double) {};
@@ -47,7 +50,7 @@ TEST(BoxDetection, cellsLeft_vs_everyCell) {
       ASSERT_NEAR(found.volume, expected.volume, 1e-9);
       ASSERT_EQ(anyLeafNear(segmentation, there), expected.isColliding());
       hits += expected.isColliding();
-      const BoxesLeft one_axis = leavesNear(segmentation, there, SeparatingAxes::paper1);
+      const BoxesLeft one_axis = leavesNear(segmentation, there, SeparatingAxes::first_x);
       ASSERT_GE(one_axis.leaves, expected.leaves) << "one axis never misses an overlap";
       more_by_one_axis += one_axis.leaves > expected.leaves;
     }

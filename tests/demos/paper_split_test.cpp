@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
-#include "octoblisk/k_opt.h"
-#include "octoblisk/obb.h"
-#include "octoblisk/separating_axis.h"
+#include "build/paper/k_opt.h"
+#include "build/paper/principal_box.h"
+#include "geometry/separating_axis.h"
 #include "paper/belt_poses.h"
 #include "paper/published.h"
 #include "paper/segmentation.h"
@@ -16,6 +16,9 @@
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 const Progress kSilent = [](double) {};

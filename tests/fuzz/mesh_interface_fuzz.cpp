@@ -148,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (head & 4) source.setScaling(scaling);
   try {
     ClusteredOctreeShape shape(&source,
-                               {.threads = 1, .storage = head & 8 ? Storage::compact : Storage::fast});
+                               {.threads = 1, .storage = head & 8 ? Storage::compact : Storage::full});
     ask(shape);
     shape.setLocalScaling(scaling);
     ask(shape);

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "octoblisk/checksum.h"
+#include "base/checksum.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
@@ -23,6 +23,7 @@
 namespace {
 
 using namespace octoblisk;
+using octoblisk::detail::xxh64;
 
 /// A wavy sheet.
 std::shared_ptr<const TriangleMesh> makeMesh() {

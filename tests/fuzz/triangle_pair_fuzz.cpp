@@ -9,16 +9,16 @@
 #include <cstring>
 
 #include "fuzz/bytes.h"
-#include "octoblisk/triangle_pair.h"
+#include "geometry/triangle_pair.h"
 
 namespace {
 
 using octoblisk::Contact;
-using octoblisk::contactOf;
-using octoblisk::intersects;
 using octoblisk::Triangle;
 using octoblisk::TriangleMesh;
 using octoblisk::Vec3;
+using octoblisk::detail::contactOf;
+using octoblisk::detail::intersects;
 
 class Coordinates {
  public:

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "octoblisk_bullet/near_bodies.h"
+#include "near_bodies.h"
 #include "plugin/broadphase_worlds.h"
 #include "plugin/mixed_shapes.h"
 
@@ -206,7 +206,8 @@ template <typename World>
 std::size_t pairsOfClusters(World& world) {
   const btBroadphasePairArray& pairs = world.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
   std::size_t count = 0;
-  for (int i = 0; i < pairs.size(); ++i) count += clustersDecide(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1);
+  for (int i = 0; i < pairs.size(); ++i)
+    count += detail::clustersDecide(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1);
   return count;
 }
 
@@ -216,7 +217,7 @@ std::size_t touchingPairsOfClusters(const StockWorld& world, const std::vector<T
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto [a, b] = sorted[i].bodies;
     if (i > 0 && sorted[i - 1].bodies == sorted[i].bodies) continue;
-    count += clustersDecide(*proxy(a), *proxy(b));
+    count += detail::clustersDecide(*proxy(a), *proxy(b));
   }
   return count;
 }

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <functional>
 
-#include "octoblisk/triangle_pair.h"
+#include "geometry/triangle_pair.h"
 #include "plugin/bullet_world.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
+
+using namespace detail;
+
 namespace {
 
 using testing::at;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "octoblisk/point_bounds.h"
-#include "octoblisk/triangle_pair.h"
+#include "geometry/point_bounds.h"
+#include "geometry/triangle_pair.h"
 
 namespace octoblisk::testing {
+
+using namespace detail;
+
 namespace {
 
 using IntVec = Eigen::Matrix<std::int64_t, 3, 1>;

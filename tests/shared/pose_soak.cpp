@@ -6,13 +6,16 @@
 #include <iterator>
 #include <limits>
 
+#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
-#include "octoblisk/refit.h"
-#include "octoblisk/triangle_pair.h"
 #include "shared/cgal_shapes.h"
+#include "tree/refit.h"
 
 namespace octoblisk::testing {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::size_t kMostFindings = 10;
@@ -28,7 +31,7 @@ const std::array<TreeKind, 5>& treeKinds() {
   static const std::array<TreeKind, 5> kinds = {{
       {"standard", {.threads = 1}},
       {"compact", {.threads = 1, .storage = Storage::compact}},
-      {"fast to build", {.quality = BuildQuality::fast, .threads = 1}},
+      {"fast to build", {.quality = BuildQuality::low, .threads = 1}},
       {"the paper's", {.partition = PartitionKind::paper, .leaf_capacity = 4, .threads = 1, .clusters = 3}},
       {"refitted", {.threads = 1}, true},
   }};

@@ -1,0 +1,26 @@
+// Whether two bodies touch, and with which triangles.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/contact.h"
+#include "octoblisk/convex.h"
+
+namespace octoblisk {
+
+/// A pair of triangles that meet, or none where the two meshes do not touch. B's vertices are posed in double
+/// precision; the verdict then equals exact arithmetic on all pairs of triangles. Surfaces, not solids: one
+/// mesh wholly inside another does not touch it. Allocates nothing.
+std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
+
+/// Replaces `found` by all pairs of triangles that meet, by ascending indices. Where `found` has the room,
+/// allocates nothing.
+void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                   std::vector<TrianglePair>& found);
+
+/// A triangle of A that meets the convex body B, or none. Allocates nothing.
+std::optional<std::uint32_t> collide(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a);
+
+}  // namespace octoblisk

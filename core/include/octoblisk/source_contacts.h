@@ -1,0 +1,58 @@
+// All contacts of a tree and of triangles that someone else keeps.
+#pragma once
+
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/contact.h"
+#include "octoblisk/triangle_source.h"
+
+namespace octoblisk {
+
+namespace detail {
+class Child;
+struct Slot;
+}  // namespace detail
+
+/// Goes down the tree, asks the source for the triangles in a cluster's box as soon as these are few, and
+/// thins them out on the way to the leaves. Keeps its buffers, so that once warm it allocates nothing: one
+/// for each pair of bodies.
+class SourceContacts {
+ public:
+  /// Replaces `found` by the contact of every triangle of the tree, as A, and of the source, as B, no farther
+  /// apart than `threshold` (>= 0); each pair once, by ascending indices. Points and normals are in A's
+  /// frame, triangle_b is for triangle(). A triangle of the source that is not finite touches nothing.
+  void find(const ClusteredOctree& a, const TriangleSource& b, const Pose& b_in_a, double threshold,
+            std::vector<Contact>& found);
+
+  /// The triangle of the source, in its frame, of a contact that was found last. They are numbered by part,
+  /// index and corners.
+  const SourceTriangle& triangle(std::uint32_t triangle_b) const { return touched_[triangle_b]; }
+
+ private:
+  class Query;
+  /// A triangle of the source that may be near the cluster at hand.
+  struct Candidate {
+    SourceTriangle in_b;
+    Triangle in_a;
+  };
+  /// What is known of a cluster: the candidates, if they were few; else after how many levels they may be.
+  struct Nearby {
+    bool listed = false;
+    std::size_t begin = 0, end = 0;  // in near_
+    int levels_to_skip = 0;
+  };
+
+  void descend(const Query& query, detail::Slot slot, const Nearby& above);
+  Nearby nearbyOf(const Query& query, detail::Slot slot, const Nearby& above);
+  void testLeaf(const Query& query, detail::Child leaf, const Nearby& nearby);
+  void numberTouched(std::vector<Contact>& found);
+
+  std::vector<Candidate> candidates_;
+  std::vector<std::size_t>
+      near_;  // indices of candidates_: those of each cluster on the way after the last's
+  std::vector<SourceTriangle> touched_;
+  std::vector<std::uint32_t> order_, number_;  // of those touched
+};
+
+}  // namespace octoblisk

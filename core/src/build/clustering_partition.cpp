@@ -1,0 +1,256 @@
+// Recursive clustering: every node is divided by k-means bisections in position–normal space
+// (node_divider.h).
+//
+// Large nodes are divided level by level: a sample finds the planes, then all triangles are sorted by them.
+// The rest are subtrees, each divided by one thread. What is divided how depends on the triangles alone, so
+// that the partition does not depend on the number of threads.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "build/node_divider.h"
+#include "build/partition.h"
+
+namespace octoblisk::detail {
+namespace {
+
+using Eight = Eigen::Array<float, kLanes, 1>;
+
+constexpr int kClusteringDepth = 32;        // below it halves by the median, so that the depth stays bounded
+constexpr std::uint32_t kSubtree = 4096;    // triangles of the largest subtree that is one thread's
+constexpr std::size_t kLargeSample = 4096;  // triangles of larger nodes that find their planes, at most
+constexpr std::size_t kChunk = 8192;        // triangles that a thread sorts at a time
+
+SplitEffort effortOf(BuildQuality quality) {
+  if (quality == BuildQuality::high) return {};
+  return {.samples = 128, .lloyd_steps = 3, .axis_seeds = 1, .one_seed_below = 24, .refine_turn = false};
+}
+
+using Nodes = std::vector<PartitionNode>;
+
+/// A node that is not divided yet; its records are in one of two buffers.
+struct Open {
+  std::uint32_t node;
+  int depth;
+  int buffer;
+};
+
+/// Which of up to eight clusters a record belongs to, by the cuts that made them.
+class Sorter {
+ public:
+  explicit Sorter(const std::vector<Cut>& cuts) : cluster_count_(cuts.size() + 1) {
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      const auto lane = static_cast<Eigen::Index>(c);
+      for (int k = 0; k < 3; ++k) {
+        normals_[static_cast<std::size_t>(k)][lane] = cuts[c].plane.of_centroid[k];
+        normals_[static_cast<std::size_t>(k) + 3][lane] = cuts[c].plane.of_normal[k];
+      }
+      offsets_[lane] = cuts[c].plane.offset;
+    }
+    for (unsigned sides = 0; sides < clusters_.size(); ++sides) {
+      std::size_t cluster = 0;
+      for (std::size_t c = 0; c < cuts.size(); ++c) {
+        const bool is_low = (sides >> c & 1u) != 0;
+        if (cluster > cuts[c].cluster || (cluster == cuts[c].cluster && !is_low)) ++cluster;
+      }
+      clusters_[sides] = static_cast<std::uint8_t>(cluster);
+    }
+  }
+
+  std::size_t clusterCount() const { return cluster_count_; }
+
+  std::uint8_t operator()(const TriangleRecord& record) const {
+    Eight height = normals_[0] * record.centroid[0];
+    height += normals_[1] * record.centroid[1];
+    height += normals_[2] * record.centroid[2];
+    for (int k = 0; k < 3; ++k) height += normals_[static_cast<std::size_t>(k) + 3] * record.normal[k];
+    unsigned sides = 0;
+    for (int c = 0; c < kLanes - 1; ++c) sides |= static_cast<unsigned>(height[c] < offsets_[c]) << c;
+    return clusters_[sides];
+  }
+
+ private:
+  std::size_t cluster_count_;
+  std::array<Eight, 6> normals_ = {Eight::Zero(), Eight::Zero(), Eight::Zero(),
+                                   Eight::Zero(), Eight::Zero(), Eight::Zero()};
+  Eight offsets_ = Eight::Zero();
+  std::array<std::uint8_t, 1u << (kLanes - 1)> clusters_;
+};
+
+class ClusteringPartitioner {
+ public:
+  ClusteringPartitioner(TriangleRecords records, const ClusteringOptions& options)
+      : capacity_(static_cast<std::uint32_t>(options.leaf_capacity)) {
+    const std::size_t useful_threads =
+        std::min<std::size_t>(static_cast<std::size_t>(options.threads), records.size() / kSubtree + 1);
+    threads_ = static_cast<int>(useful_threads);
+    for (std::size_t i = 0; i < useful_threads; ++i) {
+      dividers_.push_back(std::make_unique<NodeDivider>(capacity_, effortOf(options.quality)));
+    }
+    order_.resize(records.size());
+    buffers_[0] = std::move(records);
+    if (order_.size() > kSubtree) buffers_[1] = TriangleRecords(order_.size());
+  }
+
+  Partition run() {
+    const auto sample = std::make_unique<VertexSample>();
+    sampleVertices(buffers_[0].span(), *sample);
+    const BoxF box = enclosingBox(buffers_[0].span(), fitBox(*sample, 0.0f).axes, threads_);
+    nodes_.push_back({0, static_cast<std::uint32_t>(order_.size()), 0, 0, box});
+    divideSubtrees(divideLargeNodes());
+    return {std::move(order_), std::move(nodes_)};
+  }
+
+ private:
+  std::span<TriangleRecord> recordsOf(int buffer, const PartitionNode& node) {
+    return buffers_[static_cast<std::size_t>(buffer)].span().subspan(node.begin, node.count());
+  }
+
+  /// Returns the nodes that are left to divide.
+  std::vector<Open> divideLargeNodes() {
+    std::vector<Open> level = {{0, 0, 0}}, left;
+    while (!level.empty()) {
+      std::vector<Open> large;
+      for (const Open& open : level) {
+        const bool is_large = nodes_[open.node].count() > kSubtree && open.depth < kClusteringDepth;
+        (is_large ? large : left).push_back(open);
+      }
+      std::vector<Nodes> children(large.size());
+      const bool one_by_one = large.size() < static_cast<std::size_t>(threads_);
+      parallelFor(large.size(), one_by_one ? 1 : threads_, [&](std::size_t i, std::size_t worker) {
+        children[i] = divideLarge(nodes_[large[i].node], large[i].buffer, *dividers_[worker],
+                                  one_by_one ? threads_ : 1);
+      });
+      level.clear();
+      for (std::size_t i = 0; i < large.size(); ++i) {
+        const Open& open = large[i];
+        if (children[i].empty()) {
+          left.push_back(open);
+          continue;
+        }
+        adopt(nodes_, open.node, children[i]);
+        for (std::uint32_t c = 0; c < children[i].size(); ++c) {
+          level.push_back({nodes_[open.node].first_child + c, open.depth + 1, 1 - open.buffer});
+        }
+      }
+    }
+    return left;
+  }
+
+  /// Moves the node's records to the other buffer, cluster by cluster, and returns its children; none, and
+  /// moves nothing, where no plane divides them.
+  Nodes divideLarge(const PartitionNode& node, int buffer, NodeDivider& divider, int threads) {
+    const std::span<const TriangleRecord> records = recordsOf(buffer, node);
+    std::vector<std::uint32_t> sample;
+    const std::size_t stride = (records.size() + kLargeSample - 1) / kLargeSample;
+    for (std::size_t i = 0; i < records.size(); i += stride) sample.push_back(static_cast<std::uint32_t>(i));
+    const std::vector<Cluster>& clusters = divider.byPlanes(records, sample, node.box);
+
+    const Sorter sorter(divider.cuts());
+    const std::size_t chunks = (records.size() + kChunk - 1) / kChunk;
+    const auto forEachIn = [&](std::size_t chunk, const auto& visit) {
+      for (std::size_t i = chunk * kChunk; i < std::min(records.size(), (chunk + 1) * kChunk); ++i) visit(i);
+    };
+    std::vector<std::uint8_t> cluster_of(records.size());
+    std::vector<std::array<std::uint32_t, kLanes>> places(
+        chunks);  // first counts, then where to put the next
+    parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
+      std::array<std::uint32_t, kLanes> counts = {};
+      forEachIn(chunk, [&](std::size_t i) { ++counts[cluster_of[i] = sorter(records[i])]; });
+      places[chunk] = counts;
+    });
+
+    Nodes children;
+    std::uint32_t place = 0;
+    for (std::size_t c = 0; c < sorter.clusterCount(); ++c) {
+      const std::uint32_t begin = place;
+      for (auto& chunk : places) place += std::exchange(chunk[c], place);
+      if (place == begin) continue;  // its few triangles of the sample are on the other side, by rounding
+      children.push_back({node.begin + begin, node.begin + place, 0, 0, clusters[c].box});
+    }
+    if (children.size() < 2) return {};
+
+    const std::span<TriangleRecord> moved = recordsOf(1 - buffer, node);
+    parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
+      std::array<std::uint32_t, kLanes> next = places[chunk];
+      forEachIn(chunk, [&](std::size_t i) { moved[next[cluster_of[i]]++] = records[i]; });
+    });
+    for (PartitionNode& child : children) {
+      child.box = enclosingBox(recordsOf(1 - buffer, child), child.box.axes, threads);
+    }
+    return children;
+  }
+
+  void divideSubtrees(const std::vector<Open>& roots) {
+    std::vector<Nodes> subtrees(roots.size());
+    parallelFor(roots.size(), threads_, [&](std::size_t i, std::size_t worker) {
+      const PartitionNode& root = nodes_[roots[i].node];
+      const std::span<const TriangleRecord> records = recordsOf(roots[i].buffer, root);
+      const std::span<std::uint32_t> order = std::span(order_).subspan(root.begin, root.count());
+      std::iota(order.begin(), order.end(), 0u);
+      subtrees[i] = {root};
+      divideSubtree(subtrees[i], 0, roots[i].depth, records, order, *dividers_[worker]);
+      for (std::uint32_t& index : order) index = records[index].triangle;
+    });
+    for (std::size_t i = 0; i < roots.size(); ++i) graft(roots[i].node, subtrees[i]);
+  }
+
+  /// Divides a node and all below it; the order is of the records of the subtree's root, nodes.front().
+  void divideSubtree(Nodes& nodes, std::uint32_t index, int depth, std::span<const TriangleRecord> records,
+                     std::span<std::uint32_t> order, NodeDivider& divider) const {
+    const PartitionNode node = nodes[index];
+    if (node.count() <= capacity_) return;
+    const std::uint32_t begin = nodes.front().begin;
+    const std::span<std::uint32_t> indices = order.subspan(node.begin - begin, node.count());
+    const std::vector<Cluster>& clusters = depth < kClusteringDepth
+                                               ? divider.byClusters(records, indices, node.box)
+                                               : divider.byMedians(records, indices, node.box);
+    Nodes children;
+    children.reserve(clusters.size());
+    for (const Cluster& cluster : clusters) {
+      const BoxF box = cluster.exact ? cluster.box
+                                     : enclosingBox(records, indices.subspan(cluster.begin, cluster.count()),
+                                                    cluster.box.axes);
+      children.push_back({node.begin + cluster.begin, node.begin + cluster.end, 0, 0, box});
+    }
+    adopt(nodes, index, children);
+    for (std::uint32_t c = 0; c < children.size(); ++c) {
+      divideSubtree(nodes, nodes[index].first_child + c, depth + 1, records, order, divider);
+    }
+  }
+
+  static void adopt(Nodes& nodes, std::uint32_t parent, const Nodes& children) {
+    nodes[parent].first_child = static_cast<std::uint32_t>(nodes.size());
+    nodes[parent].child_count = static_cast<std::uint32_t>(children.size());
+    nodes.insert(nodes.end(), children.begin(), children.end());
+  }
+
+  /// Appends a subtree, whose first node is there already.
+  void graft(std::uint32_t root, const Nodes& subtree) {
+    const auto shift = static_cast<std::uint32_t>(nodes_.size()) - 1;
+    const auto shifted = [&](PartitionNode node) {
+      if (node.child_count > 0) node.first_child += shift;
+      return node;
+    };
+    nodes_[root] = shifted(subtree.front());
+    std::transform(subtree.begin() + 1, subtree.end(), std::back_inserter(nodes_), shifted);
+  }
+
+  const std::uint32_t capacity_;
+  int threads_ = 1;
+  std::vector<std::unique_ptr<NodeDivider>> dividers_;  // one a thread
+  std::array<TriangleRecords, 2> buffers_;
+  std::vector<std::uint32_t> order_;
+  Nodes nodes_;
+};
+
+}  // namespace
+
+Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options) {
+  return ClusteringPartitioner(std::move(records), options).run();
+}
+
+}  // namespace octoblisk::detail

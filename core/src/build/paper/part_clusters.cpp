@@ -1,0 +1,44 @@
+#include "build/paper/part_clusters.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "build/paper/k_means.h"
+
+namespace octoblisk::detail {
+namespace {
+
+std::vector<TriangleSet> clustersOf(const TriangleSet& part, std::span<const Vec3> centroids,
+                                    const PartClusterOptions& options) {
+  std::vector<Vec3> points;
+  points.reserve(part.size());
+  for (const std::uint32_t t : part) points.push_back(centroids[t]);
+  const std::size_t k = std::min(options.clusters, part.size());
+  const Clustering clustering = kMeans(points, {.k = k, .seed = options.seed});
+  std::vector<TriangleSet> clusters(k);
+  for (std::size_t i = 0; i < part.size(); ++i) clusters[clustering.cluster_of_point[i]].push_back(part[i]);
+  std::erase_if(clusters, [](const TriangleSet& cluster) { return cluster.empty(); });
+  return clusters;
+}
+
+}  // namespace
+
+std::vector<std::vector<TriangleSet>> partClusters(std::span<const Vec3> centroids,
+                                                   const PartClusterOptions& options) {
+  const std::vector<int>& part_of = options.part_of_triangle;
+  if (options.clusters == 0) throw std::invalid_argument("a part has at least one cluster");
+  if (!part_of.empty() && part_of.size() != centroids.size()) {
+    throw std::invalid_argument("there are " + std::to_string(part_of.size()) + " part numbers for " +
+                                std::to_string(centroids.size()) + " triangles");
+  }
+  std::map<int, TriangleSet> parts;
+  for (std::uint32_t t = 0; t < centroids.size(); ++t) parts[part_of.empty() ? 0 : part_of[t]].push_back(t);
+  std::vector<std::vector<TriangleSet>> clusters;
+  clusters.reserve(parts.size());
+  for (const auto& [number, part] : parts) clusters.push_back(clustersOf(part, centroids, options));
+  return clusters;
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,42 @@
+#include "build/paper/principal_box.h"
+
+#include <Eigen/Eigenvalues>
+#include <stdexcept>
+
+namespace octoblisk::detail {
+
+Mat3 principalAxes(const Mat3& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(symmetric);  // ascending eigenvalues
+  Mat3 axes;
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 axis = solver.eigenvectors().col(2 - k);
+    Eigen::Index largest = 0;
+    axis.cwiseAbs().maxCoeff(&largest);
+    axes.col(k) = axis[largest] < 0.0 ? Vec3(-axis) : axis;
+  }
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+Mat3 covariance(std::span<const Vec3> points) {
+  if (points.empty()) throw std::invalid_argument("the covariance of no points is undefined");
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& point : points) mean += point;
+  mean /= static_cast<double>(points.size());
+  Mat3 sum = Mat3::Zero();
+  for (const Vec3& point : points) sum += (point - mean) * (point - mean).transpose();
+  return points.size() == 1 ? sum : Mat3(sum / static_cast<double>(points.size() - 1));
+}
+
+Obb boundingBox(std::span<const Vec3> points, const Mat3& axes) {
+  if (points.empty()) throw std::invalid_argument("the bounding box of no points is undefined");
+  Aabb local;
+  for (const Vec3& point : points) local.extend(axes.transpose() * point);
+  return {axes * local.center(), axes, local.halfExtents()};
+}
+
+Obb principalBox(std::span<const Vec3> points) {
+  return boundingBox(points, principalAxes(covariance(points)));
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,26 @@
+// The oriented bounding box of a point cloud by principal component analysis (eq. 1–3 of the paper).
+#pragma once
+
+#include <span>
+
+#include "octoblisk/types.h"
+
+namespace octoblisk::detail {
+
+/// The principal axes of a symmetric matrix: columns by descending eigenvalue, each with its largest
+/// component positive, right-handed.
+Mat3 principalAxes(const Mat3& symmetric);
+
+/// The covariance of the points, with n − 1 (eq. 2–3); zero for one point. Throws std::invalid_argument for
+/// none.
+Mat3 covariance(std::span<const Vec3> points);
+
+/// The box of the points in the given frame; its centre is the middle of the box, not the centroid.
+/// Throws std::invalid_argument for no points.
+Obb boundingBox(std::span<const Vec3> points, const Mat3& axes);
+
+/// boundingBox in the principal axes of the points' covariance. It holds the points, but not a surface
+/// bulging between them, and it is not the smallest box (errata 7 and 14).
+Obb principalBox(std::span<const Vec3> points);
+
+}  // namespace octoblisk::detail

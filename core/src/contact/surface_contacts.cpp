@@ -1,0 +1,236 @@
+#include "contact/surface_contacts.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "geometry/triangle_feature.h"
+#include "geometry/triangle_pair.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// The same for the same position; for others hardly ever.
+double keyOf(const Vec3& position) {
+  return position.dot(Vec3(1.0, 0.61803398874989485, 0.41421356237309505));
+}
+
+std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
+  while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
+  return contact;
+}
+
+/// Sorts the contacts by one of their triangles and calls visit(contacts) for those of each.
+template <typename Visit>
+void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
+                  std::vector<std::uint32_t>& order, Visit&& visit) {
+  const auto triangleOf = [&](std::uint32_t c) { return contacts[c].*triangle; };
+  if (!std::ranges::is_sorted(order, {}, triangleOf)) std::ranges::sort(order, {}, triangleOf);
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = std::find_if(first, order.end(),
+                                   [&](std::uint32_t c) { return triangleOf(c) != triangleOf(*first); });
+    visit(std::span<const std::uint32_t>(first, last));
+    first = last;
+  }
+}
+
+}  // namespace
+
+SurfaceContacts::Face::Face(const Triangle& of, double contact)
+    : triangle(of), facing(scaledNormal(of).normalized()), contact_distance(contact) {}
+
+/// Whether each of two faces is below the other's plane, or on it: those of a convex edge, or of two sides of
+/// a sheet. Never where the other has no area.
+bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
+  constexpr double kOn = 1e-4;  // of the triangle's size
+  const auto isBelow = [](const Face& low, const Face& high) {
+    const Triangle& t = low.triangle;
+    const double most = -kOn * ((t[1] - t[0]).norm() + (t[2] - t[0]).norm());
+    return high.depthOf(t[0]) >= most && high.depthOf(t[1]) >= most && high.depthOf(t[2]) >= most;
+  };
+  return !other.facing.isZero() && isBelow(face, other) && isBelow(other, face);
+}
+
+void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
+  if (contacts.size() < 2) return;
+  removeLongWays(contacts);
+  join(contacts);
+  markPast(contacts);
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
+               [&](Members opposite_one) { markInner(contacts, opposite_one, true); });
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
+               [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
+  keepDeepest(contacts);
+  dropRemoved(contacts);
+}
+
+void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (removed_[c] != kKept) continue;
+    contacts[kept] = contacts[c];
+    pairs_[kept++] = pairs_[c];
+  }
+  contacts.resize(kept);
+  pairs_.resize(kept);
+}
+
+/// All kept, in the order that they come in.
+void SurfaceContacts::reset(std::size_t contacts) {
+  removed_.assign(contacts, kKept);
+  for (auto* indices : {&by_a_, &by_b_}) {
+    indices->resize(contacts);
+    std::iota(indices->begin(), indices->end(), 0u);
+  }
+}
+
+/// First of all: nothing is to be told from how deep these are.
+void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
+  reset(contacts.size());
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
+               [&](Members opposite_one) { markLongWays(contacts, opposite_one, true); });
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
+               [&](Members opposite_one) { markLongWays(contacts, opposite_one, false); });
+  const std::size_t before = contacts.size();
+  dropRemoved(contacts);
+  if (contacts.size() < before) reset(contacts.size());
+}
+
+/// Of the contacts with one triangle of the other body, those square to a face of this body's where another
+/// face, below whose plane all of that one is and the other way round, meets the triangle far less deep, and
+/// - is near the triangle's deepest point, or
+/// - is near the face, and the deepest point is out of the body, over a third face or that one.
+void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  if (opposite_one.size() < 2) return;
+  faces_.clear();
+  for (const std::uint32_t c : opposite_one) {
+    const Contact& contact = contacts[c];
+    const Triangle& own = of_a ? pairs_[c].a : pairs_[c].b;
+    if (!(contact.distance < 0.0) || !isSquare(own, contact.normal)) continue;
+    if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
+    const Face face(own, contact.distance);
+    const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
+    const double half_way = -0.5 * contact.distance;
+    const auto isOver = [&](const Face& other) {
+      return other.depthOf(deepest) < -0.1 * half_way && isConvex(face, other);
+    };
+    std::optional<bool> is_out;
+    const auto isShortWay = [&](const Face& other) {
+      if (other.contact_distance <= -half_way) return false;
+      if (other.depthOf(deepest) < half_way && isConvex(face, other) &&
+          closestPoints(other.triangle, {deepest, deepest, deepest}).distance < half_way) {
+        return true;
+      }
+      if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
+      return *is_out && isConvex(face, other) && contactOf(own, other.triangle).distance < half_way;
+    };
+    if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = kLongWay;
+  }
+}
+
+/// The faces that meet a triangle, those of the least deep contacts; not all, so that a large triangle under
+/// a fine mesh takes no time that goes with the square of what it meets.
+void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  constexpr std::size_t kMost = 256;
+  shallowest_.clear();
+  std::ranges::copy_if(opposite_one, std::back_inserter(shallowest_),
+                       [&](std::uint32_t c) { return contacts[c].distance <= 0.0; });
+  if (shallowest_.size() > kMost) {
+    // Of equally deep ones the first: the same on every machine.
+    const auto depthOf = [&](std::uint32_t c) { return std::pair(-contacts[c].distance, c); };
+    std::ranges::nth_element(shallowest_, shallowest_.begin() + kMost, {}, depthOf);
+    shallowest_.resize(kMost);
+  }
+  for (const std::uint32_t c : shallowest_) {
+    faces_.emplace_back(of_a ? pairs_[c].a : pairs_[c].b, contacts[c].distance);
+  }
+}
+
+/// Groups those that hang together by triangles. The root of a group is its deepest.
+void SurfaceContacts::join(const std::vector<Contact>& contacts) {
+  parent_.resize(contacts.size());
+  std::iota(parent_.begin(), parent_.end(), 0u);
+  const auto joinAll = [&](Members of_one) {
+    for (const std::uint32_t c : of_one.subspan(1)) {
+      std::uint32_t a = rootOf(parent_, of_one.front()), b = rootOf(parent_, c);
+      if (contacts[b].distance < contacts[a].distance) std::swap(a, b);
+      parent_[b] = a;
+    }
+  };
+  forEachOfOne(&Contact::triangle_a, contacts, by_a_, joinAll);
+  forEachOfOne(&Contact::triangle_b, contacts, by_b_, joinAll);
+}
+
+/// Gives its deepest contact back to a group of which all were removed, and the deepest of all.
+void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
+  const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
+  removed_[static_cast<std::size_t>(deepest)] = kKept;
+  stays_.assign(parent_.size(), false);
+  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
+    if (removed_[c] == kKept) stays_[rootOf(parent_, c)] = true;
+  }
+  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
+    if (parent_[c] == c && !stays_[c]) removed_[c] = kKept;
+  }
+}
+
+/// Those that are apart, on the back of one of the two triangles, and hang together with some that meet.
+void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
+  const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
+  constexpr double kBehind = 1e-3;
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (!isApart(contact) || isApart(contacts[rootOf(parent_, c)])) continue;
+    const Vec3 facing_a = scaledNormal(pairs_[c].a), facing_b = scaledNormal(pairs_[c].b);
+    if (contact.normal.dot(facing_a) > kBehind * facing_a.norm() ||
+        contact.normal.dot(facing_b) < -kBehind * facing_b.norm()) {
+      removed_[c] = kPast;
+    }
+  }
+}
+
+/// Of the contacts with one triangle of the other body, those askew at a feature of this body's triangle
+/// beyond which another of them leans towards the other body.
+void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+  if (opposite_one.size() < 2) return;
+  const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
+  const auto has = [](const Triangle& triangle, const Vec3& corner) {
+    return std::ranges::find(triangle, corner) != triangle.end();
+  };
+  corners_.clear();
+  for (const std::uint32_t c : opposite_one) {
+    const Contact& contact = contacts[c];
+    const Triangle& own = ownOf(c);
+    if (removed_[c] != kKept || isSquare(own, contact.normal)) continue;
+    const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
+    if (feature == 0b111u || feature == 0) continue;
+    if (corners_.empty()) {
+      for (const std::uint32_t o : opposite_one) {
+        for (const Vec3& corner : ownOf(o)) corners_.push_back({keyOf(corner), o});
+      }
+      std::ranges::sort(corners_, {}, &Corner::key);
+    }
+    const auto [first, second] = endsOf(feature);
+    const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
+    const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
+    const double key = keyOf(own[first]);
+    for (auto corner = std::ranges::lower_bound(corners_, key, {}, &Corner::key);
+         corner != corners_.end() && corner->key == key; ++corner) {
+      const std::uint32_t o = corner->contact;
+      const Contact& other = contacts[o];
+      // What is wholly past the face is deeper than what meets it.
+      const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
+                                                    : other.distance <= 0.0 || removed_[o] == kPast;
+      if (o == c || !is_nearer) continue;
+      const Triangle& shares = ownOf(o);
+      if (!has(shares, own[first]) || !has(shares, own[second])) continue;
+      if (!leansOver(shares, own[first], own[second], towards)) continue;
+      removed_[c] = kInner;
+      break;
+    }
+  }
+}
+
+}  // namespace octoblisk::detail

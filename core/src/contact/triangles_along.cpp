@@ -1,0 +1,185 @@
+#include "contact/triangles_along.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "contact/triangles_along.cpp"
+#include <hwy/foreach_target.h>
+
+#include "geometry/point_bounds.h"
+#include "query/traversal-inl.h"
+
+#ifndef OCTOBLISK_TRIANGLES_ALONG_ONCE
+#define OCTOBLISK_TRIANGLES_ALONG_ONCE
+namespace octoblisk::detail {
+
+/// The fractions at which a moving box overlaps something along all axes looked at so far.
+class OverlapInterval {
+ public:
+  /// Along an axis of any length: what is met lies within low..high; the box's centre starts at 0, moves by
+  /// `motion` and reaches `radius` to either side.
+  void narrow(double low, double high, double motion, double radius) {
+    const double to_low = low - radius, to_high = high + radius;
+    if (motion == 0.0) {
+      if (to_low > 0.0 || to_high < 0.0) first_ = kNever;
+      return;
+    }
+    const double one = to_low / motion, other = to_high / motion;
+    first_ = std::max(first_, std::min(one, other));
+    last_ = std::min(last_, std::max(one, other));
+  }
+  /// kNever where it does not overlap.
+  double first() const { return first_ <= last_ ? first_ : kNever; }
+
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+ private:
+  double first_ = 0.0, last_ = 1.0;
+};
+
+/// The fractions between which a moving box is near a tree: single precision is not for the way there.
+struct NearPart {
+  double first = 0.0, last = 1.0;
+};
+
+/// None where the spheres round the two never meet, or where a number is not finite.
+inline std::optional<NearPart> nearPart(const Tree& tree, const MovingBox& box) {
+  const Vec3 way = tree.origin() - box.start.center;
+  const double squared_speed = box.motion.squaredNorm();
+  const double closest = squared_speed > 0.0 ? way.dot(box.motion) / squared_speed : 0.0;
+  const double reach = (tree.radius() + box.start.half_extents.norm()) * (1.0 + 2.0 * box.rim) +
+                       4.0 * kDoubleRounding * (way.norm() + box.start.center.norm());
+  const double squared_half_chord = reach * reach - (way - closest * box.motion).squaredNorm();
+  if (!(squared_half_chord >= 0.0)) return std::nullopt;
+  if (squared_speed == 0.0) return NearPart();
+  const double half_part = std::sqrt(squared_half_chord / squared_speed) * (1.0 + kSingleRounding);
+  const NearPart part{std::max(0.0, closest - half_part), std::min(1.0, closest + half_part)};
+  if (!(part.first <= part.last)) return std::nullopt;
+  return part;
+}
+
+/// Where a triangle is first met at the earliest: by the axes of the box, the triangle's normal, and those
+/// square to the motion and an edge.
+inline double firstMeeting(const Triangle& triangle, const MovingBox& box, double slack) {
+  const double reach = slack + box.rim * boundsOf(triangle).halfExtents().norm();
+  OverlapInterval overlap;
+  const auto narrow = [&](const Vec3& axis) {
+    const double a = axis.dot(triangle[0] - box.start.center), b = axis.dot(triangle[1] - box.start.center),
+                 c = axis.dot(triangle[2] - box.start.center);
+    const double radius =
+        (box.start.axes.transpose() * axis).cwiseAbs().dot(box.start.half_extents) + reach * axis.norm();
+    overlap.narrow(std::min({a, b, c}), std::max({a, b, c}), axis.dot(box.motion), radius);
+  };
+  for (int axis = 0; axis < 3; ++axis) narrow(box.start.axes.col(axis));
+  if (overlap.first() == OverlapInterval::kNever) return OverlapInterval::kNever;
+  narrow(scaledNormal(triangle));
+  for (int edge = 0; edge < 3; ++edge) {
+    narrow((triangle[std::size_t(edge + 1) % 3] - triangle[std::size_t(edge)]).cross(box.motion));
+  }
+  return overlap.first();
+}
+
+}  // namespace octoblisk::detail
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// For each of eight boxes the fraction at which the moving box first overlaps it along all six face axes, at
+/// the earliest; kFarthest and beyond where it never does.
+class FirstMeetings {
+ public:
+  /// `slack`: how far apart they may still be for rounding.
+  FirstMeetings(const Vec3& motion, double rim, float slack) : rim_(static_cast<float>(rim)), slack_(slack) {
+    for (int i = 0; i < 3; ++i) motion_[i] = static_cast<float>(motion[i]);
+  }
+
+  Float8 operator()(const Box8& boxes, const BoxF& box) const {
+    const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
+                       Float8::load(boxes.center[1]) - Float8(box.center[1]),
+                       Float8::load(boxes.center[2]) - Float8(box.center[2])};
+    const Vec8 motion{Float8(motion_[0]), Float8(motion_[1]), Float8(motion_[2])};
+    const Float8 half[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
+                            Float8::load(boxes.half_extents[2])};
+    const Float8 reach = Float8(slack_) + Float8(2.0f * rim_) * (half[0] + half[1] + half[2]);
+    Float8 first(0.0f), last(1.0f);
+    const auto narrow = [&](const Vec8& axis, const Float8& radius) HWY_ATTR {
+      // Towards the boxes along the axis, and no slower than the slowest: it divides.
+      const Float8 way = dot(axis, between), speed = dot(axis, motion);
+      const Float8 forward = select(speed, Float8(0.0f), Float8(0.0f) - way, way);
+      const Float8 divisor = max(abs(speed), Float8(kSlowest));
+      first = max(first, (forward - radius) / divisor);
+      last = min(last, (forward + radius) / divisor);
+    };
+    Vec8 axis_of_boxes[3];
+    Float8 radius_along_boxes[3];
+    for (int j = 0; j < 3; ++j) {
+      axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
+                          Float8::load(boxes.axes[2][j])};
+      radius_along_boxes[j] = half[j] + reach;
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
+      Float8 radius = Float8(box.half_extents[i]) + reach;
+      for (int j = 0; j < 3; ++j) {
+        const Float8 cosine = abs(dot(axis_of_boxes[j], axis));
+        radius = radius + half[j] * cosine;
+        radius_along_boxes[j] = radius_along_boxes[j] + Float8(box.half_extents[i]) * cosine;
+      }
+      narrow(axis, radius);
+    }
+    for (int j = 0; j < 3; ++j) narrow(axis_of_boxes[j], radius_along_boxes[j]);
+    return select(last, first, Float8(kMissed), first);
+  }
+
+ private:
+  static constexpr float kSlowest = 1e-30f;
+  static constexpr float kMissed = 1e30f;  // beyond kFarthest
+  float motion_[3];
+  float rim_, slack_;
+};
+
+void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near, double last_fraction,
+                    AlongVisitor visitor, void* user) {
+  const Obb start{box.start.center + near.first * box.motion, box.start.axes, box.start.half_extents};
+  const double share = near.last - near.first;
+  LocalBox local(tree, start);
+  local.size += share * box.motion.norm();
+  const auto slack = static_cast<float>(kSingleRounding * local.size);
+  const double slack_of_doubles =
+      4.0 * kDoubleRounding * (box.start.center.norm() + box.motion.norm() + local.size);
+  double wanted = std::min(last_fraction, 1.0);
+  const auto limit = [&] {  // of the near part
+    return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kSingleRounding) : 1.0f;
+  };
+  walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot slot) {
+    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
+      const double first = firstMeeting(tree.mesh().triangle(triangle), box, slack_of_doubles);
+      if (!(first <= wanted)) continue;
+      wanted = std::min(wanted, visitor(user, triangle, first));
+      if (wanted < 0.0) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk::detail {
+
+HWY_EXPORT(trianglesAlong);
+
+void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
+                          AlongVisitor visitor, void* user) {
+  if (!(last_fraction >= 0.0)) return;
+  const std::optional<NearPart> near = nearPart(treeOf(tree), box);
+  if (near) HWY_DYNAMIC_DISPATCH(trianglesAlong)(treeOf(tree), box, *near, last_fraction, visitor, user);
+}
+
+}  // namespace octoblisk::detail
+#endif

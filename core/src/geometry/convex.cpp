@@ -1,0 +1,64 @@
+#include "octoblisk/convex.h"
+
+#include <stdexcept>
+
+namespace octoblisk {
+
+using namespace detail;
+
+ConvexHull::ConvexHull(std::vector<Vec3> points, double radius)
+    : points_(std::move(points)), radius_(radius) {
+  if (points_.empty()) throw std::invalid_argument("a convex hull needs at least one point");
+  if (!(radius_ >= 0.0)) throw std::invalid_argument("the radius of a convex hull must not be negative");
+  faces_.find(points_);
+}
+
+Vec3 ConvexHull::support(const Vec3& direction) const { return farthest(points_, direction); }
+
+ConvexBox::ConvexBox(const Obb& box) : box_(box) {
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Vec3 local;
+    for (int k = 0; k < 3; ++k)
+      local[k] = (corner >> k & 1u) != 0 ? box.half_extents[k] : -box.half_extents[k];
+    points_[corner] = box.center + box.axes * local;
+  }
+  std::size_t edge = 0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Vec3 axis = box.axes.col(k);
+    const double middle = axis.dot(box.center), half = box.half_extents[k];
+    faces_[2 * k] = {-axis, half - middle};
+    faces_[2 * k + 1] = {axis, half + middle};
+    const std::uint32_t i = (k + 1) % 3, j = (k + 2) % 3;
+    for (const std::uint32_t end_i : {0u, 1u}) {
+      for (const std::uint32_t end_j : {0u, 1u}) {
+        const std::uint32_t from = end_i << i | end_j << j;
+        edges_[edge++] = {from, from | 1u << k, 2 * i + end_i, 2 * j + end_j, 0.0};
+      }
+    }
+  }
+}
+
+const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction) {
+  const Vec3* found = points.data();
+  double most = found->dot(direction);
+  for (const Vec3& point : points.subspan(1)) {
+    const double along = point.dot(direction);
+    if (!(along > most)) continue;
+    most = along;
+    found = &point;
+  }
+  return *found;
+}
+
+std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room) {
+  const std::span<const Vec3> points = convex.points();
+  if (!points.empty() && points.size() <= kMostPointsRoundCore) return points;
+  const Aabb box = convex.coreBounds();
+  for (std::size_t c = 0; c < 8; ++c) {
+    for (int axis = 0; axis < 3; ++axis)
+      room[c][axis] = (c >> axis & 1u) != 0 ? box.max[axis] : box.min[axis];
+  }
+  return room;
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,262 @@
+#include "geometry/epa.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace octoblisk::detail {
+namespace {
+
+constexpr int kMaxVertices = 96;
+constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4
+constexpr double kFlat = 1e-10;              // of the polytope's size: thinner is no polytope
+constexpr double kCoplanar = 1e-12;          // of its size: a vertex this near to a face's plane is in it
+
+/// A triangle of the polytope, its normal pointing away from the origin.
+struct Face {
+  std::array<int, 3> vertex;
+  Vec3 normal;
+  double distance;
+};
+
+struct Edge {
+  int from, to;
+};
+
+class Polytope {
+ public:
+  Polytope(const Triangle& triangle, const Convex& convex) : triangle_(triangle), convex_(convex) {}
+
+  /// Makes a tetrahedron of what GJK left, without what is flat of it; false where the difference is flat.
+  bool start(const Simplex& simplex) {
+    for (int i = 0; i < simplex.count; ++i) vertices_[static_cast<std::size_t>(count_++)] = at(simplex, i);
+    for (int i = 0; i < count_; ++i) size_ = std::max(size_, point(i).norm());
+    dropFlat();
+    for (int k = 0; k < 3 && count_ < 2; ++k) addIfApart(Vec3::Unit(k));
+    if (count_ == 2) {
+      const Vec3 across = (point(1) - point(0)).unitOrthogonal();
+      addIfApart(across) || addIfApart(across.cross(point(1) - point(0)).normalized());
+    }
+    if (count_ == 3) addIfApart(areaOf(0, 1, 2).normalized());
+    if (count_ < 4) return false;
+    if (areaOf(0, 1, 2).dot(point(3) - point(0)) > 0.0) std::swap(vertices_[1], vertices_[2]);
+    return addFace(0, 1, 2) && addFace(0, 2, 3) && addFace(0, 3, 1) && addFace(1, 3, 2);
+  }
+
+  /// Grows the polytope until its face nearest to the origin lies on the difference's boundary.
+  CorePenetration expand() {
+    while (true) {
+      const auto faces_end = faces_.begin() + face_count_;
+      Face& nearest = *std::min_element(faces_.begin(), faces_end,
+                                        [](const Face& a, const Face& b) { return a.distance < b.distance; });
+      const SupportPoint next = supportOfDifference(triangle_, convex_, nearest.normal);
+      const double reach = next.difference.dot(nearest.normal);
+      if (reach - nearest.distance <= tolerance()) return penetration(nearest);
+      if (count_ == kMaxVertices) {
+        nearest.distance = reach;
+        return penetration(nearest);
+      }
+      // A face too thin to have a good normal: its plane, moved out to the boundary, is a way out all the
+      // same.
+      if (!addVertex(next, static_cast<int>(&nearest - faces_.data()))) nearest.distance = reach;
+    }
+  }
+
+ private:
+  static const SupportPoint& at(const Simplex& simplex, int i) {
+    return simplex.point[static_cast<std::size_t>(i)];
+  }
+  double tolerance() const { return std::max(kFlat, convex_.precision()) * size_; }
+  const Vec3& point(int i) const { return vertices_[static_cast<std::size_t>(i)].difference; }
+
+  Vec3 areaOf(int i, int j, int k) const { return (point(j) - point(i)).cross(point(k) - point(i)); }
+
+  /// Leaves a tetrahedron that is flat its largest face, a thin face its longest edge, a short edge one end.
+  void dropFlat() {
+    const double thin = kFlat * size_;
+    const auto keep = [&](std::array<int, 3> which, int count) {
+      const auto all = vertices_;
+      for (std::size_t i = 0; i < 3; ++i) vertices_[i] = all[static_cast<std::size_t>(which[i])];
+      count_ = count;
+    };
+    if (count_ == 4) {
+      constexpr std::array<std::array<int, 3>, 4> kFaces = {{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+      const auto areaOfFace = [&](const std::array<int, 3>& f) { return areaOf(f[0], f[1], f[2]).norm(); };
+      const auto& largest = *std::ranges::max_element(kFaces, {}, areaOfFace);
+      const double volume = std::abs(areaOf(0, 1, 2).dot(point(3) - point(0)));
+      if (!(volume > thin * areaOfFace(largest))) keep(largest, 3);
+    }
+    if (count_ == 3) {
+      constexpr std::array<std::array<int, 3>, 3> kEdges = {{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
+      const auto lengthOf = [&](const std::array<int, 3>& e) { return (point(e[1]) - point(e[0])).norm(); };
+      const auto& longest = *std::ranges::max_element(kEdges, {}, lengthOf);
+      if (!(areaOf(0, 1, 2).norm() > thin * lengthOf(longest))) keep(longest, 2);
+    }
+    if (count_ == 2 && !((point(1) - point(0)).norm() > thin)) count_ = 1;
+  }
+
+  /// Adds the support point along a unit direction, forwards or back, whichever widens the simplex more;
+  /// false where neither does.
+  bool addIfApart(const Vec3& direction) {
+    double widest = 0.0;
+    for (const double sense : {1.0, -1.0}) {
+      const SupportPoint next = supportOfDifference(triangle_, convex_, sense * direction);
+      const double width = std::abs((next.difference - point(0)).dot(direction));
+      size_ = std::max(size_, next.difference.norm());
+      if (!(width > widest)) continue;
+      widest = width;
+      vertices_[static_cast<std::size_t>(count_)] = next;
+    }
+    if (!(widest > kFlat * size_)) return false;
+    ++count_;
+    return true;
+  }
+
+  /// None where it would have no area.
+  std::optional<Face> faceOf(int i, int j, int k) const {
+    const Vec3 scaled = areaOf(i, j, k);
+    const double length = scaled.norm();
+    if (!(length > 0.0)) return std::nullopt;
+    const Vec3 normal = scaled / length;
+    return Face{{i, j, k}, normal, normal.dot(point(i))};
+  }
+
+  bool addFace(int i, int j, int k) {
+    const std::optional<Face> face = faceOf(i, j, k);
+    if (face) faces_[static_cast<std::size_t>(face_count_++)] = *face;
+    return face.has_value();
+  }
+
+  /// The edges of faces taken away so far that have no twin among them.
+  struct Rim {
+    std::array<Edge, 3 * kMaxFaces> edge;
+    int count = 0;
+
+    Edge* twin(const Edge& of) {
+      const auto end = edge.begin() + count;
+      const auto found = std::find_if(
+          edge.begin(), end, [&](const Edge& other) { return other.from == of.to && other.to == of.from; });
+      return found == end ? nullptr : &*found;
+    }
+    bool touches(const Face& face) {
+      for (std::size_t e = 0; e < 3; ++e) {
+        if (twin({face.vertex[e], face.vertex[(e + 1) % 3]})) return true;
+      }
+      return false;
+    }
+    void take(const Face& face) {
+      for (std::size_t e = 0; e < 3; ++e) {
+        const Edge added{face.vertex[e], face.vertex[(e + 1) % 3]};
+        if (Edge* const same = twin(added)) {
+          *same = edge[static_cast<std::size_t>(--count)];
+        } else {
+          edge[static_cast<std::size_t>(count++)] = added;
+        }
+      }
+    }
+  };
+
+  /// Replaces the faces that see the new vertex, spreading from one that does, by faces from their rim to it.
+  /// Faces with the vertex in their plane go too: an edge of theirs in line with it would make a face of no
+  /// area. False, and unchanged, where rounding leaves no proper rim.
+  bool addVertex(const SupportPoint& vertex, int seen_face) {
+    std::array<bool, kMaxFaces> seen{};
+    Rim rim;
+    const auto take = [&](int f) {
+      seen[static_cast<std::size_t>(f)] = true;
+      rim.take(faces_[static_cast<std::size_t>(f)]);
+    };
+    take(seen_face);
+    for (bool spreads = true; spreads;) {
+      spreads = false;
+      for (int f = 0; f < face_count_; ++f) {
+        const Face& face = faces_[static_cast<std::size_t>(f)];
+        const bool sees = face.normal.dot(vertex.difference) >= face.distance - kCoplanar * size_;
+        if (seen[static_cast<std::size_t>(f)] || !sees || !rim.touches(face)) continue;
+        take(f);
+        spreads = true;
+      }
+    }
+    const auto seen_count = static_cast<int>(std::ranges::count(seen, true));
+    if (face_count_ - seen_count + rim.count > kMaxFaces || rim.count < 3) return false;
+    vertices_[static_cast<std::size_t>(count_)] = vertex;
+    std::array<Face, kMaxFaces> added;
+    for (int e = 0; e < rim.count; ++e) {
+      const Edge& edge = rim.edge[static_cast<std::size_t>(e)];
+      const std::optional<Face> face = faceOf(edge.from, edge.to, count_);
+      if (!face) return false;
+      added[static_cast<std::size_t>(e)] = *face;
+    }
+    ++count_;
+    auto end = faces_.begin();
+    for (int f = 0; f < face_count_; ++f) {
+      if (!seen[static_cast<std::size_t>(f)]) *end++ = faces_[static_cast<std::size_t>(f)];
+    }
+    end = std::copy_n(added.begin(), rim.count, end);
+    face_count_ = static_cast<int>(end - faces_.begin());
+    return true;
+  }
+
+  /// Weights of a face's corners for the point of it near to `foot`, a point in its plane; all 0 for a face
+  /// that is no more than an edge, whose neighbours hold the point as well.
+  Vec3 weightsOf(const Face& face, const Vec3& foot) const {
+    const auto& [i, j, k] = face.vertex;
+    const Vec3 a = point(i) - foot, b = point(j) - foot, c = point(k) - foot;
+    const Vec3 areas(b.cross(c).dot(face.normal), c.cross(a).dot(face.normal), a.cross(b).dot(face.normal));
+    const Vec3 inside = areas.cwiseMax(0.0);
+    const double sum = inside.sum();
+    return sum > 0.0 ? Vec3(inside / sum) : Vec3::Zero();
+  }
+
+  /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference is
+  /// made of several faces in one plane: the foot is on one of them.
+  CorePenetration penetration(const Face& nearest) const {
+    const Vec3 foot = nearest.normal * nearest.distance;
+    const Face* face = &nearest;
+    Vec3 weights = Vec3(1.0, 0.0, 0.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < face_count_; ++f) {
+      const Face& candidate = faces_[static_cast<std::size_t>(f)];
+      if (candidate.distance > nearest.distance + tolerance()) continue;
+      const Vec3 found = weightsOf(candidate, foot);
+      if (!(found.sum() > 0.0)) continue;
+      Vec3 on_face = Vec3::Zero();
+      for (int corner = 0; corner < 3; ++corner) {
+        on_face += found[corner] * point(candidate.vertex[static_cast<std::size_t>(corner)]);
+      }
+      const double squared = (on_face - foot).squaredNorm();
+      if (!(squared < least)) continue;
+      least = squared;
+      face = &candidate;
+      weights = found;
+    }
+    CorePenetration result;
+    result.depth = std::max(nearest.distance, 0.0);
+    result.normal = -nearest.normal;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const SupportPoint& vertex = vertices_[static_cast<std::size_t>(face->vertex[corner])];
+      result.on_triangle += weights[static_cast<Eigen::Index>(corner)] * vertex.on_triangle;
+    }
+    result.on_core = result.on_triangle + result.depth * result.normal;
+    return result;
+  }
+
+  const Triangle& triangle_;
+  const Convex& convex_;
+  std::array<SupportPoint, kMaxVertices + 1> vertices_;
+  std::array<Face, kMaxFaces> faces_;
+  int count_ = 0;
+  int face_count_ = 0;
+  double size_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex) {
+  Polytope polytope(triangle, convex);
+  if (!polytope.start(simplex)) return std::nullopt;
+  return polytope.expand();
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,37 @@
+// The distance of a triangle to the core of a convex body (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, 1988;
+// C. Ericson, Real-Time Collision Detection, 9.5).
+#pragma once
+
+#include <array>
+
+#include "octoblisk/convex.h"
+#include "octoblisk/triangle_mesh.h"
+
+namespace octoblisk::detail {
+
+/// A point of the Minkowski difference triangle − core, with the points that it is the difference of.
+struct SupportPoint {
+  Vec3 difference, on_triangle, on_core;
+};
+
+/// The point of triangle − core farthest in a direction.
+SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex, const Vec3& direction);
+
+/// Up to four points of the difference.
+struct Simplex {
+  std::array<SupportPoint, 4> point;
+  int count = 0;
+};
+
+struct GjkResult {
+  bool overlap = false;       ///< the triangle meets the core; the points then are the last found
+  bool beyond_limit = false;  ///< the distance is above the limit; the points then are not the closest
+  Vec3 on_triangle = Vec3::Zero();
+  Vec3 on_core = Vec3::Zero();
+  Simplex simplex;  ///< where the search ended: round the origin where they overlap
+};
+
+/// Triangle and body in the body's frame. Stops early where the distance is proved to be above `limit`.
+GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit);
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,107 @@
+#include "octoblisk/mass_properties.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "build/paper/principal_box.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// A bijection that spreads every bit of the input over all of the output (splitmix64's last steps).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  return bits ^ (bits >> 31);
+}
+
+std::uint64_t hashOf(const Vec3& position) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15u;
+  for (const double coordinate : position) {
+    hash = mixed(hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) + 0x9e3779b97f4a7c15u;  // −0 is 0
+  }
+  return hash;
+}
+
+Aabb boundsOfTriangles(const TriangleMesh& mesh) {
+  Aabb bounds;
+  for (const TriangleMesh::Indices& corners : mesh.triangles()) {
+    for (const std::uint32_t vertex : corners) bounds.extend(mesh.vertices()[vertex]);
+  }
+  return bounds;
+}
+
+/// (∫ |x|² dV) 1 − ∫ x xᵀ dV, from the latter.
+Mat3 inertiaOf(const Mat3& second_moments) {
+  return second_moments.trace() * Mat3::Identity() - second_moments;
+}
+
+MassProperties ofBox(const Aabb& box) {
+  const Vec3 half = box.halfExtents();
+  const Mat3 second_moments = (half.cwiseAbs2() / 3.0).asDiagonal();
+  return {false, 8.0 * half.prod(), box.center(), inertiaOf(second_moments)};
+}
+
+}  // namespace
+
+Mat3 MassProperties::inertiaAbout(const Vec3& point) const {
+  const Vec3 arm = center_of_mass - point;
+  return inertia + inertiaOf(arm * arm.transpose());
+}
+
+bool isOrientedClosed(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> hashes(mesh.vertices().size());
+  std::ranges::transform(mesh.vertices(), hashes.begin(), hashOf);
+  const auto edge = [&](std::uint32_t from, std::uint32_t to) {
+    return mixed(hashes[from] + 3 * hashes[to]);  // other than that of the edge back
+  };
+  std::uint64_t balance = 0;
+  for (const auto& [a, b, c] : mesh.triangles()) {
+    balance += edge(a, b) - edge(b, a) + edge(b, c) - edge(c, b) + edge(c, a) - edge(a, c);
+  }
+  return balance == 0;
+}
+
+MassProperties massProperties(const TriangleMesh& mesh) {
+  const Aabb bounds = boundsOfTriangles(mesh);
+  const double size = bounds.halfExtents().maxCoeff();
+  if (!(size > 0.0) || !isOrientedClosed(mesh)) return ofBox(bounds);
+
+  // In units of the mesh's size from its middle, where nothing overflows and little cancels.
+  const Vec3 middle = bounds.center();
+  double volume = 0.0;
+  Vec3 first_moment = Vec3::Zero();
+  Mat3 second_moments = Mat3::Zero();
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = mesh.triangle(t);
+    const Vec3 p = (a - middle) / size, q = (b - middle) / size, r = (c - middle) / size, sum = p + q + r;
+    const double six_volumes = p.dot(q.cross(r));
+    volume += six_volumes / 6.0;
+    first_moment += six_volumes / 24.0 * sum;
+    second_moments += six_volumes / 120.0 *
+                      (p * p.transpose() + q * q.transpose() + r * r.transpose() + sum * sum.transpose());
+  }
+  // What rounding makes of a surface that encloses nothing.
+  constexpr double kNoVolume = 1e-14;
+  if (std::abs(volume) < kNoVolume) return ofBox(bounds);
+
+  const Vec3 center = first_moment / volume;  // signs cancel where the mesh faces inward
+  const Mat3 about_center = second_moments / volume - center * center.transpose();
+  return {true, std::abs(volume) * size * size * size, middle + size * center,
+          inertiaOf(about_center) * (size * size)};
+}
+
+PrincipalFrame principalFrame(const MassProperties& properties) {
+  // The moments of a body are the greater the less far it reaches along the axis: ascending, where
+  // Σ x xᵀ descends.
+  const Mat3 second_moments = 0.5 * properties.inertia.trace() * Mat3::Identity() - properties.inertia;
+  const Mat3 axes = principalAxes(second_moments);
+  return {{axes, properties.center_of_mass}, (axes.transpose() * properties.inertia * axes).diagonal()};
+}
+
+}  // namespace octoblisk

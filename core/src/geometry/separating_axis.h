@@ -1,0 +1,20 @@
+// Whether two oriented boxes overlap, by the separating axis theorem (section 3.3, eq. 6–11 of the paper;
+// S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996).
+#pragma once
+
+#include "octoblisk/types.h"
+
+namespace octoblisk::detail {
+
+enum class SeparatingAxes {
+  exact15,  ///< three face axes of each box and nine edge cross products: an exact test of overlap
+  first_x,  ///< the X axis of the first box alone, as the paper does: never misses an overlap, often claims
+            ///< one
+};
+
+/// False where one of the axes separates the boxes (eq. 11; boxes that touch overlap). Cross products of
+/// nearly parallel edges are passed over: a box rounded to touch may be called overlapping, never the
+/// reverse.
+bool overlaps(const Obb& a, const Obb& b, SeparatingAxes axes = SeparatingAxes::exact15);
+
+}  // namespace octoblisk::detail

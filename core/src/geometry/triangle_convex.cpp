@@ -1,0 +1,70 @@
+#include "geometry/triangle_convex.h"
+
+#include <algorithm>
+
+#include "geometry/epa.h"
+#include "geometry/gjk.h"
+#include "geometry/triangle_polyhedron.h"
+#include "geometry/triangle_round.h"
+
+namespace octoblisk::detail {
+namespace {
+
+MarginlessContact penetrationOfCore(const Triangle& triangle, const Convex& convex, const GjkResult& search) {
+  if (const auto found = epa(triangle, convex, search.simplex))
+    return {-found->depth, found->normal, found->on_triangle, found->on_core};
+  const Vec3 normal = scaledNormal(triangle);
+  const Vec3 direction = normal.squaredNorm() > 0.0 ? Vec3(-normal.normalized()) : Vec3::UnitX();
+  return {0.0, direction, search.on_triangle, search.on_core};
+}
+
+/// None where core and triangle are farther apart than the limit.
+std::optional<MarginlessContact> searched(const Triangle& triangle, const Convex& convex, double limit) {
+  const GjkResult search = gjk(triangle, convex, limit);
+  if (search.beyond_limit) return std::nullopt;
+  const Vec3 apart = search.on_triangle - search.on_core;
+  const double distance = apart.norm();
+  if (search.overlap || distance == 0.0) return penetrationOfCore(triangle, convex, search);
+  return MarginlessContact{distance, apart / distance, search.on_triangle, search.on_core};
+}
+
+/// Whether its normal is mostly rounding; searches need none.
+bool isThin(const Triangle& triangle) {
+  constexpr double kThinnest = 1e-6;  // of its length
+  const double longest =
+      std::max({(triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[1]).squaredNorm(),
+                (triangle[0] - triangle[2]).squaredNorm()});
+  return !(scaledNormal(triangle).norm() > kThinnest * longest);
+}
+
+std::optional<MarginlessContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
+  if (isThin(triangle)) return searched(triangle, convex, limit);
+  const std::span<const Vec3> points = convex.points();
+  if (points.size() == 1) return contactOfPoint(triangle, points[0]);
+  if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
+  const HullFaces faces = convex.faces();
+  if (faces.empty()) return searched(triangle, convex, limit);
+  const AxisSearch along = searchAxes(triangle, points, faces, limit);
+  switch (along.verdict) {
+    case AxisSearch::Verdict::beyond_limit:
+      return std::nullopt;
+    case AxisSearch::Verdict::contact:
+      return along.contact;
+    case AxisSearch::Verdict::apart:
+      break;
+  }
+  return searched(triangle, convex, limit);
+}
+
+}  // namespace
+
+std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold) {
+  const double radius = convex.radius();
+  const std::optional<MarginlessContact> core = contactOfCore(triangle, convex, threshold + radius);
+  if (!core || core->distance - radius > threshold) return std::nullopt;
+  return Contact{core->on_triangle, core->on_core + radius * core->normal,
+                 core->normal,      core->distance - radius,
+                 kNoTriangle,       kNoTriangle};
+}
+
+}  // namespace octoblisk::detail

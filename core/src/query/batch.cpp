@@ -1,0 +1,43 @@
+#include "octoblisk/batch.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "octoblisk/path_query.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+template <typename Answer, typename Ask>
+std::vector<Answer> answersFor(const ClusteredOctree& a, const ClusteredOctree& b,
+                               std::span<const Pose> poses, int threads, const Ask& ask) {
+  std::vector<Answer> answers(poses.size());
+  const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
+  parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
+    const std::size_t first = group * kPosesAtOnce, last = std::min(poses.size(), first + kPosesAtOnce);
+    PathQuery query(a, b);
+    for (std::size_t pose = first; pose < last; ++pose) answers[pose] = ask(query, poses[pose]);
+  });
+  return answers;
+}
+
+}  // namespace
+
+std::vector<std::optional<TrianglePair>> collideAll(const ClusteredOctree& a, const ClusteredOctree& b,
+                                                    std::span<const Pose> poses_of_b_in_a, int threads) {
+  return answersFor<std::optional<TrianglePair>>(
+      a, b, poses_of_b_in_a, threads, [](PathQuery& query, const Pose& pose) { return query.collide(pose); });
+}
+
+std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctree& b,
+                                   std::span<const Pose> poses_of_b_in_a, const DistanceOptions& options,
+                                   int threads) {
+  return answersFor<Clearance>(a, b, poses_of_b_in_a, threads, [&](PathQuery& query, const Pose& pose) {
+    return query.distance(pose, options);
+  });
+}
+
+}  // namespace octoblisk

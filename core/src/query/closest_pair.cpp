@@ -1,0 +1,68 @@
+#include "query/closest_pair.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "geometry/triangle_convex.h"
+#include "geometry/triangle_pair.h"
+
+namespace octoblisk::detail {
+
+bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
+  ++measured_;
+  const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
+  const bool meet = may_meet && intersects(triangle_a, triangle_b);
+  const Contact contact =
+      meet ? meetingContact(triangle_a, triangle_b) : closestPoints(triangle_a, triangle_b);
+  const double distance = meet ? 0.0 : contact.distance;
+  if (distance < best_.distance) {
+    best_ = {distance, meet ? contact.point_on_b : contact.point_on_a, contact.point_on_b, pair.a, pair.b};
+    bound_ = std::min(bound_, distance);
+  }
+  return distance == 0.0;
+}
+
+bool Nearest::consider(const TrianglePair& pair, double least, double most) {
+  assert(!std::isnan(least) && !std::isnan(most));
+  if (least > bound()) return false;
+  bound_ = std::min(bound_, most);
+  if (count_ == candidates_.size()) {
+    const auto nearer = [&](const Candidate& candidate) { return candidate.least <= bound_; };
+    const auto end = std::partition(candidates_.begin(), candidates_.end(), nearer);
+    count_ = static_cast<std::size_t>(end - candidates_.begin());
+  }
+  if (count_ == candidates_.size()) settleAll();
+  candidates_[count_++] = {least, pair};
+  return best_.distance == 0.0;
+}
+
+void Nearest::settleAll() {
+  const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(count_);
+  std::sort(candidates_.begin(), end, [](const Candidate& one, const Candidate& other) {
+    return one.least != other.least ? one.least < other.least : one.pair < other.pair;
+  });
+  for (auto candidate = candidates_.begin(); candidate != end && candidate->least <= best_.distance;
+       ++candidate) {
+    offer(candidate->pair, false);
+  }
+  count_ = 0;
+}
+
+Clearance Nearest::settled() {
+  settleAll();
+  return best_;
+}
+
+bool NearestToConvex::offer(std::uint32_t triangle) {
+  const std::optional<Contact> contact = contactOf(a_in_b_ * a_.triangle(triangle), b_, best_.distance);
+  if (!contact || contact->distance >= best_.distance) return false;
+  const bool meet = contact->distance <= 0.0;
+  best_.distance = meet ? 0.0 : contact->distance;
+  best_.point_on_b = b_in_a_ * contact->point_on_b;
+  best_.point_on_a = meet ? best_.point_on_b : b_in_a_ * contact->point_on_a;
+  best_.triangle_a = triangle;
+  return meet;
+}
+
+}  // namespace octoblisk::detail

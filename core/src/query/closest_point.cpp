@@ -1,0 +1,137 @@
+#include "octoblisk/closest_point.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/closest_point.cpp"
+#include <hwy/foreach_target.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "query/traversal-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// The distances from a point, in the tree's local frame, to eight boxes; infinite for the empty ones.
+HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
+  const Vec8 offset{Float8(point.x()) - Float8::load(boxes.center[0]),
+                    Float8(point.y()) - Float8::load(boxes.center[1]),
+                    Float8(point.z()) - Float8::load(boxes.center[2])};
+  Float8 squared(0.0f);
+  for (int j = 0; j < 3; ++j) {
+    const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
+                    Float8::load(boxes.axes[2][j])};
+    const Float8 outside = max(abs(dot(axis, offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
+    squared = squared + outside * outside;
+  }
+  return sqrt(squared);
+}
+
+std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, double upper_bound) {
+  struct Entry {
+    Child child;
+    float gap;
+  };
+  const Vec3 local = point - tree.origin();
+  const Eigen::Vector3f local_single = local.cast<float>();
+  const double farthest = local.norm() + tree.radius();  // no triangle is farther
+  if (!(farthest <= kFarthest)) return std::nullopt;
+  const double rounding = kSingleRounding * farthest;
+  ClosestPoint best;
+  best.distance = std::min(upper_bound, 2.0 * farthest);
+  const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
+  double squared_limit = squaredLimit(best.distance);
+  auto limit = static_cast<float>(best.distance + rounding);
+
+  TraversalStack<Entry, Tree::kMaxDepth> stack;
+  Box8 room(Box8::Unset{});
+  stack.pushSorted(0, {tree.child(Tree::kRoot), 0.0f});
+  while (!stack.empty()) {
+    const Entry entry = stack.pop();
+    if (entry.gap > limit) continue;
+    if (entry.child.isLeaf()) {
+      for (const std::uint32_t t : tree.triangles(entry.child)) {
+        const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
+        const double squared = (on_triangle - point).squaredNorm();
+        if (squared > squared_limit) continue;
+        const double distance = std::sqrt(squared);
+        if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
+          best = {on_triangle, distance, t};
+          squared_limit = squaredLimit(distance);
+        }
+      }
+      limit = static_cast<float>(best.distance + rounding);
+      continue;
+    }
+    const std::array<Child, kLanes>& children = tree.children(entry.child.node());
+    const std::size_t first = stack.size();
+    forEachWithin(distances(boxesOf(tree, entry.child.node(), room), local_single), limit,
+                  [&](std::uint32_t lane, float distance) {
+                    stack.pushSorted(first, {children[lane], distance});
+                  });
+  }
+  if (best.triangle == kNoTriangle) return std::nullopt;
+  return best;
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+HWY_EXPORT(searchClosest);
+
+Vec3 closestOnSegment(const Vec3& from, const Vec3& to, const Vec3& point) {
+  const Vec3 along = to - from;
+  const double squared = along.squaredNorm();
+  if (!(squared > 0.0)) return from;
+  const double part = along.dot(point - from) / squared;
+  if (part <= 0.0) return from;
+  if (part >= 1.0) return to;
+  return from + part * along;
+}
+
+}  // namespace
+
+Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
+  const auto& [a, b, c] = triangle;
+  const Vec3 ab = b - a, ac = c - a, offset = point - a;
+  const Vec3 normal = ab.cross(ac);
+  const double squared = normal.squaredNorm();
+  const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
+  constexpr double kFlat = 1e-24;  // of sin²: below, the normal is mostly rounding
+  const bool flat = !(squared > kFlat * longest * longest);
+  // Twice the areas, times the normal's length, of the foot with each edge.
+  const Vec3 turned = offset.cross(normal);
+  const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
+  if (!flat && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0) {
+    return point - normal * (normal.dot(offset) / squared);
+  }
+  // Else the closest point lies on an edge that the foot is beyond.
+  Vec3 closest = a;
+  double least = std::numeric_limits<double>::infinity();
+  const auto tryEdge = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 candidate = closestOnSegment(from, to, point);
+    const double distance = (candidate - point).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      closest = candidate;
+    }
+  };
+  if (flat || at_ab < 0.0) tryEdge(a, b);
+  if (flat || at_bc < 0.0) tryEdge(b, c);
+  if (flat || at_ca < 0.0) tryEdge(c, a);
+  return closest;
+}
+
+std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3& point, double upper_bound) {
+  return HWY_DYNAMIC_DISPATCH(searchClosest)(treeOf(tree), point, upper_bound);
+}
+
+}  // namespace octoblisk
+#endif

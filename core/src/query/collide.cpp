@@ -1,0 +1,75 @@
+#include "octoblisk/collide.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/collide.cpp"
+#include <hwy/foreach_target.h>
+
+#include "query/collide_below.h"
+#include "query/collide_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below) {
+  std::optional<MeetingPair> hit;
+  forEachMeetingPair(a, b, b_in_a, below, [&](TrianglePair pair, NodePair nodes) {
+    hit = {pair, nodes};
+    return true;
+  });
+  return hit;
+}
+
+void allPairs(const Tree& a, const Tree& b, const Pose& b_in_a, std::vector<TrianglePair>& found) {
+  forEachMeetingPair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair) {
+    found.push_back(pair);
+    return false;
+  });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <algorithm>
+
+#include "geometry/triangle_convex.h"
+#include "octoblisk/triangles_near_convex.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+HWY_EXPORT(firstPair);
+HWY_EXPORT(allPairs);
+
+std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a,
+                                                NodePair below) {
+  return HWY_DYNAMIC_DISPATCH(firstPair)(a, b, b_in_a, below);
+}
+
+std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
+  const std::optional<MeetingPair> hit = collideBelow(treeOf(a), treeOf(b), b_in_a, NodePair());
+  return hit ? std::optional(hit->triangles) : std::nullopt;
+}
+
+void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                   std::vector<TrianglePair>& found) {
+  found.clear();
+  HWY_DYNAMIC_DISPATCH(allPairs)(treeOf(a), treeOf(b), b_in_a, found);
+  std::ranges::sort(found);
+}
+
+std::optional<std::uint32_t> collide(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a) {
+  std::optional<std::uint32_t> hit;
+  const Pose a_in_b = b_in_a.inverse();
+  forEachTriangleNear(a, b, b_in_a, 0.0, [&](std::uint32_t triangle) {
+    const auto contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, 0.0);
+    if (!contact || contact->distance > 0.0) return false;
+    hit = triangle;
+    return true;
+  });
+  return hit;
+}
+
+}  // namespace octoblisk
+#endif

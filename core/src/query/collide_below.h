@@ -1,0 +1,21 @@
+// The search for a pair of triangles that meet, below a node of each tree.
+#pragma once
+
+#include <optional>
+
+#include "octoblisk/contact.h"
+#include "octoblisk/detail/node_pair.h"
+#include "tree/tree.h"
+
+namespace octoblisk::detail {
+
+/// Two triangles that meet, and the nodes whose leaves they are in.
+struct MeetingPair {
+  TrianglePair triangles;
+  NodePair nodes;
+};
+
+/// As collide(), but only for the triangles below a node of each tree.
+std::optional<MeetingPair> collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below);
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,58 @@
+// All pairs of triangles of two trees that meet, found one by one. Read once for each target (simd.h).
+#if defined(OCTOBLISK_MEETING_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_MEETING_TRIANGLES_H
+#undef OCTOBLISK_MEETING_TRIANGLES_H
+#else
+#define OCTOBLISK_MEETING_TRIANGLES_H
+#endif
+
+#include "geometry/triangle_pair.h"
+#include "octoblisk/contact.h"
+#include "query/tally.h"
+#include "query/traversal-inl.h"
+#include "query/triangle_filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet, and the two nodes whose
+/// leaves they are in: by the filter where it is sure, else by the exact test. Returns true as soon as visit
+/// does, else false.
+template <typename Visit, typename Tally = NoTally>
+bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
+                        Tally&& tally = {}) {
+  const LocalPose pose(a, b, b_in_a);
+  const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
+    tally.boxTest();
+    return widestGap(boxes, box);
+  };
+  return walkPairs<TraversalStack>(
+      a, b, pose, below, gap, [limit = pose.limit(0.0)] { return limit; },
+      [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        tally.leafPair();
+        const LeafPair leaves(a, b, pose, slot_a, slot_b);
+        auto near = leaves.within(2.0f * leaves.coordinateRounding());
+        if (near.of_a == 0) return false;
+        const TriangleLanes triangles_of_b(leaves);
+        for (; near.of_a != 0; near.of_a &= near.of_a - 1) {
+          const auto i = static_cast<std::uint32_t>(std::countr_zero(near.of_a));
+          tally.triangleTest();
+          const auto verdicts = triangles_of_b.meet(triangles_of_b.heights(i), near.of[i]);
+          for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+            const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+            if ((verdicts.open >> j & 1u) != 0) {
+              tally.exactTest();
+              if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
+            }
+            if (visit(pair, NodePair{slot_a.node, slot_b.node})) return true;
+          }
+        }
+        return false;
+      });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

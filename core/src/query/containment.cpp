@@ -1,0 +1,90 @@
+#include "octoblisk/containment.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/rounding.h"
+#include "geometry/half_line_crossing.h"
+#include "octoblisk/collide.h"
+#include "octoblisk/triangles_in_box.h"
+#include "tree/tree.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// How far a half-line may be off in double precision.
+double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
+  return kSingleRounding * tree.radius() +
+         kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
+}
+
+/// The part of the half-line from a point along +x of the frame A that lies in the sphere round a tree, as a
+/// box without width in the tree's frame.
+std::optional<Obb> clipToSphere(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
+  const Vec3 direction = tree_in_a.rotation.row(0).transpose();
+  const Vec3 start = tree_in_a.rotation.transpose() * (point - tree_in_a.translation) - tree.origin();
+  const double reach = tree.radius() + roundingOf(tree, point, tree_in_a);
+  const double nearest = -start.dot(direction);
+  const Vec3 middle = start + nearest * direction;
+  const double begin = std::max(0.0, nearest - reach), end = nearest + reach;
+  if (end < begin || middle.norm() > reach) return std::nullopt;
+  Obb line;
+  line.center = tree.origin() + middle + (0.5 * (begin + end) - nearest) * direction;
+  line.axes.col(0) = direction;
+  line.axes.col(1) = direction.unitOrthogonal();
+  line.axes.col(2) = direction.cross(line.axes.col(1));
+  line.half_extents = {0.5 * (end - begin), 0.0, 0.0};
+  return line;
+}
+
+/// How many parts of one surface lie inside and outside the other solid.
+struct PartCount {
+  std::size_t inside = 0, outside = 0;
+};
+
+PartCount countParts(const Surface& of, const Pose& of_in_a, const Surface& in, const Pose& in_in_a) {
+  PartCount count;
+  for (std::size_t part = 0; part < of.partCount(); ++part) {
+    const Vec3 point = of_in_a * of.position(of.cornerOfPart(part));
+    ++(locate(in, point, in_in_a) == PointLocation::inside ? count.inside : count.outside);
+  }
+  return count;
+}
+
+}  // namespace
+
+PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a) {
+  bool odd = false, on_surface = false;
+  const ClusteredOctree& tree = surface.tree();
+  if (const std::optional<Obb> line = clipToSphere(treeOf(tree), point, surface_in_a)) {
+    forEachTriangleIn(
+        tree, *line, roundingOf(treeOf(tree), point, surface_in_a), [&](std::uint32_t triangle) {
+          const Crossing crossing = halfLineCrossing(point, surface_in_a * tree.mesh().triangle(triangle));
+          odd ^= crossing == Crossing::crossed;
+          on_surface |= crossing == Crossing::on_triangle;
+          return on_surface;
+        });
+  }
+  if (on_surface) return PointLocation::on_surface;
+  if (!surface.isClosed()) return PointLocation::unknown;
+  return odd ? PointLocation::inside : PointLocation::outside;
+}
+
+Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a) {
+  if (collide(a.tree(), b.tree(), b_in_a)) return Containment::touching;
+  if (!a.isClosed() || !b.isClosed()) return Containment::unknown;
+  // Each part of a surface is now wholly inside or outside the other solid. Where A and B share a point, the
+  // shared region is bounded by a part of A's surface in B or one of B's in A; likewise for the region of B
+  // that is not in A.
+  const Pose identity;
+  const PartCount of_a = countParts(a, identity, b, b_in_a), of_b = countParts(b, b_in_a, a, identity);
+  if (of_a.inside == 0 && of_b.inside == 0) return Containment::apart;
+  if (of_a.inside == 0 && of_b.outside == 0) return Containment::b_inside_a;
+  if (of_b.inside == 0 && of_a.outside == 0) return Containment::a_inside_b;
+  return Containment::overlapping;
+}
+
+}  // namespace octoblisk

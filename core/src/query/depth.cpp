@@ -1,0 +1,191 @@
+#include "octoblisk/depth.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/triangle_pair.h"
+#include "octoblisk/closest_point.h"
+#include "query/depth_bounds.h"
+#include "tree/tree.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// A point that two triangles that meet share, up to rounding.
+Vec3 sharedPoint(const Triangle& a, const Triangle& b) {
+  Vec3 best = closestPoints(a, b).point_on_b;
+  double least = std::max(distance(a, best), distance(b, best));
+  const auto tryEdges = [&](const Triangle& of, const Triangle& through) {
+    const Vec3 normal = scaledNormal(through);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 &from = of[i], &to = of[(i + 1) % 3];
+      const double height_from = normal.dot(from - through[0]), height_to = normal.dot(to - through[0]);
+      if (height_from == height_to || (height_from > 0.0) == (height_to > 0.0)) continue;
+      const Vec3 point = from + (to - from) * (height_from / (height_from - height_to));
+      const double off = std::max(distance(a, point), distance(b, point));
+      if (off < least) {
+        least = off;
+        best = point;
+      }
+    }
+  };
+  tryEdges(a, b);
+  tryEdges(b, a);
+  return best;
+}
+
+}  // namespace
+
+GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
+  prepare(a, b, b_in_a, tolerance);
+  if (!a.isClosed()) {
+    best_.gouging = Gouging::unknown;
+    return best_;
+  }
+  findCrossings();
+  findInside();
+  search();
+  return best_;
+}
+
+void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
+  for (const std::uint32_t triangle : marked_) mark_[triangle] = Mark::none;
+  for (const std::uint32_t corner : known_) corner_of_b_[corner] = kNone;
+  marked_.clear();
+  known_.clear();
+  crossings_.clear();
+  open_.clear();
+  corners_.clear();
+  met_.clear();
+  parts_.clear();
+  a_ = &a;
+  b_ = &b;
+  b_in_a_ = b_in_a;
+  tolerance_ = std::max(tolerance, 1e-12 * (treeOf(a.tree()).radius() + treeOf(b.tree()).radius()));
+  best_ = {};
+  greatest_dropped_ = 0.0;
+  last_nearest_ = kNoTriangle;
+  if (mark_.size() < b.tree().mesh().triangleCount())
+    mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
+  if (corner_of_b_.size() < b.cornerCount()) corner_of_b_.resize(b.cornerCount(), kNone);
+  part_crosses_.assign(b.partCount(), false);
+}
+
+void DepthQuery::search() {
+  if (marked_.empty()) return;
+  best_.gouging = Gouging::found;
+  if (!crossings_.empty()) keepCrossing(crossings_.front());
+  const auto first_inside =
+      std::ranges::find(marked_, Mark::inside, [&](std::uint32_t triangle) { return mark_[triangle]; });
+  // The inside first: the deeper the best, the more of the rest need no closer look.
+  for (auto triangle = first_inside; triangle != marked_.end(); ++triangle) addTriangle(*triangle, 0, 0);
+  for (auto pair = crossings_.begin(); pair != crossings_.end();) {
+    const std::uint32_t triangle = pair->b;
+    const auto met_begin = static_cast<std::uint32_t>(met_.size());
+    for (; pair != crossings_.end() && pair->b == triangle; ++pair) met_.push_back(pair->a);
+    addTriangle(triangle, met_begin, static_cast<std::uint32_t>(met_.size()));
+  }
+  while (!parts_.empty() && parts_.front().bound > limit()) {
+    std::ranges::pop_heap(parts_, {}, &Part::bound);
+    const Part part = parts_.back();
+    parts_.pop_back();
+    divide(part);
+  }
+  if (!parts_.empty()) greatest_dropped_ = std::max(greatest_dropped_, parts_.front().bound);
+  best_.upper_bound = std::max(best_.depth, greatest_dropped_);
+}
+
+void DepthQuery::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, std::uint32_t met_end) {
+  Part part{{}, triangle, met_begin, met_end, 0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < 3; ++i) part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Corner& corner = corners_[part.corner[i]];
+    if (corner.nearest != kNoTriangle) continue;
+    for (const std::uint32_t other : part.corner) considerNear(corner, corners_[other].nearest);
+    considerNear(corner, last_nearest_);
+    measure(corner);
+    keepDeeper(corner, triangle);
+    last_nearest_ = corner.nearest;
+  }
+  add(part);
+}
+
+std::uint32_t DepthQuery::addCorner(std::uint32_t corner_of_b) {
+  std::uint32_t& index = corner_of_b_[corner_of_b];
+  if (index == kNone) {
+    index = static_cast<std::uint32_t>(corners_.size());
+    known_.push_back(corner_of_b);
+    corners_.emplace_back().point = b_in_a_ * b_->position(corner_of_b);
+  }
+  return index;
+}
+
+/// Takes the closest point on a triangle of A for the corner's foot if it is closer.
+void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
+  if (triangle == kNoTriangle || triangle == corner.nearest) return;
+  const Vec3 foot = closestPoint(a_->tree().mesh().triangle(triangle), corner.point);
+  const double distance = (foot - corner.point).norm();
+  if (distance < corner.distance) {
+    corner.foot = foot;
+    corner.distance = distance;
+    corner.nearest = triangle;
+  }
+}
+
+/// Finds the corner's closest point on A's surface, unless the one at hand shows that it is no deeper than
+/// the best by more than half the tolerance.
+void DepthQuery::measure(Corner& corner) const {
+  const bool has_best = best_.triangle_b != kNoTriangle;
+  if (has_best && corner.distance <= best_.depth + 0.5 * tolerance_) return;
+  corner.is_exact = true;
+  if (const std::optional<ClosestPoint> found = closestPoint(a_->tree(), corner.point, corner.distance)) {
+    corner.foot = found->point;
+    corner.distance = found->distance;
+    corner.nearest = found->triangle;
+  }
+}
+
+DepthQuery::Side DepthQuery::sideOf(Corner& corner) {
+  if (corner.side == Side::unknown) {
+    switch (locate(*a_, corner.point)) {
+      case PointLocation::inside:
+        corner.side = Side::inside;
+        break;
+      case PointLocation::on_surface:
+        corner.side = Side::on_surface;
+        break;
+      default:
+        corner.side = Side::outside;
+    }
+  }
+  return corner.side;
+}
+
+void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
+  if (corner.side == Side::outside || !corner.is_exact) return;
+  const bool is_first = best_.triangle_b == kNoTriangle;
+  if (!(corner.distance > best_.depth || is_first) || sideOf(corner) == Side::outside) return;
+  best_ = {Gouging::found, corner.distance, 0.0, corner.point, corner.foot, corner.nearest, triangle_b};
+}
+
+/// Starts the search from a point that both surfaces share: B reaches as deep as 0 at least.
+void DepthQuery::keepCrossing(TrianglePair pair) {
+  const Vec3 point =
+      sharedPoint(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
+  best_ = {Gouging::found, 0.0, 0.0, point, point, pair.a, pair.b};
+}
+
+void DepthQuery::add(Part part) {
+  part.bound = boundOf(part);
+  if (part.bound <= limit()) {
+    greatest_dropped_ = std::max(greatest_dropped_, part.bound);
+    return;
+  }
+  parts_.push_back(part);
+  std::ranges::push_heap(parts_, {}, &Part::bound);
+}
+
+}  // namespace octoblisk

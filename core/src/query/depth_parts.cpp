@@ -1,0 +1,189 @@
+// The parts of triangles that DepthQuery searches: how deep one may be at most, and how it is divided.
+#include <algorithm>
+#include <span>
+
+#include "geometry/triangle_pair.h"
+#include "octoblisk/closest_point.h"
+#include "octoblisk/depth.h"
+#include "query/depth_bounds.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+bool apart(const Triangle& a, const Triangle& b) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::min({a[0][k], a[1][k], a[2][k]}) > std::max({b[0][k], b[1][k], b[2][k]}) ||
+        std::min({b[0][k], b[1][k], b[2][k]}) > std::max({a[0][k], a[1][k], a[2][k]})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle;
+/// 1 where it does not, 0 where it is outside already.
+double leavesPrism(const Triangle& triangle, const Vec3& point, const Vec3& other) {
+  const Vec3 normal = scaledNormal(triangle);
+  double at = 1.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 inward = normal.cross(triangle[(i + 1) % 3] - triangle[i]);
+    const double here = inward.dot(point - triangle[i]), there = inward.dot(other - triangle[i]);
+    if (there < 0.0) at = here > 0.0 ? std::min(at, here / (here - there)) : 0.0;
+  }
+  return at;
+}
+
+}  // namespace
+
+double DepthQuery::boundOf(const Part& part) {
+  double bound = part.bound;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner& corner = corners_[part.corner[i]];
+    double way = 0.0;
+    for (const std::uint32_t other : part.corner) {
+      way = std::max(way, (corners_[other].point - corner.point).norm());
+    }
+    const bool is_outside = corner.side == Side::outside;
+    bound = std::min(bound, way + (!is_outside ? corner.distance : corner.is_exact ? -corner.distance : 0.0));
+  }
+  if (bound <= limit()) return bound;
+
+  // Over the hull of the extremes the distance to a triangle of A is convex: below what is interpolated
+  // between the extremes. So is then every mean of the distances to several triangles.
+  gatherExtremes(part);
+  candidates_.clear();
+  distances_.clear();
+  const auto boundBy = [&](std::uint32_t triangle_a) {
+    if (std::ranges::find(candidates_, triangle_a) != candidates_.end()) return;
+    candidates_.push_back(triangle_a);
+    const Triangle triangle = a_->tree().mesh().triangle(triangle_a);
+    double greatest = 0.0;
+    for (const Vec3& point : extremes_) {
+      distances_.push_back(distance(triangle, point));
+      greatest = std::max(greatest, distances_.back());
+    }
+    bound = std::min(bound, greatest);
+  };
+  for (std::size_t i = 0; i < 3 && bound > limit(); ++i) boundBy(corners_[part.corner[i]].nearest);
+  constexpr std::size_t kCandidates = 8;
+  for (std::uint32_t i = part.met_begin; i < part.met_end && bound > limit(); ++i) {
+    if (candidates_.size() < kCandidates) boundBy(met_[i]);
+  }
+  const std::size_t count = extremes_.size();
+  const auto row = [&](std::size_t candidate) {
+    return std::span(distances_).subspan(candidate * count, count);
+  };
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    for (std::size_t j = 0; j < i && bound > limit(); ++j) bound = std::min(bound, leastMean(row(i), row(j)));
+  }
+  if (candidates_.size() >= 3 && count == 3 && bound > limit()) {
+    bound = std::min(bound, levelMean(row(0), row(1), row(2)));
+  }
+  return bound;
+}
+
+/// Points whose convex hull holds all of the part that is inside A: its corners, but where they are outside,
+/// the corners of its cuts with A's surface.
+void DepthQuery::gatherExtremes(const Part& part) {
+  extremes_.clear();
+  bool is_whole = true;
+  for (const std::uint32_t corner : part.corner) {
+    if (corners_[corner].side == Side::outside) {
+      is_whole = false;
+    } else {
+      extremes_.push_back(corners_[corner].point);
+    }
+  }
+  if (is_whole) return;
+  const Triangle triangle = triangleOf(part);
+  for (std::uint32_t i = part.met_begin; i < part.met_end; ++i) {
+    appendCut(triangle, a_->tree().mesh().triangle(met_[i]), extremes_);
+  }
+}
+
+Triangle DepthQuery::triangleOf(const Part& part) const {
+  return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
+}
+
+/// Where to cut a part: where a corner's nearest triangle ends, or another comes as near; else, every third
+/// time, and always once it has been cut often, halfway along the longest edge, which makes no needles.
+DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
+  Cut longest{0, 0.5}, best{0, 0.5};
+  double longest_edge = -1.0, best_piece = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Corner &from = corners_[part.corner[i]], &to = corners_[part.corner[(i + 1) % 3]];
+    const double length = (to.point - from.point).norm();
+    if (length > longest_edge) {
+      longest_edge = length;
+      longest.edge = i;
+    }
+    if (from.nearest == to.nearest) continue;
+    const auto consider = [&](double at) {
+      const double piece = std::min(at, 1.0 - at) * length;
+      if (std::min(at, 1.0 - at) > 0.02 && piece > best_piece) {
+        best_piece = piece;
+        best = {i, at};
+      }
+    };
+    const Triangle from_nearest = a_->tree().mesh().triangle(from.nearest);
+    const Triangle to_nearest = a_->tree().mesh().triangle(to.nearest);
+    consider(leavesPrism(from_nearest, from.point, to.point));
+    consider(1.0 - leavesPrism(to_nearest, to.point, from.point));
+    const double from_excess = distance(to_nearest, from.point) - from.distance;
+    const double to_excess = distance(from_nearest, to.point) - to.distance;
+    if (best_piece == 0.0 && from_excess + to_excess > 0.0) consider(from_excess / (from_excess + to_excess));
+  }
+  constexpr int kOften = 8;
+  return best_piece > 0.0 && part.generation < kOften && part.generation % 3 != 2 ? best : longest;
+}
+
+void DepthQuery::divide(const Part& part) {
+  const Cut cut = cutOf(part);
+  const std::size_t next = (cut.edge + 1) % 3;
+  const auto middle = static_cast<std::uint32_t>(corners_.size());
+  {
+    const Corner &from = corners_[part.corner[cut.edge]], &to = corners_[part.corner[next]];
+    Corner between;
+    between.point = from.point + cut.at * (to.point - from.point);
+    considerNear(between, from.nearest);
+    considerNear(between, to.nearest);
+    measure(between);
+    if (part.met_begin == part.met_end) between.side = Side::inside;
+    corners_.push_back(between);
+  }
+  keepDeeper(corners_[middle], part.triangle);
+
+  for (const std::size_t replaced : {cut.edge, next}) {
+    Part half = part;
+    ++half.generation;
+    half.corner[replaced] = middle;
+    if (part.met_begin != part.met_end) {
+      const Triangle triangle = triangleOf(half);
+      half.met_begin = static_cast<std::uint32_t>(met_.size());
+      for (std::uint32_t i = part.met_begin; i < part.met_end; ++i) {
+        const Triangle other = a_->tree().mesh().triangle(met_[i]);
+        if (!apart(triangle, other) && intersects(triangle, other)) met_.push_back(met_[i]);
+      }
+      half.met_end = static_cast<std::uint32_t>(met_.size());
+      if (half.met_begin == half.met_end) {  // all on one side
+        Side side = Side::unknown;
+        for (const std::uint32_t corner : half.corner) {
+          const Side known = corners_[corner].side;
+          if (known == Side::inside || known == Side::outside) side = known;
+        }
+        if (side == Side::unknown) side = sideOf(corners_[middle]);
+        if (side == Side::outside) continue;
+        for (const std::uint32_t corner : half.corner) {
+          corners_[corner].side = side;
+          keepDeeper(corners_[corner], half.triangle);
+        }
+      }
+    }
+    add(half);
+  }
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,61 @@
+// The nearest triangles of two trees, found leaf by leaf. Read once for each target (simd.h).
+#if defined(OCTOBLISK_NEAREST_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_NEAREST_TRIANGLES_H
+#undef OCTOBLISK_NEAREST_TRIANGLES_H
+#else
+#define OCTOBLISK_NEAREST_TRIANGLES_H
+#endif
+
+#include "query/closest_pair.h"
+#include "query/tally.h"
+#include "query/traversal-inl.h"
+#include "query/triangle_distance-inl.h"
+#include "query/triangle_filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Offers the pairs of triangles that may be the nearest, until none is left or nothing can be nearer.
+template <typename Tally = NoTally>
+void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& nearest, Tally&& tally = {}) {
+  const LocalPose pose(a, b, b_in_a);
+  const auto bound = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
+    tally.boxTest();
+    return squaredDistanceBound(boxes, box);
+  };
+  const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
+  walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+    tally.leafPair();
+    const LeafPair leaves(a, b, pose, slot_a, slot_b);
+    const auto reach = [&] {
+      return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
+    };
+    auto bounds = leaves.within(reach());
+    if (bounds.of_a == 0) return false;
+    const TriangleLanes triangles_of_b(leaves);
+    const TriangleDistances distances(leaves);
+    for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+      const auto heights = triangles_of_b.heights(i);
+      unsigned near = triangles_of_b.within(reach(), heights, bounds.of[i]);
+      if (near == 0) continue;
+      tally.triangleTest();
+      const auto verdicts = triangles_of_b.meet(heights, near);
+      const auto [least, most] = distances.from(i);
+      for (; near != 0; near &= near - 1) {
+        const auto j = static_cast<std::uint32_t>(std::countr_zero(near));
+        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+        const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
+        const bool done =
+            may_meet ? nearest.offer(pair, true) : nearest.consider(pair, double(least[j]), double(most[j]));
+        if (done) return true;
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,45 @@
+#include "octoblisk/half_space_contacts.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "octoblisk/triangles_in_box.h"
+#include "tree/tree.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshold,
+              std::vector<Contact>& found) {
+  found.clear();
+  const Tree& tree = treeOf(a);
+  // A box round all of the mesh that is within reach: as wide as the mesh, down to its deepest point.
+  const Vec3& normal = b_in_a.normal;
+  const double height = normal.dot(tree.origin()) - b_in_a.offset;
+  const double lowest = height - tree.radius(), highest = std::min(threshold, height + tree.radius());
+  if (!(lowest <= highest + 1e-12 * (tree.origin().norm() + tree.radius()))) return;
+  Obb below;
+  const Vec3 side = normal.unitOrthogonal();
+  below.axes << side, normal.cross(side), normal;
+  below.center = tree.origin() + (0.5 * (lowest + highest) - height) * normal;
+  below.half_extents = Vec3(tree.radius(), tree.radius(), std::max(0.5 * (highest - lowest), 0.0));
+
+  // The corner of a triangle is kept in triangle_b until the end.
+  forEachTriangleIn(a, below, 0.0, [&](std::uint32_t triangle) {
+    for (const std::uint32_t vertex : a.mesh().triangles()[triangle]) {
+      const Vec3& corner = a.mesh().vertices()[vertex];
+      const double distance = normal.dot(corner) - b_in_a.offset;
+      if (distance > threshold) continue;
+      found.push_back({corner, corner - distance * normal, normal, distance, triangle, vertex});
+    }
+    return false;
+  });
+  std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_b, c.triangle_a); });
+  const auto same_corner = [](const Contact& c, const Contact& d) { return c.triangle_b == d.triangle_b; };
+  found.erase(std::unique(found.begin(), found.end(), same_corner), found.end());
+  std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_a, c.triangle_b); });
+  for (Contact& contact : found) contact.triangle_b = kNoTriangle;
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,142 @@
+// The triangles of two leaves side by side, and which of them are near each other by their bounds. Read once
+// for each target (simd.h).
+#if defined(OCTOBLISK_LEAF_PAIR_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_LEAF_PAIR_H
+#undef OCTOBLISK_LEAF_PAIR_H
+#else
+#define OCTOBLISK_LEAF_PAIR_H
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include "query/local_pose.h"
+#include "simd/simd-inl.h"
+#include "tree/node_boxes-inl.h"
+#include "tree/tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// The triangles of two leaves close to each other, in the frame of A's leaf, where boxes are tight and
+/// single precision goes a long way.
+class LeafPair {
+ public:
+  HWY_INLINE LeafPair(const Tree& a, const Tree& b, const LocalPose& pose, Slot slot_a, Slot slot_b)
+      : a_(a),
+        b_(b),
+        leaf_a_(a.child(slot_a)),
+        leaf_b_(b.child(slot_b)),
+        rows_a_(a.leafVertices(slot_a, corners_a_)),
+        rows_b_(b.leafVertices(slot_b, corners_b_)) {
+    Box8 room_a(Box8::Unset{}), room_b(Box8::Unset{});
+    const Box8 &boxes_a = boxesAt(a, slot_a, room_a), &boxes_b = boxesAt(b, slot_b, room_b);
+    const std::uint32_t lane_a = slot_a.lane, lane_b = slot_b.lane;
+    double between[3];  // of the centres, in A's local frame
+    for (int i = 0; i < 3; ++i) {
+      between[i] = pose.exact.translation[i] - double(boxes_a.center[i][lane_a]);
+      for (int k = 0; k < 3; ++k) between[i] += pose.exact.rotation(i, k) * double(boxes_b.center[k][lane_b]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const float x = boxes_a.axes[0][i][lane_a], y = boxes_a.axes[1][i][lane_a],
+                  z = boxes_a.axes[2][i][lane_a];
+      shift_[i] = x * static_cast<float>(between[0]) + y * static_cast<float>(between[1]) +
+                  z * static_cast<float>(between[2]);
+      const auto& rotation = pose.b_to_a.rotation;
+      float turned[3];
+      for (int k = 0; k < 3; ++k) turned[k] = x * rotation(0, k) + y * rotation(1, k) + z * rotation(2, k);
+      for (int j = 0; j < 3; ++j) {
+        rotation_[i][j] = turned[0] * boxes_b.axes[0][j][lane_b] + turned[1] * boxes_b.axes[1][j][lane_b] +
+                          turned[2] * boxes_b.axes[2][j][lane_b];
+      }
+    }
+    size_ = boxes_a.largestHalfExtent(lane_a) + boxes_b.largestHalfExtent(lane_b) +
+            std::max({std::abs(shift_[0]), std::abs(shift_[1]), std::abs(shift_[2])});
+    doubles_ = static_cast<float>(pose.doubles);
+    for (std::uint32_t v = 0; v < 3; ++v) corner_of_b_[v] = posedCornersOfB(v);
+  }
+
+  LeafPair(const LeafPair&) = delete;
+  LeafPair& operator=(const LeafPair&) = delete;
+
+  std::uint32_t countA() const { return leaf_a_.count(); }
+  std::uint32_t countB() const { return leaf_b_.count(); }
+  unsigned lanesOfB() const { return (1u << countB()) - 1u; }
+  std::uint32_t triangleA(std::uint32_t i) const { return a_.triangles(leaf_a_)[i]; }
+  std::uint32_t triangleB(std::uint32_t j) const { return b_.triangles(leaf_b_)[j]; }
+
+  /// Corner v of triangle i of A, the same in all lanes.
+  HWY_INLINE Vec8 cornerOfA(std::uint32_t i, std::uint32_t v) const {
+    const float* x = rows_a_ + 3 * v * countA() + i;
+    return {Float8(x[0]), Float8(x[countA()]), Float8(x[2 * countA()])};
+  }
+
+  /// Corner v of the triangles of B; lanes beyond their count hold anything.
+  HWY_INLINE const Vec8& cornerOfB(std::uint32_t v) const { return corner_of_b_[v]; }
+
+  /// Which triangles may be near each other.
+  struct Near {
+    unsigned of_a = 0;    ///< bit i: triangle i of A is near some of B
+    unsigned of[kLanes];  ///< [i], bit j: triangles i of A and j of B are near each other
+  };
+
+  /// Those whose bounds are within the reach of each other. It is a length: what three coordinates may be off
+  /// together is less than twice coordinateRounding().
+  HWY_INLINE Near within(float reach) const {
+    const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),
+               high = max(corner_of_b_[0], max(corner_of_b_[1], corner_of_b_[2]));
+    float low_of_a[3][kLanes], high_of_a[3][kLanes];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto row = [&](std::uint32_t v)
+                           HWY_ATTR { return Float8::load(rows_a_ + (3 * v + k) * countA()); };
+      min(row(0), min(row(1), row(2))).store(low_of_a[k]);
+      max(row(0), max(row(1), row(2))).store(high_of_a[k]);
+    }
+    const Float8 zero(0.0f), limit(reach * reach);
+    Near near;
+    for (std::uint32_t i = 0; i < countA(); ++i) {
+      const auto gap = [&](int k, const Float8& low_of_b, const Float8& high_of_b) HWY_ATTR {
+        return max(zero, max(Float8(low_of_a[k][i]) - high_of_b, low_of_b - Float8(high_of_a[k][i])));
+      };
+      const Vec8 apart{gap(0, low.x, high.x), gap(1, low.y, high.y), gap(2, low.z, high.z)};
+      near.of[i] = lanesOfB() & ~less(limit, dot(apart, apart));
+      near.of_a |= static_cast<unsigned>(near.of[i] != 0) << i;
+    }
+    return near;
+  }
+
+  // In units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A is off
+  // by 1; one of B by 1 and what B's axes are from orthonormal, 16, the product of three rotations 16, the
+  // products 2, their sums 3, the shift 8. That A's axes are not orthonormal either stretches all alike.
+
+  /// How far a corner of A and one of B may be off together, along each axis.
+  float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
+  /// A power of two by which all lengths become about 1, whose powers neither overflow nor vanish.
+  float unit() const { return std::ldexp(1.0f, -std::ilogb(size_)); }
+  /// How far a height over a triangle's plane may be off.
+  float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
+
+ private:
+  HWY_INLINE Vec8 posedCornersOfB(std::uint32_t v) const {
+    const float* x = rows_b_ + 3 * v * countB();
+    const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
+    const auto along = [&](int i) HWY_ATTR {
+      return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
+             Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]);
+    };
+    return {along(0), along(1), along(2)};
+  }
+
+  const Tree &a_, &b_;
+  const Child leaf_a_, leaf_b_;
+  LeafVertices corners_a_, corners_b_;  // room for those of compact trees
+  const float *const rows_a_, *const rows_b_;
+  Vec8 corner_of_b_[3];
+  float rotation_[3][3], shift_[3];
+  float size_, doubles_;
+};
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,125 @@
+#include "octoblisk/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/turn.h"
+#include "tree/tree.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// The part of the radius by which a box in single precision may be off.
+constexpr double kBoxRounding = 1e-6;
+
+/// The turn about a unit axis (O. Rodrigues, 1840).
+Mat3 rotationAbout(const Vec3& axis, double angle) {
+  const auto [sine, cosine] = sineCosine(angle);
+  const Vec3 sines = sine * axis, rest = (1.0 - cosine) * axis;
+  Mat3 rotation = rest * axis.transpose();
+  rotation.diagonal().array() += cosine;
+  rotation(0, 1) -= sines.z(), rotation(1, 0) += sines.z();
+  rotation(0, 2) += sines.y(), rotation(2, 0) -= sines.y();
+  rotation(1, 2) -= sines.x(), rotation(2, 1) += sines.x();
+  return rotation;
+}
+
+/// How long the way of a body's points is where it turns as in the motion and its centre goes as far as the
+/// advance: |advance along the axis, and across it + angle · radius|.
+double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) {
+  const double radius = hold.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
+  const double along = advance.dot(motion.axis()), across = (advance - along * motion.axis()).norm();
+  const double round = across + motion.angle() * radius;
+  const double longer = std::max(std::abs(along), round), shorter = std::min(std::abs(along), round);
+  if (longer == 0.0) return 0.0;
+  return longer * std::sqrt(1.0 + (shorter / longer) * (shorter / longer));
+}
+
+}  // namespace
+
+Motion::Motion(const Pose& from, const Pose& to, const Vec3& center_in_b)
+    : from_(from), center_in_b_(center_in_b), advance_(to * center_in_b - from * center_in_b) {
+  const Mat3 turn = to.rotation * from.rotation.transpose();
+  const Eigen::Quaterniond q(turn);
+  const Vec3 along_axis(q.x(), q.y(), q.z());  // as long as the sine of half the angle
+  if (along_axis.isZero(0.0)) return;
+  axis_ = (q.w() < 0.0 ? -1.0 : 1.0) * along_axis.stableNormalized();
+  angle_ = 2.0 * angleOf(along_axis.norm(), std::abs(q.w()));
+}
+
+Motion Motion::about(const Pose& from, const Vec3& center_in_a, const Vec3& turn, const Vec3& advance) {
+  Motion motion;
+  motion.from_ = from;
+  motion.center_in_b_ = from.inverse() * center_in_a;
+  motion.advance_ = advance;
+  motion.angle_ = turn.norm();
+  if (motion.angle_ > 0.0) motion.axis_ = turn.stableNormalized();
+  return motion;
+}
+
+Pose Motion::at(double fraction) const {
+  const Mat3 rotation = rotationAbout(axis_, fraction * angle_) * from_.rotation;
+  const Vec3 swing = from_.rotation * center_in_b_ - rotation * center_in_b_;
+  return {rotation, from_.translation + (fraction * advance_ + swing)};
+}
+
+double Motion::lengthBound(const ClusteredOctree& b) const { return lengthOfWay(Hold(b), *this, advance_); }
+
+double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
+                           const Motion& b_in_world) {
+  const Hold hold_a(a), hold_b(b);
+  const Vec3 way = b_in_world.advance() - a_in_world.advance();  // of B's centre from A's
+  const double with_center_a =
+      lengthOfWay(hold_a, a_in_world, Vec3::Zero()) + lengthOfWay(hold_b, b_in_world, way);
+  const double with_center_b =
+      lengthOfWay(hold_b, b_in_world, Vec3::Zero()) + lengthOfWay(hold_a, a_in_world, -way);
+  const Vec3 turn_a = a_in_world.angle() * a_in_world.axis(), turn_b = b_in_world.angle() * b_in_world.axis();
+  const Vec3 arm = a_in_world.from() * a_in_world.centerInB() - b_in_world.from() * b_in_world.centerInB();
+  const auto inFrameThatTurns = [&](const Vec3& turn, double distance_from_center) {
+    const double at_start = (way + turn.cross(arm)).norm(), at_end = (way + turn.cross(arm - way)).norm();
+    return std::max(at_start, at_end) + (turn_b - turn_a).norm() * distance_from_center;
+  };
+  const double in_a = inFrameThatTurns(turn_a, hold_b.distanceFromPoint(b_in_world.centerInB()));
+  const double in_b = inFrameThatTurns(turn_b, hold_a.distanceFromPoint(a_in_world.centerInB()));
+  return std::min({with_center_a, with_center_b, in_a, in_b});
+}
+
+Hold::Hold(const ClusteredOctree& octree)
+    : center_(treeOf(octree).origin()), radius_(treeOf(octree).radius()) {
+  const Tree& tree = treeOf(octree);
+  const Obb box = tree.box(Tree::kRoot);
+  for (unsigned corner = 0; corner < corners_.size(); ++corner) {
+    const Vec3 side(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
+    corners_[corner] = box.center + box.axes * side.cwiseProduct(box.half_extents);
+  }
+}
+
+// All distances are convex functions of the point, so that none in the box exceeds the corners' largest.
+
+double Hold::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
+  const auto fromAxis = [&](const Vec3& point) { return (rotation * (point - center)).cross(axis).norm(); };
+  double of_box = 0.0;
+  for (const Vec3& corner : corners_) of_box = std::max(of_box, fromAxis(corner));
+  return std::min(of_box, fromAxis(center_) + radius_) + kBoxRounding * radius_;
+}
+
+double Hold::distanceFromPoint(const Vec3& point) const {
+  double of_box = 0.0;
+  for (const Vec3& corner : corners_) of_box = std::max(of_box, (corner - point).norm());
+  return std::min(of_box, (center_ - point).norm() + radius_) + kBoxRounding * radius_;
+}
+
+double Hold::displacement(const Pose& from, const Pose& to) const {
+  const Mat3 turn = to.rotation - from.rotation;
+  const Vec3 shift = to.translation - from.translation;
+  const auto displaced = [&](const Vec3& point) { return (turn * point + shift).norm(); };
+  const double ball = turn.norm() * radius_;
+  double of_box = 0.0;
+  for (const Vec3& corner : corners_) of_box = std::max(of_box, displaced(corner));
+  return std::min(of_box + kBoxRounding * ball, displaced(center_) + ball);
+}
+
+}  // namespace octoblisk

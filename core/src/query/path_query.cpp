@@ -1,0 +1,60 @@
+#include "octoblisk/path_query.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/triangle_pair.h"
+#include "query/collide_below.h"
+#include "query/local_pose.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), hold_of_b_(b) {}
+
+std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
+  if (met_) {
+    if (intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
+      return witness_;
+    if (nodes_.a != 0 && meetBelow(b_in_a, nodes_)) return witness_;
+  }
+  met_ = !provedBeyond(0.0, b_in_a) && meetBelow(b_in_a, NodePair());
+  return met_ ? std::optional(witness_) : std::nullopt;
+}
+
+/// Looks for a pair that meets below two nodes, and keeps it.
+bool PathQuery::meetBelow(const Pose& b_in_a, NodePair below) {
+  const std::optional<MeetingPair> hit = collideBelow(treeOf(*a_), treeOf(*b_), b_in_a, below);
+  if (!hit) return false;
+  witness_ = hit->triangles;
+  nodes_ = hit->nodes;
+  return true;
+}
+
+Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options) {
+  if (provedBeyond(options.upper_bound, b_in_a)) return {.distance = options.upper_bound};
+  DistanceOptions hinted = options;
+  if (witness_.a != kNoTriangle) hinted.hint = witness_;
+  Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
+  if (found.found()) {
+    witness_ = {found.triangle_a, found.triangle_b};
+    nodes_ = NodePair();
+  }
+  met_ = found.found() && found.distance == 0.0;
+  proof_pose_ = b_in_a;
+  proved_distance_ = std::isfinite(found.distance) ? found.distance - options.tolerance : 0.0;
+  return found;
+}
+
+/// Whether the last distance proves that the bodies are farther apart than this, however distances and poses
+/// are rounded.
+bool PathQuery::provedBeyond(double distance, const Pose& b_in_a) const {
+  if (!(proved_distance_ > distance)) return false;
+  const double size =
+      sizeOf(treeOf(*a_), treeOf(*b_)) + proof_pose_.translation.norm() + b_in_a.translation.norm();
+  return proved_distance_ - hold_of_b_.displacement(proof_pose_, b_in_a) >
+         distance + kDistanceRounding * size;
+}
+
+}  // namespace octoblisk

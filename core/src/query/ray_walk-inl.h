@@ -1,0 +1,181 @@
+// The descent of a ray into a tree, boxes and triangles eight at a time. Read once for each target (simd.h).
+#ifndef OCTOBLISK_RAY_DESCENT_ONCE
+#define OCTOBLISK_RAY_DESCENT_ONCE
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "geometry/ray_triangle.h"
+#include "query/local_ray.h"
+#include "query/ray_walk.h"
+#include "query/tally.h"
+
+namespace octoblisk::detail {
+
+/// What a ray has yet to look into, and at which reach it gets there: ordered by the latter. Reaches are
+/// above 0, so that their bits are in the order of their values.
+class RayTask {
+ public:
+  RayTask() {}  // NOLINT(modernize-use-equals-default): not set, by {} neither: there are many of them
+  RayTask(float reach, Slot slot)
+      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
+  float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
+  Slot slot() const {
+    const auto low = static_cast<std::uint32_t>(bits_);
+    return {low >> 3, low & 7u};
+  }
+  bool operator<(const RayTask& other) const { return bits_ < other.bits_; }
+
+ private:
+  std::uint64_t bits_;
+};
+
+}  // namespace octoblisk::detail
+#endif
+
+#if defined(OCTOBLISK_RAY_DESCENT_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_RAY_DESCENT_H
+#undef OCTOBLISK_RAY_DESCENT_H
+#else
+#define OCTOBLISK_RAY_DESCENT_H
+#endif
+
+#include <hwy/cache_control.h>
+
+#include "query/ray_lanes-inl.h"
+#include "tree/node_boxes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Tells `visit` of the triangles that a ray crosses, boxes entered by ascending t; it returns the greatest t
+/// still of interest, below 0: none. The tally counts the tests (tally.h).
+template <typename Visit, typename Tally>
+class RayDescent {
+ public:
+  RayDescent(const Tree& tree, const Ray& ray, const LocalRay& local, Visit visit, Tally& tally)
+      : tree_(tree),
+        ray_(ray),
+        local_(local),
+        visit_(visit),
+        tally_(tally),
+        t_limit_(ray.t_max),
+        limit_(local.length) {}
+
+  void run() {
+    Slot here = Tree::kRoot;
+    while (true) {
+      if (tree_.child(here).isLeaf()) {
+        if (!visitLeaf(here)) return;
+      } else if (enterNode(here)) {
+        continue;
+      }
+      do {
+        if (count_ == 0) return;
+        --count_;
+      } while (tasks_[count_].reach() > limit_);
+      here = tasks_[count_].slot();
+    }
+  }
+
+ private:
+  /// Puts the children entered on the list, but for the nearest, which `here` becomes; false: there is none.
+  HWY_INLINE bool enterNode(Slot& here) {
+    const std::uint32_t index = tree_.child(here).node();
+    tally_.boxTest();
+    Box8 room(Box8::Unset{});
+    HWY_ALIGN float reaches[kLanes];
+    unsigned entered = enter(boxesOf(tree_, index, room), local_, limit_, reaches);
+    if (entered == 0) return false;
+    if ((entered & (entered - 1)) == 0) {
+      here = {index, static_cast<std::uint32_t>(std::countr_zero(entered))};
+      return true;
+    }
+    const auto take = [&](unsigned& lanes) HWY_ATTR {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      lanes &= lanes - 1;
+      return RayTask(reaches[lane], {index, lane});
+    };
+    RayTask nearest = take(entered);
+    const std::size_t first = count_;
+    while (entered != 0) {
+      RayTask task = take(entered);
+      if (task < nearest) std::swap(task, nearest);
+      prefetch(task.slot());
+      std::size_t place = count_++;
+      for (; place > first && tasks_[place - 1] < task; --place) tasks_[place] = tasks_[place - 1];
+      tasks_[place] = task;
+    }
+    here = nearest.slot();
+    return true;
+  }
+
+  /// Most often the nearest child is not where the ray ends: what comes next may as well be on its way.
+  HWY_INLINE void prefetch(Slot slot) const {
+    constexpr std::size_t kLine = 64;
+    const Child child = tree_.child(slot);
+    if (child.isLeaf()) return;
+    const auto fetch = [](const auto& node) HWY_ATTR {
+      const auto* bytes = reinterpret_cast<const char*>(&node);
+      for (std::size_t i = 0; i < sizeof(node); i += kLine) hwy::Prefetch(bytes + i);
+    };
+    if (tree_.isCompact()) {
+      fetch(tree_.compactNodes()[child.node()]);
+    } else {
+      fetch(tree_.nodes()[child.node()]);
+    }
+  }
+
+  /// What exact tests read: two steps of indirection, which the test in single precision can hide. That of a
+  /// compact tree reads the same itself.
+  HWY_INLINE void prefetchExact(std::span<const std::uint32_t> triangles) const {
+    const TriangleMesh& mesh = tree_.mesh();
+    for (const std::uint32_t triangle : triangles) {
+      for (const std::uint32_t corner : mesh.triangles()[triangle]) hwy::Prefetch(&mesh.vertices()[corner]);
+    }
+  }
+
+  /// False where nothing is of interest any more.
+  HWY_INLINE bool visitLeaf(Slot slot) {
+    tally_.leafPair();
+    tally_.triangleTest();
+    const Child leaf = tree_.child(slot);
+    Box8 room(Box8::Unset{});
+    LeafVertices corners;
+    const ShearedRay sheared(local_, boxesAt(tree_, slot, room), slot.lane);
+    const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
+    if (!tree_.isCompact()) prefetchExact(triangles);
+    const unsigned in_leaf = (1u << triangles.size()) - 1;
+    unsigned crossed =
+        mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;
+    for (; crossed != 0; crossed &= crossed - 1) {
+      tally_.exactTest();
+      const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
+      const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));
+      if (!found || found->t > t_limit_ || (found->back_face && ray_.cull_back_faces)) continue;
+      const double wanted = visit_({found->t, triangle, found->back_face});
+      if (wanted < 0.0) return false;
+      if (wanted < t_limit_) {
+        t_limit_ = wanted;
+        limit_ = std::min(limit_, local_.reachOf(wanted));
+      }
+    }
+    return true;
+  }
+
+  const Tree& tree_;
+  const Ray& ray_;
+  const LocalRay& local_;
+  const Visit visit_;
+  Tally& tally_;
+  double t_limit_;
+  float limit_;  ///< the reach of t_limit_, and of the sphere round the tree
+  std::size_t count_ = 0;
+  std::array<RayTask, (kLanes - 1) * Tree::kMaxDepth> tasks_;
+};
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

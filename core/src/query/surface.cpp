@@ -1,0 +1,109 @@
+#include "octoblisk/surface.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace octoblisk {
+
+using namespace detail;
+
+Surface::Surface(const ClusteredOctree& tree) : tree_(&tree) {
+  weld();
+  gatherStars();
+  checkEdges();
+  findParts();
+}
+
+void Surface::weld() {
+  const TriangleMesh& mesh = tree_->mesh();
+  const std::vector<Vec3>& vertices = mesh.vertices();
+  constexpr std::uint32_t kUnused = 0xffffffffu;
+  std::vector<std::uint32_t> corner_of(vertices.size(), kUnused);
+  for (const TriangleMesh::Indices& triangle : mesh.triangles()) {
+    for (const std::uint32_t vertex : triangle) corner_of[vertex] = 0;
+  }
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    if (corner_of[v] != kUnused) order.push_back(v);
+  }
+  const auto position = [&](std::uint32_t v) {
+    return std::tie(vertices[v].x(), vertices[v].y(), vertices[v].z());
+  };
+  std::ranges::sort(order, [&](std::uint32_t v, std::uint32_t w) {
+    return std::tuple_cat(position(v), std::tie(v)) < std::tuple_cat(position(w), std::tie(w));
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || position(order[i]) != position(order[i - 1])) vertex_.push_back(order[i]);
+    corner_of[order[i]] = static_cast<std::uint32_t>(vertex_.size() - 1);
+  }
+  corners_.reserve(mesh.triangleCount());
+  for (const auto& [a, b, c] : mesh.triangles())
+    corners_.push_back({corner_of[a], corner_of[b], corner_of[c]});
+}
+
+void Surface::gatherStars() {
+  star_begin_.assign(vertex_.size() + 1, 0);
+  for (const auto& triangle : corners_) {
+    for (const std::uint32_t corner : triangle) ++star_begin_[corner + 1];
+  }
+  std::partial_sum(star_begin_.begin(), star_begin_.end(), star_begin_.begin());
+  stars_.resize(3 * corners_.size());
+  std::vector<std::uint32_t> end(star_begin_.begin(), star_begin_.end() - 1);
+  for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    for (const std::uint32_t corner : corners_[t]) stars_[end[corner]++] = t;
+  }
+}
+
+void Surface::checkEdges() {
+  struct Use {
+    std::uint32_t other;  // the edge's greater corner
+    int direction;        // +1 towards it
+  };
+  std::vector<Use> uses;
+  for (std::uint32_t corner = 0; corner < cornerCount(); ++corner) {
+    uses.clear();
+    for (const std::uint32_t t : star(corner)) {
+      const auto& [a, b, c] = corners_[t];
+      if (a == b || b == c || c == a) continue;  // there and back again: it closes and opens nothing
+      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
+      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
+      if (next > corner) uses.push_back({next, 1});
+      if (last > corner) uses.push_back({last, -1});
+    }
+    std::ranges::sort(uses, {}, &Use::other);
+    for (auto use = uses.begin(); use != uses.end();) {
+      int count = 0, balance = 0;
+      const std::uint32_t other = use->other;
+      for (; use != uses.end() && use->other == other; ++use, ++count) balance += use->direction;
+      closed_ &= count % 2 == 0;
+      oriented_ &= balance == 0;
+    }
+  }
+}
+
+void Surface::findParts() {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  part_.assign(vertex_.size(), kNone);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t first = 0; first < vertex_.size(); ++first) {
+    if (part_[first] != kNone) continue;
+    const auto part = static_cast<std::uint32_t>(part_corner_.size());
+    part_corner_.push_back(first);
+    part_[first] = part;
+    open.push_back(first);
+    while (!open.empty()) {
+      const std::uint32_t corner = open.back();
+      open.pop_back();
+      for (const std::uint32_t t : star(corner)) {
+        for (const std::uint32_t next : corners_[t]) {
+          if (part_[next] != kNone) continue;
+          part_[next] = part;
+          open.push_back(next);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,116 @@
+#include "octoblisk/triangle_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/triangle_cache.cpp"
+#include <hwy/foreach_target.h>
+
+#include "query/convex_cull-inl.h"
+#include "query/triangle_bundle.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span<const Vec3> core,
+          const Aabb& bounds, const Pose& convex_in_tree, double reach, std::vector<std::uint32_t>& found) {
+  const ConvexCull cull(origin, core, bounds, convex_in_tree, reach);
+  for (const TriangleBundle& bundle : bundles) {
+    for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count); near != 0;
+         near &= near - 1) {
+      found.push_back(bundle.triangles[static_cast<std::size_t>(std::countr_zero(near))]);
+    }
+  }
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "geometry/point_bounds.h"
+#include "octoblisk/triangles_near_convex.h"
+#include "tree/tree.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+HWY_EXPORT(sift);
+
+void fill(TriangleBundle& bundle, const Tree& tree, std::span<const std::uint32_t> triangles,
+          const Vec3& center) {
+  bundle.count = static_cast<std::uint32_t>(triangles.size());
+  std::ranges::copy(triangles, bundle.triangles.begin());
+  std::ranges::fill(bundle.corners.rows, 0.0f);
+  bundle.box = {};
+  bundle.box.center = (center - tree.origin()).cast<float>();
+  writeLeafVertices(tree.mesh(), triangles, bundle.box, tree.origin(), bundle.corners.rows);
+  float largest = 0.0f;
+  for (const float coordinate : bundle.corners.rows) largest = std::max(largest, std::abs(coordinate));
+  bundle.box.half_extents.setConstant(largest);
+}
+
+}  // namespace
+
+TriangleCache::TriangleCache() = default;
+TriangleCache::TriangleCache(TriangleCache&&) noexcept = default;
+TriangleCache& TriangleCache::operator=(TriangleCache&&) noexcept = default;
+TriangleCache::~TriangleCache() = default;
+
+/// No point of the core is farther than this from where it was.
+double TriangleCache::wayTo(const Pose& pose, const Pose& from) const {
+  const Vec3 center = bounds_.center();
+  return (pose * center - from * center).norm() +
+         (pose.rotation - from.rotation).norm() * bounds_.halfExtents().norm();
+}
+
+/// Keeps what is a few steps' way farther than asked for; nothing more of a body that is fast or new.
+void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
+                           double reach) {
+  constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMost = 1.0 / 4.0;
+  const double size = bounds_.halfExtents().norm() + convex.radius();
+  const double step = kept_reach_ == kNothing ? size : wayTo(convex_in_tree, last_at_);
+  const double more =
+      step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
+  found_.clear();
+  forEachTriangleNear(tree, convex, convex_in_tree, reach + more, [this](std::uint32_t triangle) {
+    found_.push_back(triangle);
+    return false;
+  });
+  kept_.resize((found_.size() + kLanes - 1) / kLanes);
+  for (std::size_t b = 0; b < kept_.size(); ++b) {
+    const std::size_t begin = b * kLanes, count = std::min<std::size_t>(kLanes, found_.size() - begin);
+    fill(kept_[b], treeOf(tree), std::span(found_).subspan(begin, count), convex_in_tree * bounds_.center());
+  }
+  kept_reach_ = reach + more + convex.radius();
+  kept_at_ = convex_in_tree;
+}
+
+std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, const Convex& convex,
+                                                   const Pose& convex_in_tree, double reach) {
+  std::array<Vec3, 8> room;
+  const std::span<const Vec3> points = pointsRoundCore(convex, room);
+  if (tree_ != &tree || !std::ranges::equal(core_, points)) {
+    tree_ = &tree;
+    core_.assign(points.begin(), points.end());
+    bounds_ = boundsOf(core_);
+    forget();
+  }
+  const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
+  const double of_core = reach + convex.radius();
+  if (!(of_core + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
+    gather(tree, convex, convex_in_tree, reach);
+  }
+  last_at_ = convex_in_tree;
+  found_.clear();
+  const auto siftAll = HWY_DYNAMIC_DISPATCH(sift);
+  siftAll(kept_, treeOf(tree).origin(), core_, bounds_, convex_in_tree, of_core, found_);
+  return found_;
+}
+
+}  // namespace octoblisk
+#endif

@@ -1,0 +1,41 @@
+#include "octoblisk/triangles_in_box.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/triangles_in_box.cpp"
+#include <hwy/foreach_target.h>
+
+#include "query/traversal-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+bool trianglesIn(const Tree& tree, const Obb& box_in_tree, double reach,
+                 bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  const LocalBox local(tree, box_in_tree);
+  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
+  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
+  return walkBox(tree, local, gap, limit, [&](Slot slot) {
+    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
+      if (visit(user, triangle)) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+
+using namespace detail;
+
+HWY_EXPORT(trianglesIn);
+
+bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
+                       bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  return HWY_DYNAMIC_DISPATCH(trianglesIn)(treeOf(tree), box_in_tree, reach, visit, user);
+}
+
+}  // namespace octoblisk
+#endif

@@ -1,0 +1,50 @@
+#include "octoblisk/triangles_near_convex.h"
+
+#include "geometry/point_bounds.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "query/triangles_near_convex.cpp"
+#include <hwy/foreach_target.h>
+
+#include "query/convex_cull-inl.h"
+#include "query/traversal-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& bounds,
+                   const Pose& convex_in_tree, double reach,
+                   bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
+  const ConvexCull cull(tree.origin(), points, bounds, convex_in_tree, reach);
+  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
+  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
+  return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
+    const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
+    for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
+      if (visit(user, triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace octoblisk {
+
+using namespace detail;
+
+HWY_EXPORT(trianglesNear);
+
+bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
+                         double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+  std::array<Vec3, 8> room;
+  const std::span<const Vec3> points = pointsRoundCore(convex, room);
+  return HWY_DYNAMIC_DISPATCH(trianglesNear)(treeOf(tree), points, boundsOf(points), convex_in_tree,
+                                             reach + convex.radius(), visit, user);
+}
+
+}  // namespace octoblisk
+#endif

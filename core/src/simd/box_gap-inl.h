@@ -1,0 +1,89 @@
+// Eight oriented boxes against one: how far apart they are at least. Read once for each target (simd.h).
+#if defined(OCTOBLISK_BOX_TEST_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_BOX_TEST_H
+#undef OCTOBLISK_BOX_TEST_H
+#else
+#define OCTOBLISK_BOX_TEST_H
+#endif
+
+#include "simd/box8.h"
+#include "simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// One of the eight boxes, moved.
+HWY_INLINE BoxF posed(const PoseF& pose, const Box8& boxes, std::uint32_t lane) {
+  BoxF box;
+  for (int i = 0; i < 3; ++i) {
+    const auto rotated = [&](const auto& vector) HWY_ATTR {
+      return pose.rotation(i, 0) * vector(0) + pose.rotation(i, 1) * vector(1) +
+             pose.rotation(i, 2) * vector(2);
+    };
+    box.center[i] = rotated([&](int k) HWY_ATTR { return boxes.center[k][lane]; }) + pose.translation[i];
+    for (int j = 0; j < 3; ++j)
+      box.axes(i, j) = rotated([&](int k) HWY_ATTR { return boxes.axes[k][j][lane]; });
+    box.half_extents[i] = boxes.half_extents[i][lane];
+  }
+  return box;
+}
+
+/// For each of the eight boxes the gaps to `box` along the six face axes of the two: below 0 where they
+/// overlap along it. The nine edge axes are left out.
+struct FaceGaps {
+  Float8 of_box[3];    ///< along the axes of the one box
+  Float8 of_boxes[3];  ///< along those of each of the eight
+};
+
+HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
+  FaceGaps gaps;
+  const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
+                     Float8::load(boxes.center[1]) - Float8(box.center[1]),
+                     Float8::load(boxes.center[2]) - Float8(box.center[2])};
+  const Float8 half_extents[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
+                                  Float8::load(boxes.half_extents[2])};
+  Float8 along_boxes[3], radius_along_boxes[3];
+  for (int j = 0; j < 3; ++j) radius_along_boxes[j] = half_extents[j];
+  Vec8 axis_of_boxes[3];
+  for (int j = 0; j < 3; ++j) {
+    axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
+                        Float8::load(boxes.axes[2][j])};
+    along_boxes[j] = dot(axis_of_boxes[j], between);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
+    Float8 radius(box.half_extents[i]);
+    for (int j = 0; j < 3; ++j) {
+      const Float8 cosine = abs(dot(axis_of_boxes[j], axis));
+      radius = radius + half_extents[j] * cosine;
+      radius_along_boxes[j] = radius_along_boxes[j] + Float8(box.half_extents[i]) * cosine;
+    }
+    gaps.of_box[i] = abs(dot(axis, between)) - radius;
+  }
+  for (int j = 0; j < 3; ++j) gaps.of_boxes[j] = abs(along_boxes[j]) - radius_along_boxes[j];
+  return gaps;
+}
+
+/// The widest of the six: where it is above 0, the two are apart at least that far; where not, they may
+/// overlap.
+HWY_INLINE Float8 widestGap(const Box8& boxes, const BoxF& box) {
+  const FaceGaps gaps = faceGaps(boxes, box);
+  return max(max(max(gaps.of_box[0], gaps.of_box[1]), gaps.of_box[2]),
+             max(max(gaps.of_boxes[0], gaps.of_boxes[1]), gaps.of_boxes[2]));
+}
+
+/// A lower bound of the squared distances of the eight boxes to `box`.
+HWY_INLINE Float8 squaredDistanceBound(const Box8& boxes, const BoxF& box) {
+  const FaceGaps gaps = faceGaps(boxes, box);
+  const auto squared = [](const Float8 gap[3]) HWY_ATTR {
+    const Float8 zero(0.0f);
+    const Vec8 apart{max(gap[0], zero), max(gap[1], zero), max(gap[2], zero)};
+    return dot(apart, apart);
+  };
+  return max(squared(gaps.of_box), squared(gaps.of_boxes));
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,49 @@
+// Eight oriented boxes in 208 bytes: integers of sixteen bits that a node's origin and scale give meaning to.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "simd/box8.h"
+#include "tree/child.h"
+
+namespace octoblisk::detail {
+
+/// A rotation as a quaternion x, y, z, w of any length but 0.
+using CompactRotation = std::array<std::int16_t, 4>;
+
+/// The rotation nearest to an orthonormal, right-handed frame.
+CompactRotation compactRotation(const Eigen::Matrix3f& axes);
+
+/// I − s·(…) with s = 2/|q|²: as orthonormal as single precision allows, whatever the integers.
+Eigen::Matrix3f decoded(const CompactRotation& rotation);
+
+/// Eight boxes, or fewer, and what they hold. All are empty at first.
+struct alignas(16) CompactNode {
+  std::int16_t center[3][kLanes] = {};         ///< from the origin, of the scale
+  std::uint16_t half_extents[3][kLanes] = {};  ///< of the scale, in descending order; 0 for an empty box
+  std::int16_t rotation[4][kLanes] = {};
+  std::array<Child, kLanes> children;
+  float origin[3] = {};
+  float scale = 0.0f;
+
+  CompactNode() {
+    for (std::int16_t& w : rotation[3]) w = 1;  // decodes to the identity
+  }
+
+  CompactRotation rotationOf(std::uint32_t lane) const {
+    return {rotation[0][lane], rotation[1][lane], rotation[2][lane], rotation[3][lane]};
+  }
+
+  /// What the lane's integers stand for. The boxes of node_boxes.h are the same to the last bit.
+  BoxF box(std::uint32_t lane) const;
+
+  /// Writes the boxes of all lanes that have a child, each in the frame of its compact rotation, so that what
+  /// is read holds it on each side with `pad` to spare.
+  void setBoxes(const std::array<CompactRotation, kLanes>& rotations, const std::array<BoxF, kLanes>& boxes,
+                float pad);
+};
+static_assert(sizeof(CompactNode) == 208);
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,24 @@
+// The corners of a leaf's triangles in the frame of its box, where single precision goes a long way.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "octoblisk/triangle_mesh.h"
+#include "simd/box8.h"
+
+namespace octoblisk::detail {
+
+/// Room for the corners of one leaf; not set.
+struct LeafVertices {
+  float rows[9 * kLanes];
+
+  LeafVertices() {}  // NOLINT(modernize-use-equals-default): {} is not to set it either
+};
+
+/// Writes the triangles' corners in the frame of a box that is relative to the origin: nine rows (x, y, z of
+/// each corner in turn) of as many numbers as there are triangles.
+void writeLeafVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BoxF& box,
+                       const Vec3& origin, float* rows);
+
+}  // namespace octoblisk::detail

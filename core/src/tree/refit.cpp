@@ -1,0 +1,202 @@
+#include "tree/refit.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/huge_pages.h"
+#include "base/parallel.h"
+#include "tree/leaf_vertices.h"
+#include "tree/tree_vertices.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// What is below the boxes of a tree.
+class Ranges {
+ public:
+  explicit Ranges(const TreeArrays& tree) : of_node_(tree.nodeCount()) {
+    for (auto n = static_cast<std::uint32_t>(tree.nodeCount()); n-- > 0;) {  // children come after parents
+      TriangleRange all{std::numeric_limits<std::uint32_t>::max(), 0};
+      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        const Child child = tree.child({n, lane});
+        if (child.isEmpty()) continue;
+        const TriangleRange range = of(child);
+        all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
+      }
+      of_node_[n] = all;
+    }
+  }
+
+  TriangleRange of(Child child) const {
+    return child.isLeaf() ? TriangleRange{child.first(), child.first() + child.count()}
+                          : of_node_[child.node()];
+  }
+
+ private:
+  std::vector<TriangleRange> of_node_;
+};
+
+/// The vertices' bounds in the frames of all boxes. Those of large boxes are taken beforehand, in pieces, so
+/// that all threads have something to do.
+class Extents {
+ public:
+  Extents(const TreeArrays& tree, const Ranges& ranges, const TreeVertices& vertices, int threads)
+      : ranges_(ranges), vertices_(vertices) {
+    struct Piece {
+      std::size_t large;
+      TriangleRange range;
+      Extent extent;
+    };
+    std::vector<Piece> pieces;
+    forEachChild(tree, [&](Slot slot, Child child) {
+      const TriangleRange range = ranges.of(child);
+      if (range.count() <= kLarge) return;
+      for (std::uint32_t begin = range.begin; begin < range.end; begin += kLarge)
+        pieces.push_back({large_.size(), {begin, std::min(range.end, begin + kLarge)}, {}});
+      large_.push_back({slot, {}});
+    });
+    parallelFor(pieces.size(), threads, [&](std::size_t p, std::size_t) {
+      const Slot slot = large_[pieces[p].large].slot;
+      const Eigen::Vector3f from = vertices.first(ranges.of(tree.child(slot)).begin);
+      pieces[p].extent = vertices.extent(pieces[p].range, tree.box(slot).axes, from);
+    });
+    for (const Piece& piece : pieces) large_[piece.large].extent.extend(piece.extent);
+  }
+
+  /// The box with the slot's own axes that holds all below it.
+  BoxF box(Slot slot, Child child, const Eigen::Matrix3f& axes) const {
+    return ranges_.of(child).count() > kLarge ? box(child, axes, ofLarge(slot)) : box(child, axes);
+  }
+  /// The box with other axes.
+  BoxF box(Child child, const Eigen::Matrix3f& axes) const {
+    const TriangleRange range = ranges_.of(child);
+    return box(child, axes, vertices_.extent(range, axes, vertices_.first(range.begin)));
+  }
+
+ private:
+  static constexpr std::uint32_t kLarge = 8192;  // triangles
+
+  struct Large {
+    Slot slot;
+    Extent extent;
+  };
+
+  BoxF box(Child child, const Eigen::Matrix3f& axes, const Extent& extent) const {
+    const Eigen::Vector3f middle = 0.5f * (extent.low + extent.high);
+    return {vertices_.first(ranges_.of(child).begin) + axes * middle, axes,
+            0.5f * (extent.high - extent.low)};
+  }
+
+  const Extent& ofLarge(Slot slot) const {
+    const auto key = [](const Slot& s) { return std::pair(s.node, s.lane); };
+    return std::ranges::lower_bound(large_, key(slot), {}, [&](const Large& l) { return key(l.slot); })
+        ->extent;
+  }
+
+  const Ranges& ranges_;
+  const TreeVertices& vertices_;
+  std::vector<Large> large_;  // in the order of their slots
+};
+
+void fit(TreeNode& node, std::uint32_t index, const Extents& extents, float pad) {
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const Child child = node.children[lane];
+    if (child.isEmpty()) continue;
+    BoxF box = extents.box({index, lane}, child, node.boxes.get(static_cast<int>(lane)).axes);
+    box.half_extents.array() += pad;
+    node.boxes.set(static_cast<int>(lane), box);
+  }
+}
+
+/// The axes by descending half extents.
+Eigen::Matrix3f sortedAxes(const BoxF& box) {
+  Box8 boxes;
+  boxes.set(0, box);
+  return boxes.get(0).axes;
+}
+
+void fit(CompactNode& node, std::uint32_t index, const Extents& extents, float pad) {
+  std::array<CompactRotation, kLanes> rotations = {};
+  std::array<BoxF, kLanes> boxes;
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    const Child child = node.children[lane];
+    if (child.isEmpty()) continue;
+    rotations[lane] = node.rotationOf(lane);
+    boxes[lane] = extents.box({index, lane}, child, decoded(rotations[lane]));
+    const Eigen::Vector3f& half = boxes[lane].half_extents;
+    if (half[0] >= half[1] && half[1] >= half[2]) continue;
+    rotations[lane] = compactRotation(sortedAxes(boxes[lane]));
+    boxes[lane] = extents.box(child, decoded(rotations[lane]));
+  }
+  node.setBoxes(rotations, boxes, pad);
+}
+
+/// Calls visit(node) for each, on several threads.
+template <typename Visit>
+void forEachNode(const TreeArrays& tree, int threads, const Visit& visit) {
+  constexpr std::size_t kChunk = 64;
+  const std::size_t count = tree.nodeCount();
+  parallelFor((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
+    const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+    for (std::size_t n = chunk * kChunk; n < end; ++n) visit(static_cast<std::uint32_t>(n));
+  });
+}
+
+}  // namespace
+
+float boxPadding(double radius) {
+  constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
+  constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());
+  return static_cast<float>(kRounding * radius + kSmallest);
+}
+
+void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads) {
+  const TreeVertices vertices(mesh, tree.triangle_order, origin, threads);
+  const TreeArrays arrays = tree.view();
+  const Ranges ranges(arrays);
+  const Extents extents(arrays, ranges, vertices, threads);
+  const float pad = boxPadding(radius);
+  forEachNode(arrays, threads, [&](std::uint32_t n) {
+    if (arrays.isCompact()) {
+      fit(tree.compact_nodes[n], n, extents, pad);
+    } else {
+      fit(tree.nodes[n], n, extents, pad);
+    }
+  });
+  if (!arrays.isCompact()) writeAllLeafVertices(tree, mesh, origin, threads);
+}
+
+void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads) {
+  if (tree.leaf_vertices.empty()) {
+    reserveOnHugePages(tree.leaf_vertices, 9 * tree.triangle_order.size() + kLanes);
+    tree.leaf_vertices.resize(9 * tree.triangle_order.size() + kLanes);
+  }
+  const TreeArrays arrays = tree.view();
+  forEachNode(arrays, threads, [&](std::uint32_t n) {
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const Child leaf = arrays.children(n)[lane];
+      if (!leaf.isLeaf()) continue;
+      writeLeafVertices(mesh, arrays.triangles(leaf), arrays.box({n, lane}), origin,
+                        tree.leaf_vertices.data() + 9 * std::size_t{leaf.first()});
+    }
+  });
+}
+
+void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius,
+                 int threads) {
+  std::vector<CompactNode> compact_nodes(tree.nodes.size());
+  forEachNode(tree.view(), threads, [&](std::uint32_t n) {
+    CompactNode& node = compact_nodes[n];
+    node.children = tree.nodes[n].children;
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      if (node.children[lane].isEmpty()) continue;
+      const CompactRotation rotation = compactRotation(tree.nodes[n].boxes.get(static_cast<int>(lane)).axes);
+      for (std::size_t k = 0; k < 4; ++k) node.rotation[k][lane] = rotation[k];
+    }
+  });
+  tree.nodes = std::vector<TreeNode>();  // gives its memory back, which = {} does not
+  tree.compact_nodes = std::move(compact_nodes);
+  refit(tree, mesh, origin, radius, threads);
+}
+
+}  // namespace octoblisk::detail

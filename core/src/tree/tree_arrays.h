@@ -1,0 +1,78 @@
+// What a clustered octree is made of: nodes of up to eight boxes each, fast or compact, and the triangles in
+// the order of the leaves. Arrays alone, so that they may lie in memory of their own or in a file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "simd/box8.h"
+#include "tree/child.h"
+#include "tree/compact_node.h"
+
+namespace octoblisk::detail {
+
+struct alignas(64) TreeNode {
+  Box8 boxes;
+  std::array<Child, kLanes> children;
+};
+static_assert(sizeof(TreeNode) == 512);  // eight cache lines
+
+/// A tree's arrays: of a full tree `nodes` and `leaf_vertices`, of a compact one `compact_nodes`. Nodes are
+/// in depth-first order, the first of them holds the box of the whole tree alone, in lane 0, and the
+/// triangles below a node are a range of the order.
+struct TreeArrays {
+  std::span<const TreeNode> nodes;
+  std::span<const CompactNode> compact_nodes;
+  std::span<const std::uint32_t> triangle_order;
+  std::span<const float> leaf_vertices;  ///< nine rows for each leaf (leaf_vertices.h), and eight to spare
+
+  bool isCompact() const { return !compact_nodes.empty(); }
+  std::size_t nodeCount() const { return isCompact() ? compact_nodes.size() : nodes.size(); }
+  const std::array<Child, kLanes>& children(std::uint32_t node) const {
+    return isCompact() ? compact_nodes[node].children : nodes[node].children;
+  }
+  Child child(Slot slot) const { return children(slot.node)[slot.lane]; }
+  BoxF box(Slot slot) const {
+    return isCompact() ? compact_nodes[slot.node].box(slot.lane)
+                       : nodes[slot.node].boxes.get(static_cast<int>(slot.lane));
+  }
+  std::span<const std::uint32_t> triangles(Child leaf) const {
+    return triangle_order.subspan(leaf.first(), leaf.count());
+  }
+  std::size_t bytes() const {
+    return nodes.size_bytes() + compact_nodes.size_bytes() + triangle_order.size_bytes() +
+           leaf_vertices.size_bytes();
+  }
+};
+
+/// The arrays in memory of their own.
+struct OwnedArrays {
+  std::vector<TreeNode> nodes;
+  std::vector<CompactNode> compact_nodes;
+  std::vector<std::uint32_t> triangle_order;
+  std::vector<float> leaf_vertices;
+
+  OwnedArrays() = default;
+  explicit OwnedArrays(const TreeArrays& tree)
+      : nodes(tree.nodes.begin(), tree.nodes.end()),
+        compact_nodes(tree.compact_nodes.begin(), tree.compact_nodes.end()),
+        triangle_order(tree.triangle_order.begin(), tree.triangle_order.end()),
+        leaf_vertices(tree.leaf_vertices.begin(), tree.leaf_vertices.end()) {}
+
+  TreeArrays view() const { return {nodes, compact_nodes, triangle_order, leaf_vertices}; }
+};
+
+/// Calls visit(slot, child) for all boxes of the tree in the order of their nodes.
+template <typename Visit>
+void forEachChild(const TreeArrays& tree, Visit&& visit) {
+  for (std::uint32_t n = 0; n < tree.nodeCount(); ++n) {
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      const Child child = tree.children(n)[lane];
+      if (!child.isEmpty()) visit(Slot{n, lane}, child);
+    }
+  }
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,122 @@
+#include "cast_callbacks.h"
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/triangles_along.h"
+#include "geometry/point_bounds.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// What coordinates in Bullet's precision may be off by once they were used, as a part of their size.
+constexpr double kRounding = 64.0 * double(SIMD_EPSILON);
+
+double largest(const Vec3& vector) { return vector.cwiseAbs().maxCoeff(); }
+
+void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) {
+  // Bullet lets a ray hit a triangle beside it where a weight of its corners is as low as −1e-4.
+  constexpr double kRim = 1e-3;
+  const Vec3 from = fromBullet(ray.m_from), way = fromBullet(ray.m_to) - from;
+  const double rounding =
+      kRounding * (largest(from) + largest(way) + largest(hand_over.tree().mesh().bounds().center()));
+  MovingBox segment;
+  segment.motion = way;
+  segment.rim = kRim;
+  segment.start = {from, Mat3::Identity(), Vec3::Constant(rounding)};
+  const double length = way.norm();
+  if (length > 0.0) {  // one axis along the ray: its boxes are narrow across it
+    segment.start.axes = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), way).toRotationMatrix();
+  }
+  forEachTriangleAlong(hand_over.tree(), segment, double(ray.m_hitFraction),
+                       [&](std::uint32_t triangle, double) {
+                         hand_over(ray, triangle);
+                         return double(ray.m_hitFraction);
+                       });
+}
+
+/// Tests triangles as its like does, tells that of the hits, and keeps the fraction up to which hits matter.
+class HeedingSweep final : public btTriangleConvexcastCallback {
+ public:
+  explicit HeedingSweep(btTriangleConvexcastCallback& told)
+      : btTriangleConvexcastCallback(told.m_convexShape, told.m_convexShapeFrom, told.m_convexShapeTo,
+                                     told.m_triangleToWorld, told.m_triangleCollisionMargin),
+        told_(told) {
+    m_hitFraction = told.m_hitFraction;
+    m_allowedPenetration = told.m_allowedPenetration;
+  }
+
+  btScalar reportHit(const btVector3& normal, const btVector3& point, btScalar fraction, int part,
+                     int triangle) override {
+    const btScalar wanted = told_.reportHit(normal, point, fraction, part, triangle);
+    m_hitFraction = std::min(m_hitFraction, told_.m_hitFraction);
+    // Others return anything, as nobody looks: 0 or 1 from callbacks that want all hits.
+    if (wanted == fraction) m_hitFraction = std::min(m_hitFraction, fraction);
+    return wanted;
+  }
+
+ private:
+  btTriangleConvexcastCallback& told_;
+};
+
+/// The box round a convex body that moves, in the frame of the triangles.
+MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
+  const btTransform to_triangles = sweep.m_triangleToWorld.inverse();
+  const Pose from = fromBullet(to_triangles * sweep.m_convexShapeFrom);
+  const Pose to = fromBullet(to_triangles * sweep.m_convexShapeTo);
+  btVector3 low, high;
+  sweep.m_convexShape->getAabb(btTransform::getIdentity(), low, high);
+  const Aabb bounds{fromBullet(low), fromBullet(high)};
+  MovingBox box;
+  box.motion = to.translation - from.translation;
+  if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {
+    box.start = from * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
+  } else {  // it turns about its origin meanwhile
+    const double radius = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
+    box.start = {from.translation, Mat3::Identity(), Vec3::Constant(radius)};
+  }
+  // Bullet's time of impact is where the two are as near as this, world units.
+  constexpr double kImpactDistance = 0.001;
+  const double size = largest(from.translation) + largest(to.translation) + box.start.half_extents.norm();
+  box.start.half_extents.array() += 2.0 * kImpactDistance + std::abs(double(sweep.m_allowedPenetration)) +
+                                    std::max(0.0, double(sweep.m_triangleCollisionMargin)) + kRounding * size;
+  return box;
+}
+
+void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& hand_over) {
+  HeedingSweep heeding(sweep);
+  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(heeding.m_hitFraction),
+                       [&](std::uint32_t triangle, double) {
+                         hand_over(heeding, triangle);
+                         return double(heeding.m_hitFraction);
+                       });
+}
+
+}  // namespace
+
+void TriangleHandover::operator()(btTriangleCallback& callback, std::uint32_t triangle) const {
+  const Triangle exact = tree_.mesh().triangle(triangle);
+  const Aabb bounds = boundsOf(exact);
+  if ((bounds.min.array() > box_.max.array()).any() || (bounds.max.array() < box_.min.array()).any()) return;
+  btVector3 corners[3] = {toBullet(exact[0]), toBullet(exact[1]), toBullet(exact[2])};
+  const TriangleId id = parts_.id(triangle);
+  callback.processTriangle(corners, id.part, id.index);
+}
+
+bool castTriangles(btTriangleCallback& callback, const TriangleHandover& hand_over) {
+  if (auto* ray = dynamic_cast<btTriangleRaycastCallback*>(&callback)) {
+    castRay(*ray, hand_over);
+    return true;
+  }
+  if (auto* sweep = dynamic_cast<btTriangleConvexcastCallback*>(&callback)) {
+    castConvex(*sweep, hand_over);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace octoblisk::detail

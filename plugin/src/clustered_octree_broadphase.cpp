@@ -1,0 +1,105 @@
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+
+#include <algorithm>
+
+#include "near_bodies.h"
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+#include "pair_stages.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+double clusterVolume(const btCollisionShape& shape, int depth) {
+  double volume = 0.0;
+  if (const auto* clusters = dynamic_cast<const ClusteredOctreeShape*>(&shape)) {
+    for (const Obb& box : clusters->tree().boxes(depth)) volume += box.volume();
+  } else if (shape.isCompound()) {
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+      volume += clusterVolume(*compound.getChildShape(i), depth);
+    }
+  }
+  return volume;
+}
+
+}  // namespace
+
+ClusteredOctreeBroadphase::ClusteredOctreeBroadphase(int depth)
+    : depth_(depth), stages_(std::make_unique<PairStages>()) {}
+
+ClusteredOctreeBroadphase::~ClusteredOctreeBroadphase() = default;
+
+int ClusteredOctreeBroadphase::coarsePairs() const { return stages_->coarse.getNumOverlappingPairs(); }
+int ClusteredOctreeBroadphase::tightPairs() const { return stages_->tight.getNumOverlappingPairs(); }
+
+btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() { return &stages_->tight; }
+const btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() const {
+  return &stages_->tight;
+}
+
+BroadphaseStatistics ClusteredOctreeBroadphase::statistics() const {
+  BroadphaseStatistics statistics{coarsePairs(), tightPairs()};
+  for (const btDbvtProxy* first : stages_->boxes.m_stageRoots) {
+    for (const btDbvtProxy* proxy = first; proxy; proxy = proxy->links[1]) {
+      const auto* body = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+      if (!body || !body->getCollisionShape() || !holdsClusters(*body->getCollisionShape())) continue;
+      statistics.box_volume += fromBullet(proxy->m_aabbMax - proxy->m_aabbMin).prod();
+      statistics.cluster_volume += clusterVolume(*body->getCollisionShape(), std::max(depth_, 0));
+    }
+  }
+  return statistics;
+}
+
+void ClusteredOctreeBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  stages_->boxes.calculateOverlappingPairs(dispatcher);
+  stages_->coarse.refine(depth_, dispatcher);
+}
+
+btBroadphaseProxy* ClusteredOctreeBroadphase::createProxy(const btVector3& aabb_min,
+                                                          const btVector3& aabb_max, int shape_type,
+                                                          void* client, int group, int mask,
+                                                          btDispatcher* dispatcher) {
+  return stages_->boxes.createProxy(aabb_min, aabb_max, shape_type, client, group, mask, dispatcher);
+}
+
+void ClusteredOctreeBroadphase::destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  stages_->boxes.destroyProxy(proxy, dispatcher);
+}
+
+void ClusteredOctreeBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& aabb_min,
+                                        const btVector3& aabb_max, btDispatcher* dispatcher) {
+  stages_->boxes.setAabb(proxy, aabb_min, aabb_max, dispatcher);
+}
+
+void ClusteredOctreeBroadphase::getAabb(btBroadphaseProxy* proxy, btVector3& aabb_min,
+                                        btVector3& aabb_max) const {
+  stages_->boxes.getAabb(proxy, aabb_min, aabb_max);
+}
+
+void ClusteredOctreeBroadphase::rayTest(const btVector3& from, const btVector3& to,
+                                        btBroadphaseRayCallback& callback, const btVector3& aabb_min,
+                                        const btVector3& aabb_max) {
+  stages_->boxes.rayTest(from, to, callback, aabb_min, aabb_max);
+}
+
+void ClusteredOctreeBroadphase::aabbTest(const btVector3& aabb_min, const btVector3& aabb_max,
+                                         btBroadphaseAabbCallback& callback) {
+  stages_->boxes.aabbTest(aabb_min, aabb_max, callback);
+}
+
+void ClusteredOctreeBroadphase::getBroadphaseAabb(btVector3& aabb_min, btVector3& aabb_max) const {
+  stages_->boxes.getBroadphaseAabb(aabb_min, aabb_max);
+}
+
+void ClusteredOctreeBroadphase::resetPool(btDispatcher* dispatcher) { stages_->boxes.resetPool(dispatcher); }
+
+void ClusteredOctreeBroadphase::printStats() { stages_->boxes.printStats(); }
+
+}  // namespace octoblisk

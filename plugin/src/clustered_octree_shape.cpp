@@ -1,0 +1,148 @@
+#include "octoblisk_bullet/clustered_octree_shape.h"
+
+#include <BulletCollision/CollisionShapes/btStridingMeshInterface.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "cast_callbacks.h"
+#include "octoblisk/triangles_in_box.h"
+#include "octoblisk_bullet/convert.h"
+#include "octoblisk_bullet/mesh_interface.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleMesh>& mesh,
+                                           const Vec3& scaling) {
+  if (scaling == Vec3::Ones()) return mesh;
+  std::vector<Vec3> vertices = mesh->vertices();
+  for (Vec3& vertex : vertices) vertex = vertex.cwiseProduct(scaling);
+  std::vector<TriangleMesh::Indices> triangles = mesh->triangles();
+  if ((scaling.array() < 0.0).count() % 2 == 1) {
+    for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+}
+
+const btStridingMeshInterface& notNull(const btStridingMeshInterface* mesh_interface) {
+  if (!mesh_interface) throw std::invalid_argument("ClusteredOctreeShape: the mesh interface is null");
+  return *mesh_interface;
+}
+
+std::shared_ptr<const ClusteredOctree> notNull(std::shared_ptr<const ClusteredOctree> tree) {
+  if (!tree) throw std::invalid_argument("ClusteredOctreeShape: the tree is null");
+  return tree;
+}
+
+}  // namespace
+
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
+                                           const BuildOptions& options)
+    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)), notNull(mesh_interface).getScaling(),
+                           options) {}
+
+ClusteredOctreeShape::ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling,
+                                           const BuildOptions& options)
+    : options_(options),
+      unscaled_(std::make_shared<const TriangleMesh>(std::move(source.mesh))),
+      parts_(std::move(source.part_begin), unscaled_->triangleCount()) {
+  m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  setLocalScaling(scaling);
+}
+
+ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree,
+                                           std::vector<std::uint32_t> part_begin)
+    : options_(notNull(tree)->options()),
+      unscaled_(tree->sharedMesh()),
+      parts_(std::move(part_begin), unscaled_->triangleCount()) {
+  m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
+  use(std::move(tree));
+}
+
+void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
+  mass_properties_ = octoblisk::massProperties(tree->mesh());
+  tree_ = std::move(tree);
+  ++revision_;
+}
+
+void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) {
+  InterfaceMesh source = readMeshInterface(notNull(mesh_interface));
+  const TriangleParts parts(std::move(source.part_begin), source.mesh.triangleCount());
+  auto mesh = std::make_shared<const TriangleMesh>(std::move(source.mesh));
+  if (mesh->triangleCount() == unscaled_->triangleCount() && parts != parts_) {
+    throw std::invalid_argument("ClusteredOctreeShape: refit with triangles in other parts");
+  }
+  refit(std::move(mesh));
+}
+
+void ClusteredOctreeShape::refit(std::shared_ptr<const TriangleMesh> unscaled) {
+  if (!unscaled) throw std::invalid_argument("ClusteredOctreeShape: refit with a null mesh");
+  if (unscaled->triangleCount() != unscaled_->triangleCount()) {
+    throw std::invalid_argument("ClusteredOctreeShape: refit with " +
+                                std::to_string(unscaled->triangleCount()) + " triangles; the shape has " +
+                                std::to_string(unscaled_->triangleCount()));
+  }
+  use(std::make_shared<const ClusteredOctree>(
+      tree_->refitted(scaled(unscaled, fromBullet(scaling_)), options_.threads)));
+  unscaled_ = std::move(unscaled);
+}
+
+btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_factor) const {
+  if (contact_breaking_threshold_ >= 0) return contact_breaking_threshold_;
+  return std::min(gContactBreakingThreshold, getAngularMotionDisc() * default_factor);
+}
+
+void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,
+                                   btVector3& aabb_max) const {
+  const Aabb& bounds = tree_->mesh().bounds();
+  const btScalar reach = getMargin() + std::max(contact_breaking_threshold_, btScalar(0));
+  btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), reach, transform, aabb_min, aabb_max);
+}
+
+void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(scaling[axis]) && scaling[axis] != btScalar(0)) continue;
+    throw std::invalid_argument("ClusteredOctreeShape: a scaling must be finite and not 0");
+  }
+  if (tree_ && scaling == scaling_) return;
+  use(std::make_shared<const ClusteredOctree>(
+      ClusteredOctree::build(scaled(unscaled_, fromBullet(scaling)), options_)));
+  scaling_ = scaling;
+}
+
+void ClusteredOctreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
+  inertia = toBullet(double(mass) * mass_properties_.inertiaAbout(Vec3::Zero()).diagonal());
+}
+
+void ClusteredOctreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform& principal,
+                                                           btVector3& inertia) const {
+  const PrincipalFrame frame = principalFrame(mass_properties_);
+  principal = toBullet(frame.in_mesh);
+  inertia = toBullet(double(mass) * frame.moments);
+}
+
+void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabb_min,
+                                               const btVector3& aabb_max) const {
+  const TriangleMesh& mesh = tree_->mesh();
+  // Callers that want everything pass boxes of any size, infinite ones too.
+  const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
+                 fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
+  if (!(box.min.array() <= box.max.array()).all()) return;
+  TriangleHandover hand_over(*tree_, parts_, box);
+  if (castTriangles(*callback, hand_over)) return;
+  forEachTriangleIn(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0,
+                    [&](std::uint32_t triangle) {
+                      hand_over(*callback, triangle);
+                      return false;
+                    });
+}
+
+}  // namespace octoblisk

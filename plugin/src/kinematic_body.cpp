@@ -1,0 +1,18 @@
+#include "octoblisk_bullet/kinematic_body.h"
+
+#include <BulletDynamics/Dynamics/btDynamicsWorld.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+namespace octoblisk {
+
+using namespace detail;
+
+void addKinematicBody(btDynamicsWorld& world, btRigidBody& body) {
+  body.setCollisionFlags((body.getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
+                         btCollisionObject::CF_KINEMATIC_OBJECT);
+  body.setActivationState(DISABLE_DEACTIVATION);  // of two sleeping bodies no contacts are made
+  world.addRigidBody(&body, btBroadphaseProxy::KinematicFilter,
+                     btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::KinematicFilter);
+}
+
+}  // namespace octoblisk

@@ -1,0 +1,54 @@
+// The persistent manifolds of one pair of bodies: one for each contact patch.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_patches.h"
+
+namespace octoblisk::detail {
+
+/// Made when first needed, kept from step to step so that the solver starts warm, released at the end.
+class Manifolds {
+ public:
+  Manifolds(btDispatcher& dispatcher, const btCollisionObject* body0, const btCollisionObject* body1)
+      : dispatcher_(dispatcher), body0_(body0), body1_(body1) {}
+  ~Manifolds();
+  Manifolds(const Manifolds&) = delete;
+  Manifolds& operator=(const Manifolds&) = delete;
+
+  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points. The
+  /// manifolds that no patch claims are emptied; all get the breaking threshold. The patches are those of the
+  /// mesh, body 0 or 1, as A.
+  void match(std::span<const ContactPatch> patches, const Pose& mesh_in_world, bool mesh_is_body1,
+             btScalar breaking_threshold);
+
+  /// The manifold of a patch that was matched last.
+  btPersistentManifold* of(std::size_t patch) const { return manifolds_[patch]; }
+
+  /// One of them, made where there is none.
+  btPersistentManifold* any();
+
+  /// Forgets all points, and the impulses with them.
+  void clear() {
+    for (btPersistentManifold* manifold : manifolds_) manifold->clearManifold();
+  }
+
+  void appendTo(btManifoldArray& array) const {
+    for (btPersistentManifold* manifold : manifolds_) array.push_back(manifold);
+  }
+
+ private:
+  void add() { manifolds_.push_back(dispatcher_.getNewManifold(body0_, body1_)); }
+
+  btDispatcher& dispatcher_;
+  const btCollisionObject* body0_;
+  const btCollisionObject* body1_;
+  std::vector<btPersistentManifold*> manifolds_;  // those of patches first, in their order
+};
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,66 @@
+// What the algorithms of our shape have in common: from contacts of the core to points of Bullet's manifolds.
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
+
+#include <optional>
+#include <vector>
+
+#include "contact/contact_patches.h"
+#include "manifolds.h"
+#include "octoblisk/triangle_source.h"
+
+struct btCollisionObjectWrapper;
+
+namespace octoblisk {
+class ClusteredOctreeShape;
+}
+
+namespace octoblisk::detail {
+
+/// A triangle of our shape, in its frame, as Bullet numbers it.
+SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
+
+/// The algorithm of a pair of which one body, the mesh, has our shape.
+class MeshAlgorithm : public btActivatingCollisionAlgorithm {
+ public:
+  void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
+                        const btDispatcherInfo& info, btManifoldResult* result) final;
+  void getAllContactManifolds(btManifoldArray& array) final { manifolds_.appendTo(array); }
+
+  /// Discrete: the whole step is free.
+  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
+                                 btManifoldResult*) final {
+    return 1;
+  }
+
+ protected:
+  /// `mesh_is_body1`: the pair comes in the order (other, mesh).
+  MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                const btCollisionObjectWrapper* body1, bool mesh_is_body1);
+
+ private:
+  /// Replaces `found` by the contacts of mesh (A) and other (B) within `reach`, in the mesh's frame.
+  virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                            double reach, std::vector<Contact>& found) = 0;
+
+  /// Nothing that is known of the shapes' triangles holds any more.
+  virtual void trianglesHaveMoved() {}
+
+  /// The thickness that the other body has beyond the surface of those contacts.
+  virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
+
+  /// The other's triangle, in its frame, in a contact that was found last: none where it is not of triangles.
+  virtual std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper&,
+                                                        const Contact&) const {
+    return std::nullopt;
+  }
+
+  const bool mesh_is_body1_;
+  Manifolds manifolds_;
+  std::uint32_t revisions_ = 0;  // of the shapes that the manifolds' points are of, summed
+  std::vector<Contact> contacts_;
+  ContactPatches patches_;
+};
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,126 @@
+#include "mesh_concave_algorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <BulletCollision/CollisionShapes/btScaledBvhTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+namespace {
+
+Aabb localBounds(const btConcaveShape& shape) {
+  btVector3 min, max;
+  shape.getAabb(btTransform::getIdentity(), min, max);
+  return {fromBullet(min), fromBullet(max)};
+}
+
+/// Which way the triangles of a shape face.
+class Facing {
+ public:
+  explicit Facing(const btConcaveShape& shape) {
+    if (const auto* heights = dynamic_cast<const btHeightfieldTerrainShape*>(&shape)) {
+      up_axis_ = heights->getUpAxis();
+      return;
+    }
+    if (shape.getShapeType() == FAST_CONCAVE_MESH_PROXYTYPE) return;  // someone else's: as they come
+    turned_ = isMirrored(shape);
+    const auto* scaled = dynamic_cast<const btScaledBvhTriangleMeshShape*>(&shape);
+    if (scaled) turned_ ^= isMirrored(*scaled->getChildShape());
+  }
+
+  /// Turns a triangle that does not face outward: of a mirrored mesh, or down, as those of a heightfield
+  /// whose up axis is not y.
+  void correct(Triangle& triangle) const {
+    const bool is_inward = up_axis_ >= 0 ? scaledNormal(triangle)[up_axis_] < 0.0 : turned_;
+    if (is_inward) std::swap(triangle[1], triangle[2]);
+  }
+
+ private:
+  static bool isMirrored(const btCollisionShape& shape) {
+    return (fromBullet(shape.getLocalScaling()).array() < 0.0).count() % 2 == 1;
+  }
+
+  int up_axis_ = -1;  // of a heightfield
+  bool turned_ = false;
+};
+
+/// Hands on what Bullet calls back with.
+class Forward final : public btTriangleCallback {
+ public:
+  Forward(const Facing& facing, void (*visit)(void* user, const SourceTriangle& triangle), void* user)
+      : facing_(facing), visit_(visit), user_(user) {}
+
+  void processTriangle(btVector3* corners, int part, int index) override {
+    SourceTriangle triangle{
+        {fromBullet(corners[0]), fromBullet(corners[1]), fromBullet(corners[2])}, part, index};
+    facing_.correct(triangle.corners);
+    visit_(user_, triangle);
+  }
+
+ private:
+  const Facing& facing_;
+  void (*visit_)(void* user, const SourceTriangle& triangle);
+  void* user_;
+};
+
+class ConcaveSource final : public TriangleSource {
+ public:
+  explicit ConcaveSource(const btConcaveShape& shape)
+      : shape_(shape), facing_(shape), bounds_(localBounds(shape)) {
+    if (shape.getShapeType() != GIMPACT_SHAPE_PROXYTYPE) return;
+    // GImpact rounds its boxes, and the one that is asked for, to the nearest of 65,535 steps across its
+    // bounds grown by 1.
+    slack_ = 1.01 * (2.0 * bounds_.halfExtents() + Vec3::Constant(2.0)) / 65535.0;
+  }
+
+  Aabb bounds() const override { return bounds_; }
+
+  void forEachTriangleIn(const Aabb& box, void (*visit)(void* user, const SourceTriangle& triangle),
+                         void* user) const override {
+    const double farthest = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+    const Vec3 slack = slack_ + Vec3::Constant(4.0 * double(SIMD_EPSILON) * farthest);
+    Forward forward(facing_, visit, user);
+    shape_.processAllTriangles(&forward, toBullet(box.min - slack), toBullet(box.max + slack));
+  }
+
+ private:
+  const btConcaveShape& shape_;
+  const Facing facing_;
+  Aabb bounds_;
+  Vec3 slack_ = Vec3::Zero();
+};
+
+}  // namespace
+
+void MeshConcaveAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
+                                        const btCollisionObjectWrapper& other, double reach,
+                                        std::vector<Contact>& found) {
+  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+  const ConcaveSource source(static_cast<const btConcaveShape&>(*other.getCollisionShape()));
+  const Pose other_in_mesh =
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  source_contacts_.find(shape.tree(), source, other_in_mesh, reach, found);
+  surface_contacts_.keepIn(
+      found, [&](const Contact& contact) { return shape.tree().mesh().triangle(contact.triangle_a); },
+      [&](const Contact& contact) {
+        return other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
+      });
+}
+
+double MeshConcaveAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {
+  return double(other.getCollisionShape()->getMargin());
+}
+
+std::optional<SourceTriangle> MeshConcaveAlgorithm::triangleOfOther(const btCollisionObjectWrapper&,
+                                                                    const Contact& contact) const {
+  return source_contacts_.triangle(contact.triangle_b);
+}
+
+}  // namespace octoblisk::detail

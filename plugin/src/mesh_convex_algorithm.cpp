@@ -1,0 +1,98 @@
+#include "mesh_convex_algorithm.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+
+#include <algorithm>
+
+#include "contact/corner_contacts.h"
+#include "octoblisk/contacts.h"
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// The corners of a shape's core, if it is the hull of a few.
+void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
+  corners.clear();
+  switch (shape.getShapeType()) {
+    case SPHERE_SHAPE_PROXYTYPE:
+      corners.emplace_back(Vec3::Zero());
+      break;
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      const Vec3 half = double(capsule.getHalfHeight()) * Vec3::Unit(capsule.getUpAxis());
+      corners.assign({-half, half});
+      break;
+    }
+    case BOX_SHAPE_PROXYTYPE: {
+      const Vec3 half = fromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          for (const double z : {-1.0, 1.0}) corners.emplace_back(half.cwiseProduct(Vec3(x, y, z)));
+        }
+      }
+      break;
+    }
+    case CONVEX_HULL_SHAPE_PROXYTYPE: {
+      const auto& hull = static_cast<const btConvexHullShape&>(shape);
+      const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
+      for (int i = 0; i < hull.getNumPoints(); ++i)
+        corners.emplace_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+/// Bullet's convex shapes are a core and a margin round it, as ours are.
+class BulletConvex final : public Convex {
+ public:
+  BulletConvex(const btConvexShape& shape, const CoreCorners& core)
+      : shape_(shape), core_(core), margin_(double(shape.getMarginNonVirtual())) {}
+
+  Vec3 support(const Vec3& direction) const override {
+    if (!core_.points().empty()) return farthest(core_.points(), direction);
+    return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
+  }
+  double radius() const override { return margin_; }
+  double precision() const override {
+    return core_.points().empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
+  }
+  std::span<const Vec3> points() const override { return core_.points(); }
+  HullFaces faces() const override { return core_.faces(); }
+
+ private:
+  const btConvexShape& shape_;
+  const CoreCorners& core_;
+  const double margin_;
+};
+
+}  // namespace
+
+void CoreCorners::update(const btConvexShape& shape) {
+  readCorners(shape, read_);
+  if (read_ == points_) return;
+  std::swap(read_, points_);
+  faces_.find(points_);
+}
+
+void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
+                                       const btCollisionObjectWrapper& other, double reach,
+                                       std::vector<Contact>& found) {
+  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+  const auto& convex_shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
+  core_.update(convex_shape);
+  const BulletConvex convex(convex_shape, core_);
+  const Pose convex_in_mesh =
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  contacts(shape.tree(), convex, convex_in_mesh, reach, near_, found);
+  internal_edges_.removeFrom(found, shape.tree().mesh());
+  addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh, reach, found);
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,44 @@
+// Our shape against a convex one.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include "contact/internal_edges.h"
+#include "mesh_algorithm.h"
+#include "octoblisk/hull_faces.h"
+#include "octoblisk/triangle_cache.h"
+
+namespace octoblisk::detail {
+
+/// The core of a convex shape where it is the hull of a few points; none of another.
+class CoreCorners {
+ public:
+  /// As the shape is now: it may have been scaled, or given points, since the last time. Allocates nothing
+  /// where it has not.
+  void update(const btConvexShape& shape);
+
+  std::span<const Vec3> points() const { return points_; }
+  HullFaces faces() const { return faces_.view(); }
+
+ private:
+  std::vector<Vec3> points_, read_;
+  HullFaceList faces_;
+};
+
+class MeshConvexAlgorithm final : public MeshAlgorithm {
+ public:
+  MeshConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                      const btCollisionObjectWrapper* body1, bool mesh_is_body1)
+      : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
+
+ private:
+  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
+                    std::vector<Contact>& found) override;
+  void trianglesHaveMoved() override { near_.forget(); }
+
+  CoreCorners core_;
+  TriangleCache near_;
+  InternalEdges internal_edges_;
+};
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,20 @@
+// Our shape against Bullet's plane, which is a half-space.
+#pragma once
+
+#include "mesh_algorithm.h"
+
+namespace octoblisk::detail {
+
+/// The plane's margin does not count, as in Bullet's own convex-plane algorithm.
+class MeshPlaneAlgorithm final : public MeshAlgorithm {
+ public:
+  MeshPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                     const btCollisionObjectWrapper* body1, bool mesh_is_body1)
+      : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
+
+ private:
+  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
+                    std::vector<Contact>& found) override;
+};
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,180 @@
+#include "near_bodies.h"
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include "contact/clusters_near.h"
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+
+namespace {
+
+const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
+  return static_cast<const btCollisionObject*>(proxy.m_clientObject);
+}
+
+const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
+  if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
+  return dynamic_cast<const ClusteredOctreeShape*>(&shape);
+}
+
+/// A body, or a child of a compound.
+struct Part {
+  const ClusteredOctreeShape* clusters;  ///< none: the box stands for it
+  btTransform in_world;
+  Aabb box;  ///< in the world
+
+  /// How far beyond its triangles it still has contacts.
+  double reach() const {
+    return double(clusters->getMargin()) +
+           double(clusters->getContactBreakingThreshold(gContactBreakingThreshold));
+  }
+};
+
+Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
+  btVector3 min, max;
+  shape.getAabb(in_world, min, max);
+  const Vec3 near = Vec3::Constant(double(gContactBreakingThreshold));  // as Bullet grows a body's box
+  return {asClusters(shape), in_world, {fromBullet(min) - near, fromBullet(max) + near}};
+}
+
+constexpr int kFewChildren = 16;  // are sooner asked one by one than looked up
+
+/// Asks the children that a compound's own tree finds, until one meets.
+template <typename Meets>
+class ChildrenMeet final : public btDbvt::ICollide {
+ public:
+  explicit ChildrenMeet(const Meets& meets) : meets_(meets) {}
+  bool found() const { return found_; }
+
+  using btDbvt::ICollide::Process;
+  void Process(const btDbvtNode* leaf) override { found_ = found_ || meets_(leaf->dataAsInt); }
+
+ private:
+  const Meets& meets_;
+  bool found_ = false;
+};
+
+/// Whether meets(child) is true of a child, by its number, that may be in a box in the world.
+template <typename Meets>
+bool anyChild(const btCompoundShape& compound, const btTransform& in_world, const Aabb& box,
+              const Meets& meets) {
+  const btDbvt* tree = compound.getDynamicAabbTree();
+  if (tree && compound.getNumChildShapes() > kFewChildren) {
+    btVector3 min, max;
+    btTransformAabb(toBullet(box.min), toBullet(box.max), gContactBreakingThreshold, in_world.inverse(), min,
+                    max);
+    ChildrenMeet<Meets> children(meets);
+    tree->collideTV(tree->m_root, btDbvtVolume::FromMM(min, max), children);
+    return children.found();
+  }
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (meets(i)) return true;
+  }
+  return false;
+}
+
+/// Whether meets(part) is true of a part; those that are not in the box need not be asked.
+template <typename Meets>
+bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const Aabb& box,
+             const Meets& meets) {
+  if (!shape.isCompound()) return meets(partOf(shape, in_world));
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  return anyChild(compound, in_world, box, [&](int child) {
+    return anyPart(*compound.getChildShape(child), in_world * compound.getChildTransform(child), box, meets);
+  });
+}
+
+/// The whole body. Bullet may leave the proxies of sleepers as they are, wherever they were put
+/// (setForceUpdateAllAabbs): so its box is where the body is, too.
+Part wholeOf(const btBroadphaseProxy& proxy) {
+  const btCollisionObject& body = *clientOf(proxy);
+  Part whole = partOf(*body.getCollisionShape(), body.getWorldTransform());
+  whole.box.extend(fromBullet(proxy.m_aabbMin));
+  whole.box.extend(fromBullet(proxy.m_aabbMax));
+  return whole;
+}
+
+template <typename Meets>
+bool anyPart(const btBroadphaseProxy& proxy, const Aabb& box, ClusterHolders& holders, const Meets& meets) {
+  const btCollisionObject& body = *clientOf(proxy);
+  if (!holders.contain(*body.getCollisionShape())) return meets(wholeOf(proxy));
+  return anyPart(*body.getCollisionShape(), body.getWorldTransform(), box, meets);
+}
+
+bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
+  const Obb in_part =
+      fromBullet(part.in_world).inverse() * Obb{box.center(), Mat3::Identity(), box.halfExtents()};
+  return clustersNear(part.clusters->tree(), in_part, part.reach(), depth);
+}
+
+bool meet(const Part& a, const Part& b, int depth) {
+  // Some boxes are infinite, a plane's say; what they have in common is not.
+  const Aabb common{a.box.min.cwiseMax(b.box.min), a.box.max.cwiseMin(b.box.max)};
+  if (!(common.min.array() <= common.max.array()).all()) return false;
+  if (a.clusters && b.clusters) {
+    const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
+    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach(), depth);
+  }
+  if (a.clusters) return clustersMeetBox(a, common, depth);
+  if (b.clusters) return clustersMeetBox(b, common, depth);
+  return true;
+}
+
+bool isBody(const btCollisionObject* object) {
+  constexpr int kKinds = btCollisionObject::CO_COLLISION_OBJECT | btCollisionObject::CO_RIGID_BODY |
+                         btCollisionObject::CO_FEATHERSTONE_LINK;
+  return object && (object->getInternalType() & kKinds) != 0 && object->getCollisionShape();
+}
+
+}  // namespace
+
+bool holdsClusters(const btCollisionShape& shape) {
+  if (!shape.isCompound()) return asClusters(shape) != nullptr;
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (holdsClusters(*compound.getChildShape(i))) return true;
+  }
+  return false;
+}
+
+bool ClusterHolders::contain(const btCollisionShape& shape) {
+  if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
+    return holdsClusters(shape);
+  const auto [known, is_new] = large_.try_emplace(&shape);
+  if (is_new) known->second = holdsClusters(shape);
+  return known->second;
+}
+
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders) {
+  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+  return isBody(body_a) && isBody(body_b) &&
+         (holders.contain(*body_a->getCollisionShape()) || holders.contain(*body_b->getCollisionShape()));
+}
+
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  ClusterHolders none_known;
+  return clustersDecide(a, b, none_known);
+}
+
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher) {
+  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+  return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
+         !dispatcher.needsCollision(body_a, body_b);
+}
+
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
+                  ClusterHolders& holders) {
+  return anyPart(a, wholeOf(b).box, holders, [&](const Part& part_a) {
+    return anyPart(b, part_a.box, holders, [&](const Part& part_b) { return meet(part_a, part_b, depth); });
+  });
+}
+
+}  // namespace octoblisk::detail

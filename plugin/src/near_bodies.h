@@ -1,0 +1,43 @@
+// Whether two bodies come near, as far as the clusters of our shapes tell: the broadphase's second question.
+#pragma once
+
+#include <unordered_map>
+
+struct btBroadphaseProxy;
+class btCollisionShape;
+class btDispatcher;
+
+namespace octoblisk::detail {
+
+/// Whether the shape is ours, or a compound that holds ours at any depth.
+bool holdsClusters(const btCollisionShape& shape);
+
+/// holdsClusters, asked once of a compound with thousands of children, which may have as many pairs. What it
+/// remembers holds for as long as no shape changes.
+class ClusterHolders {
+ public:
+  bool contain(const btCollisionShape& shape);
+  void forget() { large_.clear(); }
+
+ private:
+  std::unordered_map<const btCollisionShape*, bool> large_;
+};
+
+/// Whether clusters have a say in the pair: one of the two holds them, and both are rigid bodies, links of
+/// multibodies or plain collision objects. Ghosts (which stand for their boxes), soft bodies, clients of the
+/// user's own and null are taken by their boxes.
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders);
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
+
+/// Whether both are bodies that are not active, and the dispatcher leaves such a pair alone, as Bullet's
+/// does.
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher);
+
+/// False where clusters keep the two apart at their present transforms: no cluster of the given depth
+/// (octoblisk/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
+/// cluster or the box of the other. A compound with our shape in it counts child by child; any other body is
+/// its proxy's box and, which is not the same where Bullet was not told that it moved, its shape's. Only for
+/// pairs of which clustersDecide is true.
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders);
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,76 @@
+// The shape in Bullet's files: as the triangle mesh that every importer knows.
+#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
+#include <LinearMath/btSerializer.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "octoblisk_bullet/clustered_octree_shape.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// A mesh as an interface of Bullet, each part with the vertices it uses and those between them.
+class MeshInParts {
+ public:
+  MeshInParts(const TriangleMesh& mesh, const TriangleParts& parts) : mesh_(mesh) {
+    indices_.reserve(3 * mesh.triangleCount());
+    for (std::size_t part = 0; part < parts.count(); ++part) add(parts.begin(part), parts.begin(part + 1));
+  }
+  MeshInParts(const MeshInParts&) = delete;
+  MeshInParts& operator=(const MeshInParts&) = delete;
+
+  btTriangleIndexVertexArray& interface() { return interface_; }
+
+ private:
+  void add(std::uint32_t begin, std::uint32_t end) {
+    std::uint32_t first = 0xffffffffu, last = 0;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      const auto [low, high] = std::ranges::minmax(mesh_.triangles()[t]);
+      first = std::min(first, low);
+      last = std::max(last, high);
+    }
+    btIndexedMesh part;
+    part.m_numTriangles = int(end - begin);
+    part.m_triangleIndexStride = 3 * sizeof(int);
+    part.m_vertexStride = sizeof(Vec3);
+    part.m_vertexType = PHY_DOUBLE;  // nothing of the vertices is lost
+    part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data() + indices_.size());
+    part.m_numVertices = begin < end ? int(last - first + 1) : 0;
+    part.m_vertexBase =
+        reinterpret_cast<const unsigned char*>(mesh_.vertices().data() + (begin < end ? first : 0));
+    for (std::uint32_t t = begin; t < end; ++t) {
+      for (const std::uint32_t vertex : mesh_.triangles()[t]) indices_.push_back(int(vertex - first));
+    }
+    interface_.addIndexedMesh(part, PHY_INTEGER);
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<int> indices_;  // never grows beyond what is reserved
+  btTriangleIndexVertexArray interface_;
+};
+
+}  // namespace
+
+int ClusteredOctreeShape::calculateSerializeBufferSize() const { return sizeof(btTriangleMeshShapeData); }
+
+const char* ClusteredOctreeShape::serialize(void* buffer, btSerializer* serializer) const {
+  auto* data = static_cast<btTriangleMeshShapeData*>(buffer);
+  btConcaveShape::serialize(&data->m_collisionShapeData, serializer);
+  data->m_collisionShapeData.m_shapeType = TRIANGLE_MESH_SHAPE_PROXYTYPE;
+  MeshInParts mesh(*unscaled_, parts_);
+  mesh.interface().setScaling(scaling_);
+  mesh.interface().serialize(&data->m_meshInterface, serializer);
+  data->m_quantizedFloatBvh = nullptr;  // importers build their own
+  data->m_quantizedDoubleBvh = nullptr;
+  data->m_triangleInfoMap = nullptr;
+  data->m_collisionMargin = float(getMargin());
+  std::fill(std::begin(data->m_pad3), std::end(data->m_pad3), '\0');
+  return "btTriangleMeshShapeData";
+}
+
+}  // namespace octoblisk
