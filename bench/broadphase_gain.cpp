@@ -13,7 +13,7 @@
 
 #include "grinding_world.h"
 #include "models/embedded_assets.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 #include "models/orientation.h"
 #include "octoblisk/detection_range.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "commands/commands.h"
-#include "commands/option_checks.h"
-#include "models/quoted_text.h"
+#include "command_line/option_checks.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands/commands.h"
-#include "commands/option_checks.h"
+#include "command_line/option_checks.h"
 #include "paper/paper_run.h"
 
 namespace octoblisk::demos {

@@ -4,7 +4,7 @@
 
 #include "octoblisk/obb.h"
 #include "paper/comparison_table.h"
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -5,7 +5,7 @@
 
 #include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {

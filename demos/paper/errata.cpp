@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "paper/comparison_table.h"
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -5,7 +5,7 @@
 
 #include "octoblisk/obb.h"
 #include "paper/algorithm_chart.h"
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {

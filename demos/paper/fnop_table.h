@@ -5,8 +5,8 @@
 #include <string>
 
 #include "paper/method_table.h"
-#include "paper/number_text.h"
-#include "report/document.h"
+#include "io/number_text.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "paper/fnop_table.h"
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

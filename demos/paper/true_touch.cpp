@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "octoblisk/collide.h"
-#include "robot/arm_bodies.h"
+#include "paper/robot/arm_bodies.h"
 
 namespace octoblisk::demos {
 

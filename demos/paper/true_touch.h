@@ -6,8 +6,8 @@
 
 #include "octoblisk/contact.h"
 #include "octoblisk/convex.h"
-#include "paper/robot_scene.h"
-#include "robot/six_axis_arm.h"
+#include "paper/robot/robot_scene.h"
+#include "paper/robot/six_axis_arm.h"
 
 namespace octoblisk::demos {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "report/grinding_report.h"
-#include "report/picture.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "report/replay.h"
-#include "report/whole_files.h"
+#include "io/whole_files.h"
 
 namespace octoblisk::demos {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "models/input_file.h"
+#include "io/input_file.h"
 #include "octoblisk/tree_file.h"
-#include "study/new_file.h"
+#include "io/new_file.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 #include "octoblisk/checksum.h"
 #include "octoblisk/tree_blob.h"
 #include "toolpath/pose_file.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "cmm/grinding_pass.h"
+#include "paper/cmm/grinding_pass.h"
 #include "cmm_shapes.h"
 
 namespace octoblisk::demos {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cmm/hertz.h"
-#include "cmm/wheel_contact.h"
+#include "paper/cmm/hertz.h"
+#include "paper/cmm/wheel_contact.h"
 #include "cmm_shapes.h"
 
 namespace octoblisk::demos {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cmm/error_statistics.h"
-#include "cmm/virtual_cmm.h"
+#include "paper/cmm/error_statistics.h"
+#include "paper/cmm/virtual_cmm.h"
 #include "cmm_shapes.h"
 
 namespace octoblisk::demos {

@@ -14,7 +14,7 @@
 #include "demos/grind_command.h"
 #include "demos/read_table.h"
 #include "models/embedded_assets.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/depth.h"

@@ -6,8 +6,8 @@
 #include "paper/comparison_table.h"
 #include "paper/errata.h"
 #include "paper/method_table.h"
-#include "paper/number_text.h"
-#include "paper/robot_report.h"
+#include "io/number_text.h"
+#include "paper/robot/robot_report.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cell/belt_loop.h"
-#include "cell/spindle_cell.h"
+#include "grinding/belt_loop.h"
+#include "grinding/spindle_cell.h"
 #include "demos/block.h"
 #include "models/belt_grinder.h"
 #include "models/orientation.h"

@@ -14,7 +14,7 @@
 #include "demos/scratch_folder.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 #include "models/radians.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
