@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "grinding_world.h"
-#include "models/embedded_assets.h"
 #include "io/mesh_file.h"
+#include "models/embedded_assets.h"
 #include "models/orientation.h"
 #include "octoblisk/detection_range.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"

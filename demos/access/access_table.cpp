@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "io/csv_table.h"
+#include "io/exact_number.h"
 #include "io/input_file.h"
 #include "io/quoted_text.h"
-#include "io/exact_number.h"
 
 namespace octoblisk::demos {
 namespace {

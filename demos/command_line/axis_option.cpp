@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "command_line/option_checks.h"
-#include "models/length_limit.h"
 #include "io/quoted_text.h"
+#include "models/length_limit.h"
 
 namespace octoblisk::demos {
 namespace {

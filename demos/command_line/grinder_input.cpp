@@ -3,11 +3,11 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "grinding/ground_blade.h"
-#include "grinding/tool_file.h"
 #include "command_line/axis_option.h"
 #include "command_line/complain.h"
 #include "command_line/option_checks.h"
+#include "grinding/ground_blade.h"
+#include "grinding/tool_file.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"

@@ -11,17 +11,17 @@
 #include <string>
 
 #include "command_line/axis_option.h"
-#include "commands/commands.h"
 #include "command_line/convex_option.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
 #include "command_line/picture_bar.h"
+#include "commands/commands.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
-#include "io/mesh_file.h"
 #include "render/blade_picture.h"
-#include "io/whole_files.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "commands/check_summary.h"
-#include "commands/commands.h"
 #include "command_line/option_checks.h"
 #include "command_line/study_options.h"
-#include "octoblisk/batch.h"
+#include "commands/check_summary.h"
+#include "commands/commands.h"
 #include "io/exact_number.h"
+#include "octoblisk/batch.h"
 #include "study/node_inputs.h"
 #include "study/run_study.h"
 #include "toolpath/pose_check.h"

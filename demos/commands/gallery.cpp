@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "commands/commands.h"
 #include "command_line/option_checks.h"
+#include "commands/commands.h"
 #include "io/quoted_text.h"
 
 namespace octoblisk::demos {

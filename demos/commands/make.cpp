@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "grinding/tool_file.h"
-#include "commands/commands.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
+#include "commands/commands.h"
+#include "grinding/tool_file.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/length_limit.h"
-#include "io/mesh_file.h"
-#include "io/whole_files.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -8,15 +8,15 @@
 #include <string>
 
 #include "command_line/axis_option.h"
-#include "commands/commands.h"
 #include "command_line/convex_option.h"
 #include "command_line/option_checks.h"
+#include "commands/commands.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
-#include "io/mesh_file.h"
-#include "io/whole_files.h"
 #include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 #include "toolpath/surface_path.h"

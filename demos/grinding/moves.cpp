@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "grinding/pose_clearances.h"
+#include "models/belt_grinder.h"
 #include "models/shared_tree.h"
 #include "octoblisk/parallel.h"
 #include "octoblisk/sweep.h"
@@ -85,13 +86,12 @@ MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
 }
 
 MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
-  constexpr double kNear = 30.0;  // mm: of the order of a contact wheel
   FarPart found;
   std::vector<TriangleMesh::Indices> far;
   for (std::size_t t = 0; t < part.triangleCount(); ++t) {
     double radius = 0.0;
     for (const Vec3& corner : part.triangle(t)) radius = std::max(radius, corner.norm());
-    if (radius > kNear) {
+    if (radius > kNearGrinding) {
       far.push_back(part.triangles()[t]);
     } else {
       found.near_radius = std::max(found.near_radius, radius);

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "grinding/tool_file.h"
-#include "models/embedded_assets.h"
 #include "io/mesh_file.h"
+#include "models/embedded_assets.h"
 #include "models/orientation.h"
 #include "models/shared_tree.h"
 

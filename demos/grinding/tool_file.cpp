@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "io/input_file.h"
-#include "models/length_limit.h"
 #include "io/quoted_text.h"
+#include "models/length_limit.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "io/number_text.h"
 #include "octoblisk/obb.h"
 #include "paper/comparison_table.h"
-#include "io/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

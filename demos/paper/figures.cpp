@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "io/number_text.h"
 #include "octoblisk/obb.h"
 #include "paper/algorithm_chart.h"
-#include "io/number_text.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {

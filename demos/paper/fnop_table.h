@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "paper/method_table.h"
 #include "io/number_text.h"
+#include "paper/method_table.h"
 #include "render/document.h"
 
 namespace octoblisk::demos {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "paper/fnop_table.h"
 #include "io/number_text.h"
+#include "paper/fnop_table.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

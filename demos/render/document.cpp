@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "io/input_file.h"
 #include "io/base64.h"
+#include "io/input_file.h"
 #include "io/markup_text.h"
 #include "io/text_file.h"
 

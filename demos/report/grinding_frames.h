@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "grinding/grinding_run.h"
-#include "render/picture.h"
 #include "io/whole_files.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 

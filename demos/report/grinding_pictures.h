@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "report/grinding_report.h"
 #include "render/picture.h"
+#include "report/grinding_report.h"
 
 namespace octoblisk::demos {
 

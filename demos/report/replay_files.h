@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "report/replay.h"
 #include "io/whole_files.h"
+#include "report/replay.h"
 
 namespace octoblisk::demos {
 

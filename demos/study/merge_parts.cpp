@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "io/input_file.h"
-#include "octoblisk/tree_file.h"
 #include "io/new_file.h"
+#include "octoblisk/tree_file.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {

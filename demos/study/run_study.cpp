@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "octoblisk/checksum.h"
 #include "io/progress_bar.h"
+#include "octoblisk/checksum.h"
 #include "study/stop_signal.h"
 #include "study/study_journal.h"
 

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "models/blisk.h"
 #include "io/number_text.h"
+#include "models/blisk.h"
 #include "scratch_folder.h"
 
 namespace octoblisk::demos {

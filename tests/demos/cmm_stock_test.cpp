@@ -7,10 +7,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "models/blisk.h"
 #include "paper/cmm/random_field.h"
 #include "paper/cmm/statistics_map.h"
 #include "paper/cmm/stock.h"
-#include "models/blisk.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <random>
 
+#include "demos/block.h"
 #include "grinding/lift.h"
 #include "grinding/moves.h"
-#include "demos/block.h"
 #include "models/shared_tree.h"
 #include "octoblisk/depth.h"
 #include "shared/meshes.h"

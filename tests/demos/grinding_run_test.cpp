@@ -10,12 +10,12 @@
 #include <random>
 #include <set>
 
+#include "demos/block.h"
 #include "grinding/ground_blade.h"
 #include "grinding/moves.h"
-#include "demos/block.h"
+#include "io/progress_bar.h"
 #include "models/shared_tree.h"
 #include "report/grinding_words.h"
-#include "io/progress_bar.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 

@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/number_text.h"
 #include "paper/algorithm_chart.h"
 #include "paper/comparison_table.h"
 #include "paper/errata.h"
 #include "paper/method_table.h"
-#include "io/number_text.h"
 #include "paper/robot/robot_report.h"
 #include "paper/segmentation.h"
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
+#include "demos/block.h"
 #include "grinding/grinding_cell.h"
 #include "grinding/reduce_contacts.h"
 #include "grinding/verdict.h"
-#include "demos/block.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "grinding/tool_assembly.h"
 #include "demos/block.h"
 #include "demos/scratch_folder.h"
+#include "grinding/tool_assembly.h"
 #include "io/mesh_file.h"
 
 namespace octoblisk::demos {

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "paper/cmm/paper_table5.h"
 #include "paper/cmm/cmm_texts.h"
+#include "paper/cmm/paper_table5.h"
 #include "render/plot.h"
 
 namespace octoblisk::demos {

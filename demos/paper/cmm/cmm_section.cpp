@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "paper/cmm/paper_table5.h"
+#include "io/number_text.h"
 #include "paper/cmm/cmm_plots.h"
 #include "paper/cmm/cmm_tables.h"
 #include "paper/cmm/cmm_texts.h"
-#include "io/number_text.h"
+#include "paper/cmm/paper_table5.h"
 
 namespace octoblisk::demos {
 namespace {

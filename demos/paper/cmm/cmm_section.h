@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "paper/cmm/cmm_experiment.h"
 #include "paper/claims.h"
+#include "paper/cmm/cmm_experiment.h"
 #include "render/document.h"
 
 namespace octoblisk::demos {

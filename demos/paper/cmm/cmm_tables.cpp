@@ -3,10 +3,10 @@
 #include <functional>
 #include <utility>
 
+#include "io/number_text.h"
+#include "paper/cmm/cmm_texts.h"
 #include "paper/cmm/hertz.h"
 #include "paper/cmm/paper_table5.h"
-#include "paper/cmm/cmm_texts.h"
-#include "io/number_text.h"
 
 namespace octoblisk::demos {
 namespace {

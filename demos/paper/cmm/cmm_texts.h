@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "paper/cmm/blade_strip.h"
 #include "io/number_text.h"
+#include "paper/cmm/blade_strip.h"
 
 namespace octoblisk::demos {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "paper/cmm/random_field.h"
 #include "octoblisk/closest_point.h"
+#include "paper/cmm/random_field.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "paper/cmm/section_grid.h"
 #include "models/belt_grinder.h"
+#include "paper/cmm/section_grid.h"
 
 namespace octoblisk::demos {
 

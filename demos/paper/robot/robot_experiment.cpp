@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "paper/robot/robot_noise.h"
-#include "paper/true_touch.h"
 #include "paper/robot/timed_path.h"
+#include "paper/robot/true_touch.h"
 
 namespace octoblisk::demos {
 namespace {

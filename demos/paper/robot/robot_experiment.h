@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "paper/progress.h"
+#include "paper/robot/cell_layout.h"
+#include "paper/robot/robot_cell.h"
 #include "paper/robot/robot_methods.h"
 #include "paper/robot/robot_options.h"
 #include "paper/robot/robot_scene.h"
-#include "paper/robot/cell_layout.h"
-#include "paper/robot/robot_cell.h"
 
 namespace octoblisk::demos {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <functional>
 
+#include "paper/robot/arm_bodies.h"
 #include "render/picture.h"
 #include "render/plot.h"
-#include "paper/robot/arm_bodies.h"
 
 namespace octoblisk::demos {
 namespace {

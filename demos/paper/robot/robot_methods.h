@@ -5,10 +5,10 @@
 #include <set>
 
 #include "octoblisk/types.h"
+#include "paper/robot/robot_cell.h"
 #include "paper/robot/robot_options.h"
 #include "paper/robot/robot_scene.h"
 #include "paper/segmentation.h"
-#include "paper/robot/robot_cell.h"
 
 namespace octoblisk::demos {
 

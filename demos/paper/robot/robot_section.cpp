@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "paper/comparison_table.h"
 #include "io/number_text.h"
+#include "paper/comparison_table.h"
 #include "paper/published.h"
 #include "paper/robot/robot_tables.h"
 #include "toolpath/grinding_path.h"

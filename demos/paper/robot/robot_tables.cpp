@@ -4,8 +4,8 @@
 #include <numbers>
 #include <span>
 
-#include "paper/comparison_table.h"
 #include "io/number_text.h"
+#include "paper/comparison_table.h"
 #include "paper/robot/arm_bodies.h"
 
 namespace octoblisk::demos {

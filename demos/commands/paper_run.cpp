@@ -1,4 +1,4 @@
-#include "paper/paper_run.h"
+#include "commands/paper_run.h"
 
 #include <unistd.h>
 
@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "models/embedded_assets.h"
 #include "io/mesh_file.h"
+#include "io/progress_bar.h"
+#include "models/embedded_assets.h"
 #include "models/shared_tree.h"
 #include "octoblisk/obb.h"
 #include "paper/belt_poses.h"
@@ -33,7 +34,6 @@
 #include "paper/surface_points.h"
 #include "render/document.h"
 #include "render/plot.h"
-#include "io/progress_bar.h"
 #include "report/replay_page.h"
 #include "toolpath/grinding_path.h"
 

@@ -1,4 +1,4 @@
-#include "paper/true_touch.h"
+#include "paper/robot/true_touch.h"
 
 #include <algorithm>
 
