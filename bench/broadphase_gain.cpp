@@ -13,8 +13,8 @@
 
 #include "detection_range.h"
 #include "grinding_world.h"
+#include "io/mesh_file.h"
 #include "models/embedded_assets.h"
-#include "models/mesh_file.h"
 #include "models/orientation.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "report/rows.h"

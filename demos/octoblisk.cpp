@@ -1,5 +1,5 @@
 // The octoblisk command.
-#include "commands/command_line.h"
+#include "command_line/command_line.h"
 #include "commands/commands.h"
 
 int main(int argc, char** argv) {

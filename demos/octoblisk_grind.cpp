@@ -1,5 +1,5 @@
 // The octoblisk command with `grind` alone, for who wants to see a belt on a blade soon.
-#include "commands/command_line.h"
+#include "command_line/command_line.h"
 #include "commands/commands.h"
 
 int main(int argc, char** argv) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "access/contact_site.h"
-#include "access/pose_judge.h"
+#include "grinding/pose_judge.h"
 
 namespace octoblisk::demos {
 

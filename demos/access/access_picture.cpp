@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "report/annotation.h"
-#include "report/picture.h"
+#include "render/annotation.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "access/access_table.h"
-#include "report/image.h"
+#include "render/image.h"
 
 namespace octoblisk::demos {
 

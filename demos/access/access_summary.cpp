@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "models/csv_table.h"
-#include "models/input_file.h"
-#include "models/quoted_text.h"
-#include "study/exact_number.h"
+#include "io/csv_table.h"
+#include "io/exact_number.h"
+#include "io/input_file.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cmm/blade_section.h"
+#include "models/blade_section.h"
 #include "models/require.h"
 #include "models/shared_tree.h"
 #include "octoblisk/closest_point.h"

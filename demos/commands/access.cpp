@@ -9,17 +9,17 @@
 
 #include "access/access_map.h"
 #include "access/access_replay.h"
+#include "command_line/grinder_input.h"
+#include "command_line/option_checks.h"
+#include "command_line/out_folder.h"
+#include "command_line/report_option.h"
+#include "command_line/study_options.h"
 #include "commands/access_files.h"
 #include "commands/access_task.h"
 #include "commands/commands.h"
-#include "commands/grinder_input.h"
-#include "commands/option_checks.h"
-#include "commands/out_folder.h"
-#include "commands/report_option.h"
-#include "commands/study_options.h"
+#include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "report/replay_files.h"
-#include "report/whole_files.h"
 #include "study/run_study.h"
 
 namespace octoblisk::demos {

@@ -5,8 +5,8 @@
 
 #include "access/access_picture.h"
 #include "access/access_summary.h"
-#include "report/annotation.h"
-#include "report/whole_files.h"
+#include "io/whole_files.h"
+#include "render/annotation.h"
 
 namespace octoblisk::demos {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "access/access_summary.h"
-#include "cmm/blade_section.h"
 #include "commands/access_files.h"
+#include "models/blade_section.h"
 #include "models/blisk_axis.h"
 #include "study/node_inputs.h"
 

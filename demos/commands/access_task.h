@@ -8,8 +8,8 @@
 
 #include "access/access_table.h"
 #include "access/contact_site.h"
-#include "access/pose_judge.h"
-#include "commands/grinder_input.h"
+#include "command_line/grinder_input.h"
+#include "grinding/pose_judge.h"
 #include "study/run_study.h"
 
 namespace octoblisk::demos {

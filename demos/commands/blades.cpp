@@ -10,18 +10,18 @@
 #include <stdexcept>
 #include <string>
 
-#include "commands/axis_option.h"
+#include "command_line/axis_option.h"
+#include "command_line/convex_option.h"
+#include "command_line/option_checks.h"
+#include "command_line/out_folder.h"
+#include "command_line/picture_bar.h"
 #include "commands/commands.h"
-#include "commands/convex_option.h"
-#include "commands/option_checks.h"
-#include "commands/out_folder.h"
-#include "commands/picture_bar.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
-#include "models/mesh_file.h"
-#include "report/blade_picture.h"
-#include "report/whole_files.h"
+#include "render/blade_picture.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "command_line/option_checks.h"
+#include "command_line/study_options.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
-#include "commands/option_checks.h"
-#include "commands/study_options.h"
+#include "io/exact_number.h"
 #include "octoblisk/batch.h"
-#include "study/exact_number.h"
 #include "study/node_inputs.h"
 #include "study/run_study.h"
 #include "toolpath/pose_check.h"

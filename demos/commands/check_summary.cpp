@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "models/quoted_text.h"
-#include "paper/number_text.h"
-#include "study/exact_number.h"
+#include "io/exact_number.h"
+#include "io/number_text.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

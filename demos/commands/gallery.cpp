@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "command_line/option_checks.h"
 #include "commands/commands.h"
-#include "commands/option_checks.h"
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -6,16 +6,17 @@
 #include <memory>
 #include <optional>
 
-#include "cell/grinding_run.h"
-#include "cell/tool_file.h"
+#include "command_line/convex_option.h"
+#include "command_line/grinder_input.h"
+#include "command_line/option_checks.h"
+#include "command_line/out_folder.h"
+#include "command_line/picture_bar.h"
+#include "command_line/report_option.h"
+#include "command_line/terminal_watch.h"
 #include "commands/commands.h"
-#include "commands/convex_option.h"
-#include "commands/grinder_input.h"
-#include "commands/option_checks.h"
-#include "commands/out_folder.h"
-#include "commands/picture_bar.h"
-#include "commands/report_option.h"
-#include "commands/terminal_watch.h"
+#include "grinding/grinding_run.h"
+#include "grinding/tool_file.h"
+#include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/open_edges.h"
@@ -25,7 +26,6 @@
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
 #include "report/replay_files.h"
-#include "report/whole_files.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {

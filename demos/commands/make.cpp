@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "cell/tool_file.h"
+#include "command_line/option_checks.h"
+#include "command_line/out_folder.h"
 #include "commands/commands.h"
-#include "commands/option_checks.h"
-#include "commands/out_folder.h"
+#include "grinding/tool_file.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/length_limit.h"
-#include "models/mesh_file.h"
-#include "report/whole_files.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "command_line/option_checks.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
-#include "commands/option_checks.h"
 #include "commands/part_check.h"
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 #include "study/merge_parts.h"
 
 namespace octoblisk::demos {

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <memory>
 
+#include "command_line/option_checks.h"
 #include "commands/commands.h"
-#include "commands/option_checks.h"
-#include "paper/paper_run.h"
+#include "commands/paper_run.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -6,7 +6,7 @@
 #include "access/access_summary.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -7,16 +7,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "commands/axis_option.h"
+#include "command_line/axis_option.h"
+#include "command_line/convex_option.h"
+#include "command_line/option_checks.h"
 #include "commands/commands.h"
-#include "commands/convex_option.h"
-#include "commands/option_checks.h"
+#include "io/mesh_file.h"
+#include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
-#include "models/mesh_file.h"
-#include "report/whole_files.h"
 #include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 #include "toolpath/surface_path.h"

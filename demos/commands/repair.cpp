@@ -11,19 +11,19 @@
 #include <tuple>
 #include <vector>
 
-#include "cell/tool_file.h"
+#include "command_line/grinder_input.h"
+#include "command_line/option_checks.h"
+#include "command_line/out_folder.h"
+#include "command_line/report_option.h"
+#include "command_line/terminal_watch.h"
 #include "commands/commands.h"
-#include "commands/grinder_input.h"
-#include "commands/option_checks.h"
-#include "commands/out_folder.h"
-#include "commands/report_option.h"
-#include "commands/terminal_watch.h"
+#include "grinding/tool_file.h"
+#include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "repair/path_repair.h"
 #include "repair/repair_replay.h"
 #include "repair/repair_report.h"
 #include "report/replay_files.h"
-#include "report/whole_files.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {

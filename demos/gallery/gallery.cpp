@@ -6,9 +6,9 @@
 
 #include "gallery/belt_on_blade.h"
 #include "gallery/scenes.h"
-#include "report/contact_sheet.h"
-#include "report/text_file.h"
-#include "report/whole_files.h"
+#include "io/text_file.h"
+#include "io/whole_files.h"
+#include "render/contact_sheet.h"
 
 namespace octoblisk::gallery {
 namespace {

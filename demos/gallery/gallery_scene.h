@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/picture.h"
+#include "render/picture.h"
 
 namespace octoblisk::gallery {
 

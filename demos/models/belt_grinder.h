@@ -9,6 +9,10 @@
 
 namespace octoblisk::demos {
 
+/// Points of a tool are near where it grinds up to this distance from the origin, mm: of the order of a
+/// contact wheel.
+inline constexpr double kNearGrinding = 30.0;
+
 /// All sizes are assumed: no source gives them. The number of stations and points is that of the belt cloud
 /// of the paper, 527 · 37 = 19,499 points.
 struct BeltParameters {

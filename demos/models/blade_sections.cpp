@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "models/csv_table.h"
+#include "io/csv_table.h"
 #include "models/length_limit.h"
 #include "models/require.h"
 

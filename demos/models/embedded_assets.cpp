@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 
 // Puts a file of assets/ into the program, between two symbols.
 #define OCTOBLISK_EMBED(symbol, file)                           \

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "models/csv_table.h"
+#include "io/csv_table.h"
 #include "models/length_limit.h"
 
 namespace octoblisk::demos {

@@ -1,7 +1,7 @@
 // Figure 7: the flow chart of the paper's algorithm, as it is run here.
 #pragma once
 
-#include "report/flow_chart.h"
+#include "render/flow_chart.h"
 
 namespace octoblisk::demos {
 

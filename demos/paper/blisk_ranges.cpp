@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "build/paper/principal_box.h"
+#include "io/number_text.h"
 #include "paper/comparison_table.h"
-#include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "paper/segmentation.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

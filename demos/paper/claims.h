@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "paper/number_text.h"
+#include "io/number_text.h"
 
 namespace octoblisk::demos {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "io/number_text.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
-#include "paper/number_text.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {

@@ -1,7 +1,7 @@
 #include "paper/detection_section.h"
 
+#include "io/number_text.h"
 #include "paper/comparison_table.h"
-#include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -6,7 +6,7 @@
 
 #include "paper/claims.h"
 #include "paper/detection_experiment.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/number_text.h"
 #include "paper/comparison_table.h"
-#include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

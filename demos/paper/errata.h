@@ -1,7 +1,7 @@
 // What the paper leaves open or gets wrong, and what is done here instead.
 #pragma once
 
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

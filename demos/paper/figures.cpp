@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "build/paper/principal_box.h"
+#include "io/number_text.h"
 #include "paper/algorithm_chart.h"
-#include "paper/number_text.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {

@@ -8,8 +8,8 @@
 
 #include "paper/paper_model.h"
 #include "paper/progress.h"
-#include "report/document.h"
-#include "report/picture.h"
+#include "render/document.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 

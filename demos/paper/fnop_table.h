@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
+#include "io/number_text.h"
 #include "paper/method_table.h"
-#include "paper/number_text.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

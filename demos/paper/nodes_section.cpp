@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "io/number_text.h"
 #include "paper/fnop_table.h"
-#include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "paper/published.h"
-#include "report/plot.h"
+#include "render/plot.h"
 
 namespace octoblisk::demos {
 namespace {

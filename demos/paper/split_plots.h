@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "paper/split_run.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

@@ -1,6 +1,6 @@
 #include "paper/split_run.h"
 
-#include "paper/number_text.h"
+#include "io/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "paper/split_experiment.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

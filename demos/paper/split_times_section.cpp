@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "io/number_text.h"
 #include "paper/fnop_table.h"
-#include "paper/number_text.h"
 #include "paper/published.h"
 
 namespace octoblisk::demos {

@@ -3,7 +3,7 @@
 
 #include "paper/claims.h"
 #include "paper/split_run.h"
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

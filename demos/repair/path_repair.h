@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "access/pose_judge.h"
-#include "cell/run_watch.h"
+#include "grinding/move_check.h"
+#include "grinding/pose_judge.h"
+#include "grinding/run_watch.h"
 #include "repair/change_grid.h"
-#include "repair/move_check.h"
 
 namespace octoblisk::demos {
 

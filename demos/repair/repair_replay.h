@@ -1,7 +1,7 @@
 // A repaired path beside the one it was made from, as a replay.
 #pragma once
 
-#include "cell/grinding_run.h"
+#include "grinding/grinding_run.h"
 #include "repair/path_repair.h"
 #include "report/replay.h"
 

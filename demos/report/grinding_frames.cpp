@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "report/contact_sheet.h"
+#include "render/contact_sheet.h"
 #include "report/grinding_pictures.h"
 
 namespace octoblisk::demos {

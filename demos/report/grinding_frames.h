@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cell/grinding_run.h"
-#include "report/picture.h"
-#include "report/whole_files.h"
+#include "grinding/grinding_run.h"
+#include "io/whole_files.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 

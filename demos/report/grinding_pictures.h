@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "render/picture.h"
 #include "report/grinding_report.h"
-#include "report/picture.h"
 
 namespace octoblisk::demos {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <sstream>
 
-#include "cell/blade_side.h"
-#include "cell/moves.h"
+#include "grinding/blade_side.h"
+#include "grinding/moves.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_words.h"
 #include "report/versions.h"

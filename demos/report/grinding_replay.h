@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cell/grinding_run.h"
+#include "grinding/grinding_run.h"
 #include "report/replay.h"
 
 namespace octoblisk::demos {

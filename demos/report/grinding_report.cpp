@@ -9,9 +9,9 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "cell/belt_loop.h"
-#include "cell/blade_side.h"
-#include "cell/moves.h"
+#include "grinding/belt_loop.h"
+#include "grinding/blade_side.h"
+#include "grinding/moves.h"
 
 namespace octoblisk::demos {
 namespace {

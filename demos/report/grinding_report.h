@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cell/grinding_run.h"
+#include "grinding/grinding_run.h"
 
 namespace octoblisk::demos {
 

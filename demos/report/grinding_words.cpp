@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "cell/moves.h"
+#include "grinding/moves.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 

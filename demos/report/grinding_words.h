@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cell/grinding_run.h"
+#include "grinding/grinding_run.h"
 
 namespace octoblisk::demos {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cell/grinding_cell.h"
-#include "report/document.h"
+#include "grinding/grinding_cell.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "io/whole_files.h"
 #include "report/replay.h"
-#include "report/whole_files.h"
 
 namespace octoblisk::demos {
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "report/base64.h"
+#include "io/base64.h"
 #include "report/replay_boxes.h"
 #include "report/track_json.h"
 

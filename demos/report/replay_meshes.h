@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "report/display_mesh.h"
+#include "render/display_mesh.h"
 #include "report/replay.h"
 
 namespace octoblisk::demos {

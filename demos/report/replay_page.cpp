@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "report/text_file.h"
+#include "io/text_file.h"
 
 // The page, made by report/web (./dev web), with a place for the run.
 __asm__(

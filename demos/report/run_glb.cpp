@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "report/text_file.h"
+#include "io/text_file.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/base64.h"
+#include "io/base64.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -1,7 +1,7 @@
 // What made a report.
 #pragma once
 
-#include "report/document.h"
+#include "render/document.h"
 
 namespace octoblisk::demos {
 

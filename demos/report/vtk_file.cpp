@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "report/text_file.h"
+#include "io/text_file.h"
 
 namespace octoblisk::demos {
 namespace {

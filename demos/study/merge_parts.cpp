@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/file.h"
-#include "models/input_file.h"
-#include "study/new_file.h"
+#include "io/input_file.h"
+#include "io/new_file.h"
 #include "study/part_text.h"
 
 namespace octoblisk::demos {

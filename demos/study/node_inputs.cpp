@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/checksum.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 #include "octoblisk/tree_blob.h"
 #include "toolpath/pose_file.h"
 

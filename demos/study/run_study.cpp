@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/checksum.h"
-#include "report/progress_bar.h"
+#include "io/progress_bar.h"
 #include "study/stop_signal.h"
 #include "study/study_journal.h"
 

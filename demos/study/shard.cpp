@@ -4,7 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/new_file.h"
+#include "io/new_file.h"
 #include "study/part_text.h"
 #include "study/study.h"
 

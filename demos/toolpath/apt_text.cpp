@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "models/csv_table.h"
-#include "models/input_file.h"
-#include "models/quoted_text.h"
+#include "io/csv_table.h"
+#include "io/input_file.h"
+#include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "models/quoted_text.h"
+#include "io/quoted_text.h"
 #include "octoblisk/triangle_mesh.h"
 #include "toolpath/apt_text.h"
 

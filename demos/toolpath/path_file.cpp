@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "models/input_file.h"
+#include "io/input_file.h"
 #include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 

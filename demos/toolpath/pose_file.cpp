@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "models/csv_table.h"
+#include "io/csv_table.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::demos {

@@ -9,7 +9,7 @@
 #include "demos/command.h"
 #include "demos/refusal.h"
 #include "demos/scratch_folder.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 
 namespace octoblisk::demos {
 

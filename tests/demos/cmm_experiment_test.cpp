@@ -1,5 +1,5 @@
 // The whole of it: stock, measurement, plan, pass, measurement.
-#include "cmm/cmm_experiment.h"
+#include "paper/cmm/cmm_experiment.h"
 
 #include <gtest/gtest.h>
 

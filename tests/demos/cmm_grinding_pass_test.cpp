@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "cmm/grinding_pass.h"
 #include "cmm_shapes.h"
+#include "paper/cmm/grinding_pass.h"
 
 namespace octoblisk::demos {
 namespace {

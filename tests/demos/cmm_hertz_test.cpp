@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "cmm/hertz.h"
-#include "cmm/wheel_contact.h"
 #include "cmm_shapes.h"
+#include "paper/cmm/hertz.h"
+#include "paper/cmm/wheel_contact.h"
 
 namespace octoblisk::demos {
 namespace {

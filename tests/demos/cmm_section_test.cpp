@@ -1,12 +1,12 @@
 // The report's section on the ground blade: its tables are what the experiment says, its figures are there.
-#include "paper/cmm_section.h"
+#include "paper/cmm/cmm_section.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "io/number_text.h"
 #include "models/blisk.h"
-#include "paper/number_text.h"
 #include "scratch_folder.h"
 
 namespace octoblisk::demos {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "cmm/section_grid.h"
+#include "paper/cmm/section_grid.h"
 
 namespace octoblisk::demos {
 

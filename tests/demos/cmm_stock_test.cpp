@@ -7,10 +7,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "cmm/random_field.h"
-#include "cmm/statistics_map.h"
-#include "cmm/stock.h"
 #include "models/blisk.h"
+#include "paper/cmm/random_field.h"
+#include "paper/cmm/statistics_map.h"
+#include "paper/cmm/stock.h"
 
 namespace octoblisk::demos {
 namespace {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cmm/error_statistics.h"
-#include "cmm/virtual_cmm.h"
 #include "cmm_shapes.h"
+#include "paper/cmm/error_statistics.h"
+#include "paper/cmm/virtual_cmm.h"
 
 namespace octoblisk::demos {
 namespace {

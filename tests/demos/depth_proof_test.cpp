@@ -1,13 +1,13 @@
 // Proofs that a part stays within a depth on a move, by closed forms and against depths at many places.
-#include "cell/depth_proof.h"
+#include "grinding/depth_proof.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "cell/lift.h"
-#include "cell/moves.h"
 #include "demos/block.h"
+#include "grinding/lift.h"
+#include "grinding/moves.h"
 #include "models/shared_tree.h"
 #include "octoblisk/depth.h"
 #include "shared/meshes.h"

@@ -1,4 +1,4 @@
-#include "report/display_mesh.h"
+#include "render/display_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Reports as CSV, Markdown and HTML, and the plots in them.
-#include "report/document.h"
+#include "render/document.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
-#include "report/flow_chart.h"
-#include "report/plot.h"
+#include "render/flow_chart.h"
+#include "render/plot.h"
 
 namespace octoblisk::demos {
 namespace {

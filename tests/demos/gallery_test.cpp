@@ -10,7 +10,7 @@
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
 #include "gallery/scenes.h"
-#include "report/contact_sheet.h"
+#include "render/contact_sheet.h"
 
 namespace octoblisk::gallery {
 namespace {

@@ -13,8 +13,8 @@
 #include "demos/grind_command.h"
 #include "demos/moved_blisk.h"
 #include "demos/read_table.h"
+#include "io/mesh_file.h"
 #include "models/embedded_assets.h"
-#include "models/mesh_file.h"
 #include "models/orientation.h"
 #include "toolpath/pose_file.h"
 

@@ -5,8 +5,8 @@
 
 #include <numbers>
 
-#include "cell/grinding_run.h"
-#include "cell/tool_assembly.h"
+#include "grinding/grinding_run.h"
+#include "grinding/tool_assembly.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
 #include "shared/solids.h"

@@ -1,5 +1,5 @@
 // Runs along a path: what happens between the poses, by closed forms; stops; threads.
-#include "cell/grinding_run.h"
+#include "grinding/grinding_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 #include <random>
 #include <set>
 
-#include "cell/ground_blade.h"
-#include "cell/moves.h"
 #include "demos/block.h"
+#include "grinding/ground_blade.h"
+#include "grinding/moves.h"
+#include "io/progress_bar.h"
 #include "models/shared_tree.h"
 #include "report/grinding_words.h"
-#include "report/progress_bar.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "cell/reduce_contacts.h"
-#include "cell/verdict.h"
+#include "grinding/reduce_contacts.h"
+#include "grinding/verdict.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/embedded_assets.h"

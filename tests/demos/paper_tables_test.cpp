@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/number_text.h"
 #include "paper/algorithm_chart.h"
 #include "paper/comparison_table.h"
 #include "paper/errata.h"
 #include "paper/method_table.h"
-#include "paper/number_text.h"
-#include "paper/robot_report.h"
+#include "paper/robot/robot_report.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {

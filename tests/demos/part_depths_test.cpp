@@ -1,5 +1,5 @@
 // How deep the tool's parts lie in the blisk, as solids.
-#include "cell/part_depths.h"
+#include "grinding/part_depths.h"
 
 #include <gtest/gtest.h>
 

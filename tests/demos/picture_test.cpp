@@ -1,4 +1,4 @@
-#include "report/picture.h"
+#include "render/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "demos/scratch_folder.h"
-#include "report/corner_normals.h"
+#include "render/corner_normals.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Fontconfig keeps its caches until the process ends.

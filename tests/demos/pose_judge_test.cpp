@@ -1,15 +1,15 @@
 // Whether a pose is free: against octoblisk grind's own way of judging, and by every pair of triangles.
-#include "access/pose_judge.h"
+#include "grinding/pose_judge.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-#include "cell/grinding_cell.h"
-#include "cell/reduce_contacts.h"
-#include "cell/verdict.h"
 #include "demos/block.h"
+#include "grinding/grinding_cell.h"
+#include "grinding/reduce_contacts.h"
+#include "grinding/verdict.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"

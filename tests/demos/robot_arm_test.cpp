@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/inverse_kinematics.h"
+#include "paper/robot/inverse_kinematics.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {

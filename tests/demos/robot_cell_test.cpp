@@ -1,5 +1,5 @@
 // The arm in Bullet's world: its frames, its motors, and what it detects.
-#include "robot/robot_cell.h"
+#include "paper/robot/robot_cell.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
-#include "robot/arm_bodies.h"
-#include "robot/cell_layout.h"
+#include "paper/robot/arm_bodies.h"
+#include "paper/robot/cell_layout.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {

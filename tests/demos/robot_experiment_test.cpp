@@ -1,5 +1,5 @@
 // The experiment on a robot: its layout, its path in time, the paper's boxes, and the run itself.
-#include "paper/robot_experiment.h"
+#include "paper/robot/robot_experiment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include "models/blisk.h"
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
-#include "paper/robot_section.h"
-#include "robot/timed_path.h"
+#include "paper/robot/robot_section.h"
+#include "paper/robot/timed_path.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
 

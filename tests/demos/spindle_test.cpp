@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "cell/belt_loop.h"
-#include "cell/spindle_cell.h"
 #include "demos/block.h"
+#include "grinding/belt_loop.h"
+#include "grinding/spindle_cell.h"
 #include "models/belt_grinder.h"
 #include "models/orientation.h"
 #include "models/shared_tree.h"

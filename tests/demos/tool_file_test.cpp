@@ -1,13 +1,13 @@
 // Tool files: what is read and written, and what is refused in which words.
-#include "cell/tool_file.h"
+#include "grinding/tool_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cell/tool_assembly.h"
 #include "demos/block.h"
 #include "demos/scratch_folder.h"
-#include "models/mesh_file.h"
+#include "grinding/tool_assembly.h"
+#include "io/mesh_file.h"
 
 namespace octoblisk::demos {
 namespace {

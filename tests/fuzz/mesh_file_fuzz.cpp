@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "fuzz/fuzz_input.h"
-#include "models/mesh_file.h"
+#include "io/mesh_file.h"
 
 using namespace octoblisk;
 using namespace octoblisk::demos;

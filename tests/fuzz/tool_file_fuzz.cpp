@@ -1,6 +1,6 @@
 // Any bytes as a tool's JSON file: refused in one line, or what says the same once it is written.
-#include "cell/tool_file.h"
 #include "fuzz/fuzz_input.h"
+#include "grinding/tool_file.h"
 
 using namespace octoblisk;
 using namespace octoblisk::demos;

@@ -1,0 +1,69 @@
+#include "command_line/axis_option.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "command_line/option_checks.h"
+#include "io/quoted_text.h"
+#include "models/length_limit.h"
+
+namespace octoblisk::demos {
+namespace {
+
+BliskAxis axisOf(const std::string& text) {
+  const auto refuse = [&] {
+    throw std::invalid_argument("--axis: " + inQuotes(text) +
+                                " is no direction x,y,z, nor one with a point x,y,z,px,py,pz");
+  };
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    if (rest.starts_with('+')) rest.remove_prefix(1);
+    double number = 0.0;
+    const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error != std::errc{} || !(std::abs(number) <= kMaxLength)) refuse();
+    numbers.push_back(number);
+    rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
+    more = rest.starts_with(',');
+    if (more) rest.remove_prefix(1);
+  }
+  if (!rest.empty() || (numbers.size() != 3 && numbers.size() != 6)) refuse();
+  BliskAxis axis{Vec3(numbers[0], numbers[1], numbers[2]), Vec3::Zero()};
+  if (axis.direction.isZero(0.0)) refuse();
+  if (numbers.size() == 6) axis.point = Vec3(numbers[3], numbers[4], numbers[5]);
+  return axis;
+}
+
+}  // namespace
+
+void addAxisOption(CLI::App& command, std::string& axis) {
+  command
+      .add_option(
+          "--axis", axis,
+          "The blisk's axis x,y,z[,px,py,pz]: a direction, leading to trailing edge, and a point on it "
+          "(default 0,0,0), in the mesh's frame; default: found from the mesh")
+      ->check(notEmpty());
+}
+
+BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const std::string& mesh_name) {
+  if (axis.empty()) {
+    try {
+      return findBlisk(mesh);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(mesh_name + ": " + error.what() +
+                               "; if it is a blisk, tell its axis by --axis");
+    }
+  }
+  const BliskAxis told = axisOf(axis);
+  try {
+    return findBlisk(mesh, told);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(mesh_name + ": " + error.what());
+  }
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,66 @@
+#include "command_line/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <ios>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "command_line/complain.h"
+#include "command_line/subcommand_names.h"
+#include "study/launch.h"
+#include "study/stop_signal.h"
+
+namespace octoblisk::demos {
+namespace {
+
+/// The command with the subcommands that were given: "octoblisk make belt".
+std::string commandAskedFor(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv, const std::string& version,
+                   std::initializer_list<AddCommand> subcommands) {
+  CLI::App app{
+      "OctoBlisk: checks an abrasive belt against a bladed disk (blisk), exactly on the triangles.\n"
+      "Lengths are in mesh units; the generated models and the grinding check are in mm."};
+  app.name("octoblisk");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
+  app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.footer(
+      "Mesh files are read with coordinates rounded to 32-bit floats.\n"
+      "Exit codes: 0 clean, 1 interference found or a motion not proved free, 2 bad input.");
+
+  int exit_code = 0;
+  for (const AddCommand add : subcommands) add(app, exit_code);
+
+  // Of several processes, one speaks, and its exit code counts.
+  const bool is_first = launchedAs().rank == 0;
+  if (!is_first) {
+    std::cout.setstate(std::ios::failbit);
+    std::cerr.setstate(std::ios::failbit);
+  }
+  try {
+    requireKnownSubcommands(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    exit_code = app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    complain(error.what() + ("; see " + commandAskedFor(app) + " --help"));
+    exit_code = 2;
+  } catch (const Stopped& stopped) {
+    complain(stopped.what());
+    exit_code = stopped.exitCode();
+  } catch (const std::exception& error) {
+    complain(error.what());
+    exit_code = 2;
+  }
+  return is_first ? exit_code : 0;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,33 @@
+#include "command_line/convex_option.h"
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+namespace octoblisk::demos {
+
+void addConvexOption(CLI::App& command, std::string& convex) {
+  command
+      .add_option(
+          "--convex", convex,
+          "The side that is convex: forward, towards greater angles, or backward; default: told by the "
+          "blades' camber")
+      ->check(CLI::IsMember({"forward", "backward"}));
+}
+
+BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name) {
+  try {
+    return findAnatomy(blisk, found.blades);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(mesh_name + ": " + error.what());
+  }
+}
+
+BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, const std::string& mesh_name) {
+  if (convex == "forward") return BladeSide::kForward;
+  if (convex == "backward") return BladeSide::kBackward;
+  if (anatomy.convex_side) return *anatomy.convex_side;
+  throw std::runtime_error(mesh_name +
+                           ": the blades are too straight to tell their convex side: give --convex");
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,232 @@
+#include "command_line/grinder_input.h"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "command_line/axis_option.h"
+#include "command_line/complain.h"
+#include "command_line/option_checks.h"
+#include "grinding/ground_blade.h"
+#include "grinding/tool_file.h"
+#include "models/belt_grinder.h"
+#include "models/blisk_axis.h"
+#include "models/embedded_assets.h"
+#include "models/length_limit.h"
+#include "models/open_edges.h"
+#include "models/shared_tree.h"
+#include "study/node_inputs.h"
+#include "toolpath/grinding_path.h"
+#include "toolpath/path_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr int kMostBladesOfBlisk = 10'000;
+constexpr double kMostMargin = 100.0;  // mm
+
+void tellNotes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::cout << note << '\n';
+}
+
+ToolAssembly toolOfFiles(const GrinderFiles& files) {
+  ToolAssembly tool = !files.tool.empty()   ? toolOf(files.tool, files.max_depth)
+                      : !files.belt.empty() ? beltAlone(files.belt, files.max_depth)
+                                            : builtInTool(files.max_depth);
+  tellNotes(tool.notes);
+  return tool;
+}
+
+TriangleMesh bliskOfFiles(const GrinderFiles& files) {
+  if (files.blisk.empty()) return embeddedBlisk();
+  std::vector<std::string> notes;
+  TriangleMesh blisk = readOutward(files.blisk, notes);
+  tellNotes(notes);
+  return blisk;
+}
+
+void findBladesOf(const GrinderFiles& files, GrinderInput& input) {
+  const TriangleMesh& mesh = input.blisk->mesh();
+  try {
+    BliskFound found = bliskAbout(files.axis, mesh, files.bliskName());
+    input.mesh_in_blisk = found.mesh_in_blisk;
+    input.blades = std::move(found.blades);
+  } catch (const std::runtime_error&) {
+    if (!files.axis.empty()) throw;
+    input.blades = findBlades(mesh);
+  }
+}
+
+/// For a closed blisk, which only the ends of the channels lead out of: near those, with the arm out of them.
+void leaveDownstream(GrindingPathOptions& options) {
+  options.arm = PathArm::downstream;
+  options.chord_from = 0.7;
+  options.span_from = 0.75;
+  options.span_to = 0.35;
+}
+
+void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
+  const int blades = input.blades.count;
+  const std::string there = ": the blisk has " + std::to_string(blades) + " blades, numbered from 1";
+  if (files.ground_blade && (*files.ground_blade < 1 || *files.ground_blade > blades)) {
+    throw std::invalid_argument("--ground-blade " + std::to_string(*files.ground_blade) + there);
+  }
+  if (files.ground_blade && input.tool.rules.grinding_part == kNoPart) {
+    throw std::invalid_argument("--ground-blade: no part may touch it: " + files.tool +
+                                " has no row of \"allowed\" with \"ground\"");
+  }
+  if (const int named = greatestBladeNamed(input.tool.rules); named > blades) {
+    throw std::invalid_argument(files.tool + ": blade " + std::to_string(named) + there);
+  }
+}
+
+}  // namespace
+
+void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
+  command
+      .add_option("--blisk", files.blisk,
+                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+      ->check(notEmpty());
+  addAxisOption(command, files.axis);
+  CLI::Option* const belt =
+      command
+          .add_option(
+              "--belt", files.belt,
+              "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), taken alone; default: "
+              "the built-in grinder with belt, wheels and arm")
+          ->check(notEmpty());
+  command
+      .add_option("--tool", files.tool,
+                  "JSON file of a tool's parts, what each may touch and how far it must keep from the rest; "
+                  "'octoblisk make grinder' writes one")
+      ->check(notEmpty())
+      ->excludes(belt);
+  command.add_option("-o,--out", files.out, "Folder for what is written; made where missing")
+      ->required()
+      ->check(notEmpty());
+  command
+      .add_option(
+          "--ground-blade", files.ground_blade,
+          "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most")
+      ->check(wholeNumberFrom(1, kMostBladesOfBlisk));
+  command
+      .add_option("--max-depth", files.max_depth,
+                  "mm that the belt may be pressed into the ground blade: how deep the deepest point of one "
+                  "lies in the other; a tool's file may say otherwise")
+      ->check(numberFrom(0.0, kMaxLength))
+      ->capture_default_str();
+  command
+      .add_option("--threads", files.threads,
+                  "Threads; 0: all that the machine has. The answers are the same")
+      ->check(wholeNumberFrom(0, 1024))
+      ->capture_default_str();
+}
+
+void addMarginOption(CLI::App& command, double& margin) {
+  command
+      .add_option("--margin", margin,
+                  "mm that all must keep apart but the belt and the ground blade; 0: they must not touch")
+      ->check(numberFrom(0.0, kMostMargin))
+      ->capture_default_str();
+}
+
+GrinderInput readGrinder(const GrinderFiles& files) {
+  GrinderInput input;
+  input.tool = toolOfFiles(files);
+  input.blisk = treeOf(bliskOfFiles(files));
+  findBladesOf(files, input);
+  requireBladesThere(files, input);
+  return input;
+}
+
+GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks) {
+  GrinderInput input;
+  ranks.together([&] { input.tool = toolOfFiles(files); });
+  input.blisk =
+      std::make_shared<const ClusteredOctree>(treeOnceANode(ranks, [&] { return bliskOfFiles(files); }));
+  ranks.together([&] {
+    findBladesOf(files, input);
+    requireBladesThere(files, input);
+  });
+  return input;
+}
+
+std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input) {
+  if (input.blades.count == 0) {
+    throw std::invalid_argument(files.bliskName() +
+                                ": no blades were found, so no path can be made: give one by --path");
+  }
+  const BeltParameters belt;
+  GrindingPathOptions options;
+  options.blade = files.ground_blade.value_or(1);
+  options.wheel_radius = belt.contact_wheel_radius + belt.thickness;
+  if (input.blades.shrouded) leaveDownstream(options);
+  std::vector<Pose> path =
+      makeGrindingPath(moved(input.blisk->mesh(), input.mesh_in_blisk), input.blades, options);
+  const Pose blisk_in_mesh = input.mesh_in_blisk.inverse();
+  for (Pose& pose : path) pose = blisk_in_mesh * pose;
+  return path;
+}
+
+std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk) {
+  const PathFile path = readPathFile(file, blisk);
+  for (const ClSkipped& skipped : path.unknown) {
+    warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is passed over");
+  }
+  std::vector<Pose> poses;
+  for (const ToolMove& move : path.moves) poses.push_back(move.tool_in_blisk);
+  return poses;
+}
+
+std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,
+                                 const std::vector<Pose>& path, const RunWatch& watch) {
+  if (files.ground_blade) return *files.ground_blade;
+  if (files.path.empty()) return input.blades.count > 0 ? 1 : 0;
+  const std::size_t part = input.tool.rules.grinding_part;
+  if (part == kNoPart) return 0;
+  return bladeTouchedMost(*input.blisk, *input.tool.parts[part].tree, input.blades.blade_of_triangle, path,
+                          files.threads, watch);
+}
+
+ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
+                        double margin) {
+  const VerdictRules& rules = input.tool.rules;
+  if (rules.grinding_part == kNoPart) {
+    throw std::runtime_error(files.tool + ": allowed: there is no row with \"ground\"");
+  }
+  for (std::size_t row = 0; row < rules.allowed.size(); ++row) {
+    const AllowedPair& pair = rules.allowed[row];
+    if (pair.blade.kind == BladeChoice::Kind::ground && pair.part == rules.grinding_part) continue;
+    throw std::runtime_error(files.tool + ": allowed[" + std::to_string(row) +
+                             "]: here one part may touch, and the ground blade alone");
+  }
+  return {rules.grinding_part, ground_blade, rules.maxDepth(rules.grinding_part), margin};
+}
+
+void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables) {
+  for (const std::string& table : tables) {
+    const std::filesystem::path file = std::filesystem::path(files.out) / table;
+    for (const std::string& input : {files.path, files.blisk, files.belt, files.tool}) {
+      std::error_code ignored;  // mostly there is no such file
+      if (!input.empty() && std::filesystem::equivalent(input, file, ignored)) {
+        throw std::runtime_error(file.string() + ": cannot be both read and written");
+      }
+    }
+  }
+}
+
+void warnOf(const std::string& of, const std::string& what) { complain("warning: " + of + ": " + what); }
+
+void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
+  if (input.blades.count == 0) {
+    warnOf(files.bliskName(), "no blades were found: every touch counts as interference with hub or shroud");
+  }
+  const OpenEdges open = openEdges(input.blisk->mesh());
+  if (open.count > 0) {
+    warnOf(files.bliskName(),
+           describe(open) +
+               ", so it is no solid: depths are those of pairs of triangles, which shrink as meshes get "
+               "finer, and a part wholly inside goes unnoticed");
+  }
+}
+
+}  // namespace octoblisk::demos

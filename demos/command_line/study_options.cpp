@@ -1,0 +1,46 @@
+#include "command_line/study_options.h"
+
+#include <stdexcept>
+
+#include "command_line/option_checks.h"
+
+namespace octoblisk::demos {
+
+void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help) {
+  command.add_option("-o,--out", target.out, out_help)->required()->check(notEmpty());
+  addShardOptions(command, target);
+}
+
+void addShardOptions(CLI::App& command, StudyTarget& target) {
+  command
+      .add_option_function<std::string>(
+          "--shard", [&target](const std::string& text) { target.shard = parseShard(text); },
+          "i/n: only the i-th of n parts, e.g. one a task of a job array. OUT is a part then: octoblisk "
+          "merge "
+          "makes the table of all parts")
+      ->check(CLI::Validator(
+          [](const std::string& text) -> std::string {
+            try {
+              parseShard(text);
+              return {};
+            } catch (const std::invalid_argument& error) {
+              return error.what();
+            }
+          },
+          ""));
+  command.add_flag(
+      "--resume", target.resume,
+      "Go on from the .partial file, which a run that did not come to its end leaves; begin where there "
+      "is none");
+}
+
+std::string studyFooter(const std::string& partial) {
+  return "Stopped or killed, a run leaves what was answered in " + partial +
+         ": the same command with\n"
+         "--resume goes on from there. Started by mpirun, the processes share the work (built with "
+         "OCTOBLISK_BUILD_MPI); "
+         "all\n"
+         "ways give the same file.\n";
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,283 @@
+#include "commands/paper_run.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "build/paper/principal_box.h"
+#include "io/mesh_file.h"
+#include "io/progress_bar.h"
+#include "models/embedded_assets.h"
+#include "models/shared_tree.h"
+#include "paper/belt_poses.h"
+#include "paper/blisk_ranges.h"
+#include "paper/claims.h"
+#include "paper/cmm/cmm_section.h"
+#include "paper/detection_replay.h"
+#include "paper/detection_section.h"
+#include "paper/errata.h"
+#include "paper/figures.h"
+#include "paper/nodes_section.h"
+#include "paper/paper_model.h"
+#include "paper/robot/robot_figures.h"
+#include "paper/robot/robot_section.h"
+#include "paper/split_plots.h"
+#include "paper/split_times_section.h"
+#include "paper/surface_points.h"
+#include "render/document.h"
+#include "render/plot.h"
+#include "report/replay_page.h"
+#include "toolpath/grinding_path.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+constexpr double kLift = 1.0;             // mm, of the path held off the blade
+constexpr std::size_t kPosesAbout = 400;  // seeded poses of the belt about the blade
+constexpr double kReachOfPoses = 40.0;    // mm
+constexpr std::size_t kSeeds = 5;         // other clouds and clusterings for Table 1
+
+constexpr const char* kReplayFile = "replay.html";  // of Table 3
+
+constexpr unsigned kOfSplits = kTable1 | kTable2 | kFigures;
+constexpr unsigned kOfBlisk = kTable3 | kTable4 | kTable5;
+constexpr unsigned kWithPlots = kTable4 | kTable5 | kFigures;
+
+constexpr const char* kNoBlades = "no blades were found round the z axis";
+
+/// The folder of the report: made where missing, and gone again where nothing came of it.
+class OutFolder {
+ public:
+  explicit OutFolder(const std::string& path) : path_(path) {
+    std::error_code error;
+    is_new_ = std::filesystem::create_directories(path_, error);
+    if (error) throw std::runtime_error(path + ": the folder cannot be made: " + error.message());
+    if (::access(path_.c_str(), W_OK) != 0) throw std::runtime_error(path + ": the folder cannot be written");
+  }
+  ~OutFolder() {
+    std::error_code not_empty;
+    if (is_new_) std::filesystem::remove(path_, not_empty);
+  }
+  OutFolder(const OutFolder&) = delete;
+  OutFolder& operator=(const OutFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  bool is_new_ = false;
+};
+
+Points cloudOf(const PaperModel& model, const PaperRequest& request) {
+  try {
+    return evenPoints(*model.blade, request.points, request.seed);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(model.name + ": " + error.what());
+  }
+}
+
+/// What a part gives to the report.
+struct Findings {
+  std::vector<Section> sections;
+  std::vector<Claim> claims;
+
+  void add(Section section, std::vector<Claim> of_section = {}) {
+    sections.push_back(std::move(section));
+    std::ranges::move(of_section, std::back_inserter(claims));
+  }
+};
+
+/// Makes the sections one after the other, from what several of them need.
+class PaperRun {
+ public:
+  PaperRun(const PaperRequest& request, PaperModel model, const std::filesystem::path& out)
+      : request_(request),
+        out_(out),
+        model_(std::move(model)),
+        cloud_(cloudOf(model_, request)),
+        belt_(treeOf(paperBelt())) {}
+
+  /// "blade 1 of the built-in blisk"
+  std::string nameOfBlade() const { return model_.isBlisk() ? "blade 1 of " + model_.name : model_.name; }
+
+  /// Tables 1 and 2, and figures 9 and 10.
+  Findings splits(unsigned parts, const Progress& progress) const {
+    const SplitRun run = runSplits(progress);
+    Findings findings;
+    if ((parts & kTable1) != 0) findings.add(nodesSection(run), nodesClaims(run));
+    if ((parts & kTable2) != 0) findings.add(splitTimesSection(run), splitTimesClaims(run));
+    if ((parts & kFigures) != 0) findings.add(splitPlotsSection(run, out_));
+    if ((parts & (kTable1 | kTable2)) != 0) writeCsv(splitCells(run), out_);
+    return findings;
+  }
+
+  Findings table3(const Progress& progress) const {
+    const std::vector<Points> parts = clouds();
+    const BliskRanges ranges = findBliskRanges(parts, request_.seed);
+    progress(0.4);
+    const auto blisk = treeOf(model_.mesh);
+    const DetectionScene scene{.model = model_,
+                               .blisk = blisk,
+                               .belt = belt_,
+                               .ground = judged(*blisk, *belt_, grindingPath(0.0)),
+                               .lifted = judged(*blisk, *belt_, grindingPath(kLift)),
+                               .lift = kLift};
+    const DetectionResult result =
+        runDetectionExperiment(*blisk, *belt_, parts, scene.ground, scene.lifted, {.seed = request_.seed},
+                               stretchOf(progress, 0.4, 1.0));
+    const Replay replay = detectionReplay(scene, result);
+    writeReplayPage(replay, replayMeshesOf(replay), out_ / kReplayFile);
+    Findings findings;
+    findings.add(bliskRangesSection(ranges, static_cast<std::size_t>(model_.blades.count)));
+    findings.add(detectionSection(result, model_.name, kLift), detectionClaims(result));
+    findings.sections.back().paragraphs.push_back(std::string(kReplayFile) +
+                                                  ", beside this report, plays both paths in the browser.");
+    return findings;
+  }
+
+  Findings table4(const Progress& progress) const {
+    const RobotScene scene = robotScene(model_, clouds(), grindingPath(0.0));
+    RobotRunOptions options;
+    options.noise.seed = request_.seed;
+    const RobotReport report =
+        runRobotExperiment(scene, model_.name, grindingPath(kLift), kLift, options, progress);
+    Section section = robotSection(report);
+    section.figures = drawRobotFigures(report, scene, out_);
+    return {{std::move(section)}, robotClaims(report)};
+  }
+
+  Findings table5(const Progress&) const {
+    CmmExperimentOptions options;
+    options.stock.seed = request_.seed;
+    options.errors.seed = request_.seed + 1;
+    options.cmm.seed = request_.seed + 2;
+    const CmmRuns runs = runCmm(*model_.mesh, model_.blades, options);
+    return {{cmmSection(*model_.mesh, model_.blades, runs, out_)}, cmmClaims(runs)};
+  }
+
+  Findings figures(const Progress& progress) const {
+    return {figureSections(model_, belt_->mesh(), cloud_, request_.seed, out_, progress), {}};
+  }
+
+ private:
+  std::vector<Points> clouds() const { return partClouds(model_, request_.points, request_.seed); }
+
+  /// The path as it is ground, or held off the blade by so much.
+  std::vector<Pose> grindingPath(double lift) const {
+    GrindingPathOptions path;
+    if (lift > 0.0) path.depth = -lift;
+    return makeGrindingPath(*model_.mesh, model_.blades, path);
+  }
+
+  SplitRun runSplits(const Progress& progress) const {
+    const Obb belt_box = principalBox(belt_->mesh().vertices());
+    const std::vector<BeltPose> poses =
+        posesAbout(*treeOf(model_.blade), *belt_, kPosesAbout, kReachOfPoses, request_.seed);
+    SplitRun run{.blade_name = nameOfBlade(),
+                 .points = cloud_.size(),
+                 .result = runSplitExperiment(cloud_, belt_box, poses, {.seed = request_.seed},
+                                              stretchOf(progress, 0.0, 0.7))};
+    for (std::uint64_t other = 1; other <= kSeeds; ++other) {
+      const std::uint64_t seed = request_.seed + other;
+      run.ratios_of_seeds.push_back(nodeRatios(evenPoints(*model_.blade, request_.points, seed), seed));
+      progress(0.7 + 0.3 * static_cast<double>(other) / kSeeds);
+    }
+    return run;
+  }
+
+  const PaperRequest& request_;
+  const std::filesystem::path& out_;
+  PaperModel model_;
+  Points cloud_;
+  std::shared_ptr<const ClusteredOctree> belt_;
+};
+
+PaperModel modelOf(const PaperRequest& request) {
+  return request.blade.empty() ? paperModel("the built-in blisk", embeddedBlisk())
+                               : paperModel(request.blade, readMesh(request.blade));
+}
+
+Document titlePage(const std::string& blade, std::uint64_t seed) {
+  return {.title = "The paper, run again",
+          .paragraphs = {"Z. Huang et al., Collision detection algorithm of belt grinding of the Blisk based "
+                         "on improved octree segmentation method: its experiments on " +
+                         blade +
+                         ", its numbers beside ours. Nothing is tuned to look like it; all that is not a "
+                         "time is the same again for the same --seed, " +
+                         std::to_string(seed) + " here."}};
+}
+
+}  // namespace
+
+void runPaper(const PaperRequest& request, unsigned parts, std::ostream& messages) {
+  if ((parts & kWithPlots) != 0) requireGnuplot();
+  PaperModel model = modelOf(request);
+  const bool all = parts == kAllParts;
+  const std::string name = model.name;
+  const bool no_blisk = (parts & kOfBlisk) != 0 && !model.isBlisk();
+  if (no_blisk && !all) {
+    throw std::invalid_argument(name + ": " + kNoBlades +
+                                ", so there is no grinding path over them: Tables 3 to 5 need a blisk");
+  }
+  const std::string left_out =
+      kNoBlades +
+      std::string(": it is taken for one blade, and Tables 3 to 5, which need a blisk, are left out");
+  if (no_blisk) {
+    messages << "octoblisk: warning: " << name << ": " << left_out << '\n';
+    parts &= ~kOfBlisk;
+  }
+  const OutFolder out(request.out);
+  const PaperRun run(request, std::move(model), out.path());
+  Document document = titlePage(run.nameOfBlade(), request.seed);
+  if (no_blisk) document.paragraphs.push_back("Of this mesh " + left_out + ".");
+
+  struct Step {
+    unsigned parts;
+    double work;  // about, in seconds
+    std::string title;
+    std::function<Findings(const Progress&)> run;
+  };
+  std::vector<Step> steps = {
+      {kOfSplits, 12.0, "", [&](const Progress& progress) { return run.splits(parts, progress); }},
+      {kTable3, 10.0, "", [&](const Progress& progress) { return run.table3(progress); }},
+      {kTable4, 40.0, "Table 4", [&](const Progress& progress) { return run.table4(progress); }},
+      {kTable5, 10.0, "Table 5", [&](const Progress& progress) { return run.table5(progress); }},
+      {kFigures, 10.0, "", [&](const Progress& progress) { return run.figures(progress); }}};
+  std::erase_if(steps, [parts](const Step& step) { return (step.parts & parts) == 0; });
+  double work = 0.0, done = 0.0;
+  for (const Step& step : steps) work += step.work;
+
+  constexpr double kTicks = 1000;
+  ProgressBar bar(messages, static_cast<std::size_t>(kTicks));
+  const Progress progress = [&bar](double part) { bar.update(static_cast<std::size_t>(part * kTicks)); };
+  Findings found;
+  for (const Step& step : steps) {
+    try {
+      Findings part = step.run(stretchOf(progress, done / work, (done + step.work) / work));
+      for (Section& section : part.sections) found.add(std::move(section));
+      std::ranges::move(part.claims, std::back_inserter(found.claims));
+    } catch (const std::invalid_argument& error) {  // the arm may not reach over it; a blade may be too small
+      if (!all || step.title.empty()) throw;
+      document.paragraphs.push_back(step.title + " is left out: " + error.what() + ".");
+    }
+    done += step.work;
+    progress(done / work);
+  }
+  if (!found.claims.empty()) document.sections.push_back(claimsSection(found.claims));
+  std::ranges::move(found.sections, std::back_inserter(document.sections));
+  document.sections.push_back(errataSection());
+  writeReport(document, out.path());
+}
+
+}  // namespace octoblisk::demos

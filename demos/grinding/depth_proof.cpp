@@ -1,0 +1,74 @@
+#include "grinding/depth_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "grinding/lift.h"
+#include "models/triangle_tree.h"
+#include "octoblisk/distance.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr std::array kShells = {16.0, 60.0};  // mm: a contact wheel, the belt about it; the rest
+constexpr double kKeptOff = 1e-5;             // mm
+constexpr int kMostDistances = 200;           // of a shell
+
+/// Whether a shell of the part keeps off the blisk, from fraction to fraction. Each distance tells of the
+/// fractions on both sides of its own.
+bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& move, double begin,
+              double end, const Vec3& lift) {
+  const double length = move.lengthBound(shell);
+  double reach = 0.5 * (end - begin) * length;  // the way that the next distance is to prove, to either side
+  TrianglePair hint;
+  for (int asked = 0; asked < kMostDistances; ++asked) {
+    const double left = std::max(0.0, 0.5 * (end - begin) * length);
+    reach = std::min(reach, left);
+    const double middle = length > 0.0 ? begin + reach / length : begin;
+    Pose pose = move.at(middle);
+    pose.translation += lift;
+    const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kKeptOff, .hint = hint});
+    if (found.found()) {
+      hint = {found.triangle_a, found.triangle_b};
+      constexpr double kNearer = 0.7;  // than what would do if the distance were the same there
+      reach = kNearer * (found.distance - kKeptOff);
+      if (reach <= kKeptOff) return false;
+      continue;
+    }
+    if (reach >= left) return true;
+    begin = middle + reach / length;
+    constexpr double kLonger = 1.3;
+    reach *= kLonger;
+  }
+  return false;
+}
+
+}  // namespace
+
+DepthProof::DepthProof(const octoblisk::Surface& blisk, const octoblisk::Surface& part)
+    : blisk_(blisk), part_(part) {
+  const TriangleMesh& mesh = part.tree().mesh();
+  std::array<std::vector<TriangleMesh::Indices>, kShells.size() + 1> triangles;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    double radius = 0.0;
+    for (const Vec3& corner : mesh.triangle(t)) radius = std::max(radius, corner.norm());
+    const auto shell = std::ranges::lower_bound(kShells, radius) - kShells.begin();
+    triangles[static_cast<std::size_t>(shell)].push_back(mesh.triangles()[t]);
+  }
+  for (auto& of_shell : triangles) {
+    if (!of_shell.empty()) shells_.push_back(treeOfTriangles(mesh, std::move(of_shell)));
+  }
+}
+
+bool DepthProof::holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const {
+  const Vec3 lift = limit * up;
+  for (const Shell& shell : shells_) {
+    if (!keepsOff(blisk_.tree(), *shell, move, begin, end, lift)) return false;
+  }
+  Pose lifted = move.at(begin);  // as the surfaces do not meet, what holds here holds all the way
+  lifted.translation += lift;
+  return !isNested(blisk_, part_, lifted);
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,216 @@
+#include "grinding/grinding_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/parallel.h"
+#include "grinding/ground_blade.h"
+#include "grinding/moves.h"
+#include "grinding/pose_clearances.h"
+#include "grinding/reduce_contacts.h"
+#include "octoblisk/batch.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+/// Poses that are done before the next are begun. A multiple of kPosesAtOnce, so that no answer depends on
+/// it.
+std::size_t posesAStretch(int threads) {
+  constexpr std::size_t kGroupsAThread = 2;
+  return kGroupsAThread * kPosesAtOnce * static_cast<std::size_t>(threadCount(threads));
+}
+
+/// Adds the time of its life to a sum, in seconds.
+class TimeAdded {
+ public:
+  explicit TimeAdded(double& sum) : sum_(sum) {}
+  ~TimeAdded() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  TimeAdded(const TimeAdded&) = delete;
+  TimeAdded& operator=(const TimeAdded&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& sum_;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// For each part the greatest distance at which any blade is a near miss.
+std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules) {
+  std::vector<double> reaches(job.parts.size(), 0.0);
+  for (std::size_t part = 0; part < reaches.size(); ++part) {
+    for (int blade = 0; blade <= job.blades.count; ++blade) {
+      if (!rules.allows(part, blade)) reaches[part] = std::max(reaches[part], rules.margin(part, blade));
+    }
+  }
+  return reaches;
+}
+
+/// Goes along the path, some poses at a time.
+class Grinding {
+ public:
+  Grinding(const GrindingJob& job, GrindingRun& run)
+      : job_(job),
+        run_(run),
+        depths_(job.blisk, job.parts, limits(), job.threads),
+        obstacles_(job.blisk, job.blades.blade_of_triangle, job.parts.size(), run.rules),
+        moves_(job.blisk, run.parts, run.blade_of_triangle, run.rules, obstacles_, depths_, job.threads) {
+    const std::vector<double> reaches = reachesOf(job, run.rules);
+    for (int thread = 0; thread < threadCount(job.threads); ++thread) {
+      cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, obstacles_));
+    }
+    if (job.spindle && job.rules.grinding_part < job.parts.size()) {
+      const ToolPart& belt = job.parts[job.rules.grinding_part];
+      const auto blisk = onSpindle(job.blisk, job.mesh_in_blisk);
+      for (int thread = 0; thread < threadCount(job.threads); ++thread) {
+        spindles_.push_back(std::make_unique<SpindleCell>(blisk, job.mesh_in_blisk, belt,
+                                                          belt.belt_speed.value_or(0.0), *job.spindle));
+      }
+    }
+    for (std::size_t part = 0; part < job.parts.size(); ++part)
+      run.depth_kinds.push_back(depths_.kindOf(part));
+  }
+
+  void doPoses(std::size_t begin, std::size_t end) {
+    run_.poses.resize(end);
+    const std::span<PoseReport> poses = std::span(run_.poses).subspan(begin);
+    findContacts(begin, poses);
+    measureDepths(begin, poses);
+    judge(poses, run_.rules);
+    if (!spindles_.empty()) findLoads(begin, poses);
+    {
+      const TimeAdded watch(run_.clearance_seconds_a_pose);
+      measureClearances(obstacles_, run_.parts, run_.blade_of_triangle, poses,
+                        begin > 0 ? &job_.path[begin - 1] : nullptr,
+                        end < job_.path.size() ? &job_.path[end] : nullptr, job_.threads);
+    }
+    if (job_.continuous) {
+      const TimeAdded watch(run_.move_seconds_a_pose);
+      moves_.check(std::span(run_.poses).subspan(begin > 0 ? begin - 1 : 0));
+    }
+  }
+
+ private:
+  std::vector<double> limits() const {
+    std::vector<double> limits;
+    for (std::size_t part = 0; part < job_.parts.size(); ++part) limits.push_back(job_.rules.maxDepth(part));
+    return limits;
+  }
+
+  void findContacts(std::size_t begin, std::span<PoseReport> poses) {
+    const TimeAdded watch(run_.contact_seconds_a_pose);
+    parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
+      PoseReport& report = poses[i];
+      report.tool_in_blisk = job_.path[begin + i];
+      report.contacts =
+          reduceContacts(cells_[worker]->contactsAt(report.tool_in_blisk), run_.blade_of_triangle);
+      for (const PartContact& found : report.contacts) {
+        report.blades.push_back(run_.blade_of_triangle[found.contact.triangle_a]);
+      }
+    });
+  }
+
+  /// As solids, or by pairs of triangles where there are none.
+  void measureDepths(std::size_t begin, std::span<PoseReport> poses) {
+    const TimeAdded watch(run_.depth_seconds_a_pose);
+    auto found = depths_.measure(std::span(job_.path).subspan(begin, poses.size()));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      PoseReport& pose = poses[i];
+      pose.depths = std::move(found[i]);
+      for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
+        if (run_.depth_kinds[deepest.part] == DepthKind::of_pairs) pose.depths.push_back(deepest);
+      }
+      for (const PartDepth& deepest : pose.depths) {
+        pose.depth_blades.push_back(run_.blade_of_triangle[deepest.triangle_of_blisk]);
+      }
+    }
+  }
+
+  void findLoads(std::size_t begin, std::span<const PoseReport> poses) {
+    run_.loads.resize(begin + poses.size());
+    const std::size_t belt = run_.rules.grinding_part;
+    parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
+      const auto deepest = std::ranges::find(poses[i].depths, belt, &PartDepth::part);
+      if (deepest == poses[i].depths.end() || deepest->is_inside) return;
+      run_.loads[begin + i] = spindles_[worker]->loadAt(poses[i].tool_in_blisk, deepest->depth);
+    });
+  }
+
+  const GrindingJob& job_;
+  GrindingRun& run_;
+  PartDepths depths_;
+  Obstacles obstacles_;
+  MoveCheck moves_;
+  std::vector<std::unique_ptr<GrindingCell>> cells_;    // one a thread
+  std::vector<std::unique_ptr<SpindleCell>> spindles_;  // one a thread, where forces are asked for
+};
+
+}  // namespace
+
+std::size_t GrindingRun::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
+}
+
+std::size_t GrindingRun::count(MoveReport::Outcome outcome) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      poses, [&](const PoseReport& pose) { return pose.move && pose.move->outcome == outcome; }));
+}
+
+std::size_t GrindingRun::moveCount() const { return continuous && !poses.empty() ? poses.size() - 1 : 0; }
+
+std::size_t GrindingRun::depthsProved() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      poses, [](const PoseReport& pose) { return pose.move && pose.move->depth_proved; }));
+}
+
+double GrindingRun::depthBound() const {
+  double bound = 0.0;
+  for (const PoseReport& pose : poses) {
+    if (pose.move) bound = std::max(bound, pose.move->depth_bound);
+  }
+  return bound;
+}
+
+bool GrindingRun::interferes() const {
+  using Outcome = MoveReport::Outcome;
+  return count(Verdict::interference) + count(Outcome::hit) + count(Outcome::too_deep) +
+             count(Outcome::not_proved) >
+         0;
+}
+
+GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch) {
+  GrindingRun run;
+  run.blisk = job.blisk;
+  run.parts = job.parts;
+  run.blade_count = job.blades.count;
+  run.blade_of_triangle = job.blades.blade_of_triangle;
+  run.mesh_in_blisk = job.mesh_in_blisk;
+  run.rules = job.rules;
+  run.continuous = job.continuous;
+  run.spindle = job.spindle;
+  run.path_poses = job.path.size();
+  if (job.find_ground_blade) {
+    const ClusteredOctree& belt = *job.parts[job.rules.grinding_part].tree;
+    const std::optional<int> blade =
+        bladeTouchedMost(*job.blisk, belt, job.blades.blade_of_triangle, job.path, job.threads, watch);
+    if (!blade) return run;
+    run.rules.ground_blade = *blade;
+  }
+  Grinding grinding(job, run);
+  const std::size_t stretch = posesAStretch(job.threads);
+  for (std::size_t begin = 0; begin < job.path.size() && !watch.isStopped(); begin += stretch) {
+    const std::size_t end = std::min(job.path.size(), begin + stretch);
+    grinding.doPoses(begin, end);
+    watch.tell("poses", end);
+  }
+  const double poses = std::max<double>(1.0, static_cast<double>(run.poses.size()));
+  for (double* const seconds : {&run.contact_seconds_a_pose, &run.depth_seconds_a_pose,
+                                &run.clearance_seconds_a_pose, &run.move_seconds_a_pose}) {
+    *seconds /= poses;
+  }
+  return run;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,30 @@
+#include "grinding/lift.h"
+
+#include "octoblisk/collide.h"
+#include "octoblisk/containment.h"
+
+namespace octoblisk::demos {
+
+bool isNested(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a) {
+  for (std::size_t k = 0; a.isClosed() && k < b.partCount(); ++k) {
+    if (locate(a, b_in_a * b.position(b.cornerOfPart(k))) == PointLocation::inside) return true;
+  }
+  for (std::size_t k = 0; b.isClosed() && k < a.partCount(); ++k) {
+    if (locate(b, a.position(a.cornerOfPart(k)), b_in_a) == PointLocation::inside) return true;
+  }
+  return false;
+}
+
+bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part,
+                     const Pose& part_in_solid, const Vec3& up, double depth) {
+  constexpr double kSlope = 0.3;
+  const Vec3 across = up.unitOrthogonal(), along = up.cross(across);
+  for (const Vec3& direction : {up, Vec3(up + kSlope * across), Vec3(up - kSlope * across),
+                                Vec3(up + kSlope * along), Vec3(up - kSlope * along)}) {
+    const Pose lifted{part_in_solid.rotation, part_in_solid.translation + depth * direction.normalized()};
+    if (!collide(solid.tree(), part.tree(), lifted) && !isNested(solid, part, lifted)) return true;
+  }
+  return false;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,265 @@
+#include "grinding/moves.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.h"
+#include "grinding/pose_clearances.h"
+#include "models/belt_grinder.h"
+#include "models/shared_tree.h"
+#include "octoblisk/sweep.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {
+  const auto found = std::ranges::find(pose.depths, part, &PartDepth::part);
+  return found == pose.depths.end() ? nullptr : &*found;
+}
+
+bool isInside(const PoseReport& pose, std::size_t part) {
+  const PartDepth* const found = depthOf(pose, part);
+  return found && found->is_inside;
+}
+
+bool touches(const PoseReport& pose, std::size_t part) {
+  return std::ranges::any_of(pose.contacts, [&](const PartContact& contact) {
+    return contact.part == part && contact.contact.distance <= 0.0;
+  });
+}
+
+/// Keeps the first of what a move meets.
+void keepFirst(MoveReport& move, const MoveReport& met) {
+  if (move.outcome != MoveReport::Outcome::free && move.fraction <= met.fraction) return;
+  move.outcome = met.outcome;
+  move.fraction = met.fraction;
+  move.at = met.at;
+}
+
+}  // namespace
+
+/// How deep a part is somewhere on a move, and the blisk's normal where it is; zero where it does not touch.
+struct MoveCheck::Touch {
+  double depth = 0.0;
+  Vec3 normal = Vec3::Zero();
+};
+
+/// A stretch of a move in which a part may touch.
+struct MoveCheck::Stretch {
+  std::size_t pose = 0;  ///< that the move leads to
+  std::size_t part = 0;
+  double begin = 0.0, end = 1.0;  ///< fractions of the move
+  Touch at_begin = {}, at_end = {};
+  double way = 0.0;  ///< of all of the move: no point that may touch goes farther
+  bool is_proved = false;
+
+  double length() const { return (end - begin) * way; }
+  double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
+  /// Half of the way each from where the depths are known.
+  double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
+
+  /// Leaves the depth on it unproved.
+  void leaveTo(MoveReport& move) const {
+    move.depth_proved = false;
+    move.depth_bound = std::max(move.depth_bound, depthBound());
+  }
+};
+
+MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
+                     std::span<const int> blade_of_triangle, const VerdictRules& rules,
+                     const Obstacles& obstacles, PartDepths& depths, int threads)
+    : blisk_(std::move(blisk)),
+      parts_(parts),
+      blade_of_triangle_(blade_of_triangle),
+      rules_(rules),
+      obstacles_(obstacles),
+      depths_(depths),
+      threads_(threadCount(threads)) {
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const bool may_touch = obstacles.mayTouchAny(part);
+    far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
+    depth_proofs_.emplace_back();
+    if (!may_touch || depths.kindOf(part) == DepthKind::of_pairs) continue;
+    depth_proofs_.back().emplace(depths.bliskSurface(), depths.partSurface(part));
+  }
+}
+
+MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
+  FarPart found;
+  std::vector<TriangleMesh::Indices> far;
+  for (std::size_t t = 0; t < part.triangleCount(); ++t) {
+    double radius = 0.0;
+    for (const Vec3& corner : part.triangle(t)) radius = std::max(radius, corner.norm());
+    if (radius > kNearGrinding) {
+      far.push_back(part.triangles()[t]);
+    } else {
+      found.near_radius = std::max(found.near_radius, radius);
+    }
+  }
+  const bool divides = !far.empty() && far.size() < part.triangleCount();
+  if (divides) found.tree = treeOf(TriangleMesh(part.vertices(), std::move(far)));
+  return found;
+}
+
+/// How far a point of the part goes at most on a move, but for points that touch nothing on all of it.
+double MoveCheck::wayOfTouch(std::size_t part, const Motion& way) const {
+  const FarPart& far = far_parts_[part];
+  const double of_all = way.lengthBound(*parts_[part].tree);
+  const double of_near = way.advance().norm() + way.angle() * far.near_radius;
+  if (!far.tree || of_near >= of_all || of_all <= kDepthStep) return of_all;
+  return sweep(*blisk_, *far.tree, way, kMoveTolerance) ? of_all : of_near;
+}
+
+void MoveCheck::check(std::span<PoseReport> poses) {
+  if (poses.size() < 2) return;
+  std::vector<std::vector<Stretch>> of_moves(poses.size());
+  parallelFor(poses.size() - 1, threads_, [&](std::size_t i, std::size_t) {
+    poses[i + 1].move.emplace();
+    sweepMove(poses[i], poses[i + 1]);
+    of_moves[i + 1] = stretchesOf(poses, i + 1);
+  });
+  std::vector<Stretch> open;
+  for (const std::vector<Stretch>& of_move : of_moves)
+    open.insert(open.end(), of_move.begin(), of_move.end());
+  while (!open.empty()) {
+    parallelFor(open.size(), threads_,
+                [&](std::size_t i, std::size_t) { open[i].is_proved = isProved(poses, open[i]); });
+    for (const Stretch& stretch : open) {
+      if (!stretch.is_proved) continue;
+      double& bound = poses[stretch.pose].move->depth_bound;
+      bound = std::max(bound, rules_.maxDepth(stretch.part));
+    }
+    std::erase_if(open, [](const Stretch& stretch) { return stretch.is_proved; });
+    halve(poses, open);
+  }
+}
+
+void MoveCheck::sweepMove(const PoseReport& from, PoseReport& to) const {
+  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const Obstacle* const obstacle = obstacles_.of(part);
+    if (!obstacle || isInside(from, part) || isInside(to, part)) continue;
+    const double at_from = from.part_clearances[part], at_to = to.part_clearances[part];
+    if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts
+    if (at_from + at_to > way.lengthBound(*parts_[part].tree) + 2.0 * kMoveTolerance) continue;
+    auto met = sweep(obstacle->tree(), *parts_[part].tree, way, kMoveTolerance);
+    if (!met) continue;
+    met->clearance.triangle_a = obstacle->triangleOfBlisk(met->clearance.triangle_a);
+    MoveReport report;
+    report.outcome = met->converged ? MoveReport::Outcome::hit : MoveReport::Outcome::not_proved;
+    report.fraction = met->fraction;
+    report.at = {part, blade_of_triangle_[met->clearance.triangle_a], met->clearance};
+    keepFirst(*to.move, report);
+  }
+}
+
+/// Where parts that may touch may do so on the move.
+std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(std::span<PoseReport> poses, std::size_t pose) const {
+  const PoseReport& from = poses[pose - 1];
+  PoseReport& to = poses[pose];
+  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  std::vector<Stretch> stretches;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    if (!obstacles_.mayTouchAny(part)) continue;
+    Stretch stretch;
+    stretch.pose = pose;
+    stretch.part = part;
+    if (const PartDepth* const depth = depthOf(from, part)) stretch.at_begin = touchOf(*depth);
+    if (const PartDepth* const depth = depthOf(to, part)) stretch.at_end = touchOf(*depth);
+    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts
+      stretch.way = way.lengthBound(*parts_[part].tree);
+      stretch.leaveTo(*to.move);
+      continue;
+    }
+    if (!touches(from, part)) {
+      const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
+      if (!met) continue;
+      stretch.begin = met->fraction;
+    }
+    if (depth_proofs_[part]) {
+      stretches.push_back(std::move(stretch));
+    } else {
+      to.move->depth_proved = false;
+      to.move->depth_bound = std::numeric_limits<double>::infinity();
+    }
+  }
+  return stretches;
+}
+
+MoveCheck::Touch MoveCheck::touchOf(const PartDepth& depth) const {
+  return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
+}
+
+bool MoveCheck::isProved(std::span<const PoseReport> poses, const Stretch& stretch) const {
+  const Motion way = moveBetween(poses[stretch.pose - 1].tool_in_blisk, poses[stretch.pose].tool_in_blisk);
+  const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
+  return !up.isZero(1e-6) &&
+         depth_proofs_[stretch.part]->holds(way, stretch.begin, stretch.end, up.normalized(),
+                                            rules_.maxDepth(stretch.part));
+}
+
+void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
+                            MoveReport& move) const {
+  MoveReport too_deep;
+  too_deep.outcome = MoveReport::Outcome::too_deep;
+  too_deep.fraction = fraction;
+  too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
+  too_deep.at.clearance.distance = -depth.depth;
+  too_deep.at.clearance.point_on_a = depth.point_on_blisk;
+  too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
+  keepFirst(move, too_deep);
+}
+
+/// Replaces stretches by their halves, but for those that are short enough, or behind what is too deep.
+void MoveCheck::halve(std::span<PoseReport> poses, std::vector<Stretch>& unproved) {
+  constexpr double kHopeful = 0.9;     // part of the limit: deeper, no proof is to be expected
+  constexpr double kShortest = 0.125;  // mm
+  constexpr double kLeastPart = 1.0 / 256;
+  std::vector<Stretch> long_ones;
+  for (Stretch& stretch : unproved) {
+    MoveReport& move = *poses[stretch.pose].move;
+    if (stretch.way == 0.0) {
+      const Pose &from = poses[stretch.pose - 1].tool_in_blisk, &to = poses[stretch.pose].tool_in_blisk;
+      stretch.way = wayOfTouch(stretch.part, moveBetween(from, to));
+    }
+    const double depth = stretch.greatestDepth();
+    const bool hopeful = depth <= kHopeful * rules_.maxDepth(stretch.part);
+    const bool is_behind = move.outcome == MoveReport::Outcome::too_deep && stretch.begin >= move.fraction;
+    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep) &&
+        stretch.end - stretch.begin > kLeastPart) {
+      long_ones.push_back(std::move(stretch));
+      continue;
+    }
+    stretch.leaveTo(move);
+  }
+  std::vector<std::size_t> parts;
+  std::vector<Pose> middles;
+  for (const Stretch& stretch : long_ones) {
+    const Pose &from = poses[stretch.pose - 1].tool_in_blisk, &to = poses[stretch.pose].tool_in_blisk;
+    parts.push_back(stretch.part);
+    middles.push_back(moveBetween(from, to).at(0.5 * (stretch.begin + stretch.end)));
+  }
+  const auto found = depths_.measure(parts, middles);
+  unproved.clear();
+  for (std::size_t i = 0; i < long_ones.size(); ++i) {
+    Stretch first = std::move(long_ones[i]), second = first;
+    const double middle = 0.5 * (first.begin + first.end);
+    first.end = second.begin = middle;
+    first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
+    MoveReport& move = *poses[first.pose].move;
+    const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
+    unproved.push_back(std::move(first));
+    if (too_deep) {
+      noteTooDeep(second.part, middle, *found[i], move);
+      second.leaveTo(move);
+    } else {
+      unproved.push_back(std::move(second));
+    }
+  }
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,56 @@
+// What each part of the tool must not touch: the blisk, less the blades that the part may touch.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "grinding/verdict.h"
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk::demos {
+
+/// Some of the blisk's triangles, with a tree of their own.
+class Obstacle {
+ public:
+  /// All of them, in the blisk's own tree.
+  explicit Obstacle(std::shared_ptr<const ClusteredOctree> blisk) : tree_(std::move(blisk)) {}
+  /// `triangles` of it, ascending; at least one.
+  Obstacle(const ClusteredOctree& blisk, std::vector<std::uint32_t> triangles);
+
+  const ClusteredOctree& tree() const { return *tree_; }
+  /// The number in the blisk's mesh of a triangle of the tree's.
+  std::uint32_t triangleOfBlisk(std::uint32_t triangle) const {
+    return triangle_of_blisk_.empty() ? triangle : triangle_of_blisk_[triangle];
+  }
+
+ private:
+  std::shared_ptr<const ClusteredOctree> tree_;
+  std::vector<std::uint32_t> triangle_of_blisk_;
+};
+
+class Obstacles {
+ public:
+  Obstacles(std::shared_ptr<const ClusteredOctree> blisk, std::span<const int> blade_of_triangle,
+            std::size_t parts, const VerdictRules& rules);
+
+  /// Null where the part may touch everything.
+  const Obstacle* of(std::size_t part) const { return of_part_[part]; }
+  bool mayTouchAny(std::size_t part) const { return may_touch_any_[part]; }
+  /// A triangle of the blisk.
+  bool mayTouch(std::size_t part, std::uint32_t triangle) const {
+    return may_touch_[part][static_cast<std::size_t>(blade_of_triangle_[triangle])];
+  }
+
+ private:
+  std::map<std::vector<bool>, std::unique_ptr<const Obstacle>> by_blades_;  // that may be touched
+  std::vector<const Obstacle*> of_part_;
+  std::vector<bool> may_touch_any_;
+  std::vector<std::vector<bool>> may_touch_;  // of each part the blades
+  std::vector<int> blade_of_triangle_;
+};
+
+}  // namespace octoblisk::demos

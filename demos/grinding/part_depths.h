@@ -1,0 +1,82 @@
+// How deep the tool's parts and the blisk lie in each other: as solids, whatever triangles they are made of.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "grinding/fine_features.h"
+#include "grinding/grinding_cell.h"
+#include "octoblisk/depth.h"
+
+namespace octoblisk::demos {
+
+/// The deepest place of a part that touches the blisk, or that lies in it.
+struct PartDepth {
+  std::size_t part = 0;
+  double depth = 0.0;                   ///< mm
+  std::uint32_t triangle_of_blisk = 0;  ///< the deepest point's own, or the nearest to it
+  Vec3 point_on_blisk = Vec3::Zero();   ///< on that triangle
+  bool is_inside = false;               ///< no surfaces meet: one lies wholly in the other
+};
+
+/// What a part's depth is.
+enum class DepthKind {
+  of_solids,  ///< how deep the deepest point of the part lies inside the blisk; see PartDepths
+  of_part,    ///< how deep the deepest point of the part, which is open, lies inside the blisk
+  of_pairs,   ///< of the deepest pair of triangles, as the blisk is open: less the finer the meshes are
+};
+
+/// Measures depths by DepthQuery (octoblisk/depth.h), pose by pose over threads; the answers do not depend on
+/// their number.
+class PartDepths {
+ public:
+  /// `limit` (mm): the depth that is judged by. A part's deepest point inside the blisk is measured to 1 % of
+  /// it (but to 0.1 µm at most), and where that does not tell on which side of the limit it is, to 0.1 %.
+  ///
+  /// Where it is within the limit, a sharp edge or a thin wall of the blisk may still be deeper inside the
+  /// part: a point of the blisk's fine features (fine_features.h) that is deeper than the limit, but 10 µm at
+  /// least, then counts, to a tenth of its depth; it may be missed where it is so by no more than a
+  /// twentieth. Where no surfaces meet, any point of the blisk counts.
+  PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
+             int threads = 0);
+
+  /// The same with a limit for each part.
+  PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+             std::vector<double> limits, int threads = 0);
+
+  DepthKind kindOf(std::size_t part) const;
+  const octoblisk::Surface& bliskSurface() const { return blisk_surface_; }
+  const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
+
+  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; but none whose
+  /// depth is that of pairs.
+  std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
+
+  /// The same of one part each: part and pose of the same index.
+  std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
+                                                std::span<const Pose> tool_in_blisk);
+
+ private:
+  std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
+  std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
+  GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
+                     const Pose& b_in_a, double limit) const;
+  std::vector<std::uint32_t> fineInside(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
+
+  std::shared_ptr<const ClusteredOctree> blisk_;
+  std::vector<ToolPart> parts_;
+  std::vector<double> limits_;  // of each part
+  octoblisk::Surface blisk_surface_;
+  std::vector<octoblisk::Surface> part_surfaces_;
+  std::map<double, std::vector<char>> fine_;  // by limit: which triangles of the blisk are
+  std::vector<DepthQuery> queries_;           // one a thread
+};
+
+/// The depths of pairs of triangles: for each part that touches, its deepest contact.
+std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,81 @@
+#include "grinding/pose_clearances.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel.h"
+#include "octoblisk/batch.h"
+#include "octoblisk/path_query.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+/// A clearance of two neighbours of this length proves a move free; the rest is for rounding.
+constexpr double kOfMove = 1.001;
+
+/// One after the other, each near the last.
+class ClearanceQuery {
+ public:
+  ClearanceQuery(const Obstacles& obstacles, std::span<const ToolPart> parts,
+                 std::span<const int> blade_of_triangle)
+      : obstacles_(obstacles), parts_(parts), blade_of_triangle_(blade_of_triangle) {
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const Obstacle* const obstacle = obstacles.of(part);
+      queries_.push_back(obstacle
+                             ? std::optional<PathQuery>(std::in_place, obstacle->tree(), *parts[part].tree)
+                             : std::nullopt);
+    }
+  }
+
+  /// The neighbours are the poses before and after; the pose itself where there are none.
+  void ask(const Pose& before, PoseReport& pose, const Pose& after) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const Motion there = moveBetween(before, pose.tool_in_blisk), on = moveBetween(pose.tool_in_blisk, after);
+    pose.part_clearances.assign(parts_.size(), kFar);
+    pose.clearance.reset();
+    double least = kFar;
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (!queries_[part]) continue;
+      const ClusteredOctree& tree = *parts_[part].tree;
+      const double of_moves = kOfMove * std::max(there.lengthBound(tree), on.lengthBound(tree));
+      Clearance found =
+          queries_[part]->distance(pose.tool_in_blisk, {.upper_bound = std::max(least, of_moves)});
+      pose.part_clearances[part] = found.distance;
+      if (!found.found() || found.distance >= least) continue;
+      least = found.distance;
+      found.triangle_a = obstacles_.of(part)->triangleOfBlisk(found.triangle_a);
+      pose.clearance = PartClearance{part, blade_of_triangle_[found.triangle_a], found};
+    }
+  }
+
+ private:
+  const Obstacles& obstacles_;
+  std::span<const ToolPart> parts_;
+  std::span<const int> blade_of_triangle_;
+  std::vector<std::optional<PathQuery>> queries_;  // of each part
+};
+
+}  // namespace
+
+Motion moveBetween(const Pose& from, const Pose& to) { return Motion(from, to); }
+
+void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
+                       std::span<const int> blade_of_triangle, std::span<PoseReport> poses,
+                       const Pose* before, const Pose* after, int threads) {
+  const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
+  parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
+    ClearanceQuery query(obstacles, parts, blade_of_triangle);
+    const std::size_t end = std::min(poses.size(), (group + 1) * kPosesAtOnce);
+    for (std::size_t i = group * kPosesAtOnce; i < end; ++i) {
+      const Pose& here = poses[i].tool_in_blisk;
+      const Pose& last = i > 0 ? poses[i - 1].tool_in_blisk : before ? *before : here;
+      const Pose& next = i + 1 < poses.size() ? poses[i + 1].tool_in_blisk : after ? *after : here;
+      query.ask(last, poses[i], next);
+    }
+  });
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,65 @@
+// The paper's measurement of a blade before and after grinding (Table 5, figs. 13-14), simulated.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "paper/cmm/blade_strip.h"
+#include "paper/cmm/grinding_pass.h"
+#include "paper/cmm/stock.h"
+#include "paper/cmm/virtual_cmm.h"
+
+namespace octoblisk::demos {
+
+/// How the pass's dwells are found.
+enum class PassPlan {
+  kMeasured,  ///< point by point from the errors measured before, to take off all of them
+  kEven,      ///< one feed for all poses, to take off as much as the mean error measured before
+};
+
+struct CmmExperimentOptions {
+  int blade = 1;
+  BladeStripOptions strip;
+  StockOptions stock;
+  GrindingProcess process;
+  ProcessErrors errors;
+  CmmOptions cmm;  ///< of the measurement before; the one after has the next seed
+  PassPlan plan = PassPlan::kMeasured;
+};
+
+/// A point that is measured before and after.
+struct MeasuredPoint {
+  std::size_t row = 0;  ///< of the strip's grid
+  std::size_t station = 0;
+  BladeArea area = BladeArea::kLeadingEdge;
+  double before = 0.0;  ///< deviation along the nominal normal, mm
+  double after = 0.0;
+};
+
+/// How the pass went. Forces in N, feeds in mm/s, time in s.
+struct PassSummary {
+  double indentation = 0.0;         ///< mm
+  double contact_half_width = 0.0;  ///< across the section on a flat, mm
+  double peak_pressure = 0.0;       ///< MPa
+  double least_force = 0.0, greatest_force = 0.0;
+  double least_feed = 0.0, greatest_feed = 0.0;
+  std::size_t strokes = 0;
+  double time = 0.0;
+};
+
+struct CmmExperiment {
+  BladeStrip strip;
+  std::vector<double> stock{};          ///< error of each point of the strip's grid before, mm
+  std::vector<double> ground{};         ///< and after
+  std::vector<MeasuredPoint> points{};  ///< section by section, from the leading edge round
+  AreaStatistics stock_at_points{};     ///< of the stock itself, without the CMM: exactly those asked for
+  AreaStatistics before{}, after{};     ///< as measured
+  PassSummary pass{};
+};
+
+/// Makes a stock on a blade of any blisk, measures it, plans a pass from what was measured, grinds, and
+/// measures again. Deterministic. Throws std::invalid_argument: what its parts refuse.
+CmmExperiment runCmmExperiment(const TriangleMesh& blisk, const BladesFound& blades,
+                               const CmmExperimentOptions& options = {});
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,81 @@
+#include "paper/cmm/hertz.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace octoblisk::demos {
+namespace {
+
+using std::numbers::pi;
+
+/// K and (K - E) / K of the complete elliptic integrals, by the arithmetic-geometric mean: the difference
+/// loses no digits where e is small.
+struct EllipticIntegrals {
+  double first;  ///< K
+  double drop;   ///< (K - E) / K
+};
+
+EllipticIntegrals ellipticIntegrals(double minor_over_major) {
+  double mean = 1.0;
+  double geometric = minor_over_major;
+  double drop = 0.5 * (1.0 - minor_over_major) * (1.0 + minor_over_major);
+  for (double weight = 1.0; std::abs(mean - geometric) > 1e-15 * mean; weight *= 2.0) {
+    const double half_difference = 0.5 * (mean - geometric);
+    const double next = 0.5 * (mean + geometric);
+    geometric = std::sqrt(mean * geometric);
+    mean = next;
+    drop += weight * half_difference * half_difference;
+  }
+  return {pi / (2.0 * mean), drop};
+}
+
+}  // namespace
+
+double contactModulus(const ElasticSolid& a, const ElasticSolid& b) {
+  const auto compliance = [](const ElasticSolid& solid) {
+    return (1.0 - solid.poissons_ratio * solid.poissons_ratio) / solid.youngs_modulus;
+  };
+  return 1.0 / (compliance(a) + compliance(b));
+}
+
+double rubberModulus(double shore_a) {
+  return 0.0981 * (56.0 + 7.62336 * shore_a) / (0.137505 * (254.0 - 2.54 * shore_a));
+}
+
+LineContact lineContact(double force_per_length, double radius, double contact_modulus) {
+  if (force_per_length <= 0.0) return {};
+  const double half_width = std::sqrt(4.0 * force_per_length * radius / (pi * contact_modulus));
+  return {half_width, 2.0 * force_per_length / (pi * half_width)};
+}
+
+EllipticContact ellipticContact(double force, double radius_1, double radius_2, double contact_modulus) {
+  if (force <= 0.0) return {};
+  const auto [lesser, greater] = std::minmax({radius_1, radius_2});
+  // R'/R'' falls as b/a grows to 1; its logarithm is bisected, as b/a may be small.
+  double low = std::log(1e-8);
+  double high = 0.0;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = 0.5 * (low + high);
+    const double ratio = std::exp(middle);
+    const double e_squared = (1.0 - ratio) * (1.0 + ratio);
+    const double drop = ellipticIntegrals(ratio).drop;
+    const bool too_slender =
+        e_squared > 0.0 && (e_squared - drop) / (ratio * ratio * drop) > greater / lesser;
+    (too_slender ? low : high) = middle;
+  }
+  const double ratio = std::exp(0.5 * (low + high));
+  const double e_squared = (1.0 - ratio) * (1.0 + ratio);
+  const auto [first, drop] = ellipticIntegrals(ratio);
+  // (a²E/b² - K) / e², which is π/4 for a circle
+  const double bracket =
+      e_squared > 1e-12 ? first * (e_squared - drop) / (ratio * ratio * e_squared) : 0.25 * pi;
+  EllipticContact contact;
+  contact.semi_major = std::cbrt(3.0 * force * lesser * bracket / (pi * contact_modulus));
+  contact.semi_minor = ratio * contact.semi_major;
+  contact.peak_pressure = 1.5 * force / (pi * contact.semi_major * contact.semi_minor);
+  contact.approach = contact.peak_pressure / contact_modulus * contact.semi_minor * first;
+  return contact;
+}
+
+}  // namespace octoblisk::demos

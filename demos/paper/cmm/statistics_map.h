@@ -1,0 +1,36 @@
+// An increasing map that gives a sample the statistics asked for.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "paper/cmm/error_statistics.h"
+
+namespace octoblisk::demos {
+
+/// Maps values x of a field to errors so that a given sample of them gets exactly a given least, greatest and
+/// mean value and standard deviation:
+///   u = the part of the sample below x, in [0, 1]; straight from value to value
+///   v = u - s sin(2πu) / 2π      the spread s in [-1, 1] sets the deviation
+///   w = v / (v + (1 - v) k)      the skew k > 0 sets the mean
+///   error = min + (max - min) w
+/// s and k are found by nested bisection. All steps are increasing and continuous; all but the first, whose
+/// kinks are as small as the sample is large, are smooth.
+class StatisticsMap {
+ public:
+  /// Throws std::invalid_argument where the sample has fewer than two different values, or where no s and k
+  /// give the statistics: the deviation must be about 0.21 to 0.38 of the range, the mean not far off centre.
+  StatisticsMap(std::span<const double> sample, const ErrorStatistics& wanted);
+
+  double operator()(double value) const;
+
+ private:
+  double partBelow(double value) const;
+
+  std::vector<double> sample_;  ///< ascending, each once
+  double spread_ = 0.0;
+  double skew_ = 1.0;
+  ErrorStatistics wanted_;
+};
+
+}  // namespace octoblisk::demos

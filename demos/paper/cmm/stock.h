@@ -1,0 +1,33 @@
+// The milled blade before grinding: its nominal surface and an error along the normal at each point.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "paper/cmm/blade_strip.h"
+#include "paper/cmm/paper_table5.h"
+
+namespace octoblisk::demos {
+
+/// The correlation lengths (mm) are assumed: the paper gives none.
+struct StockOptions {
+  AreaStatistics statistics = kPaperBefore;  ///< of each area
+  double correlation_along = 8.0;
+  double correlation_up = 15.0;
+  std::uint64_t seed = 1;
+};
+
+/// The error of each point of the strip's grid (mm, outwards is above 0).
+///
+/// One SmoothField runs round the blade. In each area a StatisticsMap turns its values into errors such that
+/// the points that are measured, of all measured sections together, have exactly the statistics asked for;
+/// points in between follow smoothly, within the least and the greatest error. Across the borders of areas,
+/// where nothing is measured, the errors of either area pass into each other by their shares.
+///
+/// Throws std::invalid_argument: what StatisticsMap refuses, a length not above 0.
+std::vector<double> makeStock(const BladeStrip& strip, const StockOptions& options = {});
+
+/// The grid's indices of the measured points of an area, section by section.
+std::vector<std::size_t> measuredPoints(const BladeStrip& strip, std::size_t area);
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,54 @@
+#include "paper/cmm/virtual_cmm.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "octoblisk/closest_point.h"
+#include "paper/cmm/random_field.h"
+
+namespace octoblisk::demos {
+namespace {
+
+constexpr double kTouch = 1e-7;  // mm
+
+/// How far above the nominal surface a ball touches that comes down from `approach`, where it does.
+std::optional<double> touchOf(const ClusteredOctree& part, const NominalPoint& point,
+                              const CmmOptions& options) {
+  constexpr int kMostSteps = 10'000;  // many only where the ball glances along a surface
+  double above = options.approach;
+  for (int step = 0; step < kMostSteps && above >= -options.approach; ++step) {
+    const Vec3 center = point.position + (options.probe_radius + above) * point.normal;
+    const auto closest = closestPoint(part, center);
+    if (!closest) return std::nullopt;
+    // No surface is nearer: the ball may go as far without touching.
+    const double free = closest->distance - options.probe_radius;
+    if (step == 0 && free <= 0.0) return std::nullopt;
+    if (free < kTouch) return above;
+    above -= free;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> measureDeviations(const ClusteredOctree& part, std::span<const NominalPoint> points,
+                                      const CmmOptions& options) {
+  if (!(options.probe_radius > 0.0 && options.approach > 0.0 && options.noise >= 0.0)) {
+    throw std::invalid_argument(
+        "the CMM's probe radius and approach must be above 0 mm, its noise at least 0");
+  }
+  RandomNumbers random(options.seed);
+  std::vector<double> deviations;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto touch = touchOf(part, points[k], options);
+    if (!touch) {
+      throw std::invalid_argument("the CMM's ball starts in touch or meets nothing at point " +
+                                  std::to_string(k));
+    }
+    deviations.push_back(*touch + options.noise * random.normal());
+  }
+  return deviations;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,97 @@
+// A Bullet world with an arm of joint motors that carries a belt grinder beside a fixed blisk.
+//
+// Lengths in mm, masses in kg, times in seconds; so forces are in kg mm/s² = mN, torques in kg mm²/s² = µN m.
+// Gravity is 9810 mm/s² down.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grinding/grinding_cell.h"
+#include "paper/robot/six_axis_arm.h"
+
+namespace octoblisk::demos {
+
+/// The motor of each joint: it turns at the commanded rate, times `feedforward`, plus the position's error
+/// times `position_gain`, as far as its torque goes. Assumed.
+struct ServoOptions {
+  double position_gain = 40.0;  ///< 1/s
+  double feedforward = 0.9;     ///< part of the commanded rate
+  /// Greatest torques, N m.
+  Joints torque = (Joints() << 4000.0, 4000.0, 2500.0, 500.0, 400.0, 200.0).finished();
+};
+
+struct RobotCellSetup {
+  SixAxisArm arm;
+  ServoOptions servo;
+  std::shared_ptr<const ClusteredOctree> blisk;
+  std::vector<ToolPart> tool;  ///< the belt grinder's parts, in the belt's frame
+  double tool_mass = 12.0;     ///< kg, spread evenly over the parts' volumes; assumed
+  Pose blisk_in_base;
+  Pose tool_in_flange;
+};
+
+/// Where the arm and its tool are thought to be: what the encoders say, and how far off the tool is.
+struct Belief {
+  Joints joints;
+  Pose tool_error;  ///< in the tool's frame: where the tool is thought to be in where the joints put it
+};
+
+/// A contact or near miss of a moving body with the blisk.
+struct CellContact {
+  std::size_t body = 0;        ///< a link, 0 to 5, or 6 and more a part of the tool
+  std::uint32_t triangle = 0;  ///< of the blisk
+  double distance = 0.0;       ///< mm; <= 0: touching
+  Vec3 point = Vec3::Zero();   ///< on the blisk, in the base
+};
+
+/// The arm is a btMultiBody: six hinged links, convex, and for each part of the tool a link fixed to the
+/// flange, of our shape; the blisk is a static body of our shape; the broadphase is ours. What touches is
+/// seen and not felt: no contact pushes the arm, as the blisk is to be kept from touches and the force of
+/// grinding is not modelled.
+class RobotCell {
+ public:
+  static constexpr std::size_t kLinks = 6;
+
+  /// Throws std::invalid_argument for a missing blisk, a tool without parts, or a position gain, feedforward,
+  /// torque or mass that is negative.
+  explicit RobotCell(RobotCellSetup setup);
+  ~RobotCell();
+  RobotCell(const RobotCell&) = delete;
+  RobotCell& operator=(const RobotCell&) = delete;
+
+  const RobotCellSetup& setup() const { return setup_; }
+  std::string nameOfBody(std::size_t body) const;
+
+  /// Puts the arm there at rest.
+  void place(const Joints& joints);
+
+  /// Lets the motors follow a command that goes evenly from one position to the next, for `seconds`, in
+  /// `steps` steps of the world. The servos see the joints with the encoders' error.
+  void drive(const Joints& from, const Joints& to, double seconds, int steps, const Joints& encoder_error);
+
+  Joints joints() const;
+  Joints rates() const;  ///< rad/s
+
+  /// Frame 1 to 6 (index 0 to 5) in the base, as Bullet has it.
+  Pose linkFrame(std::size_t link) const;
+  Pose toolInBlisk() const;  ///< as Bullet has it
+
+  /// Where the tool is thought to be.
+  Pose toolInBlisk(const Belief& belief) const;
+
+  /// Bullet's contacts of everything that moves with the blisk, if all were where it is thought to be: pairs
+  /// by the broadphase, then for each the closest-points query up to the distance `reach` (mm, >= 0). The
+  /// arm itself stays where it is. The answer is good until the next call.
+  std::span<const CellContact> detect(const Belief& belief, double reach);
+
+ private:
+  class World;
+  RobotCellSetup setup_;
+  std::vector<CellContact> contacts_;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,224 @@
+#include "paper/robot/robot_experiment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "paper/robot/robot_noise.h"
+#include "paper/robot/timed_path.h"
+#include "paper/robot/true_touch.h"
+
+namespace octoblisk::demos {
+namespace {
+
+void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw std::invalid_argument(message);
+  };
+  require(scene.blisk != nullptr, "a robot's run needs a blisk");
+  require(!scene.tool.empty(), "a robot's run needs a tool");
+  require(!scene.clouds.empty(), "a robot's run needs clouds of the blisk's parts");
+  require(scene.blades.blade_of_triangle.size() == scene.blisk->mesh().triangleCount(),
+          "the blades are not those of this blisk");
+  require(options.control_period > 0.0, "the control period must be above 0 s");
+  require(options.steps_a_tick > 0, "a tick needs a step of the world");
+  require(options.margin >= 0.0, "the margin must be at least 0 mm");
+  require(options.clusters > 0 && options.leaf_capacity > 0,
+          "the numbers of clusters and of points a leaf must be above 0");
+  require(options.noise.encoder >= 0.0 && options.noise.position >= 0.0 && options.noise.direction >= 0.0,
+          "standard deviations of noise must be at least 0");
+}
+
+/// Sums what each tick says of a method.
+class Tally {
+ public:
+  Tally(RobotMethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
+    if (tells_forbidden) result_.forbidden.emplace();
+  }
+
+  void add(const RobotAnswer& answer, const Touches& truth) {
+    const auto [clock, processor] = answer.taken;
+    result_.mean_seconds += processor;  // their sum, until finished
+    result_.worst_seconds = std::max(result_.worst_seconds, processor);
+    result_.worst_clock_seconds = std::max(result_.worst_clock_seconds, clock);
+    result_.late_ticks += clock > period_;
+    result_.touch.count(answer.touch, truth.belt);
+    if (result_.forbidden) result_.forbidden->count(answer.forbidden, truth.forbidden);
+  }
+
+  void finish(std::size_t ticks) { result_.mean_seconds /= static_cast<double>(ticks); }
+
+ private:
+  RobotMethodResult& result_;
+  double period_;
+};
+
+double angleBetween(const Mat3& a, const Mat3& b) { return Eigen::AngleAxisd(a.transpose() * b).angle(); }
+
+RobotCellSetup setupOf(const RobotScene& scene, const CellLayout& layout, const SixAxisArm& arm,
+                       const ServoOptions& servo) {
+  RobotCellSetup setup;
+  setup.arm = arm;
+  setup.servo = servo;
+  setup.blisk = scene.blisk;
+  setup.tool = scene.tool;
+  setup.blisk_in_base = layout.blisk_in_base;
+  setup.tool_in_flange = layout.tool_in_flange;
+  return setup;
+}
+
+/// Frames of the links in the blisk's, as Bullet has them.
+std::array<Pose, 6> linksInBlisk(const RobotCell& cell) {
+  const Pose base_in_blisk = cell.setup().blisk_in_base.inverse();
+  std::array<Pose, 6> links;
+  for (std::size_t link = 0; link < links.size(); ++link) links[link] = base_in_blisk * cell.linkFrame(link);
+  return links;
+}
+
+/// Which 99.9 % of the ticks do not exceed.
+double usualSeconds(const RobotRun& run, std::size_t method) {
+  std::vector<float> seconds;
+  for (const RobotTick& tick : run.ticks) seconds.push_back(tick.seconds[method]);
+  std::ranges::sort(seconds);
+  return static_cast<double>(seconds[(seconds.size() - 1) * 999 / 1000]);
+}
+
+void summarize(RobotRun& run) {
+  for (std::size_t m = 0; m < kRobotMethods; ++m) run.methods[m].usual_seconds = usualSeconds(run, m);
+  const auto ticks = static_cast<double>(run.ticks.size());
+  for (const RobotTick& tick : run.ticks) {
+    run.mean_position_error += tick.position_error / ticks;
+    run.worst_position_error = std::max(run.worst_position_error, tick.position_error);
+    run.worst_direction_error = std::max(run.worst_direction_error, tick.direction_error);
+    run.mean_sensing_error += tick.sensing_error / ticks;
+    run.worst_sensing_error = std::max(run.worst_sensing_error, tick.sensing_error);
+    run.touching_ticks += tick.touch;
+    run.forbidden_ticks += tick.forbidden;
+  }
+}
+
+/// A run, tick by tick.
+class RobotLoop {
+ public:
+  RobotLoop(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
+            const SixAxisArm& arm, const ServoOptions& servo)
+      : layout_(layout),
+        options_(options),
+        arm_(arm),
+        path_(scene.path, options.speed, options.turn_rate),
+        cell_(setupOf(scene, layout, arm, servo)),
+        methods_(scene, options, cell_),
+        truth_(scene, options.ground_blade, arm),
+        noise_(options.noise),
+        commanded_(layout.start) {
+    run_.options = options;
+    run_.layout = layout;
+    run_.duration = path_.duration();
+    run_.least_margin_to_limits = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < kRobotMethods; ++m) {
+      run_.methods[m].range = methods_.range(static_cast<RobotMethod>(m));
+      tallies_.emplace_back(run_.methods[m], options.control_period,
+                            m >= static_cast<std::size_t>(RobotMethod::exact));
+    }
+  }
+  RobotLoop(const RobotLoop&) = delete;
+  RobotLoop& operator=(const RobotLoop&) = delete;
+
+  RobotRun follow(const Progress& progress) {
+    const auto ticks = static_cast<std::size_t>(std::ceil(path_.duration() / options_.control_period)) + 1;
+    for (std::size_t k = 0; k < ticks; ++k) {
+      RobotTick tick;
+      tick.time = static_cast<double>(k) * options_.control_period;
+      const Pose wanted = path_.at(tick.time);
+      moveTo(wanted);
+      if (k == ticks / 2) run_.joints_half_way = cell_.joints();
+      askAll(k, sense(wanted, tick), tick);
+      run_.ticks.push_back(tick);
+      if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(ticks));
+    }
+    for (Tally& tally : tallies_) tally.finish(ticks);
+    for (const std::size_t link : links_hit_) run_.arm.links.push_back(cell_.nameOfBody(link));
+    summarize(run_);
+    return std::move(run_);
+  }
+
+ private:
+  /// Commands the arm for a tick, from where it was commanded to be; the first time puts it there.
+  void moveTo(const Pose& wanted) {
+    const Pose flange_in_base = layout_.blisk_in_base * wanted * layout_.tool_in_flange.inverse();
+    const Posture posture = inverseKinematics(arm_, flange_in_base, commanded_);
+    const bool reached = posture.reach == Reach::reached;
+    run_.unreached_ticks += !reached;
+    const Joints next = reached ? posture.joints : commanded_;
+    if (run_.ticks.empty()) {
+      cell_.place(next);
+    } else {
+      cell_.drive(commanded_, next, options_.control_period, options_.steps_a_tick, encoder_error_);
+    }
+    commanded_ = next;
+  }
+
+  /// Measures where the tool is, and notes how far off the arm and the measurement are.
+  Belief sense(const Pose& wanted, RobotTick& tick) {
+    const Joints joints = cell_.joints();
+    const Pose tool_in_blisk = cell_.toolInBlisk();
+    encoder_error_ = noise_.encoderError();
+    const Belief belief{joints + encoder_error_, noise_.toolError()};
+    tick.position_error = (tool_in_blisk.translation - wanted.translation).norm();
+    tick.direction_error = angleBetween(tool_in_blisk.rotation, wanted.rotation);
+    tick.sensing_error = (cell_.toolInBlisk(belief).translation - tool_in_blisk.translation).norm();
+    run_.least_margin_to_limits = std::min(
+        {run_.least_margin_to_limits, (joints - arm_.least).minCoeff(), (arm_.greatest - joints).minCoeff()});
+    return belief;
+  }
+
+  void askAll(std::size_t k, const Belief& belief, RobotTick& tick) {
+    const Touches touches = truth_.of(cell_.toolInBlisk());
+    tick.touch = touches.belt;
+    tick.forbidden = touches.forbidden;
+    run_.arm.true_ticks += truth_.ofArm(linksInBlisk(cell_));
+    for (std::size_t turn = 0; turn < kRobotMethods; ++turn) {
+      const std::size_t m = (k + turn) % kRobotMethods;  // the first finds the caches cold: each in turn
+      const auto method = static_cast<RobotMethod>(m);
+      const RobotAnswer answer = methods_.ask(method, belief);
+      tallies_[m].add(answer, touches);
+      tick.seconds[m] = static_cast<float>(answer.taken.processor);
+      tick.alarm[m] = answer.touch;
+      if (method != RobotMethod::exact) continue;
+      run_.arm.ticks += !answer.links.empty();
+      links_hit_.insert(answer.links.begin(), answer.links.end());
+    }
+  }
+
+  const CellLayout& layout_;
+  const RobotRunOptions& options_;
+  const SixAxisArm& arm_;
+  const TimedPath path_;
+  RobotCell cell_;
+  const RobotMethods methods_;
+  TrueTouch truth_;
+  RobotNoise noise_;
+  Joints commanded_, encoder_error_ = Joints::Zero();
+  RobotRun run_;
+  std::vector<Tally> tallies_;
+  std::set<std::size_t> links_hit_;
+};
+
+}  // namespace
+
+void RobotAlarms::count(bool alarm, bool truth) {
+  alarms += alarm;
+  missed += truth && !alarm;
+  false_alarms += alarm && !truth;
+}
+
+RobotRun runRobot(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
+                  const SixAxisArm& arm, const ServoOptions& servo, const Progress& progress) {
+  requireUsable(scene, options);
+  return RobotLoop(scene, layout, options, arm, servo).follow(progress);
+}
+
+}  // namespace octoblisk::demos

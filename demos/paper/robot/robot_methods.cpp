@@ -1,0 +1,119 @@
+#include "paper/robot/robot_methods.h"
+
+#include <chrono>
+#include <span>
+
+#include "build/paper/principal_box.h"
+#include "octoblisk/collide.h"
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
+#include "paper/box_detection.h"
+#include "paper/stopwatch.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::uint64_t kClusterSeed = 1;  // of k-means
+
+class TickWatch {
+ public:
+  TimeTaken taken() const {
+    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - start_;
+    return {clock.count(), processor_.seconds()};
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch processor_;
+};
+
+Segmentation traditionalOf(const RobotScene& scene, const RobotRunOptions& options) {
+  const Points whole = joined(scene.clouds);
+  return Segmentation(std::span(&whole, 1), options.leaf_capacity, CellFrame::box);
+}
+
+Segmentation improvedOf(const RobotScene& scene, const RobotRunOptions& options) {
+  return Segmentation(clustersOfParts(scene.clouds, options.clusters, kClusterSeed), options.leaf_capacity,
+                      CellFrame::box);
+}
+
+/// Of the boxes that the broadphase looks at first.
+double boxVolume(const ClusteredOctree& tree) {
+  double volume = 0.0;
+  for (const Obb& box : tree.boxes(ClusteredOctreeBroadphase::kDefaultDepth)) volume += box.volume();
+  return volume;
+}
+
+}  // namespace
+
+RobotMethods::RobotMethods(const RobotScene& scene, const RobotRunOptions& options, RobotCell& cell)
+    : scene_(scene),
+      options_(options),
+      cell_(cell),
+      belt_(principalBox(scene.tool.front().tree->mesh().vertices())),
+      traditional_(traditionalOf(scene, options)),
+      improved_(improvedOf(scene, options)) {}
+
+double RobotMethods::range(RobotMethod method) const {
+  switch (method) {
+    case RobotMethod::traditional:
+      return traditional_.rootVolume();
+    case RobotMethod::improved:
+      return improved_.rootVolume();
+    default:
+      return boxVolume(*scene_.blisk);
+  }
+}
+
+RobotAnswer RobotMethods::ask(RobotMethod method, const Belief& belief) const {
+  switch (method) {
+    case RobotMethod::traditional:
+      return askBoxes(traditional_, belief);
+    case RobotMethod::improved:
+      return askBoxes(improved_, belief);
+    case RobotMethod::yes_or_no:
+      return askTriangles(belief);
+    case RobotMethod::exact:
+      return askBullet(belief, 0.0);
+    default:
+      return askBullet(belief, options_.margin);
+  }
+}
+
+RobotAnswer RobotMethods::askBoxes(const Segmentation& boxes, const Belief& belief) const {
+  const TickWatch watch;
+  RobotAnswer answer;
+  answer.touch = leavesNear(boxes, cell_.toolInBlisk(belief) * belt_, SeparatingAxes::exact15).isColliding();
+  answer.taken = watch.taken();
+  return answer;
+}
+
+RobotAnswer RobotMethods::askTriangles(const Belief& belief) const {
+  const TickWatch watch;
+  RobotAnswer answer;
+  answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(belief)).has_value();
+  answer.taken = watch.taken();
+  return answer;
+}
+
+RobotAnswer RobotMethods::askBullet(const Belief& belief, double reach) const {
+  const TickWatch watch;
+  const std::span<const CellContact> contacts = cell_.detect(belief, reach);
+  RobotAnswer answer;
+  answer.taken = watch.taken();
+  for (const CellContact& contact : contacts) {
+    if (contact.body < RobotCell::kLinks) {
+      answer.links.insert(contact.body);
+      continue;
+    }
+    const bool is_belt = contact.body == RobotCell::kLinks;
+    answer.touch |= is_belt;
+    answer.forbidden |=
+        !is_belt || scene_.blades.blade_of_triangle[contact.triangle] != options_.ground_blade;
+  }
+  return answer;
+}
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,17 @@
+// What the report says of Table 4: the experiment on a robot.
+#pragma once
+
+#include <vector>
+
+#include "paper/claims.h"
+#include "paper/robot/robot_report.h"
+#include "render/document.h"
+
+namespace octoblisk::demos {
+
+/// Tables and words; no figures.
+Section robotSection(const RobotReport& report);
+
+std::vector<Claim> robotClaims(const RobotReport& report);
+
+}  // namespace octoblisk::demos

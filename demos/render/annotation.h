@@ -1,0 +1,61 @@
+// The words around a picture: title, legend, scale bar.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+
+namespace octoblisk::demos {
+
+enum class LegendSymbol { kSurface, kLine, kPoint };
+
+struct LegendEntry {
+  Color color;
+  std::string text;  ///< UTF-8
+  LegendSymbol symbol = LegendSymbol::kSurface;
+};
+
+struct Annotation {
+  std::string title{};     ///< UTF-8; may be empty
+  std::string subtitle{};  ///< UTF-8; may be empty
+  std::vector<LegendEntry> legend{};
+  std::string length_unit{};  ///< of the scale bar, such as "mm"; empty for no scale bar
+};
+
+/// Where what goes on a page: words above, the scene, words below. Nothing lies over anything.
+class Layout {
+ public:
+  Layout(const Annotation& annotation, int width, int height);
+
+  /// Pixels per point; a page of 1600 × 1200 pixels has one.
+  double scale() const { return scale_; }
+  int sceneTop() const { return scene_top_; }
+  int sceneHeight() const { return scene_height_; }
+
+  /// A legend entry's symbol: its left end and the middle of its height, in pixels of the page.
+  struct Place {
+    double left;
+    double middle;
+  };
+  const std::vector<Place>& legendPlaces() const { return legend_places_; }
+
+ private:
+  double scale_;
+  int scene_top_ = 0;
+  int scene_height_;
+  std::vector<Place> legend_places_;
+};
+
+/// Draws the words on a page that has the scene in it already. `unit_pixels` is the length in pixels of one
+/// mesh unit; `at_depth` is added to the scale bar's label and says where the bar holds, if not everywhere.
+void annotate(Image& page, const Annotation& annotation, const Layout& layout, double unit_pixels,
+              const std::string& at_depth);
+
+/// The round number 1, 2 or 5 · 10ⁿ that is the largest not above `length` (> 0).
+double roundLength(double length);
+
+/// Writes the image. Throws std::runtime_error, naming the path and reason, where that fails.
+void writePng(const Image& image, const std::string& path);
+
+}  // namespace octoblisk::demos

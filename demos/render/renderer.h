@@ -1,0 +1,24 @@
+// Turns a scene and a camera into pixels.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "render/camera.h"
+#include "render/image.h"
+#include "render/scene.h"
+
+namespace octoblisk::demos {
+
+using RenderProgress = std::function<void(std::size_t done, std::size_t bands)>;
+
+/// The scene before white. Surfaces are lit by a sky and two lamps that move with the camera; silhouettes and
+/// creases are drawn as dark lines; edges are smooth. `pixels_per_point` scales the widths of the marks.
+///
+/// The image is the same, bit for bit, for any number of threads (≥ 1). The caller's thread is told now and
+/// then how many of all bands of rows are done.
+/// Throws std::invalid_argument for a camera that makes no picture, std::runtime_error where Embree fails.
+Image renderScene(const Scene& scene, const Camera& camera, int width, int height, float pixels_per_point,
+                  unsigned threads, const RenderProgress& progress = {});
+
+}  // namespace octoblisk::demos

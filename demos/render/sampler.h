@@ -1,0 +1,85 @@
+// One sample of a picture: what is seen at one place, how it is lit, and where it ends.
+#pragma once
+
+#include <cstdint>
+
+#include "render/camera.h"
+#include "render/ray_caster.h"
+#include "render/scene.h"
+
+namespace octoblisk::demos {
+
+/// A piece of surface that is seen.
+struct Surface {
+  static constexpr std::int32_t kNone = -1;
+
+  Vec3f position = Vec3f::Zero();  ///< local to the view
+  Vec3f normal = Vec3f::Zero();    ///< unit, towards the camera
+  std::int32_t solid = kNone;      ///< index into Scene::solids()
+
+  explicit operator bool() const { return solid != kNone; }
+};
+
+/// What is seen at one place. Colours are linear, not sRGB.
+struct Sample {
+  static constexpr std::int32_t kNoMark = -1;
+
+  Surface front;                        ///< the first surface, transparent or not
+  Surface back;                         ///< the first opaque surface
+  Vec3f veil = Vec3f::Zero();           ///< the light of the transparent surfaces before all else
+  float transmittance = 1.0f;           ///< the share of light they let through
+  Vec3f back_color = Vec3f::Ones();     ///< of the opaque surface or the background, unlit
+  Vec3f mark_color = Vec3f::Zero();     ///< lit
+  float mark_opacity = 0.0f;            ///< 1 where the mark is before the opaque surface
+  Vec3f mark_position = Vec3f::Zero();  ///< local to the view
+  std::int32_t mark = kNoMark;          ///< index into Scene::marks()
+  std::int32_t point = 0;               ///< which of the mark's points
+};
+
+/// How two surfaces part.
+enum class Edge { kNone, kCrease, kSilhouette };
+
+/// How what is seen at two neighbouring places differs: not, so that more samples are needed to show where it
+/// ends, or so that a line or halo is to be drawn there too.
+enum class Ending : std::uint8_t { kNone, kPlain, kOutlined };
+
+class Sampler {
+ public:
+  /// Keeps references to the scene and view. Throws std::runtime_error where the ray tracing library fails.
+  Sampler(const Scene& scene, const View& view, float pixels_per_point);
+
+  /// What is seen at a place of the picture, in pixels from its top left corner.
+  Sample trace(float column, float row) const;
+
+  static constexpr unsigned kPatterns = 16;
+  /// The share of the sky seen from a surface, 0 to 1, estimated with a few rays. Each pattern is another set
+  /// of rays; together they cover the sky evenly.
+  float skyShare(const Surface& surface, unsigned pattern) const;
+
+  /// The sample's linear colour where its opaque surface sees that share of the sky.
+  Vec3f color(const Sample& sample, float sky_share) const;
+
+  /// Whether a line is to be drawn between two surfaces seen so many pixels apart.
+  Edge edgeBetween(const Surface& a, const Surface& b, float pixels_apart) const;
+
+  /// What ends between two samples a pixel apart.
+  Ending endingBetween(const Sample& a, const Sample& b) const;
+
+  /// Whether `sample` is on a ball that `neighbour`'s, of the same marks, is before.
+  bool liesBehindBallOf(const Sample& sample, const Sample& neighbour) const;
+
+  /// Whether `sample` lies in the white seam of the mark seen at `neighbour`.
+  bool liesInHaloOf(const Sample& sample, const Sample& neighbour) const;
+
+ private:
+  bool hasHalo(const Sample& sample) const;
+  Vec3f lit(const Vec3f& color, const Vec3f& normal, float sky_share) const;
+
+  const Scene& scene_;
+  const View& view_;
+  float pixels_per_point_;
+  RayCaster caster_;
+  float sky_reach_;  ///< what is further away than this does not hide the sky (mesh units)
+};
+
+}  // namespace octoblisk::demos

@@ -1,0 +1,78 @@
+// What a picture shows: solid meshes, and marks (lines, points, arrows) of a constant width on the paper.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "octoblisk/triangle_mesh.h"
+#include "render/image.h"
+
+namespace octoblisk::demos {
+
+/// How a mark looks. Widths are in points of a picture 1200 points high, so pictures of any size look alike.
+struct MarkStyle {
+  Color color;
+  float width = 2.0f;           ///< of a line; the diameter of a point
+  float hidden_opacity = 0.0f;  ///< how much of it shines through the opaque surfaces before it, 0 to 1
+  bool halo = false;            ///< whether a white seam sets it off from what is behind
+};
+
+/// Everything in the picture, in one frame: the scene's. It keeps copies; nothing need outlive a call.
+class Scene {
+ public:
+  /// A surface of one colour. An opacity below 1 lets what is behind through.
+  /// Throws std::invalid_argument where the opacity is not in (0, 1].
+  void addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, Color color, float opacity = 1.0f);
+
+  /// A surface of one colour a triangle.
+  /// Throws std::invalid_argument where there are not as many colours as triangles, or as above.
+  void addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, std::span<const Color> triangle_colors,
+               float opacity = 1.0f);
+
+  /// The twelve edges of each box.
+  void addBoxes(std::span<const Obb> boxes, const MarkStyle& style);
+
+  /// A ball at each point.
+  void addPoints(std::span<const Vec3> points, const MarkStyle& style);
+
+  /// The line through the points, in order.
+  void addPolyline(std::span<const Vec3> points, const MarkStyle& style);
+
+  /// An arrow whose tip is at `to`. The head grows with the style's width, not with the arrow.
+  void addArrow(const Vec3& from, const Vec3& to, const MarkStyle& style);
+
+  /// The bounds of all meshes and marks; empty for an empty scene.
+  const Aabb& bounds() const { return bounds_; }
+
+  /// The vertices of all meshes and the ends of all marks: what a camera has to see.
+  std::vector<Vec3> points() const;
+
+  /// A mesh, ready in the scene's frame.
+  struct Solid {
+    std::vector<Vec3> vertices;
+    std::vector<TriangleMesh::Indices> triangles;
+    std::vector<Color> colors;  ///< one, or one a triangle
+    float opacity;
+  };
+
+  enum class MarkKind { kLines, kPoints, kArrows };
+
+  /// Marks of one kind and style. Points: the points. Lines and arrows: their two ends, one after the other.
+  struct Marks {
+    MarkKind kind;
+    MarkStyle style;
+    std::vector<Vec3> points;
+  };
+
+  const std::vector<Solid>& solids() const { return solids_; }
+  const std::vector<Marks>& marks() const { return marks_; }
+
+ private:
+  void addMarks(Marks marks);
+
+  std::vector<Solid> solids_;
+  std::vector<Marks> marks_;
+  Aabb bounds_;
+};
+
+}  // namespace octoblisk::demos
