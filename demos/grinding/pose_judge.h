@@ -35,7 +35,7 @@ struct PoseState {
 
 /// The blisk, parted into the ground blade and the rest, and the tool. A pose is free where no part touches
 /// the blisk, comes nearer than the margin or lies in it, but for the belt on the ground blade; there the
-/// belt may be as deep as PartDepths (cell/part_depths.h) says. Without a margin the free poses are those
+/// belt may be as deep as PartDepths (part_depths.h) says. Without a margin the free poses are those
 /// that octoblisk grind does not call interference.
 class PoseJudge {
  public:
