@@ -1,7 +1,6 @@
 #include "detection_range.h"
 
 #include "build/paper/principal_box.h"
-#include "geometry/point_bounds.h"
 
 namespace octoblisk::bench {
 

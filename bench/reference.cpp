@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "geometry/point_bounds.h"
 #include "geometry/triangle_pair.h"
 #include "shared/solids.h"
 

@@ -71,7 +71,7 @@ const Vec3 kSideways(-0.35, -1.0, 0.55);  // on a side of the blade, from one ed
 /// The blade's boxes at four depths, coloured by the root's child that they are below.
 Image depthsPicture(const Tree& tree) {
   const Camera camera =
-      frame(tree.mesh().vertices(), kSideways, Vec3::UnitX(), Projection::kOrthographic, 1.15);
+      frame(tree.mesh().vertices(), kSideways, Vec3::UnitX(), Projection::orthographic, 1.15);
   std::vector<SheetFrame> frames;
   for (int depth = 1; depth <= 4; ++depth) {
     SheetFrame frame;
@@ -248,8 +248,8 @@ Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& be
   }
   const std::vector<LegendEntry> legend = {{palette::kSteel, "blisk"},
                                            {palette::kSand, "belt"},
-                                           {palette::kBlue, "boxes of the blisk", LegendSymbol::kLine},
-                                           {palette::kVermilion, "boxes of the belt", LegendSymbol::kLine}};
+                                           {palette::kBlue, "boxes of the blisk", LegendSymbol::line},
+                                           {palette::kVermilion, "boxes of the belt", LegendSymbol::line}};
   frames.front().picture.annotation.legend = legend;
   return contactSheet(frames, "Down two trees at one pose",
                       "The boxes that overlap one of the other body; each step opens the larger of two", 3,

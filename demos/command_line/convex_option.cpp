@@ -23,8 +23,8 @@ BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const
 }
 
 BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, const std::string& mesh_name) {
-  if (convex == "forward") return BladeSide::kForward;
-  if (convex == "backward") return BladeSide::kBackward;
+  if (convex == "forward") return BladeSide::forward;
+  if (convex == "backward") return BladeSide::backward;
   if (anatomy.convex_side) return *anatomy.convex_side;
   throw std::runtime_error(mesh_name +
                            ": the blades are too straight to tell their convex side: give --convex");

@@ -50,7 +50,7 @@ void writeBlades(const BliskFound& found, const BliskAnatomy& anatomy, BladeSide
     }
   }
   stream << ",channel_from_side,channel_to_blade,channel_to_side,channel_width_mm\n";
-  const bool forward_convex = convex_side == BladeSide::kForward;
+  const bool forward_convex = convex_side == BladeSide::forward;
   for (std::size_t k = 0; k < anatomy.blades.size(); ++k) {
     const BladeAnatomy& blade = anatomy.blades[k];
     const double convex = forward_convex ? blade.forward_area : blade.backward_area;
@@ -84,7 +84,7 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
     return a.channel_width < b.channel_width;
   };
   const auto [narrow, wide] = std::minmax_element(anatomy.blades.begin(), anatomy.blades.end(), by_width);
-  const bool forward_convex = convex_side == BladeSide::kForward;
+  const bool forward_convex = convex_side == BladeSide::forward;
   std::cout << "Convex sides face "
             << (forward_convex ? "forward, towards greater" : "backward, towards lesser") << " angles"
             << (request.convex.empty() ? "" : ", as told")

@@ -127,7 +127,7 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
 /// The side that is convex, as told or as the blades' camber tells it; none where it does not.
 std::optional<BladeSide> convexSideOf(const GrindRequest& request, const GrinderInput& input) {
   if (!request.convex.empty()) {
-    return request.convex == "forward" ? BladeSide::kForward : BladeSide::kBackward;
+    return request.convex == "forward" ? BladeSide::forward : BladeSide::backward;
   }
   if (input.blades.count == 0) return std::nullopt;
   try {

@@ -37,10 +37,10 @@ struct PathRequest {
 };
 
 PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, const std::string& name) {
-  if (request.side == "leading") return PathRegion::kLeadingEdge;
+  if (request.side == "leading") return PathRegion::leading_edge;
   const BladeSide convex = convexSide(request.convex, anatomy, name);
-  const bool is_forward = (request.side == "convex") == (convex == BladeSide::kForward);
-  return is_forward ? PathRegion::kForward : PathRegion::kBackward;
+  const bool is_forward = (request.side == "convex") == (convex == BladeSide::forward);
+  return is_forward ? PathRegion::forward : PathRegion::backward;
 }
 
 /// Through a shroud nothing leads out: by default the arm then leaves a side downstream, and the leading edge
@@ -68,8 +68,7 @@ int makePath(PathRequest request) {
   const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
   SurfacePathOptions& options = request.options;
   options.region = regionOf(request, anatomy, name);
-  options.pattern =
-      request.pattern == "longitudinal" ? PathPattern::kLongitudinal : PathPattern::kTransversal;
+  options.pattern = request.pattern == "longitudinal" ? PathPattern::longitudinal : PathPattern::transversal;
   options.arm = armAsked(request, found.blades.shrouded);
   const WheelSeat seat(blisk, anatomy.sides.blade_of_triangle, request.blade, options.wheel_radius,
                        request.wheel_width);

@@ -22,7 +22,7 @@ constexpr int kBlade = 1;
 Pose toolTouching(const TriangleMesh& blisk, const demos::BladesFound& blades,
                   const BeltOnBladeOptions& options) {
   const demos::BliskAnatomy anatomy = demos::findAnatomy(blisk, blades);
-  const bool forward = anatomy.convex_side.value_or(demos::BladeSide::kForward) == demos::BladeSide::kForward;
+  const bool forward = anatomy.convex_side.value_or(demos::BladeSide::forward) == demos::BladeSide::forward;
   const demos::BladeContour contour = demos::BladeContours(blisk, anatomy.sides, kBlade).at(options.height);
   const std::vector<demos::ContourPoint>& side = forward ? contour.forward : contour.backward;
 
@@ -142,7 +142,7 @@ demos::Picture BeltOnBlade::picture() const {
                                {kGroundBlade, "ground blade"},
                                {palette::kSand, "belt"},
                                {palette::kSky, "wheels"},
-                               {palette::kGreen, "nodes that touch the blade", demos::LegendSymbol::kPoint}};
+                               {palette::kGreen, "nodes that touch the blade", demos::LegendSymbol::point}};
   // From outside, along the wheels' axis.
   std::vector<Vec3> corners;
   for (const TriangleMesh& wheel : belt_->wheelMeshes())

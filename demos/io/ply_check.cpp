@@ -17,13 +17,13 @@
 namespace octoblisk::demos {
 namespace {
 
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::kFloat;
+  PlyType type = PlyType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::kUint8;
+  PlyType count_type = PlyType::uint8;
 };
 
 struct PlyElement {
@@ -39,12 +39,12 @@ struct PlyHeader {
 
 PlyType plyType(std::string_view name, const TextReader& text) {
   constexpr std::pair<std::string_view, PlyType> kNames[] = {
-      {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},     {"uchar", PlyType::kUint8},
-      {"uint8", PlyType::kUint8},    {"short", PlyType::kInt16},   {"int16", PlyType::kInt16},
-      {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16}, {"int", PlyType::kInt32},
-      {"int32", PlyType::kInt32},    {"uint", PlyType::kUint32},   {"uint32", PlyType::kUint32},
-      {"float", PlyType::kFloat},    {"float32", PlyType::kFloat}, {"double", PlyType::kDouble},
-      {"float64", PlyType::kDouble},
+      {"char", PlyType::int8},       {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+      {"uint8", PlyType::uint8},     {"short", PlyType::int16},     {"int16", PlyType::int16},
+      {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+      {"int32", PlyType::int32},     {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+      {"float", PlyType::float32},   {"float32", PlyType::float32}, {"double", PlyType::float64},
+      {"float64", PlyType::float64},
   };
   for (const auto& [known, type] : kNames) {
     if (name == known) return type;
@@ -95,21 +95,21 @@ class BinaryReader {
 
   double number(PlyType type) {
     switch (type) {
-      case PlyType::kInt8:
+      case PlyType::int8:
         return get<std::int8_t>();
-      case PlyType::kUint8:
+      case PlyType::uint8:
         return get<std::uint8_t>();
-      case PlyType::kInt16:
+      case PlyType::int16:
         return get<std::int16_t>();
-      case PlyType::kUint16:
+      case PlyType::uint16:
         return get<std::uint16_t>();
-      case PlyType::kInt32:
+      case PlyType::int32:
         return get<std::int32_t>();
-      case PlyType::kUint32:
+      case PlyType::uint32:
         return get<std::uint32_t>();
-      case PlyType::kFloat:
+      case PlyType::float32:
         return get<float>();
-      case PlyType::kDouble:
+      case PlyType::float64:
         break;
     }
     return get<double>();

@@ -97,9 +97,9 @@ BliskAnatomy findAnatomy(const TriangleMesh& blisk, const BladesFound& found) {
     if (number == 0) continue;
     BladeAnatomy& blade = anatomy.blades[number - 1];
     const BladePart part = anatomy.sides.part_of_triangle[t];
-    double& area = part == BladePart::kForward    ? blade.forward_area
-                   : part == BladePart::kBackward ? blade.backward_area
-                                                  : blade.tip_area;
+    double& area = part == BladePart::forward    ? blade.forward_area
+                   : part == BladePart::backward ? blade.backward_area
+                                                 : blade.tip_area;
     area += 0.5 * scaledNormal(blisk.triangle(t)).norm();
     ++blade.triangles;
   }
@@ -112,7 +112,7 @@ BliskAnatomy findAnatomy(const TriangleMesh& blisk, const BladesFound& found) {
   }
   constexpr double kLeastCamber = 0.003;
   if (std::abs(camber) >= kLeastCamber) {
-    anatomy.convex_side = camber > 0.0 ? BladeSide::kForward : BladeSide::kBackward;
+    anatomy.convex_side = camber > 0.0 ? BladeSide::forward : BladeSide::backward;
   }
   return anatomy;
 }

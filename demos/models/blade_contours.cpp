@@ -69,7 +69,7 @@ void BladeContours::addTriangles(const TriangleMesh& blisk, const BladeSides& si
   for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
     if (sides.blade_of_triangle[t] != blade_) continue;
     const BladePart part = sides.part_of_triangle[t];
-    if (part != BladePart::kForward && part != BladePart::kBackward) continue;
+    if (part != BladePart::forward && part != BladePart::backward) continue;
     const Triangle corners = blisk.triangle(t);
     const Corners indices = {indexOf(corners[0]), indexOf(corners[1]), indexOf(corners[2])};
     const auto [a, b, c] = indices;

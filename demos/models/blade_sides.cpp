@@ -62,9 +62,9 @@ BladePart partFacing(const Triangle& t, double outwards) {
   const Vec3 center = centerOf(t);
   const Vec3 e_r = Vec3(center.x(), center.y(), 0.0).normalized();
   const Vec3 normal = outwards * scaledNormal(t).normalized();
-  if (normal.dot(e_r) > kAtTip) return BladePart::kTip;
+  if (normal.dot(e_r) > kAtTip) return BladePart::tip;
   const Vec3 e_theta(-e_r.y(), e_r.x(), 0.0);
-  return normal.dot(e_theta) > 0.0 ? BladePart::kForward : BladePart::kBackward;
+  return normal.dot(e_theta) > 0.0 ? BladePart::forward : BladePart::backward;
 }
 
 /// Small islands of a part take the part that most of their border is with.
@@ -80,7 +80,7 @@ void dissolveIslands(const TriangleMesh& blisk, const Neighbours& beside, int bl
     std::vector<bool> seen(blisk.triangleCount(), false);
     for (std::uint32_t start = 0; start < blisk.triangleCount(); ++start) {
       const BladePart part = sides.part_of_triangle[start];
-      if (seen[start] || part == BladePart::kNotOfBlade) continue;
+      if (seen[start] || part == BladePart::not_of_blade) continue;
       const int blade = sides.blade_of_triangle[start];
       std::vector<std::uint32_t> island = {start};
       seen[start] = true;
@@ -99,8 +99,7 @@ void dissolveIslands(const TriangleMesh& blisk, const Neighbours& beside, int bl
       }
       // A tip is thin, so it may be small; what is of the tip but beside one side only is a speck of it.
       const bool between_sides = border[1] > 0 && border[2] > 0;
-      if (area > kSmall * blade_area[blade] ||
-          (part == BladePart::kTip && between_sides && island.size() > 4))
+      if (area > kSmall * blade_area[blade] || (part == BladePart::tip && between_sides && island.size() > 4))
         continue;
       const auto most = std::max_element(border.begin(), border.end());
       if (*most == 0) continue;
@@ -123,7 +122,7 @@ BladeSides findBladeSides(const TriangleMesh& blisk, const BladesFound& blades) 
   const double outwards = sides.faces_outward ? 1.0 : -1.0;
   for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
     sides.part_of_triangle.push_back(
-        sides.blade_of_triangle[t] == 0 ? BladePart::kNotOfBlade : partFacing(blisk.triangle(t), outwards));
+        sides.blade_of_triangle[t] == 0 ? BladePart::not_of_blade : partFacing(blisk.triangle(t), outwards));
   }
   dissolveIslands(blisk, beside, blades.count, sides);
   return sides;

@@ -11,7 +11,7 @@ namespace octoblisk::demos {
 
 /// What a triangle of a blisk is part of. The forward side faces towards greater angles about Z, the backward
 /// side towards lesser ones; they meet at the edges.
-enum class BladePart : std::uint8_t { kNotOfBlade, kForward, kBackward, kTip };
+enum class BladePart : std::uint8_t { not_of_blade, forward, backward, tip };
 
 struct BladeSides {
   std::vector<BladePart> part_of_triangle;

@@ -45,13 +45,13 @@ class SectionCurve {
   SectionCurve(Unrolled loop, std::size_t number)
       : length_(loop.knots.back()),
         trailing_knot_(loop.knots[loop.trailing]),
-        curve_(std::move(loop.knots), std::move(loop.points), MonotoneCurve::Ends::kClosed) {
+        curve_(std::move(loop.knots), std::move(loop.points), MonotoneCurve::Ends::closed) {
     const double first_side = curve_.at(0.5 * trailing_knot_)[2];
     const double second_side = curve_.at(0.5 * (trailing_knot_ + length_))[2];
     if (first_side == second_side) {
       throw std::invalid_argument("section " + std::to_string(number) + " has no thickness");
     }
-    forward_first_ = first_side > second_side ? BladeSide::kForward : BladeSide::kBackward;
+    forward_first_ = first_side > second_side ? BladeSide::forward : BladeSide::backward;
   }
 
   static Unrolled unrolled(SectionLoop loop, std::size_t number, double angle_nearby) {
@@ -91,7 +91,7 @@ class SectionCurve {
   double length_;
   double trailing_knot_;
   MonotoneCurve curve_;
-  BladeSide forward_first_ = BladeSide::kForward;  ///< the side that comes first along the curve
+  BladeSide forward_first_ = BladeSide::forward;  ///< the side that comes first along the curve
 };
 
 /// Where each section lies in the span, 0..1: by the mean distance between sections in the meridian.
@@ -102,7 +102,7 @@ std::vector<double> spanPositions(const std::vector<SectionCurve>& sections) {
     constexpr int kProbes = 8;
     for (int probe = 0; probe <= kProbes; ++probe) {
       const double fraction = static_cast<double>(probe) / kProbes;
-      for (const BladeSide side : {BladeSide::kForward, BladeSide::kBackward}) {
+      for (const BladeSide side : {BladeSide::forward, BladeSide::backward}) {
         const Vec3 step = sections[s].at(side, fraction) - sections[s - 1].at(side, fraction);
         distance += std::hypot(step[0], step[1]);
       }
@@ -190,11 +190,11 @@ BladeGrid sampleBlade(const BladeSections& sections, const RadiusProfile& hub, c
     }
   };
   for (int station = 0; station <= chord_cells; ++station) {
-    sampleLine(BladeSide::kForward, station);
+    sampleLine(BladeSide::forward, station);
     const bool at_edge = station == 0 || station == chord_cells;
-    if (!at_edge) sampleLine(BladeSide::kBackward, station);
+    if (!at_edge) sampleLine(BladeSide::backward, station);
     for (int row = 0; at_edge && row <= span_cells; ++row) {
-      grid.at(BladeSide::kBackward, row, station) = grid.at(BladeSide::kForward, row, station);
+      grid.at(BladeSide::backward, row, station) = grid.at(BladeSide::forward, row, station);
     }
   }
   return grid;

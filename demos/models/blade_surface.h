@@ -18,7 +18,7 @@ struct CylindricalPoint {
 Vec3 toCartesian(const CylindricalPoint& point);
 
 /// The two sides of a blade: kForward faces towards greater angles, kBackward towards lesser ones.
-enum class BladeSide { kForward, kBackward };
+enum class BladeSide { forward, backward };
 
 /// Points of a blade by side, row (0 at the hub … span_cells at the tip) and station (0 at the leading edge
 /// … chord_cells at the trailing edge). Both sides hold the very same points at either edge.
@@ -35,7 +35,7 @@ class BladeGrid {
 
  private:
   std::size_t index(BladeSide side, int row, int station) const {
-    const int side_and_row = (side == BladeSide::kForward ? 0 : span_cells_ + 1) + row;
+    const int side_and_row = (side == BladeSide::forward ? 0 : span_cells_ + 1) + row;
     return static_cast<std::size_t>(side_and_row) * (chord_cells_ + 1) + station;
   }
 

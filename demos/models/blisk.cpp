@@ -60,10 +60,10 @@ Resolution chooseResolution(const BladeGrid& probe, const std::vector<Ring>& rin
   };
   const int middle_row = probe.spanCells() / 2;
   const int middle_station = probe.chordCells() / 2;
-  const double chord = length([&](int k) { return probe.at(kForward, middle_row, k); }, probe.chordCells());
-  const double span = length([&](int k) { return probe.at(kForward, k, middle_station); }, probe.spanCells());
+  const double chord = length([&](int k) { return probe.at(forward, middle_row, k); }, probe.chordCells());
+  const double span = length([&](int k) { return probe.at(forward, k, middle_station); }, probe.spanCells());
   const double passage =
-      SectorMesh(options.blade_count).pitch() * probe.at(kForward, middle_row, middle_station).radius;
+      SectorMesh(options.blade_count).pitch() * probe.at(forward, middle_row, middle_station).radius;
 
   const double target = static_cast<double>(options.target_triangles) / options.blade_count;
   const auto resolution = [&](double spacing) { return Resolution(spacing, chord, span, passage); };
@@ -108,10 +108,10 @@ void requireClearPassages(const BladeGrid& blade, double pitch, bool shrouded) {
   for (int row = 0; row <= blade.spanCells(); ++row) {
     const bool on_ring = row == 0 || (shrouded && row == blade.spanCells());
     for (int station = 0; station < blade.chordCells(); ++station) {
-      const CylindricalPoint& forward = blade.at(kForward, row, station);
-      const CylindricalPoint& forward_after = blade.at(kForward, row, station + 1);
-      const CylindricalPoint& backward = blade.at(kBackward, row, station);
-      const CylindricalPoint& backward_after = blade.at(kBackward, row, station + 1);
+      const CylindricalPoint& forward = blade.at(BladeSide::forward, row, station);
+      const CylindricalPoint& forward_after = blade.at(BladeSide::forward, row, station + 1);
+      const CylindricalPoint& backward = blade.at(BladeSide::backward, row, station);
+      const CylindricalPoint& backward_after = blade.at(BladeSide::backward, row, station + 1);
       CylindricalPoint next = backward;
       CylindricalPoint next_after = backward_after;
       next.angle += pitch;
@@ -157,7 +157,7 @@ Blisk makeBlisk(const BladeSections& sections, const RadiusProfile& hub, const B
     shroud = tipProfile(probe);
     probe = sampleBlade(sections, hub, &*shroud, kProbeChordCells, kProbeSpanCells);
   }
-  const auto edgeZ = [&](int row, int station) { return probe.at(kForward, row, station).z; };
+  const auto edgeZ = [&](int row, int station) { return probe.at(forward, row, station).z; };
   const double root_leading = edgeZ(0, 0);
   const double root_trailing = edgeZ(0, kProbeChordCells);
   if (root_leading <= hub.zMin() || root_trailing >= hub.zMax()) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/principal_axes.h"
 #include "models/require.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"

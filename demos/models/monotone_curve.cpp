@@ -28,7 +28,7 @@ double endSlope(double secant, double next_secant, double step, double next_step
 MonotoneCurve::MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points, Ends ends)
     : knots_(std::move(knots)), points_(std::move(points)), slopes_(points_.size(), Vec3::Zero()) {
   const std::size_t count = points_.size();
-  if (count < (ends == Ends::kClosed ? 3u : 2u) || knots_.size() != count) {
+  if (count < (ends == Ends::closed ? 3u : 2u) || knots_.size() != count) {
     throw std::invalid_argument("a curve needs one knot a point, and two points (three where closed)");
   }
   std::vector<double> steps;
@@ -44,7 +44,7 @@ MonotoneCurve::MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points
     for (std::size_t k = 1; k < last; ++k) {
       slopes_[k][axis] = innerSlope(secants[k - 1][axis], secants[k][axis], steps[k - 1], steps[k]);
     }
-    if (ends == Ends::kClosed) {
+    if (ends == Ends::closed) {
       slopes_[0][axis] = innerSlope(secants.back()[axis], secants[0][axis], steps.back(), steps[0]);
       slopes_[last][axis] = slopes_[0][axis];
     } else if (count == 2) {

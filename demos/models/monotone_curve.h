@@ -13,11 +13,11 @@ namespace octoblisk::demos {
 /// overshoots nor folds back. It passes through every point exactly, and is straight through straight data.
 class MonotoneCurve {
  public:
-  enum class Ends { kOpen, kClosed };  ///< kClosed: the last point repeats the first, and the slopes join
+  enum class Ends { open, closed };  ///< closed: the last point repeats the first, and the slopes join
 
   /// Knots are strictly increasing, one a point, at least two (three where closed).
   /// Throws std::invalid_argument otherwise.
-  MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points, Ends ends = Ends::kOpen);
+  MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points, Ends ends = Ends::open);
 
   /// The point at a parameter; outside the knots the curve goes on straight, along its end slope.
   Vec3 at(double parameter) const;

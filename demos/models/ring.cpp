@@ -53,8 +53,8 @@ std::vector<MeridianLeg> shroudBand(const RadiusProfile& inner, const BliskOptio
 RadiusProfile tipProfile(const BladeGrid& blade) {
   std::vector<RadiusProfile::Point> points;
   for (int station = 0; station <= blade.chordCells(); ++station) {
-    const CylindricalPoint& forward = blade.at(BladeSide::kForward, blade.spanCells(), station);
-    const CylindricalPoint& backward = blade.at(BladeSide::kBackward, blade.spanCells(), station);
+    const CylindricalPoint& forward = blade.at(BladeSide::forward, blade.spanCells(), station);
+    const CylindricalPoint& backward = blade.at(BladeSide::backward, blade.spanCells(), station);
     points.push_back({0.5 * (forward.z + backward.z), 0.5 * (forward.radius + backward.radius)});
   }
   return RadiusProfile(std::move(points));

@@ -8,12 +8,12 @@ using enum BladeSide;
 
 SectorBuilder::SectorBuilder(const BladeGrid& blade, int passage_cells, SectorMesh& mesh)
     : blade_(blade), passage_cells_(passage_cells), mesh_(mesh) {
-  for (const BladeSide side : {kForward, kBackward}) {
+  for (const BladeSide side : {forward, backward}) {
     for (int row = 0; row <= blade.spanCells(); ++row) {
       for (int station = 0; station <= blade.chordCells(); ++station) {
         const bool at_edge = station == 0 || station == blade.chordCells();
-        const bool is_shared = side == kBackward && at_edge;
-        vertices_.push_back(is_shared ? vertex(kForward, row, station)
+        const bool is_shared = side == backward && at_edge;
+        vertices_.push_back(is_shared ? vertex(forward, row, station)
                                       : mesh.addVertex(blade.at(side, row, station)));
       }
     }
@@ -23,10 +23,10 @@ SectorBuilder::SectorBuilder(const BladeGrid& blade, int passage_cells, SectorMe
 void SectorBuilder::addBlade() {
   for (int row = 0; row < blade_.spanCells(); ++row) {
     for (int station = 0; station < blade_.chordCells(); ++station) {
-      mesh_.addQuad(vertex(kForward, row, station), vertex(kForward, row, station + 1),
-                    vertex(kForward, row + 1, station + 1), vertex(kForward, row + 1, station), true);
-      mesh_.addQuad(vertex(kBackward, row, station), vertex(kBackward, row + 1, station),
-                    vertex(kBackward, row + 1, station + 1), vertex(kBackward, row, station + 1), true);
+      mesh_.addQuad(vertex(forward, row, station), vertex(forward, row, station + 1),
+                    vertex(forward, row + 1, station + 1), vertex(forward, row + 1, station), true);
+      mesh_.addQuad(vertex(backward, row, station), vertex(backward, row + 1, station),
+                    vertex(backward, row + 1, station + 1), vertex(backward, row, station + 1), true);
     }
   }
 }
@@ -34,8 +34,8 @@ void SectorBuilder::addBlade() {
 void SectorBuilder::addTipCap() {
   const int tip = blade_.spanCells();
   for (int station = 0; station < blade_.chordCells(); ++station) {
-    mesh_.addQuad(vertex(kBackward, tip, station), vertex(kForward, tip, station),
-                  vertex(kForward, tip, station + 1), vertex(kBackward, tip, station + 1), true);
+    mesh_.addQuad(vertex(backward, tip, station), vertex(forward, tip, station),
+                  vertex(forward, tip, station + 1), vertex(backward, tip, station + 1), true);
   }
 }
 
@@ -53,22 +53,22 @@ void SectorBuilder::addRing(const Ring& ring, double spacing) {
 }
 
 SectorVertex SectorBuilder::vertex(BladeSide side, int row, int station) const {
-  const int side_and_row = (side == kForward ? 0 : blade_.spanCells() + 1) + row;
+  const int side_and_row = (side == forward ? 0 : blade_.spanCells() + 1) + row;
   return vertices_[static_cast<std::size_t>(side_and_row) * (blade_.chordCells() + 1) + station];
 }
 
 /// From the blade's forward side to the next blade's backward side.
 SectorBuilder::Row SectorBuilder::passageRow(const Ring& ring, int station) {
-  const CylindricalPoint& from = blade_.at(kForward, ring.blade_row, station);
-  const CylindricalPoint& to = blade_.at(kBackward, ring.blade_row, station);
-  Row row{vertex(kForward, ring.blade_row, station)};
+  const CylindricalPoint& from = blade_.at(forward, ring.blade_row, station);
+  const CylindricalPoint& to = blade_.at(backward, ring.blade_row, station);
+  Row row{vertex(forward, ring.blade_row, station)};
   for (int column = 1; column < passage_cells_; ++column) {
     const double fraction = static_cast<double>(column) / passage_cells_;
     const double z = std::lerp(from.z, to.z, fraction);
     const double angle = std::lerp(from.angle, to.angle + mesh_.pitch(), fraction);
     row.push_back(mesh_.addVertex({z, ring.surface.radiusAt(z), angle}));
   }
-  SectorVertex end = vertex(kBackward, ring.blade_row, station);
+  SectorVertex end = vertex(backward, ring.blade_row, station);
   ++end.sector;
   row.push_back(end);
   return row;
@@ -87,8 +87,8 @@ SectorVertex SectorBuilder::inColumn(const Row& row, int column) const {
 void SectorBuilder::addBand(const Ring& ring, double spacing, const Row& leading_row,
                             const Row& trailing_row) {
   const double column_angle = mesh_.pitch() / passage_cells_;
-  const double leading_angle = blade_.at(kForward, ring.blade_row, 0).angle;
-  const double wrap = blade_.at(kForward, ring.blade_row, blade_.chordCells()).angle - leading_angle;
+  const double leading_angle = blade_.at(forward, ring.blade_row, 0).angle;
+  const double wrap = blade_.at(forward, ring.blade_row, blade_.chordCells()).angle - leading_angle;
   const int whole_columns = static_cast<int>(std::lround(wrap / column_angle));
   const double rest = wrap - whole_columns * column_angle;
 

@@ -29,11 +29,11 @@ FlowChart algorithmChart() {
       {1.0, 3, "An octree over each cluster: a cell is divided while it has more points than FNOP"},
       {0.5, 4,
        "At each pose: the belt's box against the cells, from the roots down, by separating axes (eq. 11)"},
-      {0.5, 5, "Does a leaf cell with points overlap it?", FlowShape::kQuestion},
+      {0.5, 5, "Does a leaf cell with points overlap it?", FlowShape::question},
       {0.0, 6, "No collision"},
       {1.0, 6, "Collision: here the paper ends"},
       {1.0, 7, "Not in the paper: the exact test of the triangles"},
-      {1.0, 8, "Do two triangles touch?", FlowShape::kQuestion},
+      {1.0, 8, "Do two triangles touch?", FlowShape::question},
       {0.5, 9, "False positive"},
       {1.5, 9, "Contact"}};
   chart.arrows = {{kBelt, kBeltBox},        {kBlisk, kParts},         {kParts, kClusters},

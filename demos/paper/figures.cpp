@@ -30,7 +30,7 @@ Camera bladeCamera(const PaperModel& model, const Points& cloud, double margin) 
   const Vec3 up =
       model.isBlisk() && outward.norm() > 0.0 ? Vec3(outward.normalized()) : Vec3(box.axes.col(0));
   const Vec3 broadside = box.axes.col(2);
-  return frame(cloud, -broadside + 0.45 * up.cross(broadside) - 0.3 * up, up, Projection::kOrthographic,
+  return frame(cloud, -broadside + 0.45 * up.cross(broadside) - 0.3 * up, up, Projection::orthographic,
                margin);
 }
 
@@ -44,7 +44,7 @@ Picture bladePicture(const PaperModel& model) {
 
 void addCells(const std::vector<Obb>& cells, Color color, const std::string& name, Picture& picture) {
   picture.scene.addBoxes(cells, {.color = color, .width = 1.4f, .hidden_opacity = 0.12f});
-  picture.annotation.legend.push_back({color, name, LegendSymbol::kLine});
+  picture.annotation.legend.push_back({color, name, LegendSymbol::line});
 }
 
 std::string cellsText(const Segmentation& segmentation, std::size_t cells) {
@@ -86,8 +86,8 @@ NamedPicture beltBoxPicture(const TriangleMesh& belt) {
   picture.annotation = {.title = "Box of the belt along its principal axes",
                         .subtitle = points + "; " + fixedText(size.x(), 1) + " × " + fixedText(size.y(), 1) +
                                     " × " + fixedText(size.z(), 1) + " mm",
-                        .legend = {{palette::kOrange, points + " of the belt", LegendSymbol::kPoint},
-                                   {palette::kBlue, "its box", LegendSymbol::kLine}},
+                        .legend = {{palette::kOrange, points + " of the belt", LegendSymbol::point},
+                                   {palette::kBlue, "its box", LegendSymbol::line}},
                         .length_unit = "mm"};
   return {"fig2.png", "Figure 2: the belt's " + points + " in their box along the principal axes",
           std::move(picture)};
@@ -125,7 +125,7 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
       const Color color = kClusterColors[c % kClusterColors.size()];
       picture.scene.addPoints(clusters[c], {.color = color, .width = 9.0f});
       picture.annotation.legend.push_back(
-          {color, std::to_string(clusters[c].size()) + " points", LegendSymbol::kPoint});
+          {color, std::to_string(clusters[c].size()) + " points", LegendSymbol::point});
     }
     const char letter = static_cast<char>('a' + (k - 2));
     const std::string title = std::string("Figure 8 (") + letter + "): k = " + std::to_string(k);

@@ -5,6 +5,7 @@
 
 #include "build/paper/k_means.h"
 #include "build/paper/principal_box.h"
+#include "geometry/principal_axes.h"
 
 namespace octoblisk::demos {
 

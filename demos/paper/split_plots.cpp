@@ -32,7 +32,7 @@ Plot changePlotOf(const MethodTable<Number>& table, std::string title, std::stri
       plot.series[m].y[c] = 100.0 * (plot.series[m].y[c] / plot.series[0].y[c] - 1.0);
     }
   }
-  plot.series[0].style = SeriesStyle::kLine;
+  plot.series[0].style = SeriesStyle::line;
   return plot;
 }
 

@@ -127,7 +127,7 @@ void copyFromCanvas(cairo_surface_t* surface, Image& image) {
 void drawSymbol(Canvas& canvas, const LegendEntry& entry, double left, double middle) {
   cairo_t* context = canvas.get();
   switch (entry.symbol) {
-    case LegendSymbol::kSurface:
+    case LegendSymbol::surface:
       cairo_rectangle(context, left, middle - 0.5 * kSymbolHeight, kSymbolWidth, kSymbolHeight);
       canvas.setColor(entry.color);
       cairo_fill_preserve(context);
@@ -135,14 +135,14 @@ void drawSymbol(Canvas& canvas, const LegendEntry& entry, double left, double mi
       cairo_set_line_width(context, 1.5);
       cairo_stroke(context);
       break;
-    case LegendSymbol::kLine:
+    case LegendSymbol::line:
       cairo_move_to(context, left, middle);
       cairo_line_to(context, left + kSymbolWidth, middle);
       canvas.setColor(entry.color);
       cairo_set_line_width(context, 4.0);
       cairo_stroke(context);
       break;
-    case LegendSymbol::kPoint:
+    case LegendSymbol::point:
       cairo_arc(context, left + 0.5 * kSymbolWidth, middle, 0.5 * kSymbolHeight, 0.0, 2.0 * std::numbers::pi);
       canvas.setColor(entry.color);
       cairo_fill(context);

@@ -8,12 +8,12 @@
 
 namespace octoblisk::demos {
 
-enum class LegendSymbol { kSurface, kLine, kPoint };
+enum class LegendSymbol { surface, line, point };
 
 struct LegendEntry {
   Color color;
   std::string text;  ///< UTF-8
-  LegendSymbol symbol = LegendSymbol::kSurface;
+  LegendSymbol symbol = LegendSymbol::surface;
 };
 
 struct Annotation {

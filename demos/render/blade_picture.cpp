@@ -10,11 +10,11 @@ constexpr Color kFirstBlade{0.93f, 0.80f, 0.86f};
 std::vector<Color> partColors(const BliskAnatomy& anatomy, BladeSide convex_side) {
   std::vector<Color> colors;
   for (const BladePart part : anatomy.sides.part_of_triangle) {
-    const bool is_convex = (part == BladePart::kForward) == (convex_side == BladeSide::kForward);
-    colors.push_back(part == BladePart::kNotOfBlade ? palette::kSteel
-                     : part == BladePart::kTip      ? palette::kSlate
-                     : is_convex                    ? palette::kSand
-                                                    : palette::kSky);
+    const bool is_convex = (part == BladePart::forward) == (convex_side == BladeSide::forward);
+    colors.push_back(part == BladePart::not_of_blade ? palette::kSteel
+                     : part == BladePart::tip        ? palette::kSlate
+                     : is_convex                     ? palette::kSand
+                                                     : palette::kSky);
   }
   return colors;
 }
@@ -44,10 +44,10 @@ Picture bladePicture(const TriangleMesh& blisk, const BliskFound& found, const B
   picture.annotation.legend = {{palette::kSand, "convex side"},
                                {palette::kSky, "concave side"},
                                {palette::kSteel, found.blades.shrouded ? "hub, shroud" : "hub"},
-                               {palette::kGreen, "leading edge", LegendSymbol::kLine},
-                               {palette::kVermilion, "trailing edge", LegendSymbol::kLine},
-                               {palette::kInk, "axis", LegendSymbol::kLine},
-                               {kFirstBlade, "blade 1", LegendSymbol::kPoint}};
+                               {palette::kGreen, "leading edge", LegendSymbol::line},
+                               {palette::kVermilion, "trailing edge", LegendSymbol::line},
+                               {palette::kInk, "axis", LegendSymbol::line},
+                               {kFirstBlade, "blade 1", LegendSymbol::point}};
   if (!found.blades.shrouded) {
     picture.annotation.legend.insert(picture.annotation.legend.begin() + 2, {palette::kSlate, "tip"});
   }

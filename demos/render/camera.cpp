@@ -55,7 +55,7 @@ Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up
   camera.target = axes.transpose() * center;
   camera.view_width = 2.0 * margin * half.x();
   camera.view_height = 2.0 * margin * half.y();
-  if (projection == Projection::kOrthographic) return camera;
+  if (projection == Projection::orthographic) return camera;
 
   // From an eye at (x_e, z_e) a point (x, z) is seen if ±(x − x_e) ≤ slope · (z − z_e), z being the depth.
   // The two tightest of these bounds, of the points furthest right and left, leave one nearest eye; the same
@@ -91,7 +91,7 @@ View::View(const Camera& camera, int width, int height, const Aabb& scene)
     : width_(width),
       height_(height),
       target_(camera.target),
-      perspective_(camera.projection == Projection::kPerspective),
+      perspective_(camera.projection == Projection::perspective),
       pixel_size_(std::max(camera.view_width / width, camera.view_height / height)) {
   if (!(camera.view_width > 0.0 && camera.view_height > 0.0 && std::isfinite(pixel_size_))) {
     throw std::invalid_argument("the camera's view must be wider and higher than zero");

@@ -9,7 +9,7 @@ namespace octoblisk::demos {
 
 using Vec3f = Eigen::Vector3f;
 
-enum class Projection { kOrthographic, kPerspective };
+enum class Projection { orthographic, perspective };
 
 /// A camera that looks at a target. The picture's shape is not its concern: whatever the shape, a rectangle
 /// of `view_width` × `view_height` around the target is seen whole.
@@ -19,18 +19,18 @@ struct Camera {
   Vec3 up = Vec3::UnitY();          ///< up in the picture; need not be square to the direction
   double view_width = 1.0;          ///< at the target (mesh units), > 0
   double view_height = 1.0;         ///< at the target (mesh units), > 0
-  Projection projection = Projection::kOrthographic;  ///< orthographic: the scale bar holds at any depth
-  double field_of_view = 0.45;                        ///< vertical, radians, in (0, π); perspective only
+  Projection projection = Projection::orthographic;  ///< orthographic: the scale bar holds at any depth
+  double field_of_view = 0.45;                       ///< vertical, radians, in (0, π); perspective only
 };
 
 /// A camera that looks along `direction` and sees all points, with `margin` times as much room as they need.
 /// Of no points it makes the default view in that direction.
 Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up,
-             Projection projection = Projection::kOrthographic, double margin = 1.06);
+             Projection projection = Projection::orthographic, double margin = 1.06);
 
 /// The same for the corners of a box.
 Camera frame(const Aabb& box, const Vec3& direction, const Vec3& up,
-             Projection projection = Projection::kOrthographic, double margin = 1.06);
+             Projection projection = Projection::orthographic, double margin = 1.06);
 
 /// A half-line. Points are relative to the camera's target, to be exact in single precision where one looks.
 struct Ray {

@@ -60,7 +60,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 void draw(const FlowBox& box, std::ostream& svg) {
   const BoxPlace place = placeOf(box);
   const double left = place.x - 0.5 * kBoxWidth, right = place.x + 0.5 * kBoxWidth;
-  if (box.shape == FlowShape::kStep) {
+  if (box.shape == FlowShape::step) {
     svg << "<rect x=\"" << left << "\" y=\"" << place.top() << "\" width=\"" << kBoxWidth << "\" height=\""
         << kBoxHeight << "\" rx=\"6\" fill=\"#eef1f4\"/>\n";
   } else {

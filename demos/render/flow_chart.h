@@ -8,14 +8,14 @@
 
 namespace octoblisk::demos {
 
-enum class FlowShape { kStep, kQuestion };
+enum class FlowShape { step, question };
 
 /// A box on a grid of columns, from the left, and rows, from the top; between two columns at k + ½.
 struct FlowBox {
   double column = 0.0;
   int row = 0;
   std::string text;  ///< plain UTF-8; broken into lines
-  FlowShape shape = FlowShape::kStep;
+  FlowShape shape = FlowShape::step;
 };
 
 /// From a box down to one of a row below.

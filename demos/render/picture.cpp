@@ -23,7 +23,7 @@ Image render(const Picture& picture, int width, int height, unsigned threads,
             page.pixels.begin() + static_cast<std::ptrdiff_t>(layout.sceneTop()) * width);
 
   const View view(picture.camera, width, layout.sceneHeight(), picture.scene.bounds());
-  const bool perspective = picture.camera.projection == Projection::kPerspective;
+  const bool perspective = picture.camera.projection == Projection::perspective;
   annotate(page, picture.annotation, layout, 1.0 / view.pixelSize(), perspective ? " at the centre" : "");
   return page;
 }

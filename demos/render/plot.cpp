@@ -42,13 +42,13 @@ void requireUsable(const Series& series) {
 
 std::string styleOf(SeriesStyle style) {
   switch (style) {
-    case SeriesStyle::kLine:
+    case SeriesStyle::line:
       return "lines lw 2";
-    case SeriesStyle::kDashedLine:
+    case SeriesStyle::dashed_line:
       return "lines lw 2 dt 2";
-    case SeriesStyle::kPoints:
+    case SeriesStyle::points:
       return "points pt 7 ps 0.4";
-    case SeriesStyle::kLineAndPoints:
+    case SeriesStyle::line_and_points:
       return "linespoints lw 2 pt 7 ps 0.5";
   }
   return {};

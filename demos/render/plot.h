@@ -7,13 +7,13 @@
 
 namespace octoblisk::demos {
 
-enum class SeriesStyle { kLine, kDashedLine, kPoints, kLineAndPoints };
+enum class SeriesStyle { line, dashed_line, points, line_and_points };
 
 struct Series {
   std::string name;  ///< in the key; empty: not in the key
   std::vector<double> x{};
   std::vector<double> y{};  ///< as many; a NaN breaks the line
-  SeriesStyle style = SeriesStyle::kLineAndPoints;
+  SeriesStyle style = SeriesStyle::line_and_points;
 };
 
 /// All text is plain UTF-8.

@@ -31,7 +31,7 @@ std::vector<Ball> lineBalls(const Scene::Marks& marks, const View& view, float w
     const Vec3f to = view.local(marks.points[index + 1]);
     const float from_radius = 0.5f * width_in_pixels * view.pixelSizeAt(from);
     const float to_radius = 0.5f * width_in_pixels * view.pixelSizeAt(to);
-    if (marks.kind != Scene::MarkKind::kArrows) {
+    if (marks.kind != Scene::MarkKind::arrows) {
       balls.insert(balls.end(), {ball(from, from_radius), ball(to, to_radius)});
       continue;
     }
@@ -102,8 +102,8 @@ RayCaster::RayCaster(const Scene& scene, const View& view, float pixels_per_poin
   for (unsigned index = 0; index < scene.marks().size(); ++index) {
     const Scene::Marks& marks = scene.marks()[index];
     attach(marks_.get(),
-           marks.kind == Scene::MarkKind::kPoints ? pointGeometry(marks, view, pixels_per_point)
-                                                  : lineGeometry(marks, view, pixels_per_point),
+           marks.kind == Scene::MarkKind::points ? pointGeometry(marks, view, pixels_per_point)
+                                                 : lineGeometry(marks, view, pixels_per_point),
            index);
   }
   rtcCommitScene(marks_.get());
@@ -200,7 +200,7 @@ std::optional<RayCaster::MarkHit> RayCaster::nearestMark(const Ray& ray) const {
   const Scene::Marks& marks = scene_.marks()[query.hit.geomID];
   return MarkHit{query.ray.tfar, Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized(),
                  static_cast<std::int32_t>(query.hit.geomID),
-                 marks.kind == Scene::MarkKind::kPoints ? static_cast<std::int32_t>(query.hit.primID) : 0};
+                 marks.kind == Scene::MarkKind::points ? static_cast<std::int32_t>(query.hit.primID) : 0};
 }
 
 bool RayCaster::isBlocked(const Ray& ray, float reach) const {

@@ -136,7 +136,7 @@ class BandRenderer {
       const Surface& there = centers_[slot(x, y)].back;
       if (there.solid != here.solid) return;
       const auto apart = static_cast<float>(std::max(std::abs(offset.column), std::abs(offset.row)));
-      if (sampler_.edgeBetween(here, there, apart) != Edge::kNone) return;
+      if (sampler_.edgeBetween(here, there, apart) != Edge::none) return;
       const float weight =
           (std::abs(offset.column) == reach ? 0.5f : 1.0f) * (std::abs(offset.row) == reach ? 0.5f : 1.0f);
       sum += weight * sky[slot(x, y)];
@@ -153,16 +153,16 @@ class BandRenderer {
     grid_of_.assign(centers_.size(), kNotRefined);
     for (int row = std::max(first_row_ - 2, 0); row < std::min(end_row_ + 2, image_.height); ++row) {
       for (int column = 0; column < width_; ++column) {
-        bool refined = ends_[slot(column, row)] != Ending::kNone;
+        bool refined = ends_[slot(column, row)] != Ending::none;
         forNeighbours(column, row, 1,
-                      [&](int x, int y, Offset) { refined |= ends_[slot(x, y)] == Ending::kOutlined; });
+                      [&](int x, int y, Offset) { refined |= ends_[slot(x, y)] == Ending::outlined; });
         if (refined) traceGrid(column, row);
       }
     }
   }
 
   void findEnds() {
-    ends_.assign(centers_.size(), Ending::kNone);
+    ends_.assign(centers_.size(), Ending::none);
     for (int row = first_traced_; row < end_traced_; ++row) {
       for (int column = 0; column < width_; ++column) {
         // Each pair of neighbours once.
@@ -250,11 +250,11 @@ class BandRenderer {
 
   static float inkOf(Edge edge) {
     switch (edge) {
-      case Edge::kNone:
+      case Edge::none:
         return 0.0f;
-      case Edge::kCrease:
+      case Edge::crease:
         return kCreaseInk;
-      case Edge::kSilhouette:
+      case Edge::silhouette:
         return kSilhouetteInk;
     }
     return 0.0f;

@@ -85,7 +85,7 @@ Sample Sampler::trace(float column, float row) const {
   sample.point = mark->point;
   sample.mark_position = ray.origin + mark->distance * ray.direction;
   sample.mark_color = linear(marks.style.color);
-  if (marks.kind != Scene::MarkKind::kLines) sample.mark_color = lit(sample.mark_color, mark->normal, 1.0f);
+  if (marks.kind != Scene::MarkKind::lines) sample.mark_color = lit(sample.mark_color, mark->normal, 1.0f);
   return sample;
 }
 
@@ -133,24 +133,24 @@ Vec3f Sampler::color(const Sample& sample, float sky_share) const {
 }
 
 Edge Sampler::edgeBetween(const Surface& a, const Surface& b, float pixels_apart) const {
-  if (a.solid != b.solid) return Edge::kSilhouette;
-  if (!a) return Edge::kNone;
+  if (a.solid != b.solid) return Edge::silhouette;
+  if (!a) return Edge::none;
   const Vec3f step = b.position - a.position;
   const float jump = kJumpInPixels * std::max(1.0f, pixels_apart) * view_.pixelSizeAt(a.position);
-  if (std::abs(a.normal.dot(step)) > jump && std::abs(b.normal.dot(step)) > jump) return Edge::kSilhouette;
-  return a.normal.dot(b.normal) < kCreaseCosine ? Edge::kCrease : Edge::kNone;
+  if (std::abs(a.normal.dot(step)) > jump && std::abs(b.normal.dot(step)) > jump) return Edge::silhouette;
+  return a.normal.dot(b.normal) < kCreaseCosine ? Edge::crease : Edge::none;
 }
 
 Ending Sampler::endingBetween(const Sample& a, const Sample& b) const {
-  if (edgeBetween(a.back, b.back, 1.0f) != Edge::kNone) return Ending::kOutlined;
+  if (edgeBetween(a.back, b.back, 1.0f) != Edge::none) return Ending::outlined;
   const bool veiled = a.transmittance < 1.0f || b.transmittance < 1.0f;
-  if (veiled && edgeBetween(a.front, b.front, 1.0f) != Edge::kNone) return Ending::kOutlined;
+  if (veiled && edgeBetween(a.front, b.front, 1.0f) != Edge::none) return Ending::outlined;
   if (a.mark != b.mark || a.point != b.point || a.mark_opacity != b.mark_opacity) {
-    return hasHalo(a) || hasHalo(b) ? Ending::kOutlined : Ending::kPlain;
+    return hasHalo(a) || hasHalo(b) ? Ending::outlined : Ending::plain;
   }
   const bool same_color = (a.back_color - b.back_color).cwiseAbs().maxCoeff() <= kColorStep &&
                           std::abs(a.transmittance - b.transmittance) <= kColorStep;
-  return same_color ? Ending::kNone : Ending::kPlain;
+  return same_color ? Ending::none : Ending::plain;
 }
 
 bool Sampler::hasHalo(const Sample& sample) const {

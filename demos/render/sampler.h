@@ -37,11 +37,11 @@ struct Sample {
 };
 
 /// How two surfaces part.
-enum class Edge { kNone, kCrease, kSilhouette };
+enum class Edge { none, crease, silhouette };
 
 /// How what is seen at two neighbouring places differs: not, so that more samples are needed to show where it
 /// ends, or so that a line or halo is to be drawn there too.
-enum class Ending : std::uint8_t { kNone, kPlain, kOutlined };
+enum class Ending : std::uint8_t { none, plain, outlined };
 
 class Sampler {
  public:

@@ -31,7 +31,7 @@ void Scene::addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene,
 }
 
 void Scene::addBoxes(std::span<const Obb> boxes, const MarkStyle& style) {
-  Marks marks{MarkKind::kLines, style, {}};
+  Marks marks{MarkKind::lines, style, {}};
   marks.points.reserve(24 * boxes.size());
   for (const Obb& box : boxes) {
     const auto corner = [&box](unsigned index) {
@@ -50,11 +50,11 @@ void Scene::addBoxes(std::span<const Obb> boxes, const MarkStyle& style) {
 }
 
 void Scene::addPoints(std::span<const Vec3> points, const MarkStyle& style) {
-  addMarks({MarkKind::kPoints, style, {points.begin(), points.end()}});
+  addMarks({MarkKind::points, style, {points.begin(), points.end()}});
 }
 
 void Scene::addPolyline(std::span<const Vec3> points, const MarkStyle& style) {
-  Marks marks{MarkKind::kLines, style, {}};
+  Marks marks{MarkKind::lines, style, {}};
   for (std::size_t index = 1; index < points.size(); ++index) {
     marks.points.insert(marks.points.end(), {points[index - 1], points[index]});
   }
@@ -62,7 +62,7 @@ void Scene::addPolyline(std::span<const Vec3> points, const MarkStyle& style) {
 }
 
 void Scene::addArrow(const Vec3& from, const Vec3& to, const MarkStyle& style) {
-  addMarks({MarkKind::kArrows, style, {from, to}});
+  addMarks({MarkKind::arrows, style, {from, to}});
 }
 
 void Scene::addMarks(Marks marks) {

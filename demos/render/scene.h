@@ -55,7 +55,7 @@ class Scene {
     float opacity;
   };
 
-  enum class MarkKind { kLines, kPoints, kArrows };
+  enum class MarkKind { lines, points, arrows };
 
   /// Marks of one kind and style. Points: the points. Lines and arrows: their two ends, one after the other.
   struct Marks {

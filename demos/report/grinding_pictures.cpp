@@ -66,7 +66,7 @@ void addContacts(const PoseReport& pose, float width, Picture& picture) {
     if (points.empty()) continue;
     picture.scene.addPoints(
         points, {.color = colorOf(verdict), .width = width, .hidden_opacity = 0.6f, .halo = true});
-    picture.annotation.legend.push_back({colorOf(verdict), nameOf(verdict), LegendSymbol::kPoint});
+    picture.annotation.legend.push_back({colorOf(verdict), nameOf(verdict), LegendSymbol::point});
   }
 }
 
@@ -74,7 +74,7 @@ void addPath(const GrindingRun& run, Picture& picture) {
   std::vector<Vec3> line;
   for (const PoseReport& pose : run.poses) line.push_back(pose.tool_in_blisk.translation);
   picture.scene.addPolyline(line, {.color = palette::kPurple, .width = 2.5f, .hidden_opacity = 0.25f});
-  picture.annotation.legend.push_back({palette::kPurple, "path of the contact wheel", LegendSymbol::kLine});
+  picture.annotation.legend.push_back({palette::kPurple, "path of the contact wheel", LegendSymbol::line});
 }
 
 /// The tree's boxes near a point.
@@ -194,7 +194,7 @@ Picture closeupOf(const GrindingRun& run) {
     closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});
     closeup.annotation.legend.push_back(
         {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth) + " (faint where hidden)",
-         LegendSymbol::kLine});
+         LegendSymbol::line});
   }
   addContacts(pose, 13.0f, closeup);
   const Vec3 wheel_axis = pose.tool_in_blisk.rotation.col(2);

@@ -102,7 +102,7 @@ void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   const std::string side =
       worst ? sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade) : "";
   if (!side.empty() && run.convex_side) {
-    stream << ((side == "forward") == (*run.convex_side == BladeSide::kForward) ? "convex" : "concave");
+    stream << ((side == "forward") == (*run.convex_side == BladeSide::forward) ? "convex" : "concave");
   }
   stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
 }

@@ -67,7 +67,7 @@ class ClReader {
   }
 
  private:
-  enum class FeedUnit { kOfFile, kMm, kInch };
+  enum class FeedUnit { of_file, mm, inch };
 
   void take(const AptStatement& statement) {
     const std::string word = statement.word.substr(0, statement.word.find(','));
@@ -191,9 +191,9 @@ class ClReader {
       const std::string& argument = statement.arguments[k];
       const bool is_mode = isAmong(argument, {"PERMIN", "IPM", "MMPM", "PERREV", "IPR", "MMPR"});
       if (is_mode) {
-        feed_unit_ = argument.starts_with("MM")  ? FeedUnit::kMm
-                     : argument.starts_with("I") ? FeedUnit::kInch
-                                                 : FeedUnit::kOfFile;
+        feed_unit_ = argument.starts_with("MM")  ? FeedUnit::mm
+                     : argument.starts_with("I") ? FeedUnit::inch
+                                                 : FeedUnit::of_file;
         feed_is_per_turn_ = argument.ends_with("R") || argument.ends_with("REV");
       } else if (value ||
                  std::isalpha(static_cast<unsigned char>(argument.empty() ? 'A' : argument.front()))) {
@@ -204,9 +204,7 @@ class ClReader {
       }
     }
     if (!value) text_.fail(statement.line, "FEDRAT has no number");
-    const double unit = feed_unit_ == FeedUnit::kMm     ? 1.0
-                        : feed_unit_ == FeedUnit::kInch ? kMmPerInch
-                                                        : unit_;
+    const double unit = feed_unit_ == FeedUnit::mm ? 1.0 : feed_unit_ == FeedUnit::inch ? kMmPerInch : unit_;
     if (feed_is_per_turn_ && !turns_per_minute_) {
       text_.fail(statement.line, "FEDRAT by revolution needs a SPINDL in RPM before it");
     }
@@ -248,7 +246,7 @@ class ClReader {
   Vec3 tool_axis_ = Vec3::UnitZ();
   std::optional<Vec3> second_axis_;
   double feed_ = 0.0;  // mm/min
-  FeedUnit feed_unit_ = FeedUnit::kOfFile;
+  FeedUnit feed_unit_ = FeedUnit::of_file;
   bool feed_is_per_turn_ = false;
   bool is_rapid_ = false;
   std::optional<double> turns_per_minute_;

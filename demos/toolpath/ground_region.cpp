@@ -104,8 +104,8 @@ GroundLine GroundRegion::lineAt(const RunningSum& progress, double part) const {
 
 GroundLine GroundRegion::line(double part) const {
   const BladeContour contour = blade_.at(std::lerp(options_.height_to, options_.height_from, part));
-  if (options_.region == PathRegion::kLeadingEdge) return roundTheEdge(contour);
-  const GroundLine whole(options_.region == PathRegion::kForward ? contour.forward : contour.backward);
+  if (options_.region == PathRegion::leading_edge) return roundTheEdge(contour);
+  const GroundLine whole(options_.region == PathRegion::forward ? contour.forward : contour.backward);
   require(2.0 * options_.edge_margin < whole.length(),
           "the margins along the edges leave nothing of the side, which is " +
               std::to_string(whole.length()) + " mm wide");

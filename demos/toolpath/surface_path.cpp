@@ -21,7 +21,7 @@ namespace {
 Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) {
   const Vec3& normal = point.normal;
   const Vec3 up = armInSurface(options.arm, point.position, normal);
-  const double towards_trailing = options.region == PathRegion::kBackward ? -1.0 : 1.0;
+  const double towards_trailing = options.region == PathRegion::backward ? -1.0 : 1.0;
   const double lead = radians(options.lead);
   const double tilt = radians(options.tilt);
   const Vec3 in_surface = std::cos(lead) * up + towards_trailing * std::sin(lead) * up.cross(normal);
@@ -143,7 +143,7 @@ SurfacePath makeSurfacePath(const BladeContours& blade, const SurfacePathOptions
   requireOptions(options);
   const GroundRegion region(blade, options);
   Passes passes(options);
-  if (options.pattern == PathPattern::kTransversal) {
+  if (options.pattern == PathPattern::transversal) {
     addTransversal(region, options, passes);
   } else {
     addLongitudinal(region, options, passes);

@@ -12,16 +12,16 @@
 
 namespace octoblisk::demos {
 
-enum class PathRegion { kForward, kBackward, kLeadingEdge };
+enum class PathRegion { forward, backward, leading_edge };
 
 /// Longitudinal passes go along the blade's length, root to tip; transversal ones along its chord, round the
 /// edge where that is ground.
-enum class PathPattern { kLongitudinal, kTransversal };
+enum class PathPattern { longitudinal, transversal };
 
 /// Lengths in mm, angles in degrees.
 struct SurfacePathOptions {
-  PathRegion region = PathRegion::kForward;
-  PathPattern pattern = PathPattern::kTransversal;
+  PathRegion region = PathRegion::forward;
+  PathPattern pattern = PathPattern::transversal;
   PathArm arm = PathArm::outward;  ///< how the arm leaves the blades
   double step_over = 5.0;          ///< greatest distance from pass to pass, along the surface
   double tilt = 8.0;           ///< of the arm, off the surface, about the contact wheel's axis; within ±90

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "contact/triangles_along.h"
-#include "geometry/point_bounds.h"
 #include "octoblisk_bullet/convert.h"
 
 namespace octoblisk::detail {

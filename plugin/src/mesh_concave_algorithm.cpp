@@ -107,7 +107,7 @@ void MeshConcaveAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   const Pose other_in_mesh =
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   source_contacts_.find(shape.tree(), source, other_in_mesh, reach, found);
-  surface_contacts_.keepIn(
+  surface_contacts_.filter(
       found, [&](const Contact& contact) { return shape.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {
         return other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;

@@ -15,7 +15,7 @@ void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
-  surface_contacts_.keepIn(
+  surface_contacts_.filter(
       found, [&](const Contact& contact) { return shape_a.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) { return b_in_a * shape_b.tree().mesh().triangle(contact.triangle_b); });
 }

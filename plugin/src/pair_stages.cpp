@@ -7,10 +7,13 @@ namespace {
 using Cache = btHashedOverlappingPairCache;
 
 // A coarse pair has no algorithm; its room for a user's number, 0 at first, tells whether it is tight.
-enum Verdict { kUndecided, kApart, kTight };
-bool isDecided(const btBroadphasePair& pair) { return pair.m_internalTmpValue != kUndecided; }
-bool isTight(const btBroadphasePair& pair) { return pair.m_internalTmpValue == kTight; }
-void setTight(btBroadphasePair& pair, bool tight) { pair.m_internalTmpValue = tight ? kTight : kApart; }
+enum class Verdict { undecided, apart, tight };
+Verdict verdictOf(const btBroadphasePair& pair) { return static_cast<Verdict>(pair.m_internalTmpValue); }
+bool isDecided(const btBroadphasePair& pair) { return verdictOf(pair) != Verdict::undecided; }
+bool isTight(const btBroadphasePair& pair) { return verdictOf(pair) == Verdict::tight; }
+void setTight(btBroadphasePair& pair, bool tight) {
+  pair.m_internalTmpValue = static_cast<int>(tight ? Verdict::tight : Verdict::apart);
+}
 
 }  // namespace
 

@@ -27,7 +27,7 @@ struct Found {
     contacts(a, b, b_in_a, threshold, all);
     kept = all;
     SurfaceContacts surfaces;
-    surfaces.keepIn(
+    surfaces.filter(
         kept, [&](const Contact& c) { return a.mesh().triangle(c.triangle_a); },
         [&](const Contact& c) { return b_in_a * b.mesh().triangle(c.triangle_b); });
   }

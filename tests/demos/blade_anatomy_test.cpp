@@ -53,7 +53,7 @@ std::map<std::size_t, BladePart> trueParts(const Blisk& blisk, int blade, double
     const Triangle corners = blisk.mesh.triangle(t);
     const double least_radius = std::min({radius(corners[0]), radius(corners[1]), radius(corners[2])});
     if (!shroud && least_radius > tip_radius - 1e-6) {
-      parts[t] = BladePart::kTip;
+      parts[t] = BladePart::tip;
       continue;
     }
     const Vec3 center = centroid(corners);
@@ -62,7 +62,7 @@ std::map<std::size_t, BladePart> trueParts(const Blisk& blisk, int blade, double
       const auto opposite = atMeridian(blisk.mesh.triangle(other), center.z(), radius(center));
       if (!opposite) continue;
       const double ahead = std::remainder(angle(center) - angle(*opposite), 2.0 * std::numbers::pi);
-      parts[t] = ahead > 0.0 ? BladePart::kForward : BladePart::kBackward;
+      parts[t] = ahead > 0.0 ? BladePart::forward : BladePart::backward;
     }
   }
   return parts;
@@ -145,7 +145,7 @@ TEST_P(Anatomy, ConvexSidesEdgesAndAreasDoNotDependOnWhereTheBliskLies) {
   const bool forward_convex =
       forwardIsConvex(truth_.sections.loops[truth_.sections.loops.size() / 2]) != reversed;
   ASSERT_TRUE(anatomy.convex_side);
-  EXPECT_EQ(*anatomy.convex_side, forward_convex ? BladeSide::kForward : BladeSide::kBackward);
+  EXPECT_EQ(*anatomy.convex_side, forward_convex ? BladeSide::forward : BladeSide::backward);
 
   // The generator's blade 1 stands where its sections do.
   const Pose blisk_in_truth = truth_.blisk_in_mesh.inverse() * found.mesh_in_blisk.inverse();

@@ -92,7 +92,7 @@ TEST(CmmExperiment, nothingIsAddedAndThePlanTakesOffWhatIsAskedOnTheSides) {
 
 TEST(CmmExperiment, anEvenPassTakesOffTheMeanErrorByItsModel) {
   CmmExperimentOptions options;
-  options.plan = PassPlan::kEven;
+  options.plan = PassPlan::even;
   options.errors = {.preston_factor = 1.0, .force_factor = 1.0, .force_noise = 0.0};
   options.cmm.noise = 0.0;
   const CmmExperiment even = run(options);

@@ -205,9 +205,9 @@ TEST(CmmStrip, itsNormalsPointOutwardsAndItsAreasAreWhereTheyBelong) {
       const auto& stations = strip.measured_stations[static_cast<std::size_t>(area)];
       return strip.grid.at(0, stations[stations.size() / 2]).flat;
     };
-    EXPECT_LT(middleOf(BladeArea::kLeadingEdge).x(), -18.0);
-    EXPECT_GT(middleOf(BladeArea::kTrailingEdge).x(), 18.0);
-    EXPECT_GT(toward * (middleOf(BladeArea::kConvex) - middleOf(BladeArea::kConcave)).y(), 2.5);
+    EXPECT_LT(middleOf(BladeArea::leading_edge).x(), -18.0);
+    EXPECT_GT(middleOf(BladeArea::trailing_edge).x(), 18.0);
+    EXPECT_GT(toward * (middleOf(BladeArea::convex) - middleOf(BladeArea::concave)).y(), 2.5);
     EXPECT_EQ(strip.measured_rows.size(), 5u);
     EXPECT_NEAR(strip.grid.height(strip.measured_rows.front()), 130.0, 1e-9);
     EXPECT_NEAR(strip.grid.height(strip.measured_rows.back()), 148.0, 1e-9);

@@ -78,7 +78,7 @@ TEST(Document, refusesARaggedTableAndAFigureThatIsNotThere) {
 }
 
 TEST(FlowChart, drawsBoxesAndArrowsWithTheirWords) {
-  const FlowChart chart{.boxes = {{0.0, 0, "a < b?", FlowShape::kQuestion}, {0.5, 1, "so it is"}},
+  const FlowChart chart{.boxes = {{0.0, 0, "a < b?", FlowShape::question}, {0.5, 1, "so it is"}},
                         .arrows = {{0, 1, "yes"}}};
   const std::string svg = svgOf(chart);
   EXPECT_THAT(svg, HasSubstr(">a &lt; b?</text>"));
@@ -105,8 +105,8 @@ TEST(Plot, drawsEverySeriesWithItsWords) {
                   .x_label = "FNOP",
                   .y_label = "time (ms)",
                   .y_log = true,
-                  .series = {{"k_2 & more", {1, 2, 3, 4, 5}, {1, 10, gap, 10, 1}, SeriesStyle::kLine},
-                             {"points", {1, 2}, {3, 4}, SeriesStyle::kPoints}}};
+                  .series = {{"k_2 & more", {1, 2, 3, 4, 5}, {1, 10, gap, 10, 1}, SeriesStyle::line},
+                             {"points", {1, 2}, {3, 4}, SeriesStyle::points}}};
   const std::filesystem::path file = folder.path() / "it's a plot.svg";
   writeSvg(plot, file);
   const std::string svg = contentOf(file);

@@ -46,7 +46,7 @@ bool hasEntry(const Picture& picture, const std::string& text) {
 
 std::size_t linesOf(const Picture& picture) {
   return static_cast<std::size_t>(
-      std::ranges::count(picture.scene.marks(), Scene::MarkKind::kLines, &Scene::Marks::kind));
+      std::ranges::count(picture.scene.marks(), Scene::MarkKind::lines, &Scene::Marks::kind));
 }
 
 TEST(GrindingPictures, TheGroundBladeIsMarked) {
@@ -79,7 +79,7 @@ TEST(GrindingPictures, BoxesAreInTheLegendWhereThereAreAnyAndShineThroughSurface
   const Picture touching = closeupOf(runWith(true));
   EXPECT_TRUE(hasEntry(touching, "boxes of the tree"));
   ASSERT_EQ(linesOf(touching), 1u);
-  EXPECT_GT(std::ranges::find(touching.scene.marks(), Scene::MarkKind::kLines, &Scene::Marks::kind)
+  EXPECT_GT(std::ranges::find(touching.scene.marks(), Scene::MarkKind::lines, &Scene::Marks::kind)
                 ->style.hidden_opacity,
             0.0f);
   const Picture apart = closeupOf(runWith(false));

@@ -133,10 +133,10 @@ TEST(Blisk, ChannelsTakeTheBelt) {
   const int middle_row = 10;
   double width = 1e9;
   for (int i = 0; i <= 60; ++i) {
-    const Vec3 forward = toCartesian(blade.at(BladeSide::kForward, middle_row, i));
+    const Vec3 forward = toCartesian(blade.at(BladeSide::forward, middle_row, i));
     for (int row = 0; row <= 20; ++row) {
       for (int j = 0; j <= 60; ++j) {
-        CylindricalPoint next = blade.at(BladeSide::kBackward, row, j);
+        CylindricalPoint next = blade.at(BladeSide::backward, row, j);
         next.angle += 2.0 * std::numbers::pi / kBlades;
         width = std::min(width, (toCartesian(next) - forward).norm());
       }
@@ -151,8 +151,8 @@ TEST(Blisk, SmoothlyRefinesTheSameBlade) {
   const BladeGrid fine = sampleBlade(sections, kHub, nullptr, 40, 32);
   for (int row = 0; row <= 8; ++row) {
     for (int station = 0; station <= 10; ++station) {
-      const Vec3 a = toCartesian(coarse.at(BladeSide::kForward, row, station));
-      const Vec3 b = toCartesian(fine.at(BladeSide::kForward, 4 * row, 4 * station));
+      const Vec3 a = toCartesian(coarse.at(BladeSide::forward, row, station));
+      const Vec3 b = toCartesian(fine.at(BladeSide::forward, 4 * row, 4 * station));
       EXPECT_LT((a - b).norm(), 1e-9);
     }
   }

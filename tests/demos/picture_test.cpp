@@ -57,7 +57,7 @@ TriangleMesh square(double height) {
 }
 
 /// Looks down on the xy plane: a window of 4 × 3 around the origin.
-Camera fromAbove(Projection projection = Projection::kOrthographic) {
+Camera fromAbove(Projection projection = Projection::orthographic) {
   Camera camera;
   camera.view_width = 4.0;
   camera.view_height = 3.0;
@@ -93,14 +93,14 @@ Picture busyPicture() {
   picture.scene.addPolyline(std::array{Vec3(-1, -1, 1.5), Vec3(0, 1, 1.2), Vec3(1, -1, 0)},
                             {.color = palette::kPurple, .width = 20, .hidden_opacity = 0.4f});
   picture.scene.addArrow({2, 2, 2}, {1, 1, 1}, {.color = palette::kGreen, .width = 20});
-  picture.camera = frame(picture.scene.points(), {-1, -2, -1.5}, Vec3::UnitZ(), Projection::kPerspective);
+  picture.camera = frame(picture.scene.points(), {-1, -2, -1.5}, Vec3::UnitZ(), Projection::perspective);
   picture.annotation = {
       .title = "Title", .subtitle = "Subtitle", .legend = {{palette::kSteel, "cube"}}, .length_unit = "mm"};
   return picture;
 }
 
 TEST(Picture, SurfaceThatFacesTheCameraHasTheColourOfItsLegend) {
-  for (const Projection projection : {Projection::kOrthographic, Projection::kPerspective}) {
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     Picture picture;
     picture.scene.addMesh(cube(), {}, palette::kVermilion);
     picture.camera = fromAbove(projection);
@@ -166,7 +166,7 @@ TEST(Picture, HiddenMarksShineThroughByTheirOpacity) {
 }
 
 TEST(Picture, LinesAreAsWideOnPaperAtAnyDepth) {
-  for (const Projection projection : {Projection::kOrthographic, Projection::kPerspective}) {
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     for (const double height : {-2.0, 0.0, 2.0}) {
       Picture picture;
       picture.scene.addPolyline(std::array{Vec3(0, -0.5, height), Vec3(0, 0.5, height)},
@@ -263,7 +263,7 @@ TEST(Picture, BadInputIsRefused) {
 
 TEST(Camera, FrameSeesEveryPointAndFitsTight) {
   const std::vector<Vec3> points = {{0, 0, 0}, {10, 2, 1}, {3, 8, -4}, {-2, 5, 12}, {6, 6, 6}};
-  for (const Projection projection : {Projection::kOrthographic, Projection::kPerspective}) {
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     Picture picture;
     picture.camera = frame(points, {-1, 2, -0.5}, Vec3::UnitZ(), projection);
     picture.scene.addPoints(points, {.color = Color{}, .width = 20});

@@ -106,7 +106,7 @@ class SurfacePathTest : public ::testing::TestWithParam<PathCase> {
 TEST_P(SurfacePathTest, EachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFor) {
   const SurfacePath path = makeSurfacePath(contours(), options());
   ASSERT_EQ(path.moves.size(), path.pass_of_move.size());
-  const bool at_edge = options().region == kLeadingEdge;
+  const bool at_edge = options().region == leading_edge;
   for (std::size_t k = 0; k < path.moves.size(); ++k) {
     const Pose& pose = path.moves[k].tool_in_blisk;
     ASSERT_TRUE((pose.rotation.transpose() * pose.rotation).isIdentity(1e-12));
@@ -123,7 +123,7 @@ TEST_P(SurfacePathTest, EachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAske
     const Vec3 facet = scaledNormal(bladeTree().mesh().triangle(closest.triangle)).normalized();
     EXPECT_GT(normal.dot(facet), at_edge ? 0.3 : 0.99) << "few facets go round the edge";
     const double facing = normal.dot(tangential(contact));
-    const double side = options().region == kForward ? 1.0 : -1.0;
+    const double side = options().region == forward ? 1.0 : -1.0;
     EXPECT_TRUE(at_edge || side * facing > 0.3) << facing;
 
     // Tilt: the arm's angle above the tangent plane. Lead: of its projection, from the outward direction.
@@ -157,7 +157,7 @@ TEST_P(SurfacePathTest, PassesKeepTheStepOverAndAreNoMoreThanNeeded) {
   }
   // Across the surface it may be nearer than along it, round the edge most of all.
   EXPECT_GT(greatest,
-            (fine.region == kLeadingEdge && fine.pattern == kLongitudinal ? 0.4 : 0.7) * fine.step_over);
+            (fine.region == leading_edge && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
 }
 
 TEST_P(SurfacePathTest, StepsAreSmallAndPassesGoTheWayAskedFor) {
@@ -169,12 +169,12 @@ TEST_P(SurfacePathTest, StepsAreSmallAndPassesGoTheWayAskedFor) {
     }
     const auto radius = [](const Vec3& p) { return std::hypot(p.x(), p.y()); };
     const double rise = std::abs(radius(contacts.front()) - radius(contacts.back()));
-    if (options().pattern == kLongitudinal) {
+    if (options().pattern == longitudinal) {
       EXPECT_GT(rise, 50.0);
     } else {
       EXPECT_LT(rise, 8.0);
     }
-    if (options().region == kLeadingEdge) {
+    if (options().region == leading_edge) {
       double from_edge = 1e9;
       for (int step = 0; step <= 100; ++step) {
         const Vec3 edge = contours().at(0.4 + 0.006 * step).forward.front().position;
@@ -195,12 +195,12 @@ TEST_P(SurfacePathTest, StepsAreSmallAndPassesGoTheWayAskedFor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePathTest,
-                         ::testing::Values(PathCase{kForward, kTransversal, 5.0, 8.0, 0.0},
-                                           PathCase{kBackward, kTransversal, 3.0, -4.0, 12.0},
-                                           PathCase{kForward, kLongitudinal, 10.0, 8.0, -15.0},
-                                           PathCase{kBackward, kLongitudinal, 7.0, 0.0, 5.0},
-                                           PathCase{kLeadingEdge, kTransversal, 4.0, 5.0, 0.0},
-                                           PathCase{kLeadingEdge, kLongitudinal, 1.0, 8.0, 10.0}));
+                         ::testing::Values(PathCase{forward, transversal, 5.0, 8.0, 0.0},
+                                           PathCase{backward, transversal, 3.0, -4.0, 12.0},
+                                           PathCase{forward, longitudinal, 10.0, 8.0, -15.0},
+                                           PathCase{backward, longitudinal, 7.0, 0.0, 5.0},
+                                           PathCase{leading_edge, transversal, 4.0, 5.0, 0.0},
+                                           PathCase{leading_edge, longitudinal, 1.0, 8.0, 10.0}));
 
 TEST(SurfacePathOptionsTest, AreCheckedInOneLine) {
   const auto refusal = [](auto change) {

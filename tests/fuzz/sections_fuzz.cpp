@@ -11,7 +11,7 @@ using namespace octoblisk::demos;
 namespace {
 
 void requireFinite(const BladeGrid& grid) {
-  for (const BladeSide side : {BladeSide::kForward, BladeSide::kBackward}) {
+  for (const BladeSide side : {BladeSide::forward, BladeSide::backward}) {
     for (int row = 0; row <= grid.spanCells(); ++row) {
       for (int station = 0; station <= grid.chordCells(); ++station) {
         if (!toCartesian(grid.at(side, row, station)).allFinite()) fuzz::fail("a point that is not finite");

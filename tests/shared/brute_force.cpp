@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/point_bounds.h"
 #include "geometry/triangle_pair.h"
 
 namespace octoblisk::testing {

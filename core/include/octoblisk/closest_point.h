@@ -9,15 +9,6 @@
 
 namespace octoblisk {
 
-/// The point of a triangle closest to `point`, in double precision; of a degenerate triangle, which is a
-/// segment or a point, too.
-Vec3 closestPoint(const Triangle& triangle, const Vec3& point);
-
-/// From a triangle to a point, mesh units.
-inline double distance(const Triangle& triangle, const Vec3& point) {
-  return (closestPoint(triangle, point) - point).norm();
-}
-
 /// Lengths in mesh units.
 struct ClosestPoint {
   Vec3 point = Vec3::Zero();  ///< on the mesh

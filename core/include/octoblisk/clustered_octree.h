@@ -1,6 +1,6 @@
-// The clustered octree: up to eight children a node, each with an oriented box of its own that holds its
-// whole triangles. Built once, never changed: const queries from any number of threads may share it, and
-// copies share its memory.
+// The clustered octree: a wide (8-child) bounding volume hierarchy of oriented boxes, built by recursive
+// k-means clustering. "Octree" is the paper's word. Any number of threads may query a tree; copies share its
+// memory.
 #pragma once
 
 #include <cstddef>

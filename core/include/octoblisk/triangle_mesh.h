@@ -19,6 +19,15 @@ inline Triangle operator*(const Pose& pose, const Triangle& t) {
   return {pose * t[0], pose * t[1], pose * t[2]};
 }
 
+/// The point of a triangle closest to `point`, in double precision; of a degenerate triangle, which is a
+/// segment or a point, too.
+Vec3 closestPoint(const Triangle& triangle, const Vec3& point);
+
+/// From a triangle to a point, mesh units.
+inline double distance(const Triangle& triangle, const Vec3& point) {
+  return (closestPoint(triangle, point) - point).norm();
+}
+
 /// Indexed triangles over double vertices.
 ///
 /// Legal: duplicate vertices, vertices no triangle uses, degenerate triangles, open or non-manifold surfaces.

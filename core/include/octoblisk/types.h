@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <span>
 
 namespace octoblisk {
 
@@ -37,6 +38,13 @@ struct Aabb {
   Vec3 center() const { return 0.5 * (min + max); }
   Vec3 halfExtents() const { return 0.5 * (max - min); }
 };
+
+/// The axis-aligned box of some points.
+inline Aabb boundsOf(std::span<const Vec3> points) {
+  Aabb bounds;
+  for (const Vec3& point : points) bounds.extend(point);
+  return bounds;
+}
 
 /// An oriented box: the points center + axes · x with |x_i| <= half_extents_i.
 struct Obb {

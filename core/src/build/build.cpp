@@ -5,11 +5,13 @@
 
 #include "base/huge_pages.h"
 #include "base/parallel.h"
+#include "build/make_compact.h"
 #include "build/paper/paper_partition.h"
 #include "build/partition.h"
-#include "tree/refit.h"
+#include "tree/box_padding.h"
 #include "tree/tree.h"
 #include "tree/validation.h"
+#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk {
 

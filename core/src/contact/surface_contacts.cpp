@@ -53,7 +53,7 @@ bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
   return !other.facing.isZero() && isBelow(face, other) && isBelow(other, face);
 }
 
-void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
+void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
   removeLongWays(contacts);
   join(contacts);
@@ -69,7 +69,7 @@ void SurfaceContacts::keepIn(std::vector<Contact>& contacts) {
 void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
   std::size_t kept = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (removed_[c] != kKept) continue;
+    if (removed_[c] != Removed::no) continue;
     contacts[kept] = contacts[c];
     pairs_[kept++] = pairs_[c];
   }
@@ -79,7 +79,7 @@ void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
 
 /// All kept, in the order that they come in.
 void SurfaceContacts::reset(std::size_t contacts) {
-  removed_.assign(contacts, kKept);
+  removed_.assign(contacts, Removed::no);
   for (auto* indices : {&by_a_, &by_b_}) {
     indices->resize(contacts);
     std::iota(indices->begin(), indices->end(), 0u);
@@ -126,7 +126,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
       if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
       return *is_out && isConvex(face, other) && contactOf(own, other.triangle).distance < half_way;
     };
-    if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = kLongWay;
+    if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = Removed::long_way;
   }
 }
 
@@ -166,13 +166,13 @@ void SurfaceContacts::join(const std::vector<Contact>& contacts) {
 /// Gives its deepest contact back to a group of which all were removed, and the deepest of all.
 void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
-  removed_[static_cast<std::size_t>(deepest)] = kKept;
+  removed_[static_cast<std::size_t>(deepest)] = Removed::no;
   stays_.assign(parent_.size(), false);
   for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (removed_[c] == kKept) stays_[rootOf(parent_, c)] = true;
+    if (removed_[c] == Removed::no) stays_[rootOf(parent_, c)] = true;
   }
   for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (parent_[c] == c && !stays_[c]) removed_[c] = kKept;
+    if (parent_[c] == c && !stays_[c]) removed_[c] = Removed::no;
   }
 }
 
@@ -186,7 +186,7 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
     const Vec3 facing_a = scaledNormal(pairs_[c].a), facing_b = scaledNormal(pairs_[c].b);
     if (contact.normal.dot(facing_a) > kBehind * facing_a.norm() ||
         contact.normal.dot(facing_b) < -kBehind * facing_b.norm()) {
-      removed_[c] = kPast;
+      removed_[c] = Removed::past;
     }
   }
 }
@@ -203,7 +203,7 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
     const Triangle& own = ownOf(c);
-    if (removed_[c] != kKept || isSquare(own, contact.normal)) continue;
+    if (removed_[c] != Removed::no || isSquare(own, contact.normal)) continue;
     const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
     if (feature == 0b111u || feature == 0) continue;
     if (corners_.empty()) {
@@ -222,12 +222,12 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
       const Contact& other = contacts[o];
       // What is wholly past the face is deeper than what meets it.
       const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
-                                                    : other.distance <= 0.0 || removed_[o] == kPast;
+                                                    : other.distance <= 0.0 || removed_[o] == Removed::past;
       if (o == c || !is_nearer) continue;
       const Triangle& shares = ownOf(o);
       if (!has(shares, own[first]) || !has(shares, own[second])) continue;
       if (!leansOver(shares, own[first], own[second], towards)) continue;
-      removed_[c] = kInner;
+      removed_[c] = Removed::inner;
       break;
     }
   }

@@ -26,10 +26,10 @@ class SurfaceContacts {
   /// `triangle_a(contact)` and `triangle_b(contact)` tell the triangles in the contacts' frame, triangles
   /// that share a corner to the last bit. Once warm, allocates nothing.
   template <typename TriangleA, typename TriangleB>
-  void keepIn(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
+  void filter(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
     pairs_.clear();
     for (const Contact& contact : contacts) pairs_.push_back({triangle_a(contact), triangle_b(contact)});
-    keepIn(contacts);
+    filter(contacts);
   }
 
  private:
@@ -51,7 +51,7 @@ class SurfaceContacts {
   };
   using Members = std::span<const std::uint32_t>;
 
-  void keepIn(std::vector<Contact>& contacts);
+  void filter(std::vector<Contact>& contacts);
   void reset(std::size_t contacts);
   void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);
@@ -65,7 +65,8 @@ class SurfaceContacts {
 
   std::vector<Pair> pairs_;  // of each contact
   std::vector<Corner> corners_;
-  enum Removed : std::uint8_t { kKept, kLongWay, kPast, kInner };
+  /// Why a contact is removed.
+  enum class Removed : std::uint8_t { no, long_way, past, inner };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> by_a_, by_b_, parent_, shallowest_;
   std::vector<Face> faces_;  // that meet a triangle

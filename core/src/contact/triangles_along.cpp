@@ -9,7 +9,6 @@
 #define HWY_TARGET_INCLUDE "contact/triangles_along.cpp"
 #include <hwy/foreach_target.h>
 
-#include "geometry/point_bounds.h"
 #include "query/traversal-inl.h"
 
 #ifndef OCTOBLISK_TRIANGLES_ALONG_ONCE

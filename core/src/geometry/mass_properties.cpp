@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "build/paper/principal_box.h"
+#include "geometry/principal_axes.h"
 
 namespace octoblisk {
 

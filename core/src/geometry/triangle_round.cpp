@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "geometry/segment_pair.h"
-#include "octoblisk/closest_point.h"
 
 namespace octoblisk::detail {
 namespace {

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "geometry/point_bounds.h"
 #include "geometry/triangle_pair.h"
 #include "tree/tree.h"
 

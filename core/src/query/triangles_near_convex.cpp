@@ -1,7 +1,5 @@
 #include "octoblisk/triangles_near_convex.h"
 
-#include "geometry/point_bounds.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/triangles_near_convex.cpp"
 #include <hwy/foreach_target.h>

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/huge_pages.h"
 #include "base/parallel.h"
-#include "tree/leaf_vertices.h"
+#include "tree/box_padding.h"
+#include "tree/for_each_node.h"
 #include "tree/tree_vertices.h"
+#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -131,24 +132,7 @@ void fit(CompactNode& node, std::uint32_t index, const Extents& extents, float p
   node.setBoxes(rotations, boxes, pad);
 }
 
-/// Calls visit(node) for each, on several threads.
-template <typename Visit>
-void forEachNode(const TreeArrays& tree, int threads, const Visit& visit) {
-  constexpr std::size_t kChunk = 64;
-  const std::size_t count = tree.nodeCount();
-  parallelFor((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-    for (std::size_t n = chunk * kChunk; n < end; ++n) visit(static_cast<std::uint32_t>(n));
-  });
-}
-
 }  // namespace
-
-float boxPadding(double radius) {
-  constexpr double kRounding = 0x1p-20;  // of the radius: sixteen units in the last place
-  constexpr auto kSmallest = static_cast<double>(std::numeric_limits<float>::min());
-  return static_cast<float>(kRounding * radius + kSmallest);
-}
 
 void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads) {
   const TreeVertices vertices(mesh, tree.triangle_order, origin, threads);
@@ -164,39 +148,6 @@ void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, doub
     }
   });
   if (!arrays.isCompact()) writeAllLeafVertices(tree, mesh, origin, threads);
-}
-
-void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads) {
-  if (tree.leaf_vertices.empty()) {
-    reserveOnHugePages(tree.leaf_vertices, 9 * tree.triangle_order.size() + kLanes);
-    tree.leaf_vertices.resize(9 * tree.triangle_order.size() + kLanes);
-  }
-  const TreeArrays arrays = tree.view();
-  forEachNode(arrays, threads, [&](std::uint32_t n) {
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const Child leaf = arrays.children(n)[lane];
-      if (!leaf.isLeaf()) continue;
-      writeLeafVertices(mesh, arrays.triangles(leaf), arrays.box({n, lane}), origin,
-                        tree.leaf_vertices.data() + 9 * std::size_t{leaf.first()});
-    }
-  });
-}
-
-void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius,
-                 int threads) {
-  std::vector<CompactNode> compact_nodes(tree.nodes.size());
-  forEachNode(tree.view(), threads, [&](std::uint32_t n) {
-    CompactNode& node = compact_nodes[n];
-    node.children = tree.nodes[n].children;
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (node.children[lane].isEmpty()) continue;
-      const CompactRotation rotation = compactRotation(tree.nodes[n].boxes.get(static_cast<int>(lane)).axes);
-      for (std::size_t k = 0; k < 4; ++k) node.rotation[k][lane] = rotation[k];
-    }
-  });
-  tree.nodes = std::vector<TreeNode>();  // gives its memory back, which = {} does not
-  tree.compact_nodes = std::move(compact_nodes);
-  refit(tree, mesh, origin, radius, threads);
 }
 
 }  // namespace octoblisk::detail

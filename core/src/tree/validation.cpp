@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tree/refit.h"
+#include "tree/box_padding.h"
 
 namespace octoblisk::detail {
 namespace {

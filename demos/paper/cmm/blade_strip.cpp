@@ -131,13 +131,13 @@ Rows rowsOf(const BladesFound& blades, const BladeStripOptions& options) {
 
 const char* letterOf(BladeArea area) {
   switch (area) {
-    case BladeArea::kLeadingEdge:
+    case BladeArea::leading_edge:
       return "A";
-    case BladeArea::kConvex:
+    case BladeArea::convex:
       return "B";
-    case BladeArea::kTrailingEdge:
+    case BladeArea::trailing_edge:
       return "C";
-    case BladeArea::kConcave:
+    case BladeArea::concave:
       return "D";
   }
   return "";

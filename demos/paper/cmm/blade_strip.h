@@ -10,9 +10,9 @@
 namespace octoblisk::demos {
 
 /// Table 5 and fig. 13: A leading edge, B convex, C trailing edge, D concave.
-enum class BladeArea { kLeadingEdge, kConvex, kTrailingEdge, kConcave };
-inline constexpr std::array kBladeAreas = {BladeArea::kLeadingEdge, BladeArea::kConvex,
-                                           BladeArea::kTrailingEdge, BladeArea::kConcave};
+enum class BladeArea { leading_edge, convex, trailing_edge, concave };
+inline constexpr std::array kBladeAreas = {BladeArea::leading_edge, BladeArea::convex,
+                                           BladeArea::trailing_edge, BladeArea::concave};
 
 /// "A", "B", "C", "D".
 const char* letterOf(BladeArea area);

@@ -144,7 +144,7 @@ CmmExperiment runCmmExperiment(const TriangleMesh& blisk, const BladesFound& bla
 
   const GrindingPass pass(grid, options.process);
   const std::vector<double> dwells =
-      options.plan == PassPlan::kMeasured ? pass.plan(measuredEverywhere(result)) : evenDwells(result, pass);
+      options.plan == PassPlan::measured ? pass.plan(measuredEverywhere(result)) : evenDwells(result, pass);
   const std::vector<double> removed = pass.grind(dwells, options.errors);
   result.ground = result.stock;
   for (std::size_t k = 0; k < removed.size(); ++k) result.ground[k] -= removed[k];

@@ -13,8 +13,8 @@ namespace octoblisk::demos {
 
 /// How the pass's dwells are found.
 enum class PassPlan {
-  kMeasured,  ///< point by point from the errors measured before, to take off all of them
-  kEven,      ///< one feed for all poses, to take off as much as the mean error measured before
+  measured,  ///< point by point from the errors measured before, to take off all of them
+  even,      ///< one feed for all poses, to take off as much as the mean error measured before
 };
 
 struct CmmExperimentOptions {
@@ -24,14 +24,14 @@ struct CmmExperimentOptions {
   GrindingProcess process;
   ProcessErrors errors;
   CmmOptions cmm;  ///< of the measurement before; the one after has the next seed
-  PassPlan plan = PassPlan::kMeasured;
+  PassPlan plan = PassPlan::measured;
 };
 
 /// A point that is measured before and after.
 struct MeasuredPoint {
   std::size_t row = 0;  ///< of the strip's grid
   std::size_t station = 0;
-  BladeArea area = BladeArea::kLeadingEdge;
+  BladeArea area = BladeArea::leading_edge;
   double before = 0.0;  ///< deviation along the nominal normal, mm
   double after = 0.0;
 };

@@ -49,7 +49,7 @@ Plot profilePlot(const CmmExperiment& experiment, double MeasuredPoint::*deviati
   const BladeStrip& strip = experiment.strip;
   const std::size_t row = middleRow(strip);
   const ChordFrame frame(strip, row);
-  Series measured{.name = "measured", .x = {}, .y = {}, .style = SeriesStyle::kLineAndPoints};
+  Series measured{.name = "measured", .x = {}, .y = {}, .style = SeriesStyle::line_and_points};
   for (const MeasuredPoint& point : experiment.points) {
     if (point.row != row) continue;
     const SectionGrid::Point& nominal = strip.grid.at(row, point.station);
@@ -62,8 +62,8 @@ Plot profilePlot(const CmmExperiment& experiment, double MeasuredPoint::*deviati
   return {.title = when + ", deviations magnified " + fixedText(kMagnification, 0) + " times",
           .x_label = "along the chord, mm",
           .y_label = "across it, stretched, mm",
-          .series = {curveAt(strip, row, 0.0, "nominal", SeriesStyle::kLine), std::move(measured),
-                     curveAt(strip, row, kProfileTolerance, "tolerance +0.05 mm", SeriesStyle::kDashedLine)}};
+          .series = {curveAt(strip, row, 0.0, "nominal", SeriesStyle::line), std::move(measured),
+                     curveAt(strip, row, kProfileTolerance, "tolerance +0.05 mm", SeriesStyle::dashed_line)}};
 }
 
 /// The errors of an area of the middle section over the way along the section; the leading edge's from its
@@ -79,7 +79,7 @@ Plot errorPlot(const CmmExperiment& experiment, BladeArea area) {
   for (const MeasuredPoint& point : experiment.points) {
     if (point.row != row || point.area != area) continue;
     double way = strip.grid.at(row, point.station).arc;
-    if (area == BladeArea::kLeadingEdge && way > 0.5 * strip.grid.length(row)) way -= strip.grid.length(row);
+    if (area == BladeArea::leading_edge && way > 0.5 * strip.grid.length(row)) way -= strip.grid.length(row);
     places.push_back({way, &point});
   }
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.way < b.way; });
@@ -101,7 +101,7 @@ Plot errorPlot(const CmmExperiment& experiment, BladeArea area) {
     return Series{.name = name,
                   .x = {before.x.front(), before.x.back()},
                   .y = {value, value},
-                  .style = SeriesStyle::kDashedLine};
+                  .style = SeriesStyle::dashed_line};
   };
   const Series papers_before = level("paper's mean before", kPaperBefore[index].mean);
   const Series papers_after = level("paper's mean after", kPaperAfter[index].mean);

@@ -109,7 +109,7 @@ std::vector<std::string> verdict(const CmmExperiment& planned, const CmmExperime
 
 CmmRuns runCmm(const TriangleMesh& blisk, const BladesFound& blades, const CmmExperimentOptions& options) {
   CmmExperimentOptions without_plan = options;
-  without_plan.plan = PassPlan::kEven;
+  without_plan.plan = PassPlan::even;
   return {options, runCmmExperiment(blisk, blades, options), runCmmExperiment(blisk, blades, without_plan)};
 }
 

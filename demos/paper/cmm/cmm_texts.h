@@ -17,13 +17,13 @@ inline std::string mm(double value) { return fixedText(value, 4); }
 inline std::string areaName(BladeArea area) {
   const std::string letter = letterOf(area);
   switch (area) {
-    case BladeArea::kLeadingEdge:
+    case BladeArea::leading_edge:
       return letter + " leading edge";
-    case BladeArea::kConvex:
+    case BladeArea::convex:
       return letter + " convex";
-    case BladeArea::kTrailingEdge:
+    case BladeArea::trailing_edge:
       return letter + " trailing edge";
-    case BladeArea::kConcave:
+    case BladeArea::concave:
       return letter + " concave";
   }
   return letter;

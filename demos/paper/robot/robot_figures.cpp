@@ -17,7 +17,7 @@ using ValueOf = std::function<double(const RobotTick&)>;
 
 /// The greatest value of each of a few hundred stretches of time.
 Series greatest(const RobotRun& run, const std::string& name, const ValueOf& value) {
-  Series series{.name = name, .x = {}, .y = {}, .style = SeriesStyle::kLine};
+  Series series{.name = name, .x = {}, .y = {}, .style = SeriesStyle::line};
   const std::size_t stretch = run.ticks.size() / kMostStretches + 1;
   for (std::size_t begin = 0; begin < run.ticks.size(); begin += stretch) {
     const std::size_t end = std::min(begin + stretch, run.ticks.size());
@@ -51,7 +51,7 @@ Plot timePlot(const RobotRun& run) {
           .series = {{.name = "control period",
                       .x = {0.0, run.ticks.back().time},
                       .y = {period, period},
-                      .style = SeriesStyle::kDashedLine},
+                      .style = SeriesStyle::dashed_line},
                      greatest(run, "traditional", seconds(RobotMethod::traditional)),
                      greatest(run, "improved", seconds(RobotMethod::improved)),
                      greatest(run, "exact, yes or no", seconds(RobotMethod::yes_or_no)),
@@ -83,7 +83,7 @@ Picture cellPicture(const RobotReport& report, const RobotScene& scene) {
                         .legend = {{palette::kOrange, "arm"},
                                    {palette::kSky, "belt grinder"},
                                    {palette::kSteel, "blisk"},
-                                   {palette::kPurple, "path", LegendSymbol::kLine}},
+                                   {palette::kPurple, "path", LegendSymbol::line}},
                         .length_unit = "mm"};
   picture.camera = frame(picture.scene.points(), Vec3(-0.5, 1.0, -0.45), Vec3::UnitZ());
   return picture;

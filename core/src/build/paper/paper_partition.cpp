@@ -6,6 +6,7 @@
 #include "build/box_fit.h"
 #include "build/paper/octree.h"
 #include "build/paper/principal_box.h"
+#include "geometry/principal_axes.h"
 
 namespace octoblisk::detail {
 namespace {

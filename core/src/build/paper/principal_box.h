@@ -7,10 +7,6 @@
 
 namespace octoblisk::detail {
 
-/// The principal axes of a symmetric matrix: columns by descending eigenvalue, each with its largest
-/// component positive, right-handed.
-Mat3 principalAxes(const Mat3& symmetric);
-
 /// The covariance of the points, with n − 1 (eq. 2–3); zero for one point. Throws std::invalid_argument for
 /// none.
 Mat3 covariance(std::span<const Vec3> points);

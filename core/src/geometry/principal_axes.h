@@ -1,0 +1,12 @@
+// The principal axes of a symmetric matrix.
+#pragma once
+
+#include "octoblisk/types.h"
+
+namespace octoblisk::detail {
+
+/// Columns by descending eigenvalue, each with its largest
+/// component positive, right-handed.
+Mat3 principalAxes(const Mat3& symmetric);
+
+}  // namespace octoblisk::detail
