@@ -17,12 +17,12 @@ using namespace detail;
 
 namespace {
 
-struct QueryCostTest : ::testing::Test {
+struct QueryCosts : ::testing::Test {
   ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
   ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
 };
 
-TEST_F(QueryCostTest, ofBodiesFarApartIsOneTest) {
+TEST_F(QueryCosts, ofBodiesFarApartIsOneTest) {
   const QueryCost cost = costOfCollide(fan, ring, {Mat3::Identity(), Vec3(100, 0, 0)});
   EXPECT_EQ(cost.box_tests, 1u);
   EXPECT_EQ(cost.leaf_pairs, 0u);
@@ -31,7 +31,7 @@ TEST_F(QueryCostTest, ofBodiesFarApartIsOneTest) {
   EXPECT_EQ(cost.bytes(fan, ring), sizeof(Box8));
 }
 
-TEST_F(QueryCostTest, firstPairIsNoMoreWorkThanAllPairs) {
+TEST_F(QueryCosts, firstPairIsNoMoreWorkThanAllPairs) {
   std::mt19937_64 random(77);
   std::vector<TrianglePair> pairs;
   std::size_t hits = 0, less = 0;
@@ -57,7 +57,7 @@ TEST_F(QueryCostTest, firstPairIsNoMoreWorkThanAllPairs) {
   EXPECT_GT(less, hits / 2);
 }
 
-TEST_F(QueryCostTest, distanceMeasuresAtLeastThePairItNames) {
+TEST_F(QueryCosts, distanceMeasuresAtLeastThePairItNames) {
   const Pose pose{Mat3::Identity(), Vec3(4, 0, 0)};
   ASSERT_GT(distance(fan, ring, pose).distance, 0.0);
   const QueryCost cost = costOfDistance(fan, ring, pose);
@@ -67,7 +67,7 @@ TEST_F(QueryCostTest, distanceMeasuresAtLeastThePairItNames) {
   EXPECT_LT(cost.triangle_tests, fan.stats().triangles * ring.stats().triangles / 100);
 }
 
-TEST_F(QueryCostTest, rayThatPassesByCostsNothing) {
+TEST_F(QueryCosts, rayThatPassesByCostsNothing) {
   Ray ray;
   ray.origin = Vec3(0, 0, 100);
   ray.direction = Vec3(1, 0, 0);
@@ -76,7 +76,7 @@ TEST_F(QueryCostTest, rayThatPassesByCostsNothing) {
   EXPECT_EQ(cost.bytes(ring), 0u);
 }
 
-TEST_F(QueryCostTest, rayMeasuresTheTriangleItNamesAndFewOthers) {
+TEST_F(QueryCosts, rayMeasuresTheTriangleItNamesAndFewOthers) {
   std::mt19937_64 random(78);
   std::normal_distribution<double> somewhere(0.0, 0.3);
   const auto point = [&] { return Vec3{somewhere(random), somewhere(random), somewhere(random)}; };

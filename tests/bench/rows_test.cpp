@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RowsTest : public ::testing::Test {
+class RowFiles : public ::testing::Test {
  protected:
-  RowsTest() { fs::create_directories(folder_); }
-  ~RowsTest() override { fs::remove_all(folder_); }
+  RowFiles() { fs::create_directories(folder_); }
+  ~RowFiles() override { fs::remove_all(folder_); }
 
   fs::path fileOf(const std::string& text) const {
     const fs::path file = folder_ / "rows.json";
@@ -37,7 +37,7 @@ Row row(const char* task, const char* scene, const char* contender, double mean)
   return {{"task", task}, {"scene", scene}, {"contender", contender}, {"mean_us", mean}};
 }
 
-TEST_F(RowsTest, areReadAsTheyWereWritten) {
+TEST_F(RowFiles, areReadAsTheyWereWritten) {
   const fs::path file = folder_ / "rows.json";
   const Rows rows = {row("ray", "50k", "octoblisk", 0.1), row("ray", "50k", "fcl", 1.0 / 3.0)};
   writeRows(file, rows);
@@ -50,7 +50,7 @@ TEST_F(RowsTest, areReadAsTheyWereWritten) {
   EXPECT_EQ(readRows(folder_ / "none.json"), Rows());
 }
 
-TEST_F(RowsTest, nameTheFileThatIsNone) {
+TEST_F(RowFiles, nameTheFileThatIsNone) {
   EXPECT_NE(refusalOf("{}").find("rows.json: is not a JSON array"), std::string::npos);
   EXPECT_NE(refusalOf("[{\"task\": ").find("rows.json: is not"), std::string::npos);
   EXPECT_NE(refusalOf(R"([{"task":"ray","scene":"50k"},{"task":"ray"}])").find("row 1 has no scene"),
@@ -59,7 +59,7 @@ TEST_F(RowsTest, nameTheFileThatIsNone) {
   EXPECT_THROW(writeRows(folder_ / "no" / "rows.json", {}), std::runtime_error);
 }
 
-TEST_F(RowsTest, ofAFolderAreThoseOfItsFilesByName) {
+TEST_F(RowFiles, ofAFolderAreThoseOfItsFilesByName) {
   const Rows first = {row("build", "50k", "fcl", 1)}, second = {row("ray", "50k", "fcl", 2)};
   writeRows(folder_ / "ray.json", second);
   writeRows(folder_ / "build.json", first);
@@ -70,7 +70,7 @@ TEST_F(RowsTest, ofAFolderAreThoseOfItsFilesByName) {
 }
 
 // Ratios of one run beside means of another would tell nothing.
-TEST_F(RowsTest, ofASceneAreOfOneRun) {
+TEST_F(RowFiles, ofASceneAreOfOneRun) {
   const Rows before = {row("ray", "50k", "octoblisk", 1), row("ray", "50k", "fcl", 2),
                        row("ray", "300k", "octoblisk", 3), row("build", "50k", "octoblisk", 4)};
   const Rows anew = {row("ray", "50k", "octoblisk", 5)};

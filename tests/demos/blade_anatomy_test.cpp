@@ -92,7 +92,7 @@ class Anatomy : public ::testing::TestWithParam<std::pair<unsigned, bool>> {
   const RandomBlisk truth_ = randomBlisk(GetParam().first, GetParam().second);
 };
 
-TEST_P(Anatomy, FindsTheAxisWhereverTheBliskLies) {
+TEST_P(Anatomy, findsTheAxisWhereverTheBliskLies) {
   const BliskFound found = findBlisk(truth_.mesh);
   const Vec3 direction = truth_.blisk_in_mesh.rotation.col(2);
   EXPECT_NEAR(std::abs(found.axis.direction.dot(direction)), 1.0, 1e-12) << truth_.name;
@@ -119,7 +119,7 @@ TEST_P(Anatomy, FindsTheAxisWhereverTheBliskLies) {
   }
 }
 
-TEST_P(Anatomy, TellsTheSidesAsTheyLie) {
+TEST_P(Anatomy, tellsTheSidesAsTheyLie) {
   const BliskFound found = findBlisk(truth_.blisk.mesh);
   const BliskAnatomy anatomy = findAnatomy(truth_.blisk.mesh, found.blades);
   EXPECT_TRUE(anatomy.sides.faces_outward);
@@ -137,7 +137,7 @@ TEST_P(Anatomy, TellsTheSidesAsTheyLie) {
   }
 }
 
-TEST_P(Anatomy, ConvexSidesEdgesAndAreasDoNotDependOnWhereTheBliskLies) {
+TEST_P(Anatomy, convexSidesEdgesAndAreasDoNotDependOnWhereTheBliskLies) {
   const BliskFound found = findBlisk(truth_.mesh);
   const TriangleMesh blisk = moved(truth_.mesh, found.mesh_in_blisk);
   const BliskAnatomy anatomy = findAnatomy(blisk, found.blades);
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Seeded, Anatomy,
                          ::testing::Values(std::pair{1u, false}, std::pair{2u, false}, std::pair{3u, true},
                                            std::pair{4u, false}, std::pair{5u, true}, std::pair{6u, true}));
 
-TEST(BladeAnatomy, MirroredBladesAreConvexOnTheOtherSide) {
+TEST(BladeAnatomy, mirroredBladesAreConvexOnTheOtherSide) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   std::vector<Vec3> vertices = blisk.mesh.vertices();
   for (Vec3& vertex : vertices) vertex.y() = -vertex.y();
@@ -192,7 +192,7 @@ TEST(BladeAnatomy, MirroredBladesAreConvexOnTheOtherSide) {
   EXPECT_EQ(convexOf(inward), convexOf(mirrored)) << "whichever way the triangles face";
 }
 
-TEST(BladeAnatomy, StraightBladesHaveNoConvexSide) {
+TEST(BladeAnatomy, straightBladesHaveNoConvexSide) {
   BladeParameters straight;
   straight.camber_hub = straight.camber_tip = 0.0;
   BliskOptions options;
@@ -201,7 +201,7 @@ TEST(BladeAnatomy, StraightBladesHaveNoConvexSide) {
   EXPECT_FALSE(findAnatomy(blisk.mesh, findBlades(blisk.mesh)).convex_side);
 }
 
-TEST(BladeAnatomy, TheChannelIsAsWideAsBruteForceSays) {
+TEST(BladeAnatomy, theChannelIsAsWideAsBruteForceSays) {
   const Blisk blisk = makeDefaultBlisk(20'000);
   const BliskAnatomy anatomy = findAnatomy(blisk.mesh, findBlades(blisk.mesh));
   std::vector<Vec3> here, there;  // about at mid height
@@ -221,7 +221,7 @@ TEST(BladeAnatomy, TheChannelIsAsWideAsBruteForceSays) {
   EXPECT_NEAR(anatomy.blades[2].channel_width, anatomy.blades[23].channel_width, 1e-3 * least);
 }
 
-TEST(BladeAnatomy, HeightsRiseFromTheHubToTheTip) {
+TEST(BladeAnatomy, heightsRiseFromTheHubToTheTip) {
   const Blisk blisk = makeDefaultBlisk(20'000);
   const BladesFound found = findBlades(blisk.mesh);
   const BladeContours contours(blisk.mesh, findBladeSides(blisk.mesh, found), 7);
@@ -244,7 +244,7 @@ TEST(BladeAnatomy, HeightsRiseFromTheHubToTheTip) {
   EXPECT_NEAR(before, 240.0, 1e-3);
 }
 
-TEST(BliskAxis, RefusesWhatIsNoBlisk) {
+TEST(BliskAxis, refusesWhatIsNoBlisk) {
   const auto refusal = [](const TriangleMesh& mesh) {
     return messageOf<std::invalid_argument>([&] { findBlisk(mesh); });
   };
@@ -261,7 +261,7 @@ TEST(BliskAxis, RefusesWhatIsNoBlisk) {
   refusal(TriangleMesh(whole.mesh.vertices(), std::move(triangles)));
 }
 
-TEST(BliskAxis, RefusesBladesThatDoNotRepeat) {
+TEST(BliskAxis, refusesBladesThatDoNotRepeat) {
   // One blade swollen along Z: alike enough to be counted, not to be turned onto its neighbour.
   const Blisk blisk = makeDefaultBlisk(10'000);
   std::vector<Vec3> vertices = blisk.mesh.vertices();
@@ -280,7 +280,7 @@ TEST(BliskAxis, RefusesBladesThatDoNotRepeat) {
               HasSubstr("off"));
 }
 
-TEST(BliskAxis, TakesTheAxisThatItIsTold) {
+TEST(BliskAxis, takesTheAxisThatItIsTold) {
   const RandomBlisk truth = randomBlisk(2, false);
   const Vec3 direction = -3.0 * truth.blisk_in_mesh.rotation.col(2);
   const BliskFound found = findBlisk(truth.mesh, {direction, truth.blisk_in_mesh * Vec3(0.0, 0.0, 77.0)});

@@ -127,7 +127,7 @@ void expectNoBlades(const TriangleMesh& mesh) {
   EXPECT_EQ(found.tip_radius, 0.0);
 }
 
-TEST(BladeFinder, NumbersTheBladesOfAGeneratedBliskAsTheGenerator) {
+TEST(BladeFinder, numbersTheBladesOfAGeneratedBliskAsTheGenerator) {
   for (const std::size_t target : {10'000u, 50'000u}) {
     const Blisk blisk = makeDefaultBlisk(target);
     const BladesFound found = findBlades(blisk.mesh);
@@ -137,7 +137,7 @@ TEST(BladeFinder, NumbersTheBladesOfAGeneratedBliskAsTheGenerator) {
   }
 }
 
-TEST(BladeFinder, FindsTheBladesUnderAShroud) {
+TEST(BladeFinder, findsTheBladesUnderAShroud) {
   const Blisk blisk = shroudedBlisk();
   const BladesFound found = findBlades(blisk.mesh);
   expectNumbersOf(blisk, found);
@@ -147,19 +147,19 @@ TEST(BladeFinder, FindsTheBladesUnderAShroud) {
   EXPECT_FALSE(findBlades(makeDefaultBlisk(10'000).mesh).shrouded);
 }
 
-TEST(BladeFinder, FindsBladesThatGoThroughAnOpenHubOfVaryingRadius) {
+TEST(BladeFinder, findsBladesThatGoThroughAnOpenHubOfVaryingRadius) {
   const Blisk blisk = bladesThroughAnOpenHub();
   const BladesFound found = findBlades(blisk.mesh);
   expectNumbersOf(blisk, found);
   EXPECT_NEAR(found.root_radius, 145.0, 1e-9) << "the hub's greatest radius";
 }
 
-TEST(BladeFinder, NeedsNoSharedVertices) {
+TEST(BladeFinder, needsNoSharedVertices) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   expectNumbersOf({unwelded(blisk.mesh), blisk.blade_of_triangle}, findBlades(unwelded(blisk.mesh)));
 }
 
-TEST(BladeFinder, NumbersStartAtTheTipNearestToAngleZeroHoweverTheBliskIsTurned) {
+TEST(BladeFinder, numbersStartAtTheTipNearestToAngleZeroHoweverTheBliskIsTurned) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   for (const double pitches : {0.3, 0.7, 5.2, -0.4, 23.9}) {
     Blisk expected{turned(blisk.mesh, pitches * kPitch), blisk.blade_of_triangle};
@@ -172,7 +172,7 @@ TEST(BladeFinder, NumbersStartAtTheTipNearestToAngleZeroHoweverTheBliskIsTurned)
   }
 }
 
-TEST(BladeFinder, FindsAnyNumberOfBlades) {
+TEST(BladeFinder, findsAnyNumberOfBlades) {
   for (const int count : {2, 3, 17}) {
     BliskOptions options;
     options.blade_count = count;
@@ -182,7 +182,7 @@ TEST(BladeFinder, FindsAnyNumberOfBlades) {
   }
 }
 
-TEST(BladeFinder, FindsNoneWhereThereAreNone) {
+TEST(BladeFinder, findsNoneWhereThereAreNone) {
   expectNoBlades(*testing::torus(100.0, 30.0, 60, 30));
   expectNoBlades(*testing::torus(100.0, 99.0, 24, 16));
   for (const int halvings : {2, 3, 4, 5}) expectNoBlades(sphere(100.0, halvings));
@@ -190,14 +190,14 @@ TEST(BladeFinder, FindsNoneWhereThereAreNone) {
   expectNoBlades(TriangleMesh({{0, 0, 0}}, {{0, 0, 0}}));
 }
 
-TEST(BladeFinder, FindsNoneOnABarHoweverFinelyItIsCut) {
+TEST(BladeFinder, findsNoneOnABarHoweverFinelyItIsCut) {
   for (const int steps : {1, 2, 10, 20, 40}) {
     expectNoBlades(block({50.0, 50.0, 20.0}, steps));
     expectNoBlades(turned(block({50.0, 50.0, 200.0}, steps), 0.3));
   }
 }
 
-TEST(BladeFinder, FindsNoneWhereOneBladeIsMissing) {
+TEST(BladeFinder, findsNoneWhereOneBladeIsMissing) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   std::vector<TriangleMesh::Indices> triangles;
   for (std::size_t t = 0; t < blisk.mesh.triangleCount(); ++t) {

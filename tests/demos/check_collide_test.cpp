@@ -127,7 +127,7 @@ std::vector<TrianglePair> pairsThatMeet(const TriangleMesh& fixed, const Triangl
   return pairs;
 }
 
-TEST_F(CheckCommand, SaysWhatBruteForceSaysInEveryFormat) {
+TEST_F(CheckCommand, saysWhatBruteForceSaysInEveryFormat) {
   constexpr int kPoses = 300;
   constexpr double kLeastHits = 0.3, kMostHits = 0.7;
   writePoses(folder_.path() / "poses.csv", posesRoundBlades(kPoses));
@@ -166,7 +166,7 @@ TEST_F(CheckCommand, SaysWhatBruteForceSaysInEveryFormat) {
   }
 }
 
-TEST_F(CheckCommand, BruteForceOfTheTestItselfLooksAtEveryTriangle) {
+TEST_F(CheckCommand, bruteForceOfTheTestItselfLooksAtEveryTriangle) {
   makeMeshes(".stl");
   const TriangleMesh blisk = mesh("blisk.stl"), belt = mesh("belt.stl");
   for (const Pose& pose : posesRoundBlades(3)) {
@@ -174,7 +174,7 @@ TEST_F(CheckCommand, BruteForceOfTheTestItselfLooksAtEveryTriangle) {
   }
 }
 
-TEST_F(CheckCommand, LeavesZeroForACleanPath) {
+TEST_F(CheckCommand, leavesZeroForACleanPath) {
   constexpr int kPoses = 90;
   constexpr double kClearRadius = 300.0;  // mm; the tips are at 240
   std::vector<Pose> poses;

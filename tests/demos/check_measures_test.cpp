@@ -23,7 +23,7 @@ void writeBoxes(const std::filesystem::path& folder) {
   }
 }
 
-TEST_F(CheckCommand, TellsClearanceDepthAndTheWayBetween) {
+TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   writeBoxes(folder_.path());
   // Apart by 1, by 0.25, in by 0.3, wholly inside, then through the large one to the other side at a stroke.
   const std::string poses = kPoseHeader +
@@ -75,7 +75,7 @@ TEST_F(CheckCommand, TellsClearanceDepthAndTheWayBetween) {
   }
 }
 
-TEST_F(CheckCommand, AMeshInsideAnotherIsFoundByItsDepthAlone) {
+TEST_F(CheckCommand, aMeshInsideAnotherIsFoundByItsDepthAlone) {
   writeBoxes(folder_.path());
   folder_.write("poses.csv", kPoseHeader + "0.1,0,0,1,0,0,0\n");
   const std::string large_round_small = "check --poses poses.csv --out out.csv --fixed ";
@@ -90,7 +90,7 @@ TEST_F(CheckCommand, AMeshInsideAnotherIsFoundByItsDepthAlone) {
   }
 }
 
-TEST_F(CheckCommand, FreeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
+TEST_F(CheckCommand, freeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
   writeBoxes(folder_.path());
   const std::string arguments =
       "check --fixed large.obj --moving small.obj --continuous --out out.csv --poses ";
@@ -105,7 +105,7 @@ TEST_F(CheckCommand, FreeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
   EXPECT_THAT(through.out, StartsWith("2 poses: 0 colliding, 2 clear; "));
 }
 
-TEST_F(CheckCommand, DepthsNeedAClosedMesh) {
+TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   writeBoxes(folder_.path());
   writeMesh(folder_.path() / "sheet.obj", *octoblisk::testing::waveSheet(1, 0.1, 4));
   folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");

@@ -46,7 +46,7 @@ pid_t processOfRank(pid_t above, int rank) {
   return 0;
 }
 
-TEST_F(CheckRanks, OneTwoAndFourGiveThePlainFileAndItsWords) {
+TEST_F(CheckRanks, oneTwoAndFourGiveThePlainFileAndItsWords) {
   repeatPoses(2);
   const Outcome plain = run(check_ + all_columns_ + "--out plain.csv");
   ASSERT_EQ(plain.exit_code, 1) << plain.error;
@@ -59,7 +59,7 @@ TEST_F(CheckRanks, OneTwoAndFourGiveThePlainFileAndItsWords) {
   }
 }
 
-TEST_F(CheckRanks, ShardsOfRanksMergeToThePlainFile) {
+TEST_F(CheckRanks, shardsOfRanksMergeToThePlainFile) {
   ASSERT_EQ(run(check_ + "--out plain.csv").exit_code, 1);
   ASSERT_LE(runRanks(2, check_ + "--shard 1/2 --out first").exit_code, 1);
   ASSERT_LE(run(check_ + "--shard 2/2 --out second").exit_code, 1);
@@ -67,7 +67,7 @@ TEST_F(CheckRanks, ShardsOfRanksMergeToThePlainFile) {
   EXPECT_EQ(content("merged.csv"), content("plain.csv"));
 }
 
-TEST_F(CheckRanks, AccessOfOneTwoAndFourGivesThePlainFilesAndSoDoShards) {
+TEST_F(CheckRanks, accessOfOneTwoAndFourGivesThePlainFilesAndSoDoShards) {
   const std::string access = "access --rows 4 --columns 5 --tilt-step 30 ";
   const Outcome plain = run(access + "--out plain");
   ASSERT_LE(plain.exit_code, 1) << plain.error;
@@ -89,7 +89,7 @@ TEST_F(CheckRanks, AccessOfOneTwoAndFourGivesThePlainFilesAndSoDoShards) {
   expectPlainIn("merged");
 }
 
-TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
+TEST_F(CheckRanks, aLostRankIsMadeGoodByResuming) {
   repeatPoses(12);
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
@@ -122,7 +122,7 @@ TEST_F(CheckRanks, ALostRankIsMadeGoodByResuming) {
   }
 }
 
-TEST_F(CheckRanks, BadInputIsToldOnceAndLeavesNoFile) {
+TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = runRanks(3, arguments);
     EXPECT_EQ(outcome.exit_code, 2);

@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(CheckParts, ShardsMergeToTheFileAndTheWordsOfThePlainRun) {
+TEST_F(CheckParts, shardsMergeToTheFileAndTheWordsOfThePlainRun) {
   for (const std::string& columns : {std::string(), all_columns_}) {
     const Outcome plain = run(check_ + columns + "--out plain.csv");
     ASSERT_EQ(plain.exit_code, 1) << plain.error;
@@ -43,7 +43,7 @@ TEST_F(CheckParts, ShardsMergeToTheFileAndTheWordsOfThePlainRun) {
   EXPECT_LT(colliding, 0.7 * kPoses);
 }
 
-TEST_F(CheckParts, PartsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
+TEST_F(CheckParts, partsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
   const auto part = [&](const std::string& options, const std::string& name) {
     const Outcome outcome = run(options + " --out " + name);
     ASSERT_LE(outcome.exit_code, 1) << outcome.error;
@@ -69,7 +69,7 @@ TEST_F(CheckParts, PartsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
       << "threads, and a tolerance of nothing asked for, do not count";
 }
 
-TEST_F(CheckParts, BadPartsAndTargetsAreRefusedByName) {
+TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   for (const std::string wrong : {"0/2", "3/2", "2", "a/b", "1/2/3"}) {
     const Outcome outcome = run(check_ + "--out out.csv --shard " + wrong);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -98,7 +98,7 @@ std::string partOf(const Study& study, const std::string& rows, const std::strin
 }
 
 /// Checksums are no proof that octoblisk wrote it.
-TEST_F(CheckParts, PartsOfRightChecksumsAndWrongWordsAreRefused) {
+TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string columns = "pose,colliding,triangle_fixed,triangle_moving", rows = "0,0,,\n";
   const std::string right = "1 0 0 0 0 0";
   const Study study{"check", columns, 1, 64, {{"fixed", 1}}, "none"};
@@ -129,7 +129,7 @@ TEST_F(CheckParts, PartsOfRightChecksumsAndWrongWordsAreRefused) {
 }
 
 /// Its other files are made of the table, once that is written.
-TEST_F(CheckParts, AccessPartsOfRightChecksumsAndWrongWordsAreRefused) {
+TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string row = "0,,1,2,3,0,0,1,5,7,0.5,0,-10,20,0,0,,,0.5,0.5,0 -10 20";
   const std::string right = "1 180 1\t1 belt on blade 2";
   const Study study{"access", accessColumns(), 1, 8, {{"blisk", 1}}, lineOf(AccessQuestion{})};
@@ -169,7 +169,7 @@ TEST_F(CheckParts, AccessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   EXPECT_THAT(content("ranges.csv"), HasSubstr("\n0,0,-10,20\n"));
 }
 
-TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
+TEST_F(CheckParts, aRunCutAnywhereIsResumedToTheSameFile) {
   ASSERT_EQ(run(check_ + all_columns_ + "--out plain.csv").exit_code, 1);
   ASSERT_EQ(run(check_ + all_columns_ + "--shard 1/1 --out whole").exit_code, 1);
   const std::string whole = content("whole");
@@ -184,7 +184,7 @@ TEST_F(CheckParts, ARunCutAnywhereIsResumedToTheSameFile) {
   }
 }
 
-TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
+TEST_F(CheckParts, ctrlCLeavesWhatWasAnsweredToBeResumed) {
   repeatPoses(8);
   const std::string arguments = check_ + "--depth --clearance --threads 1 --out ";
   ASSERT_EQ(run(arguments + "plain.csv").exit_code, 1);
@@ -207,7 +207,7 @@ TEST_F(CheckParts, CtrlCLeavesWhatWasAnsweredToBeResumed) {
   EXPECT_EQ(content("stopped.csv"), content("plain.csv"));
 }
 
-TEST_F(CheckParts, ResultsMayGoToAPipe) {
+TEST_F(CheckParts, resultsMayGoToAPipe) {
   ASSERT_EQ(run(check_ + "--out plain.csv").exit_code, 1);
   ASSERT_EQ(run(check_ + "--out /dev/stderr 2>&1 >/dev/null | cat >piped.csv; true").exit_code, 0);
   EXPECT_EQ(content("piped.csv"), content("plain.csv"));

@@ -35,7 +35,7 @@ class CheckRefusal : public CheckCommand {
   }
 };
 
-TEST_F(CheckRefusal, OfBadMeshesNamesThem) {
+TEST_F(CheckRefusal, ofBadMeshesNamesThem) {
   expectMeshRefused("missing.stl");
   folder_.write("mesh.step", "no mesh");
   expectMeshRefused("mesh.step");
@@ -50,7 +50,7 @@ TEST_F(CheckRefusal, OfBadMeshesNamesThem) {
   }
 }
 
-TEST_F(CheckRefusal, OfBadPosesNamesFileAndLine) {
+TEST_F(CheckRefusal, ofBadPosesNamesFileAndLine) {
   const std::string good = "0,0,0,1,0,0,0\n";
   expectPosesRefused("", "1");
   expectPosesRefused("x,y,z,qx,qy,qz,qw\n" + good, "1");
@@ -69,7 +69,7 @@ TEST_F(CheckRefusal, OfBadPosesNamesFileAndLine) {
   expectRefused("--fixed blisk.stl --moving belt.stl --poses none.csv --out result.csv", "none.csv: ");
 }
 
-TEST_F(CheckRefusal, OfAResultThatCannotBeWrittenNamesIt) {
+TEST_F(CheckRefusal, ofAResultThatCannotBeWrittenNamesIt) {
   expectOutRefused("missing/result.csv");
   expectOutRefused(".");
   expectOutRefused("-");
@@ -80,13 +80,13 @@ TEST_F(CheckRefusal, OfAResultThatCannotBeWrittenNamesIt) {
   EXPECT_EQ(contentOf(folder_.path() / "poses.csv"), poses) << "input is never written over";
 }
 
-TEST_F(CheckRefusal, LeavesTheResultOfAnEarlierRunAsItWas) {
+TEST_F(CheckRefusal, leavesTheResultOfAnEarlierRunAsItWas) {
   folder_.write("result.csv", "earlier");
   expectRefused("--fixed missing.stl --moving belt.stl --poses poses.csv --out result.csv", "missing.stl");
   EXPECT_EQ(contentOf(folder_.path() / "result.csv"), "earlier");
 }
 
-TEST_F(CheckRefusal, OfOptionsItDoesNotKnow) {
+TEST_F(CheckRefusal, ofOptionsItDoesNotKnow) {
   const std::string good = "check --fixed blisk.stl --moving belt.stl --poses poses.csv ";
   for (const std::string& arguments :
        {good + "--out result.csv --blades 3", good, std::string("check"), std::string("")}) {

@@ -19,7 +19,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class ClFileTest : public ::testing::Test {
+class ClFiles : public ::testing::Test {
  protected:
   ClFile read(const std::string& content) { return readClFile(folder_.write("path.cl", content)); }
   std::string refusal(const std::string& content) {
@@ -51,7 +51,7 @@ void expectSame(const std::vector<ToolMove>& moves, const std::vector<ToolMove>&
   }
 }
 
-TEST_F(ClFileTest, PosesGoToAClFileAndBackAndToATableAndBack) {
+TEST_F(ClFiles, posesGoToAClFileAndBackAndToATableAndBack) {
   const std::vector<ToolMove> moves = randomMoves(300);
   const auto file = folder_.path() / "written.cl";
   writeClFile(file, moves);
@@ -64,7 +64,7 @@ TEST_F(ClFileTest, PosesGoToAClFileAndBackAndToATableAndBack) {
   EXPECT_EQ(readPoses(folder_.path() / "table.csv").size(), moves.size()) << "check reads it too";
 }
 
-TEST_F(ClFileTest, ReadsWhatRealFilesHold) {
+TEST_F(ClFiles, readsWhatRealFilesHold) {
   const ClFile file = read(
       "\xEF\xBB\xBF$$ made by a CAM system\r\n"
       "PARTNO/BLISK 7 (left), $ and all\r\n"
@@ -108,7 +108,7 @@ TEST_F(ClFileTest, ReadsWhatRealFilesHold) {
   EXPECT_EQ(file.unknown[0].line, 26u);
 }
 
-TEST_F(ClFileTest, TurnsInchesToMillimetres) {
+TEST_F(ClFiles, turnsInchesToMillimetres) {
   const ClFile file = read(
       "UNITS/INCHES\nFEDRAT/10,PERMIN\nGOTO/1,2,-0.5\nFEDRAT/20,MMPM\nGOTO/0,0,0\nUNITS/MM\n"
       "FEDRAT/2,IPM\nGOTO/1,2,3\nFEDRAT/30,PERMIN\nGODLTA/1,0,0\n");
@@ -120,7 +120,7 @@ TEST_F(ClFileTest, TurnsInchesToMillimetres) {
   EXPECT_DOUBLE_EQ(file.moves[3].feed, 30.0);
 }
 
-TEST_F(ClFileTest, RapidIsForOneMove) {
+TEST_F(ClFiles, rapidIsForOneMove) {
   const ClFile file =
       read("FEDRAT/100\nGOTO/0,0,0\nRAPID\nGOTO/1,0,0\nGOTO/2,0,0\nRAPID\nFEDRAT/50\nGOTO/3,0,0\n");
   EXPECT_EQ(file.moves[0].feed, 100.0);
@@ -129,7 +129,7 @@ TEST_F(ClFileTest, RapidIsForOneMove) {
   EXPECT_EQ(file.moves[3].feed, 50.0);
 }
 
-TEST_F(ClFileTest, RefusesWhatItCannotFollowAndSaysWhere) {
+TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
   const std::string good = "GOTO/0,0,0\n";
   const std::pair<const char*, const char*> cases[] = {
       {"CIRCLE/0,0,0,0,0,1,5", "CIRCLE is of an arc"},
@@ -196,7 +196,7 @@ TEST_F(ClFileTest, RefusesWhatItCannotFollowAndSaysWhere) {
   messageOf<std::runtime_error>([&] { readClFile(folder_.path()); });
 }
 
-TEST_F(ClFileTest, RandomBytesAreReadOrRefusedInOneLine) {
+TEST_F(ClFiles, randomBytesAreReadOrRefusedInOneLine) {
   std::mt19937 random(5);
   const std::string letters = "GOTODLTAFEDRAT/,.$$123456789-+\n\n $=()MPUNITS\x80";
   int refused = 0;
@@ -215,7 +215,7 @@ TEST_F(ClFileTest, RandomBytesAreReadOrRefusedInOneLine) {
   EXPECT_LT(refused, 2'000);
 }
 
-TEST_F(ClFileTest, KnowsEitherKindOfFileByExtensionOrContent) {
+TEST_F(ClFiles, knowsEitherKindOfFileByExtensionOrContent) {
   const std::string table = "# poses\n\nx,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n";
   EXPECT_FALSE(isClFile(folder_.write("a.csv", table)));
   EXPECT_FALSE(isClFile(folder_.write("a.txt", table)));
@@ -224,7 +224,7 @@ TEST_F(ClFileTest, KnowsEitherKindOfFileByExtensionOrContent) {
   EXPECT_FALSE(isClFile(folder_.write("empty", "")));
 }
 
-TEST_F(ClFileTest, SixNumbersAreCompletedByTheSurface) {
+TEST_F(ClFiles, sixNumbersAreCompletedByTheSurface) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(blisk.mesh));
   // Over the hub's cylinder the wheel must lie along its axis or round it, square to the arm.
@@ -241,7 +241,7 @@ TEST_F(ClFileTest, SixNumbersAreCompletedByTheSurface) {
   EXPECT_THAT(messageOf<std::invalid_argument>([&] { toolMovesOf(file); }), HasSubstr("line 1"));
 }
 
-TEST_F(ClFileTest, ASecondAxisHoldsHoweverFarFromTheBlisk) {
+TEST_F(ClFiles, aSecondAxisHoldsHoweverFarFromTheBlisk) {
   const auto tree =
       ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh));
   const ClFile file =
@@ -255,7 +255,7 @@ TEST_F(ClFileTest, ASecondAxisHoldsHoweverFarFromTheBlisk) {
   }
 }
 
-TEST_F(ClFileTest, AnArmAlongTheLastSecondAxisStillMakesARotation) {
+TEST_F(ClFiles, anArmAlongTheLastSecondAxisStillMakesARotation) {
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
   for (int round = 0; round < 100; ++round) {

@@ -16,7 +16,7 @@ using ::testing::StartsWith;
 
 using CommandLine = CheckCommand;
 
-TEST_F(CommandLine, AnUnknownSubcommandIsNamedWithTheNearest) {
+TEST_F(CommandLine, anUnknownSubcommandIsNamedWithTheNearest) {
   const auto refusal = [&](const std::string& arguments) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments;
@@ -32,7 +32,7 @@ TEST_F(CommandLine, AnUnknownSubcommandIsNamedWithTheNearest) {
             "check, merge, paper, gallery\n");
 }
 
-TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {
+TEST_F(CommandLine, sizesAreBoundedAndTheMessageIsShort) {
   const std::pair<std::string, std::string> cases[] = {
       {"make belt --stations 2e9", "--stations: '2e9' is no whole number from 16 to 100000"},
       {"make belt --stations 2000000000", "--stations: '2000000000' is no whole number from 16 to 100000"},
@@ -53,7 +53,7 @@ TEST_F(CommandLine, SizesAreBoundedAndTheMessageIsShort) {
   make("blisk --triangles 20000 --shroud --shroud-thickness 3 --lean=-1 --out made.stl");
 }
 
-TEST_F(CommandLine, WrongOptionsAreToldInOneLine) {
+TEST_F(CommandLine, wrongOptionsAreToldInOneLine) {
   expectRefusal(run(""), "A subcommand is required; see octoblisk --help");
   expectRefusal(run("grind"), "--out is required; see octoblisk grind --help");
   expectRefusal(run("make belt"), "--out is required; see octoblisk make belt --help");
@@ -62,7 +62,7 @@ TEST_F(CommandLine, WrongOptionsAreToldInOneLine) {
   expectRefusal(run("grind --blisk 'a\nb.stl' --out run"), "a?b.stl: ");
 }
 
-TEST_F(CommandLine, Helps) {
+TEST_F(CommandLine, helps) {
   for (const std::string arguments : {"--help", "check --help", "make blisk --help"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << arguments;
@@ -74,7 +74,7 @@ TEST_F(CommandLine, Helps) {
   EXPECT_THAT(run("grind --help").out, HasSubstr("--no-pictures  "));
 }
 
-TEST_F(CommandLine, TheManualTellsOfEverySubcommand) {
+TEST_F(CommandLine, theManualTellsOfEverySubcommand) {
   const std::string manual = contentOf(OCTOBLISK_MANUAL), refusal = run("polish").error;
   std::istringstream names(refusal.substr(refusal.find("there are: ") + 11));
   int count = 0;
@@ -85,13 +85,13 @@ TEST_F(CommandLine, TheManualTellsOfEverySubcommand) {
   EXPECT_GE(count, 9);
 }
 
-TEST_F(CommandLine, TellsItsVersion) {
+TEST_F(CommandLine, tellsItsVersion) {
   const Outcome outcome = run("--version");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, ::testing::MatchesRegex("octoblisk [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
-TEST_F(CommandLine, AFileThatCannotBeMadeIsNamedOnce) {
+TEST_F(CommandLine, aFileThatCannotBeMadeIsNamedOnce) {
   EXPECT_EQ(run("make arm --out nowhere/arm.stl").error, "octoblisk: nowhere/arm.stl: cannot be written\n");
 }
 

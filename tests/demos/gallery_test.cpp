@@ -30,7 +30,7 @@ void run(GalleryScene& scene, int steps) {
   for (int step = 0; step < steps; ++step) scene.step();
 }
 
-TEST(Gallery, TheRingFallsOverThePeg) {
+TEST(Gallery, theRingFallsOverThePeg) {
   const auto scene = makeHelloShape();
   EXPECT_GT(number(*scene, "ring_height_m"), 1.9);
   run(*scene, 480);
@@ -38,7 +38,7 @@ TEST(Gallery, TheRingFallsOverThePeg) {
   EXPECT_LT(number(*scene, "kinetic_energy_j"), 0.1);
 }
 
-TEST(Gallery, TheChainHolds) {
+TEST(Gallery, theChainHolds) {
   const auto scene = makeChainOfTori(3);
   run(*scene, 120);
   EXPECT_GT(number(*scene, "kinetic_energy_j"), 1e-3);
@@ -46,7 +46,7 @@ TEST(Gallery, TheChainHolds) {
   EXPECT_GT(number(*scene, "least_pitch_m"), 0.5);
 }
 
-TEST(Gallery, GearsTurnByTheirTeeth) {
+TEST(Gallery, gearsTurnByTheirTeeth) {
   const auto scene = makeGearTrain();
   run(*scene, 60);
   double first = 0.0, second = 0.0, third = 0.0;
@@ -61,7 +61,7 @@ TEST(Gallery, GearsTurnByTheirTeeth) {
   EXPECT_NEAR(third / first, 12.0 / 16.0, 0.1);
 }
 
-TEST(Gallery, DebrisSlowsTheBlisk) {
+TEST(Gallery, debrisSlowsTheBlisk) {
   const auto scene = makeBliskAndDebris(6);
   const double before = number(*scene, "blisk_rad_s");
   double most_points = 0.0;
@@ -74,7 +74,7 @@ TEST(Gallery, DebrisSlowsTheBlisk) {
   EXPECT_GT(number(*scene, "blisk_rad_s"), 0.9 * before);
 }
 
-TEST(Gallery, APileFalls) {
+TEST(Gallery, aPileFalls) {
   const auto scene = makePile(8);
   run(*scene, 45);
   EXPECT_EQ(number(*scene, "bodies_fallen"), 0.0);
@@ -82,7 +82,7 @@ TEST(Gallery, APileFalls) {
   EXPECT_EQ(scene->picture().scene.solids().size(), 9u);
 }
 
-TEST(Gallery, TheClothStaysOnOurChannelAndFallsThroughGimpacts) {
+TEST(Gallery, theClothStaysOnOurChannelAndFallsThroughGimpacts) {
   const auto scene = makeClothBesideGimpact();
   EXPECT_EQ(number(*scene, "cloth_top_m"), number(*scene, "cloth_top_gimpact_m"));
   run(*scene, 240);
@@ -90,7 +90,7 @@ TEST(Gallery, TheClothStaysOnOurChannelAndFallsThroughGimpacts) {
   EXPECT_LT(number(*scene, "cloth_top_gimpact_m"), 0.2);
 }
 
-TEST(ContactSheet, IsTheSameForAnyNumberOfThreadsAndHasEveryFrame) {
+TEST(ContactSheet, isTheSameForAnyNumberOfThreadsAndHasEveryFrame) {
   const auto scene = makeHelloShape();
   std::vector<demos::SheetFrame> frames;
   for (const char* caption : {"0 s", "0.1 s", "0.2 s", "0.3 s"}) {
@@ -119,7 +119,7 @@ TEST(ContactSheet, IsTheSameForAnyNumberOfThreadsAndHasEveryFrame) {
   EXPECT_THROW(demos::contactSheet(frames, "", "", 0, 96, 80), std::invalid_argument);
 }
 
-TEST(ContactSheet, HasTheLegendOfAllFramesOnce) {
+TEST(ContactSheet, hasTheLegendOfAllFramesOnce) {
   const demos::Picture picture = makeHelloShape()->picture();
   const demos::LegendEntry floor{demos::palette::kSteel, "floor"}, ring{demos::palette::kOrange, "ring"};
   const auto sheet = [&](const std::vector<demos::LegendEntry>& first,
@@ -133,7 +133,7 @@ TEST(ContactSheet, HasTheLegendOfAllFramesOnce) {
   EXPECT_NE(sheet({floor}, {floor, ring}), sheet({floor}, {floor}));
 }
 
-TEST(GalleryCommand, WritesASceneTheSameTwice) {
+TEST(GalleryCommand, writesASceneTheSameTwice) {
   const demos::ScratchFolder folder;
   const demos::Outcome first = demos::runOctoblisk(folder.path(), "gallery hello-shape --out a");
   ASSERT_EQ(first.exit_code, 0) << first.error;

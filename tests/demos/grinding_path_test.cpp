@@ -79,14 +79,14 @@ ClusteredOctree treeOf(const std::function<bool(int)>& takes) {
       std::make_shared<const TriangleMesh>(blisk().mesh.vertices(), std::move(triangles)));
 }
 
-TEST(GrindingPath, RotationsAreOrthonormalAndRightHanded) {
+TEST(GrindingPath, rotationsAreOrthonormalAndRightHanded) {
   for (const Pose& pose : pathOf()) {
     EXPECT_TRUE((pose.rotation.transpose() * pose.rotation).isIdentity(1e-12));
     EXPECT_NEAR(pose.rotation.determinant(), 1.0, 1e-12);
   }
 }
 
-TEST(GrindingPath, EachWorkingPoseTouchesThePointOfItsBladeByTheDepth) {
+TEST(GrindingPath, eachWorkingPoseTouchesThePointOfItsBladeByTheDepth) {
   for (const bool forward : {true, false}) {
     GrindingPathOptions options;
     options.blade = 5;
@@ -109,7 +109,7 @@ TEST(GrindingPath, EachWorkingPoseTouchesThePointOfItsBladeByTheDepth) {
   }
 }
 
-TEST(GrindingPath, PassesKeepTheirRadiusFromTheTipInwards) {
+TEST(GrindingPath, passesKeepTheirRadiusFromTheTipInwards) {
   GrindingPathOptions options;
   options.passes = 2;
   const std::vector<Pose> work = workOf(pathOf(options), options);
@@ -125,7 +125,7 @@ TEST(GrindingPath, PassesKeepTheirRadiusFromTheTipInwards) {
   }
 }
 
-TEST(GrindingPath, StepsAreSmall) {
+TEST(GrindingPath, stepsAreSmall) {
   for (const int passes : {1, 2, 6}) {
     GrindingPathOptions options;
     options.passes = passes;
@@ -138,7 +138,7 @@ TEST(GrindingPath, StepsAreSmall) {
   }
 }
 
-TEST(GrindingPath, BeginsAndEndsAlongTheArm) {
+TEST(GrindingPath, beginsAndEndsAlongTheArm) {
   const GrindingPathOptions options;
   const std::vector<Pose> path = pathOf(options);
   const Pose& first_work = path[options.retract_poses];
@@ -151,7 +151,7 @@ TEST(GrindingPath, BeginsAndEndsAlongTheArm) {
   EXPECT_EQ(path.back().rotation, last_work.rotation);
 }
 
-TEST(GrindingPath, TheDefaultBeltTouchesItsBladeAndFitsTheChannel) {
+TEST(GrindingPath, theDefaultBeltTouchesItsBladeAndFitsTheChannel) {
   const GrindingPathOptions options;
   const ClusteredOctree belt = ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeBelt()));
   const ClusteredOctree own = treeOf([&](int blade) { return blade == options.blade; });
@@ -165,7 +165,7 @@ TEST(GrindingPath, TheDefaultBeltTouchesItsBladeAndFitsTheChannel) {
   EXPECT_FALSE(collide(own, belt, path.back()));
 }
 
-TEST(GrindingPath, DoesNotDependOnTheMeshsOrientation) {
+TEST(GrindingPath, doesNotDependOnTheMeshsOrientation) {
   std::vector<TriangleMesh::Indices> inwards = blisk().mesh.triangles();
   for (TriangleMesh::Indices& triangle : inwards) std::swap(triangle[1], triangle[2]);
   const TriangleMesh mesh(blisk().mesh.vertices(), std::move(inwards));
@@ -178,13 +178,13 @@ TEST(GrindingPath, DoesNotDependOnTheMeshsOrientation) {
   }
 }
 
-TEST(GrindingPath, OnePoseIsEnough) {
+TEST(GrindingPath, onePoseIsEnough) {
   GrindingPathOptions options;
   options.passes = options.poses_per_pass = options.retract_poses = 1;
   EXPECT_EQ(pathOf(options).size(), 3u);
 }
 
-TEST(GrindingPath, SaysInOneLineWhatMakesNoPath) {
+TEST(GrindingPath, saysInOneLineWhatMakesNoPath) {
   const auto expectThrow = [](const BladesFound& found, const std::string& part,
                               const std::function<void(GrindingPathOptions&)>& spoil) {
     GrindingPathOptions options;

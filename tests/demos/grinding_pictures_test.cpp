@@ -49,7 +49,7 @@ std::size_t linesOf(const Picture& picture) {
       std::ranges::count(picture.scene.marks(), Scene::MarkKind::lines, &Scene::Marks::kind));
 }
 
-TEST(GrindingPictures, TheGroundBladeIsMarked) {
+TEST(GrindingPictures, theGroundBladeIsMarked) {
   GrindingRun run = runWith(true);
   const Picture marked = overviewOf(run);
   EXPECT_TRUE(hasEntry(marked, "ground blade 2"));
@@ -61,7 +61,7 @@ TEST(GrindingPictures, TheGroundBladeIsMarked) {
   EXPECT_EQ(none.scene.solids().front().colors.front().r, palette::kSteel.r);
 }
 
-TEST(GrindingPictures, EveryLegendEntryHasAColourOfItsOwn) {
+TEST(GrindingPictures, everyLegendEntryHasAColourOfItsOwn) {
   for (const Picture& picture : {overviewOf(runWith(true)), closeupOf(runWith(true))}) {
     const auto& legend = picture.annotation.legend;
     for (std::size_t i = 0; i < legend.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(GrindingPictures, EveryLegendEntryHasAColourOfItsOwn) {
   }
 }
 
-TEST(GrindingPictures, BoxesAreInTheLegendWhereThereAreAnyAndShineThroughSurfaces) {
+TEST(GrindingPictures, boxesAreInTheLegendWhereThereAreAnyAndShineThroughSurfaces) {
   const Picture touching = closeupOf(runWith(true));
   EXPECT_TRUE(hasEntry(touching, "boxes of the tree"));
   ASSERT_EQ(linesOf(touching), 1u);
@@ -87,14 +87,14 @@ TEST(GrindingPictures, BoxesAreInTheLegendWhereThereAreAnyAndShineThroughSurface
   EXPECT_FALSE(hasEntry(apart, "boxes"));
 }
 
-TEST(GrindingPictures, WithoutContactTheCloseUpShowsBothWhereTheyAreNearest) {
+TEST(GrindingPictures, withoutContactTheCloseUpShowsBothWhereTheyAreNearest) {
   const Picture apart = closeupOf(runWith(false));
   EXPECT_THAT(apart.annotation.subtitle, HasSubstr("the arm is 40.00 mm away"));
   EXPECT_NEAR(apart.camera.target.x(), 70.0, 1e-6) << "between the two";
   EXPECT_GT(std::min(apart.camera.view_width, apart.camera.view_height), 40.0);
 }
 
-TEST(GrindingPictures, PosesAreCountedFromZero) {
+TEST(GrindingPictures, posesAreCountedFromZero) {
   EXPECT_EQ(overviewOf(runWith(true)).annotation.title, "Pose 0 (of 0-0): intended contact");
 }
 

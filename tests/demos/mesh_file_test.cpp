@@ -68,7 +68,7 @@ void expectTwoTriangles(const TriangleMesh& mesh) {
   EXPECT_EQ(mesh.triangles(), (std::vector<TriangleMesh::Indices>{{0, 1, 2}, {0, 2, 3}}));
 }
 
-TEST_F(MeshFile, ReadsEveryFormat) {
+TEST_F(MeshFile, readsEveryFormat) {
   expectTwoTriangles(read("a.stl", kAsciiStl));
   expectTwoTriangles(read("b.stl", binaryStl(kTwoFacets, 2)));
   expectTwoTriangles(read("c.STL", binaryStl(kTwoFacets, 2, "solid, says a binary file")));
@@ -76,7 +76,7 @@ TEST_F(MeshFile, ReadsEveryFormat) {
   expectTwoTriangles(read("e.ply", kPly));
 }
 
-TEST_F(MeshFile, RoundTripsTriangleForTriangle) {
+TEST_F(MeshFile, roundTripsTriangleForTriangle) {
   for (const TriangleMesh& mesh : {makeDefaultBlisk(10'000).mesh, makeBelt()}) {
     for (const char* name : {"m.stl", "m.obj", "m.ply"}) {
       writeMesh(folder_.path() / name, mesh);
@@ -94,7 +94,7 @@ TEST_F(MeshFile, RoundTripsTriangleForTriangle) {
   }
 }
 
-TEST_F(MeshFile, RoundTripsFloatsOfAnySize) {
+TEST_F(MeshFile, roundTripsFloatsOfAnySize) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-20.0, 11.0);
   std::vector<Vec3> vertices;
@@ -118,7 +118,7 @@ TEST_F(MeshFile, RoundTripsFloatsOfAnySize) {
   }
 }
 
-TEST_F(MeshFile, KeepsDegenerateTrianglesAndOrder) {
+TEST_F(MeshFile, keepsDegenerateTrianglesAndOrder) {
   const std::vector<Vec3> vertices{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   const TriangleMesh mesh(vertices, {{0, 1, 2}, {0, 1, 3}, {1, 1, 3}, {4, 4, 4}});
   for (const char* name : {"m.stl", "m.obj", "m.ply"}) {
@@ -129,7 +129,7 @@ TEST_F(MeshFile, KeepsDegenerateTrianglesAndOrder) {
   }
 }
 
-TEST_F(MeshFile, CutsPolygonsAndPassesOverLines) {
+TEST_F(MeshFile, cutsPolygonsAndPassesOverLines) {
   EXPECT_EQ(read("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nl 1 2\n").triangleCount(), 2u);
   EXPECT_EQ(read("five.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n").triangleCount(),
             3u);
@@ -137,7 +137,7 @@ TEST_F(MeshFile, CutsPolygonsAndPassesOverLines) {
   EXPECT_EQ(read("two.stl", kAsciiStl + kAsciiStl).triangleCount(), 4u);
 }
 
-TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
+TEST_F(MeshFile, refusesWhatIsNoMeshFile) {
   const auto missing = [&] { readMesh(folder_.path() / "none.stl"); };
   EXPECT_THAT(messageOf<std::runtime_error>(missing),
               AllOf(HasSubstr("none.stl"), HasSubstr("no such file")));
@@ -149,13 +149,13 @@ TEST_F(MeshFile, RefusesWhatIsNoMeshFile) {
               ::testing::Not(HasSubstr("no such file")));
 }
 
-TEST_F(MeshFile, NamesTheFormatThatAMisnamedFileHas) {
+TEST_F(MeshFile, namesTheFormatThatAMisnamedFileHas) {
   EXPECT_THAT(refusal("m.stl", "# made by hand\n" + kObj), HasSubstr("name it .obj"));
   EXPECT_THAT(refusal("m.stl", kPly), HasSubstr("name it .ply"));
   EXPECT_THAT(refusal("m.obj", kAsciiStl), HasSubstr("name it .stl"));
 }
 
-TEST_F(MeshFile, RefusesTruncatedStl) {
+TEST_F(MeshFile, refusesTruncatedStl) {
   const std::string whole = binaryStl(kTwoFacets, 2);
   EXPECT_THAT(refusal("m.stl", whole.substr(0, whole.size() - 20)),
               AllOf(HasSubstr("truncated"), HasSubstr("2 triangles, 184 bytes"), HasSubstr("164")));
@@ -169,7 +169,7 @@ TEST_F(MeshFile, RefusesTruncatedStl) {
   EXPECT_THAT(refusal("m.stl", replaced(kAsciiStl, "vertex 1 0 0", "vertex 1 0")), HasSubstr("m.stl:5: "));
 }
 
-TEST_F(MeshFile, RefusesTruncatedObj) {
+TEST_F(MeshFile, refusesTruncatedObj) {
   EXPECT_THAT(refusal("m.obj", kObj.substr(0, kObj.size() - 3)),
               AllOf(HasSubstr("m.obj:6: "), HasSubstr("corners")));
   EXPECT_THAT(refusal("m.obj", kObj + "v 1 2"), HasSubstr("m.obj:7: "));
@@ -178,12 +178,12 @@ TEST_F(MeshFile, RefusesTruncatedObj) {
               AllOf(HasSubstr("m.obj:3: "), HasSubstr("one")));
 }
 
-TEST_F(MeshFile, TakesAnObjWhoseLastLineIsCompleteWithoutItsEnd) {
+TEST_F(MeshFile, takesAnObjWhoseLastLineIsCompleteWithoutItsEnd) {
   expectTwoTriangles(read("m.obj", kObj.substr(0, kObj.size() - 1)));
   expectTwoTriangles(read("m.obj", "f 1 2 3\nf 1 3 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1.5"));
 }
 
-TEST_F(MeshFile, RefusesEveryTruncationOfPly) {
+TEST_F(MeshFile, refusesEveryTruncationOfPly) {
   for (std::size_t length = 1; length + 2 < kPly.size(); ++length) refusal("m.ply", kPly.substr(0, length));
   const TriangleMesh arm = makeArm();
   writeMesh(folder_.path() / "arm.ply", arm);
@@ -199,7 +199,7 @@ TEST_F(MeshFile, RefusesEveryTruncationOfPly) {
               HasSubstr("truncated"));
 }
 
-TEST_F(MeshFile, RefusesCountsThatAreNone) {
+TEST_F(MeshFile, refusesCountsThatAreNone) {
   for (const char* count : {"-4", "3.5", "nan"}) {
     EXPECT_THAT(refusal("m.ply", replaced(kPly, "element vertex 4", std::string("element vertex ") + count)),
                 HasSubstr("m.ply:3: the number of elements must be a whole number from 0"));
@@ -208,7 +208,7 @@ TEST_F(MeshFile, RefusesCountsThatAreNone) {
   }
 }
 
-TEST_F(MeshFile, RefusesIndicesOfNoVertex) {
+TEST_F(MeshFile, refusesIndicesOfNoVertex) {
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 4")),
               AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are 4")));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 -1")), HasSubstr("uses vertex -1"));
@@ -224,7 +224,7 @@ TEST_F(MeshFile, RefusesIndicesOfNoVertex) {
   }
 }
 
-TEST_F(MeshFile, RefusesFilesWithoutTriangles) {
+TEST_F(MeshFile, refusesFilesWithoutTriangles) {
   refusal("m.stl", "solid none\nendsolid none\n");
   refusal("m.stl", binaryStl({}, 0));
   EXPECT_THAT(refusal("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n"), HasSubstr("no triangles"));
@@ -232,14 +232,14 @@ TEST_F(MeshFile, RefusesFilesWithoutTriangles) {
               HasSubstr("no triangles"));
 }
 
-TEST_F(MeshFile, RefusesFacesWithoutCorners) {
+TEST_F(MeshFile, refusesFacesWithoutCorners) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0\n0\n";
   EXPECT_THAT(refusal("a.ply", ply), HasSubstr("triangle"));
 }
 
-TEST_F(MeshFile, RefusesCoordinatesThatAreNoNumbers) {
+TEST_F(MeshFile, refusesCoordinatesThatAreNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   EXPECT_THAT(refusal("m.stl", binaryStl({kTwoFacets[0], {0, 0, nan, 1, 1, 1, 2, 2, 2}}, 2)),
@@ -254,7 +254,7 @@ TEST_F(MeshFile, RefusesCoordinatesThatAreNoNumbers) {
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e20")), HasSubstr("1e+20, beyond 1e+12"));
 }
 
-TEST_F(MeshFile, RefusesWhatCannotBeWritten) {
+TEST_F(MeshFile, refusesWhatCannotBeWritten) {
   const TriangleMesh arm = makeArm();
   const auto refused = [&](const std::string& name, const TriangleMesh& mesh) {
     return messageOf<std::runtime_error>([&] { writeMesh(folder_.path() / name, mesh); });

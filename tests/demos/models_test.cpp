@@ -41,7 +41,7 @@ std::string csvOf(const SectionLoop& loop, bool repeat_first) {
   return text.str();
 }
 
-TEST(Blisk, IsWatertightAndFillsTheCheckedVolumeAtEveryResolution) {
+TEST(Blisk, isWatertightAndFillsTheCheckedVolumeAtEveryResolution) {
   for (const std::size_t target : {10'000u, 50'000u, 300'000u}) {
     const Blisk blisk = makeDefaultBlisk(target);
     const double count = static_cast<double>(blisk.mesh.triangleCount());
@@ -54,14 +54,14 @@ TEST(Blisk, IsWatertightAndFillsTheCheckedVolumeAtEveryResolution) {
   }
 }
 
-TEST(Blisk, MeetsTheTargetOverItsWholeRange) {
+TEST(Blisk, meetsTheTargetOverItsWholeRange) {
   for (double target = 10'000; target <= 5e6; target *= 1.37) {
     const Blisk blisk = makeDefaultBlisk(static_cast<std::size_t>(target));
     EXPECT_NEAR(static_cast<double>(blisk.mesh.triangleCount()) / target, 1.0, 0.15);
   }
 }
 
-TEST(Blisk, HasNoTrianglesThatCross) {
+TEST(Blisk, hasNoTrianglesThatCross) {
   EXPECT_EQ(countCrossings(makeDefaultBlisk(10'000).mesh), 0u);
   BliskOptions shrouded;
   shrouded.shroud = true;
@@ -69,12 +69,12 @@ TEST(Blisk, HasNoTrianglesThatCross) {
   EXPECT_EQ(countCrossings(makeBlisk(makeBladeSections({}), kHub, shrouded).mesh), 0u);
 }
 
-TEST(Blisk, CrossingsAreFoundWhereTheyAre) {
+TEST(Blisk, crossingsAreFoundWhereTheyAre) {
   const std::vector<Vec3> vertices{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 9}};
   EXPECT_EQ(countCrossings(TriangleMesh(vertices, {{0, 1, 2}, {3, 4, 5}})), 1u);
 }
 
-TEST(Blisk, ShroudJoinsTheTips) {
+TEST(Blisk, shroudJoinsTheTips) {
   BliskOptions options;
   options.shroud = true;
   options.target_triangles = 50'000;
@@ -87,7 +87,7 @@ TEST(Blisk, ShroudJoinsTheTips) {
   EXPECT_NEAR(blisk.mesh.bounds().max.x(), kTipRadius + options.shroud_thickness, 1e-9);
 }
 
-TEST(Blisk, RootsLieOnTheHubAndBladesAreNumbered) {
+TEST(Blisk, rootsLieOnTheHubAndBladesAreNumbered) {
   const Blisk blisk = makeDefaultBlisk(20'000);
   const TriangleMesh& mesh = blisk.mesh;
   ASSERT_EQ(blisk.blade_of_triangle.size(), mesh.triangleCount());
@@ -118,7 +118,7 @@ TEST(Blisk, RootsLieOnTheHubAndBladesAreNumbered) {
   EXPECT_GT(roots, kBlades * 12);
 }
 
-TEST(Blisk, RepeatsFromBladeToBlade) {
+TEST(Blisk, repeatsFromBladeToBlade) {
   const TriangleMesh mesh = makeDefaultBlisk(10'000).mesh;
   const std::size_t vertices_in_sector = mesh.vertices().size() / kBlades;
   for (std::size_t v = 0; v < mesh.vertices().size(); ++v) {
@@ -128,7 +128,7 @@ TEST(Blisk, RepeatsFromBladeToBlade) {
   }
 }
 
-TEST(Blisk, ChannelsTakeTheBelt) {
+TEST(Blisk, channelsTakeTheBelt) {
   const BladeGrid blade = sampleBlade(makeBladeSections({}), kHub, nullptr, 60, 20);
   const int middle_row = 10;
   double width = 1e9;
@@ -145,7 +145,7 @@ TEST(Blisk, ChannelsTakeTheBelt) {
   EXPECT_GE(width, 20.0);
 }
 
-TEST(Blisk, SmoothlyRefinesTheSameBlade) {
+TEST(Blisk, smoothlyRefinesTheSameBlade) {
   const auto sections = makeBladeSections({});
   const BladeGrid coarse = sampleBlade(sections, kHub, nullptr, 10, 8);
   const BladeGrid fine = sampleBlade(sections, kHub, nullptr, 40, 32);
@@ -158,7 +158,7 @@ TEST(Blisk, SmoothlyRefinesTheSameBlade) {
   }
 }
 
-TEST(Blisk, TakesHubsAndBladesOfOtherShapes) {
+TEST(Blisk, takesHubsAndBladesOfOtherShapes) {
   BladeParameters parameters;
   parameters.hub_radius = 90.0;
   parameters.tip_radius = 250.0;
@@ -181,7 +181,7 @@ TEST(Blisk, TakesHubsAndBladesOfOtherShapes) {
   }
 }
 
-TEST(Blisk, RefusesWhatMakesNoBlisk) {
+TEST(Blisk, refusesWhatMakesNoBlisk) {
   const auto refusal = [](auto change) {
     return messageOf<std::invalid_argument>([&] {
       BladeParameters blade;
@@ -225,7 +225,7 @@ TEST(Blisk, RefusesWhatMakesNoBlisk) {
   EXPECT_THAT(refusedHub(70.0), HasSubstr("outside the hub surface"));
 }
 
-TEST(BladeSections, ComeBackFromAFolderAndBuildTheSameBlisk) {
+TEST(BladeSections, comeBackFromAFolderAndBuildTheSameBlisk) {
   const ScratchFolder folder;
   const BladeSections sections = makeBladeSections({});
   ASSERT_GT(sections.loops.size(), 10u);
@@ -243,7 +243,7 @@ TEST(BladeSections, ComeBackFromAFolderAndBuildTheSameBlisk) {
   EXPECT_EQ(mesh.triangles(), makeDefaultBlisk().mesh.triangles());
 }
 
-TEST(BladeSections, RefuseBadFilesByFileAndLine) {
+TEST(BladeSections, refuseBadFilesByFileAndLine) {
   const ScratchFolder folder;
   const auto refusal = [&](const std::string& second_section) {
     folder.write("s1.csv", csvOf(makeBladeSections({}).loops[0], false));
@@ -267,7 +267,7 @@ TEST(BladeSections, RefuseBadFilesByFileAndLine) {
               AllOf(HasSubstr("s2.csv"), HasSubstr("farther out")));
 }
 
-TEST(HubProfile, RefusesBadFilesByFileAndLine) {
+TEST(HubProfile, refusesBadFilesByFileAndLine) {
   const ScratchFolder folder;
   const auto refusal = [&](const std::string& content) {
     const auto file = folder.write("hub.csv", content);
@@ -282,7 +282,7 @@ TEST(HubProfile, RefusesBadFilesByFileAndLine) {
               HasSubstr("none.csv: no such file"));
 }
 
-TEST(BeltGrinder, BeltIsThePapersCloud) {
+TEST(BeltGrinder, beltIsThePapersCloud) {
   const TriangleMesh belt = makeBelt();
   EXPECT_EQ(belt.vertices().size(), 19'499u);
   EXPECT_EQ(belt.triangleCount(), 38'998u);
@@ -297,7 +297,7 @@ TEST(BeltGrinder, BeltIsThePapersCloud) {
   EXPECT_EQ(belt.bounds().max.z(), 10.0);
 }
 
-TEST(BeltGrinder, FacetsFollowTheContactWheel) {
+TEST(BeltGrinder, facetsFollowTheContactWheel) {
   const TriangleMesh belt = makeBelt();
   for (std::size_t t = 0; t < belt.triangleCount(); ++t) {
     const Triangle corners = belt.triangle(t);
@@ -312,7 +312,7 @@ TEST(BeltGrinder, FacetsFollowTheContactWheel) {
   }
 }
 
-TEST(BeltGrinder, PartsAreClosedAndClearOfEachOther) {
+TEST(BeltGrinder, partsAreClosedAndClearOfEachOther) {
   const std::vector<TriangleMesh> parts{makeBelt(), makeContactWheel(), makeDriveWheel(), makeArm()};
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
@@ -328,7 +328,7 @@ TEST(BeltGrinder, PartsAreClosedAndClearOfEachOther) {
   EXPECT_LT(parts[3].bounds().max.x(), parts[2].bounds().min.x());
 }
 
-TEST(BeltGrinder, RefusesSizesThatMakeNoGrinder) {
+TEST(BeltGrinder, refusesSizesThatMakeNoGrinder) {
   const auto refusal = [](auto change) {
     return messageOf<std::invalid_argument>([&] {
       BeltParameters parameters;

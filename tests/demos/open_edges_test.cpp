@@ -9,7 +9,7 @@
 namespace octoblisk::demos {
 namespace {
 
-TEST(OpenEdges, AreThoseRoundAHole) {
+TEST(OpenEdges, areThoseRoundAHole) {
   const TriangleMesh whole = block({1, 1, 1}, 4);
   EXPECT_EQ(openEdges(whole).count, 0u);
   std::vector<TriangleMesh::Indices> triangles = whole.triangles();
@@ -22,7 +22,7 @@ TEST(OpenEdges, AreThoseRoundAHole) {
   }
 }
 
-TEST(OpenEdges, AreThereWhereTheSurfaceIsNotClosed) {
+TEST(OpenEdges, areThereWhereTheSurfaceIsNotClosed) {
   std::mt19937_64 random(71);
   for (const auto& mesh : {testing::torus(1.0, 0.3, 12, 8), testing::waveSheet(1.0, 0.1, 6),
                            testing::fan(5, 6), testing::soup(random, 40, 1.0, 0.3)}) {
@@ -31,7 +31,7 @@ TEST(OpenEdges, AreThereWhereTheSurfaceIsNotClosed) {
   }
 }
 
-TEST(OpenEdges, AreDescribed) {
+TEST(OpenEdges, areDescribed) {
   EXPECT_EQ(describe({1, {Vec3(0, 0, 1), Vec3(0, 1, 1)}}), "1 of its edges is open, from (0 0 1) to (0 1 1)");
   EXPECT_EQ(describe({3, {Vec3(0, 0, 1), Vec3(0, 1, 1)}}),
             "3 of its edges are open, the first from (0 0 1) to (0 1 1)");

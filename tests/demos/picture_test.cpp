@@ -99,7 +99,7 @@ Picture busyPicture() {
   return picture;
 }
 
-TEST(Picture, SurfaceThatFacesTheCameraHasTheColourOfItsLegend) {
+TEST(Picture, surfaceThatFacesTheCameraHasTheColourOfItsLegend) {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     Picture picture;
     picture.scene.addMesh(cube(), {}, palette::kVermilion);
@@ -113,7 +113,7 @@ TEST(Picture, SurfaceThatFacesTheCameraHasTheColourOfItsLegend) {
   }
 }
 
-TEST(Picture, PoseMovesTheMesh) {
+TEST(Picture, poseMovesTheMesh) {
   Picture picture;
   picture.scene.addMesh(square(0.0), {Mat3::Identity(), {3.0, 0.0, 0.0}}, palette::kBlue);
   picture.camera = fromAbove();
@@ -122,7 +122,7 @@ TEST(Picture, PoseMovesTheMesh) {
   EXPECT_LE(difference(center(renderSmall(picture)), palette::kBlue), 2);
 }
 
-TEST(Picture, TrianglesHaveTheirOwnColours) {
+TEST(Picture, trianglesHaveTheirOwnColours) {
   Picture picture;
   picture.scene.addMesh(square(0.0), {}, std::array{palette::kGreen, palette::kPurple});
   picture.camera = fromAbove();
@@ -131,7 +131,7 @@ TEST(Picture, TrianglesHaveTheirOwnColours) {
   EXPECT_LE(difference(image.at(kWidth / 2 - 20, kHeight / 2 - 20), palette::kPurple), 2);  // x < y
 }
 
-TEST(Picture, TransparentMeshLetsWhatIsBehindThrough) {
+TEST(Picture, transparentMeshLetsWhatIsBehindThrough) {
   const auto pixelBehind = [](float opacity) {
     Picture picture;
     picture.scene.addMesh(square(0.0), {}, Color{0.8f, 0.0f, 0.0f});
@@ -149,7 +149,7 @@ TEST(Picture, TransparentMeshLetsWhatIsBehindThrough) {
   EXPECT_LT(thin[2], half[2]);
 }
 
-TEST(Picture, HiddenMarksShineThroughByTheirOpacity) {
+TEST(Picture, hiddenMarksShineThroughByTheirOpacity) {
   const auto imageWith = [](float hidden_opacity) {
     Picture picture;
     picture.scene.addMesh(square(0.5), {}, palette::kSteel);
@@ -165,7 +165,7 @@ TEST(Picture, HiddenMarksShineThroughByTheirOpacity) {
   EXPECT_GT(difference(half, palette::kVermilion), 20);
 }
 
-TEST(Picture, LinesAreAsWideOnPaperAtAnyDepth) {
+TEST(Picture, linesAreAsWideOnPaperAtAnyDepth) {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     for (const double height : {-2.0, 0.0, 2.0}) {
       Picture picture;
@@ -180,14 +180,14 @@ TEST(Picture, LinesAreAsWideOnPaperAtAnyDepth) {
   }
 }
 
-TEST(Picture, SameBitsForAnyNumberOfThreads) {
+TEST(Picture, sameBitsForAnyNumberOfThreads) {
   const Picture picture = busyPicture();
   const Image one = renderSmall(picture, 1);
   EXPECT_EQ(one.pixels, renderSmall(picture, 2).pixels);
   EXPECT_EQ(one.pixels, renderSmall(picture, 5).pixels);
 }
 
-TEST(Picture, TellsItsProgressAndIsTheSame) {
+TEST(Picture, tellsItsProgressAndIsTheSame) {
   for (const unsigned threads : {1u, 3u}) {
     std::vector<std::size_t> told;
     std::size_t of = 0;
@@ -205,11 +205,11 @@ TEST(Picture, TellsItsProgressAndIsTheSame) {
   }
 }
 
-TEST(Picture, EmptySceneIsWhite) {
+TEST(Picture, emptySceneIsWhite) {
   for (const Image::Pixel& pixel : renderSmall(Picture{}).pixels) ASSERT_EQ(pixel, kWhite);
 }
 
-TEST(Picture, WordsKeepOffTheScene) {
+TEST(Picture, wordsKeepOffTheScene) {
   Picture picture;
   picture.scene.addMesh(square(0.0), {Mat3(100.0 * Mat3::Identity()), Vec3::Zero()}, palette::kSky);
   picture.camera = fromAbove();
@@ -225,7 +225,7 @@ TEST(Picture, WordsKeepOffTheScene) {
   }
 }
 
-TEST(Picture, WritesPngOfTheRightSize) {
+TEST(Picture, writesPngOfTheRightSize) {
   const ScratchFolder folder;
   const std::filesystem::path path = folder.path() / "picture.png";
   writePng(busyPicture(), path.string(), kWidth, kHeight, 1);
@@ -237,7 +237,7 @@ TEST(Picture, WritesPngOfTheRightSize) {
   EXPECT_EQ(head[23], kHeight);
 }
 
-TEST(Picture, UnwritablePathIsNamed) {
+TEST(Picture, unwritablePathIsNamed) {
   const std::string path = "/no/such/folder/picture.png";
   try {
     writePng(Picture{}, path, 16, 12, 1);
@@ -247,7 +247,7 @@ TEST(Picture, UnwritablePathIsNamed) {
   }
 }
 
-TEST(Picture, BadInputIsRefused) {
+TEST(Picture, badInputIsRefused) {
   Picture picture;
   EXPECT_THROW(render(picture, 0, 10), std::invalid_argument);
   EXPECT_THROW(render(picture, 10, 1 << 20), std::invalid_argument);
@@ -261,7 +261,7 @@ TEST(Picture, BadInputIsRefused) {
   EXPECT_THROW(render(picture, 10, 10), std::invalid_argument);
 }
 
-TEST(Camera, FrameSeesEveryPointAndFitsTight) {
+TEST(Camera, frameSeesEveryPointAndFitsTight) {
   const std::vector<Vec3> points = {{0, 0, 0}, {10, 2, 1}, {3, 8, -4}, {-2, 5, 12}, {6, 6, 6}};
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     Picture picture;
@@ -286,7 +286,7 @@ TEST(Camera, FrameSeesEveryPointAndFitsTight) {
   }
 }
 
-TEST(CornerNormals, SharpAtCreasesSmoothElsewhere) {
+TEST(CornerNormals, sharpAtCreasesSmoothElsewhere) {
   const TriangleMesh mesh = cube();
   const auto sharp = cornerNormals(mesh.vertices(), mesh.triangles(), 0.5);
   const auto smooth = cornerNormals(mesh.vertices(), mesh.triangles(), 2.0);
@@ -299,7 +299,7 @@ TEST(CornerNormals, SharpAtCreasesSmoothElsewhere) {
   }
 }
 
-TEST(CornerNormals, VerticesAtOnePlaceAreOne) {
+TEST(CornerNormals, verticesAtOnePlaceAreOne) {
   // Two triangles that bend along an edge they share by place, not by index.
   const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, -0.2}};
   const std::vector<TriangleMesh::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
@@ -308,7 +308,7 @@ TEST(CornerNormals, VerticesAtOnePlaceAreOne) {
   EXPECT_GT((normals[0][0] - normals[0][2]).norm(), 0.05f);
 }
 
-TEST(Annotation, RoundLengthIsTheLargestRoundNumberNotAbove) {
+TEST(Annotation, roundLengthIsTheLargestRoundNumberNotAbove) {
   EXPECT_DOUBLE_EQ(roundLength(1.0), 1.0);
   EXPECT_DOUBLE_EQ(roundLength(1.99), 1.0);
   EXPECT_DOUBLE_EQ(roundLength(47.0), 20.0);

@@ -37,7 +37,7 @@ class PoseFile : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(PoseFile, IsTranslationThenQuaternionWithTheScalarFirst) {
+TEST_F(PoseFile, isTranslationThenQuaternionWithTheScalarFirst) {
   const std::vector<Pose> poses =
       read(kHeader + "1,2,3,0.7071067811865476,0,0,0.7071067811865476\n" + kGoodLine);
   ASSERT_EQ(poses.size(), 2u);
@@ -46,13 +46,13 @@ TEST_F(PoseFile, IsTranslationThenQuaternionWithTheScalarFirst) {
   EXPECT_EQ(poses[1].rotation, Mat3::Identity());
 }
 
-TEST_F(PoseFile, NormalisesQuaternionsOfFewDigits) {
+TEST_F(PoseFile, normalisesQuaternionsOfFewDigits) {
   const Mat3 rotation = read(kHeader + "0,0,0,0.7071,0.4082,-0.4082,0.4082\n").front().rotation;
   EXPECT_LE((rotation.transpose() * rotation - Mat3::Identity()).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_GT(rotation.determinant(), 0.0);
 }
 
-TEST_F(PoseFile, MessagesShowNoRawBytes) {
+TEST_F(PoseFile, messagesShowNoRawBytes) {
   const auto isPlain = [](const std::string& text) {
     return std::ranges::all_of(text, [](char letter) { return letter >= ' ' && letter <= '~'; });
   };
@@ -66,7 +66,7 @@ TEST_F(PoseFile, MessagesShowNoRawBytes) {
   EXPECT_THAT(refusal(std::string(3, '\0')), HasSubstr("binary"));
 }
 
-TEST_F(PoseFile, ComesBackAsWritten) {
+TEST_F(PoseFile, comesBackAsWritten) {
   constexpr int kRandomPoses = 10'000;
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
@@ -91,7 +91,7 @@ TEST_F(PoseFile, ComesBackAsWritten) {
   }
 }
 
-TEST_F(PoseFile, RefusesQuaternionsThatAreNoRotation) {
+TEST_F(PoseFile, refusesQuaternionsThatAreNoRotation) {
   for (const std::string quaternion :
        {"0,0,0,0", "1.0011,0,0,0", "0.9989,0,0,0", "1,1,0,0", "1e300,1e300,0,0"}) {
     EXPECT_THAT(refusal(kHeader + kGoodLine + "0,0,0," + quaternion + "\n"),
@@ -101,7 +101,7 @@ TEST_F(PoseFile, RefusesQuaternionsThatAreNoRotation) {
   EXPECT_NO_THROW(read(kHeader + "0,0,0,1.0009,0,0,0\n0,0,0,-0.9991,0,0,0\n"));
 }
 
-TEST_F(PoseFile, RefusesWhatIsNoPose) {
+TEST_F(PoseFile, refusesWhatIsNoPose) {
   EXPECT_THAT(refusal(""), HasSubstr("poses.csv:1:"));
   EXPECT_THAT(refusal(kHeader), HasSubstr("no poses"));
   EXPECT_THAT(refusal("x,y,z,qx,qy,qz,qw\n" + kGoodLine), HasSubstr("poses.csv:1:"));
@@ -112,13 +112,13 @@ TEST_F(PoseFile, RefusesWhatIsNoPose) {
               AllOf(HasSubstr("poses.csv:2:"), HasSubstr("1e12")));
 }
 
-TEST_F(PoseFile, NamesTheFileItCannotReadOrWrite) {
+TEST_F(PoseFile, namesTheFileItCannotReadOrWrite) {
   const auto missing = folder_.path() / "no" / "poses.csv";
   EXPECT_THAT(messageOf<std::runtime_error>([&] { readPoses(missing); }), HasSubstr(missing.string()));
   EXPECT_THAT(messageOf<std::runtime_error>([&] { writePoses(missing, {}); }), HasSubstr(missing.string()));
 }
 
-TEST_F(PoseFile, ReadsNumbersWithAPlusSign) {
+TEST_F(PoseFile, readsNumbersWithAPlusSign) {
   const std::vector<Pose> poses = read("x,y,z,qw,qx,qy,qz\n+5,-1,+2e0,+1,0,0,0\n");
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_EQ(poses[0].translation, Vec3(5, -1, 2));

@@ -64,7 +64,7 @@ void expectOnWheels(const SoftBelt& belt, const SoftBeltOptions& options) {
   EXPECT_GE(on_drive_wheel, 2 * belt.nodesAcross());
 }
 
-TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
+TEST(SoftBelt, staysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   const BeltOnBladeOptions options = smallOptions();
   BeltOnBlade scene(options);
   EXPECT_EQ(scene.contacts().size(), 0u);
@@ -113,7 +113,7 @@ TEST(SoftBelt, StaysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   EXPECT_GT(cut, 5);
 }
 
-TEST(SoftBelt, RefusesSizesThatMakeNoBelt) {
+TEST(SoftBelt, refusesSizesThatMakeNoBelt) {
   BeltOnBladeOptions options = smallOptions();
   options.belt.nodes_across = 2;
   EXPECT_THROW(BeltOnBlade{options}, std::invalid_argument);

@@ -80,7 +80,7 @@ class StudyFiles : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(StudyFiles, AStudyInOneRunIsItsTable) {
+TEST_F(StudyFiles, aStudyInOneRunIsItsTable) {
   const StudyOutcome outcome = run({file("all.csv"), {}});
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
   EXPECT_EQ(outcome.answered, kItems);
@@ -89,7 +89,7 @@ TEST_F(StudyFiles, AStudyInOneRunIsItsTable) {
   EXPECT_FALSE(exists("all.csv.partial"));
 }
 
-TEST_F(StudyFiles, ShardsOfAnyNumberMergeToTheTable) {
+TEST_F(StudyFiles, shardsOfAnyNumberMergeToTheTable) {
   for (const std::size_t items : {std::size_t{1}, std::size_t{4}, kItems, std::size_t{200}}) {
     for (const std::size_t shards : {1u, 2u, 3u, 7u, 30u}) {
       std::vector<std::filesystem::path> parts = writeParts(shards, squaresStudy(items));
@@ -102,7 +102,7 @@ TEST_F(StudyFiles, ShardsOfAnyNumberMergeToTheTable) {
   }
 }
 
-TEST_F(StudyFiles, ShardsOfEachNumberHoldEachItemOnceInWholeGroups) {
+TEST_F(StudyFiles, shardsOfEachNumberHoldEachItemOnceInWholeGroups) {
   for (const std::size_t items : {1u, 63u, 64u, 65u, 2185u}) {
     Study study = squaresStudy(items);
     study.group = 64;
@@ -125,7 +125,7 @@ TEST_F(StudyFiles, ShardsOfEachNumberHoldEachItemOnceInWholeGroups) {
   }
 }
 
-TEST_F(StudyFiles, AShardIsToldAsPartAndWhole) {
+TEST_F(StudyFiles, aShardIsToldAsPartAndWhole) {
   EXPECT_EQ(parseShard("3/7").index, 3u);
   EXPECT_EQ(parseShard("3/7").count, 7u);
   for (const std::string wrong : {"", "3", "3/", "/7", "0/7", "8/7", "-1/7", "3/7x", "1/0", "3 / 7",
@@ -136,7 +136,7 @@ TEST_F(StudyFiles, AShardIsToldAsPartAndWhole) {
   }
 }
 
-TEST_F(StudyFiles, MergeRefusesWhatIsNotTheWholeStudyAndNamesTheFile) {
+TEST_F(StudyFiles, mergeRefusesWhatIsNotTheWholeStudyAndNamesTheFile) {
   const std::vector<std::filesystem::path> parts = writeParts(3);
   EXPECT_EQ(refusalOf({parts[0], parts[2]}), "3_of_3: begins at item 32: items 16 to 32 behind those of " +
                                                  parts[0].string() + " are missing");
@@ -154,7 +154,7 @@ TEST_F(StudyFiles, MergeRefusesWhatIsNotTheWholeStudyAndNamesTheFile) {
   EXPECT_THAT(refusalOf({folder_.write("empty", "")}), StartsWith("empty: is no part of a study"));
 }
 
-TEST_F(StudyFiles, MergeRefusesPartsOfOtherStudies) {
+TEST_F(StudyFiles, mergeRefusesPartsOfOtherStudies) {
   const std::vector<std::filesystem::path> parts = writeParts(2);
   const auto refusalWith = [&](const Study& other) {
     run(other, {file("other"), Shard{2, 2}}, [](ItemRange items) { return squaresOf(items); });
@@ -180,7 +180,7 @@ TEST_F(StudyFiles, MergeRefusesPartsOfOtherStudies) {
   EXPECT_EQ(refusalWith(other), begin + "rules");
 }
 
-TEST_F(StudyFiles, MergeRefusesAPartCutOffOrChangedAtAnyByte) {
+TEST_F(StudyFiles, mergeRefusesAPartCutOffOrChangedAtAnyByte) {
   const std::vector<std::filesystem::path> parts = writeParts(2);
   const std::string whole = contentOf(parts[1]);
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
@@ -195,7 +195,7 @@ TEST_F(StudyFiles, MergeRefusesAPartCutOffOrChangedAtAnyByte) {
   EXPECT_EQ(refusalOf({parts[0], file("longer")}), "longer: has something behind its end");
 }
 
-TEST_F(StudyFiles, MergeNeverWritesOverAPart) {
+TEST_F(StudyFiles, mergeNeverWritesOverAPart) {
   const std::vector<std::filesystem::path> parts = writeParts(2);
   const std::string before = contentOf(parts[1]);
   EXPECT_THAT(messageOf<std::runtime_error>([&] { mergeParts(parts, parts[1].string()); }),
@@ -203,7 +203,7 @@ TEST_F(StudyFiles, MergeNeverWritesOverAPart) {
   EXPECT_EQ(contentOf(parts[1]), before);
 }
 
-TEST_F(StudyFiles, ABrokenRunGoesOnWhereverItsFileEnds) {
+TEST_F(StudyFiles, aBrokenRunGoesOnWhereverItsFileEnds) {
   runUntil({file("all.csv"), {}}, 30);
   EXPECT_FALSE(exists("all.csv"));
   const std::string left = content("all.csv.partial");
@@ -222,7 +222,7 @@ TEST_F(StudyFiles, ABrokenRunGoesOnWhereverItsFileEnds) {
   EXPECT_EQ(most, kItems) << "all is asked again where nothing is left";
 }
 
-TEST_F(StudyFiles, ABrokenShardGoesOnAndAFinishedOneStays) {
+TEST_F(StudyFiles, aBrokenShardGoesOnAndAFinishedOneStays) {
   const std::vector<std::filesystem::path> parts = writeParts(2);
   const std::string whole = contentOf(parts[1]);
   const StudyTarget again{file("again"), Shard{2, 2}, true};
@@ -237,7 +237,7 @@ TEST_F(StudyFiles, ABrokenShardGoesOnAndAFinishedOneStays) {
   EXPECT_EQ(content("again"), contentOf(parts[0]));
 }
 
-TEST_F(StudyFiles, AnswersMayComeInAnyOrder) {
+TEST_F(StudyFiles, answersMayComeInAnyOrder) {
   Study study = squaresStudy(kItems);
   std::vector<AnsweredGroup> groups = squaresOf({0, kItems});
   std::shuffle(groups.begin(), groups.end(), std::mt19937_64(7));
@@ -260,7 +260,7 @@ TEST_F(StudyFiles, AnswersMayComeInAnyOrder) {
   EXPECT_GT(asked.size(), 1u) << "there were gaps";
 }
 
-TEST_F(StudyFiles, AnUnfinishedRunIsNeitherWrittenOverNorMistaken) {
+TEST_F(StudyFiles, anUnfinishedRunIsNeitherWrittenOverNorMistaken) {
   runUntil({file("all.csv"), {}}, 30);
   const std::string left = content("all.csv.partial");
   const auto refusal = [&](const Study& study, const StudyTarget& target) {
@@ -286,7 +286,7 @@ TEST_F(StudyFiles, AnUnfinishedRunIsNeitherWrittenOverNorMistaken) {
   EXPECT_EQ(content("all.csv.partial"), "something of the user's own");
 }
 
-TEST_F(StudyFiles, OfTwoRunsToOneFileTheSecondIsRefused) {
+TEST_F(StudyFiles, ofTwoRunsToOneFileTheSecondIsRefused) {
   std::string refused;
   run(squaresStudy(kItems), {file("all.csv"), {}}, [&](ItemRange items) {
     if (refused.empty()) refused = messageOf<std::runtime_error>([&] { run({file("all.csv"), {}, true}); });
@@ -296,7 +296,7 @@ TEST_F(StudyFiles, OfTwoRunsToOneFileTheSecondIsRefused) {
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
 }
 
-TEST_F(StudyFiles, ARunThatAnsweredNothingLeavesNothing) {
+TEST_F(StudyFiles, aRunThatAnsweredNothingLeavesNothing) {
   folder_.write("all.csv", "earlier");
   runUntil({file("all.csv"), {}}, 0);
   EXPECT_EQ(content("all.csv"), "earlier");
@@ -305,7 +305,7 @@ TEST_F(StudyFiles, ARunThatAnsweredNothingLeavesNothing) {
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
 }
 
-TEST_F(StudyFiles, AStopLeavesWhatWasAnswered) {
+TEST_F(StudyFiles, aStopLeavesWhatWasAnswered) {
   const auto stop_at_once = [&](ItemRange items) {
     std::raise(SIGTERM);
     return squaresOf(items);
@@ -323,7 +323,7 @@ TEST_F(StudyFiles, AStopLeavesWhatWasAnswered) {
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
 }
 
-TEST_F(StudyFiles, ALinkStaysALink) {
+TEST_F(StudyFiles, aLinkStaysALink) {
   folder_.write("far.csv", "earlier");
   std::filesystem::create_symlink("far.csv", file("near.csv"));
   run({file("near.csv"), {}});
@@ -331,7 +331,7 @@ TEST_F(StudyFiles, ALinkStaysALink) {
   EXPECT_EQ(content("far.csv"), squaresTable(kItems));
 }
 
-TEST(GroupMessages, ComeAsTheyWent) {
+TEST(GroupMessages, comeAsTheyWent) {
   const std::vector<AnsweredGroup> groups = squaresOf({3, 29});
   const GroupMessage message = unpacked(packed({groups, std::chrono::duration<double>(0.25)}));
   EXPECT_EQ(message.time.count(), 0.25);
@@ -345,7 +345,7 @@ TEST(GroupMessages, ComeAsTheyWent) {
   EXPECT_THROW(unpacked(std::string_view(text).substr(0, text.size() - 1)), std::invalid_argument);
 }
 
-TEST(ExactNumbers, AreThoseOfStreamsAndReadBackAsTheyAre) {
+TEST(ExactNumbers, areThoseOfStreamsAndReadBackAsTheyAre) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 10000; ++i) {
     const double fraction = std::uniform_real_distribution<double>(-1.0, 1.0)(random);

@@ -89,7 +89,7 @@ struct PathCase {
   double step_over, tilt, lead;
 };
 
-class SurfacePathTest : public ::testing::TestWithParam<PathCase> {
+class SurfacePaths : public ::testing::TestWithParam<PathCase> {
  protected:
   SurfacePathOptions options() const {
     SurfacePathOptions result;
@@ -103,7 +103,7 @@ class SurfacePathTest : public ::testing::TestWithParam<PathCase> {
   }
 };
 
-TEST_P(SurfacePathTest, EachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFor) {
+TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFor) {
   const SurfacePath path = makeSurfacePath(contours(), options());
   ASSERT_EQ(path.moves.size(), path.pass_of_move.size());
   const bool at_edge = options().region == leading_edge;
@@ -142,7 +142,7 @@ TEST_P(SurfacePathTest, EachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAske
   }
 }
 
-TEST_P(SurfacePathTest, PassesKeepTheStepOverAndAreNoMoreThanNeeded) {
+TEST_P(SurfacePaths, passesKeepTheStepOverAndAreNoMoreThanNeeded) {
   SurfacePathOptions fine = options();
   fine.pose_step = 0.5;
   const auto passes = contactsByPass(makeSurfacePath(contours(), fine), fine);
@@ -160,7 +160,7 @@ TEST_P(SurfacePathTest, PassesKeepTheStepOverAndAreNoMoreThanNeeded) {
             (fine.region == leading_edge && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
 }
 
-TEST_P(SurfacePathTest, StepsAreSmallAndPassesGoTheWayAskedFor) {
+TEST_P(SurfacePaths, stepsAreSmallAndPassesGoTheWayAskedFor) {
   const SurfacePath path = makeSurfacePath(contours(), options());
   const auto passes = contactsByPass(path, options());
   for (const auto& [pass, contacts] : passes) {
@@ -194,7 +194,7 @@ TEST_P(SurfacePathTest, StepsAreSmallAndPassesGoTheWayAskedFor) {
   EXPECT_GT(closestPoint(bladeTree(), path.moves.front().tool_in_blisk.translation).value().distance, 9.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePathTest,
+INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePaths,
                          ::testing::Values(PathCase{forward, transversal, 5.0, 8.0, 0.0},
                                            PathCase{backward, transversal, 3.0, -4.0, 12.0},
                                            PathCase{forward, longitudinal, 10.0, 8.0, -15.0},
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePathTest,
                                            PathCase{leading_edge, transversal, 4.0, 5.0, 0.0},
                                            PathCase{leading_edge, longitudinal, 1.0, 8.0, 10.0}));
 
-TEST(SurfacePathOptionsTest, AreCheckedInOneLine) {
+TEST(SurfacePathChoices, areCheckedInOneLine) {
   const auto refusal = [](auto change) {
     SurfacePathOptions options;
     change(options);
@@ -227,7 +227,7 @@ class PathCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(PathCommand, WritesTheSamePosesEitherWayAndGrindReadsBoth) {
+TEST_F(PathCommand, writesTheSamePosesEitherWayAndGrindReadsBoth) {
   const std::string common = "--blade 3 --side concave --step-over 30 --pose-step 10 --retract 20 ";
   ASSERT_EQ(run(common + "--out path.csv").exit_code, 0);
   ASSERT_EQ(run(common + "--format apt --out path.cl").exit_code, 0);
@@ -249,7 +249,7 @@ TEST_F(PathCommand, WritesTheSamePosesEitherWayAndGrindReadsBoth) {
 }
 
 /// With so much tilt the belt's strands keep off it too.
-TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
+TEST_F(PathCommand, noPoseGougesTheBladeThatItGrinds) {
   for (const char* side : {"concave", "convex"}) {
     ASSERT_EQ(
         run(std::string("--blade 3 --step-over 30 --pose-step 8 --tilt 14 --out path.csv --side ") + side)
@@ -269,7 +269,7 @@ TEST_F(PathCommand, NoPoseGougesTheBladeThatItGrinds) {
   }
 }
 
-TEST_F(PathCommand, SixNumbersOfItsOwnPathGiveNearlyTheSamePoses) {
+TEST_F(PathCommand, sixNumbersOfItsOwnPathGiveNearlyTheSamePoses) {
   ASSERT_EQ(run("--blade 3 --side convex --step-over 20 --lead 10 --retract 0 --out path.csv").exit_code, 0);
   const std::vector<ToolMove> table = readMoves(file("path.csv"));
   ClFile six;
@@ -287,7 +287,7 @@ TEST_F(PathCommand, SixNumbersOfItsOwnPathGiveNearlyTheSamePoses) {
   }
 }
 
-TEST_F(PathCommand, FollowsABliskThatLiesAnywhere) {
+TEST_F(PathCommand, followsABliskThatLiesAnywhere) {
   const Pose pose{Eigen::AngleAxisd(2.0, Vec3(1, 2, 3).normalized()).toRotationMatrix(),
                   {30.0, -400.0, 12.0}};
   std::vector<Vec3> vertices = blisk().mesh.vertices();
@@ -308,7 +308,7 @@ TEST_F(PathCommand, FollowsABliskThatLiesAnywhere) {
   EXPECT_GT(working, 20);
 }
 
-TEST_F(PathCommand, OfAClosedBliskTheArmLeavesByTheNearerEndOfTheChannel) {
+TEST_F(PathCommand, ofAClosedBliskTheArmLeavesByTheNearerEndOfTheChannel) {
   ASSERT_EQ(runOctoblisk(folder_.path(), "make blisk --triangles 10000 --shroud --out s.ply").exit_code, 0);
   for (const char* const side : {"convex", "leading"}) {
     ASSERT_EQ(
@@ -326,7 +326,7 @@ TEST_F(PathCommand, OfAClosedBliskTheArmLeavesByTheNearerEndOfTheChannel) {
   }
 }
 
-TEST_F(PathCommand, WritesAWholeFileOrNone) {
+TEST_F(PathCommand, writesAWholeFileOrNone) {
   folder_.write("path.csv", "as it was");
   EXPECT_EQ(run("--blade 25 --out path.csv").exit_code, 2);
   EXPECT_EQ(contentOf(file("path.csv")), "as it was");
@@ -336,7 +336,7 @@ TEST_F(PathCommand, WritesAWholeFileOrNone) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null")) << "not a file that took its place";
 }
 
-TEST_F(PathCommand, RefusesInOneLine) {
+TEST_F(PathCommand, refusesInOneLine) {
   for (const char* arguments :
        {"--blade 25 --out p.csv", "--blisk missing.stl --out p.csv", "--edge-margin 70 --out p.csv",
         "--out missing/p.csv", "--height-from 0.99 --out p.csv"}) {

@@ -82,7 +82,7 @@ void expectLackOfFile(const ScratchFolder& folder, const std::string& call) {
 
 /// All options that are shown, one alternative after another; and with none but those that must be told.
 /// Of commands that take long the first call is run; the others are held to lack a file, and nothing else.
-TEST(Pages, SynopsesHold) {
+TEST(Pages, synopsesHold) {
   const ScratchFolder folder;
   makeInputs(folder);
   std::vector<std::string> calls;
@@ -109,7 +109,7 @@ TEST(Pages, SynopsesHold) {
 }
 
 /// An example of a whole blade, in larger steps.
-TEST(Pages, ExamplesRun) {
+TEST(Pages, examplesRun) {
   const ScratchFolder folder;
   for (const CodeBlock& block : blocksOf(Kind::example)) {
     expectDone(folder,
@@ -122,7 +122,7 @@ TEST(Pages, ExamplesRun) {
 }
 
 /// A study among the tasks of a job array, and by mpirun: the file of one run.
-TEST(Pages, StudiesAreShared) {
+TEST(Pages, studiesAreShared) {
   const ScratchFolder folder;
   std::string poses = "x,y,z,qw,qx,qy,qz\n";
   for (int i = 0; i < 1000; ++i) poses += std::to_string(-0.01 * i) + ",0,0,1,0,0,0\n";

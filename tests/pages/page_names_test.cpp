@@ -24,7 +24,7 @@ using demos::ScratchFolder;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-TEST(Pages, HaveNoBlocksButThoseThatAreTested) {
+TEST(Pages, haveNoBlocksButThoseThatAreTested) {
   std::set<Kind> kinds;
   for (const CodeBlock& block : allBlocks()) {
     const std::optional<Kind> kind = kindOf(block);
@@ -40,7 +40,7 @@ TEST(Pages, HaveNoBlocksButThoseThatAreTested) {
 }
 
 /// In blocks and in sentences: verbs that ./dev knows.
-TEST(Pages, NameVerbsOfDev) {
+TEST(Pages, nameVerbsOfDev) {
   const ScratchFolder folder;
   const Outcome help = runScript(folder, "cd '" + kProject.string() + "'; ./dev help");
   ASSERT_EQ(help.exit_code, 0);
@@ -65,7 +65,7 @@ TEST(Pages, NameVerbsOfDev) {
   }
 }
 
-TEST(Pages, NamePresets) {
+TEST(Pages, namePresets) {
   const auto presets = nlohmann::json::parse(contentOf(kProject / "CMakePresets.json"));
   const std::map<std::string, std::string> kinds = {{"cmake --preset", "configurePresets"},
                                                     {"cmake --build --preset", "buildPresets"},
@@ -83,7 +83,7 @@ TEST(Pages, NamePresets) {
   }
 }
 
-TEST(Pages, NameProgramsAndOptionsOfBenchmarks) {
+TEST(Pages, nameProgramsAndOptionsOfBenchmarks) {
   const std::string session = contentOf(kProject / "bench/session.cpp");
   for (const CodeBlock& block : blocksOf(Kind::benchmark)) {
     for (const std::string& task : found(block.text, "/bench_([a-z_]+)")) {
@@ -96,7 +96,7 @@ TEST(Pages, NameProgramsAndOptionsOfBenchmarks) {
   }
 }
 
-TEST(Pages, TellOfRowsAsTheyAre) {
+TEST(Pages, tellOfRowsAsTheyAre) {
   int rows = 0;
   for (const CodeBlock& block : blocksOf(Kind::row)) {
     const std::vector<std::string> keys = found(block.text, "\"([a-z_]+)\"");
@@ -119,7 +119,7 @@ TEST(Pages, TellOfRowsAsTheyAre) {
 }
 
 /// Charts name the files where what they show is done.
-TEST(Pages, ChartsNameFilesThatExist) {
+TEST(Pages, chartsNameFilesThatExist) {
   for (const CodeBlock& block : blocksOf(Kind::flow_chart)) {
     int files = 0;
     const auto expectFile = [&](bool exists, const std::string& name) {

@@ -1,10 +1,10 @@
 // Boxes round the two sides of a split, turned about their thinnest axes to the least area: seven turns at
-// once. Read once for each target (simd.h).
-#if defined(OCTOBLISK_SIDE_BOXES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_SIDE_BOXES_H
-#undef OCTOBLISK_SIDE_BOXES_H
+// once. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_BUILD_SIDE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_BUILD_SIDE_BOXES_INL_H
+#undef OCTOBLISK_BUILD_SIDE_BOXES_INL_H
 #else
-#define OCTOBLISK_SIDE_BOXES_H
+#define OCTOBLISK_BUILD_SIDE_BOXES_INL_H
 #endif
 
 #include <limits>

@@ -1,10 +1,10 @@
 // The principal frames of the two sides of all candidates for a split, eight at once. Read once for each
-// target (simd.h).
-#if defined(OCTOBLISK_SIDE_FRAMES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_SIDE_FRAMES_H
-#undef OCTOBLISK_SIDE_FRAMES_H
+// target (simd-inl.h).
+#if defined(OCTOBLISK_BUILD_SIDE_FRAMES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_BUILD_SIDE_FRAMES_INL_H
+#undef OCTOBLISK_BUILD_SIDE_FRAMES_INL_H
 #else
-#define OCTOBLISK_SIDE_FRAMES_H
+#define OCTOBLISK_BUILD_SIDE_FRAMES_INL_H
 #endif
 
 #include "build/split_search.h"

@@ -11,8 +11,8 @@
 
 #include "query/traversal-inl.h"
 
-#ifndef OCTOBLISK_TRIANGLES_ALONG_ONCE
-#define OCTOBLISK_TRIANGLES_ALONG_ONCE
+#ifndef OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
+#define OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
 namespace octoblisk::detail {
 
 /// The fractions at which a moving box overlaps something along all axes looked at so far.

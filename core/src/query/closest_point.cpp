@@ -28,48 +28,28 @@ HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
 }
 
 std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, double upper_bound) {
-  struct Entry {
-    Child child;
-    float gap;
-  };
-  const Vec3 local = point - tree.origin();
-  const Eigen::Vector3f local_single = local.cast<float>();
-  const double farthest = local.norm() + tree.radius();  // no triangle is farther
-  if (!(farthest <= kFarthest)) return std::nullopt;
+  const LocalBox local(tree, {point, Mat3::Identity(), Vec3::Zero()});
+  const double farthest = local.size;  // no triangle is farther
   const double rounding = kSingleRounding * farthest;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);
   const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
   double squared_limit = squaredLimit(best.distance);
-  auto limit = static_cast<float>(best.distance + rounding);
-
-  TraversalStack<Entry, Tree::kMaxDepth> stack;
-  Box8 room(Box8::Unset{});
-  stack.pushSorted(0, {tree.child(Tree::kRoot), 0.0f});
-  while (!stack.empty()) {
-    const Entry entry = stack.pop();
-    if (entry.gap > limit) continue;
-    if (entry.child.isLeaf()) {
-      for (const std::uint32_t t : tree.triangles(entry.child)) {
-        const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
-        const double squared = (on_triangle - point).squaredNorm();
-        if (squared > squared_limit) continue;
-        const double distance = std::sqrt(squared);
-        if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
-          best = {on_triangle, distance, t};
-          squared_limit = squaredLimit(distance);
-        }
+  const auto gap = [](const Box8& boxes, const BoxF& at) HWY_ATTR { return distances(boxes, at.center); };
+  const auto limit = [&] { return static_cast<float>(best.distance + rounding); };
+  walkBox(tree, local, gap, limit, [&](Slot leaf) {
+    for (const std::uint32_t t : tree.triangles(tree.child(leaf))) {
+      const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
+      const double squared = (on_triangle - point).squaredNorm();
+      if (squared > squared_limit) continue;
+      const double distance = std::sqrt(squared);
+      if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
+        best = {on_triangle, distance, t};
+        squared_limit = squaredLimit(distance);
       }
-      limit = static_cast<float>(best.distance + rounding);
-      continue;
     }
-    const std::array<Child, kLanes>& children = tree.children(entry.child.node());
-    const std::size_t first = stack.size();
-    forEachWithin(distances(boxesOf(tree, entry.child.node(), room), local_single), limit,
-                  [&](std::uint32_t lane, float distance) {
-                    stack.pushSorted(first, {children[lane], distance});
-                  });
-  }
+    return false;
+  });
   if (best.triangle == kNoTriangle) return std::nullopt;
   return best;
 }

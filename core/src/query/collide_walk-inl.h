@@ -1,9 +1,9 @@
-// All pairs of triangles of two trees that meet, found one by one. Read once for each target (simd.h).
-#if defined(OCTOBLISK_MEETING_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_MEETING_TRIANGLES_H
-#undef OCTOBLISK_MEETING_TRIANGLES_H
+// All pairs of triangles of two trees that meet, found one by one. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_COLLIDE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_COLLIDE_WALK_INL_H
+#undef OCTOBLISK_QUERY_COLLIDE_WALK_INL_H
 #else
-#define OCTOBLISK_MEETING_TRIANGLES_H
+#define OCTOBLISK_QUERY_COLLIDE_WALK_INL_H
 #endif
 
 #include "geometry/triangle_pair.h"

@@ -16,9 +16,8 @@ void appendContacts(const Tree& a, const Tree& b, const Pose& b_in_a, double thr
                     std::vector<Contact>& found) {
   const LocalPose pose(a, b, b_in_a);
   const float limit = pose.limit(threshold);
-  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   walkPairs<TraversalStack>(
-      a, b, pose, NodePair(), gap, [&] { return limit; },
+      a, b, pose, NodePair(), WidestGap(), [&] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
         auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());

@@ -1,10 +1,10 @@
 // A convex body against the triangles of a leaf, eight at once: which of them are certainly too far. Read
-// once for each target (simd.h).
-#if defined(OCTOBLISK_CONVEX_CULL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_CONVEX_CULL_H
-#undef OCTOBLISK_CONVEX_CULL_H
+// once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_CONVEX_CULL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_CONVEX_CULL_INL_H
+#undef OCTOBLISK_QUERY_CONVEX_CULL_INL_H
 #else
-#define OCTOBLISK_CONVEX_CULL_H
+#define OCTOBLISK_QUERY_CONVEX_CULL_INL_H
 #endif
 
 #include <array>

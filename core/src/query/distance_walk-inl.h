@@ -1,9 +1,9 @@
-// The nearest triangles of two trees, found leaf by leaf. Read once for each target (simd.h).
-#if defined(OCTOBLISK_NEAREST_TRIANGLES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_NEAREST_TRIANGLES_H
-#undef OCTOBLISK_NEAREST_TRIANGLES_H
+// The nearest triangles of two trees, found leaf by leaf. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_DISTANCE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
+#undef OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
 #else
-#define OCTOBLISK_NEAREST_TRIANGLES_H
+#define OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
 #endif
 
 #include "query/closest_pair.h"

@@ -1,10 +1,10 @@
 // The triangles of two leaves side by side, and which of them are near each other by their bounds. Read once
-// for each target (simd.h).
-#if defined(OCTOBLISK_LEAF_PAIR_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_LEAF_PAIR_H
-#undef OCTOBLISK_LEAF_PAIR_H
+// for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_LEAF_PAIR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_LEAF_PAIR_INL_H
+#undef OCTOBLISK_QUERY_LEAF_PAIR_INL_H
 #else
-#define OCTOBLISK_LEAF_PAIR_H
+#define OCTOBLISK_QUERY_LEAF_PAIR_INL_H
 #endif
 
 #include <algorithm>

@@ -1,11 +1,11 @@
-// A ray against eight boxes, or the triangles of a leaf, at once. Read once for each target (simd.h).
+// A ray against eight boxes, or the triangles of a leaf, at once. Read once for each target (simd-inl.h).
 //
 // All of it only excludes what the ray certainly does not meet.
-#if defined(OCTOBLISK_RAY_LANES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_RAY_LANES_H
-#undef OCTOBLISK_RAY_LANES_H
+#if defined(OCTOBLISK_QUERY_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_RAY_LANES_INL_H
+#undef OCTOBLISK_QUERY_RAY_LANES_INL_H
 #else
-#define OCTOBLISK_RAY_LANES_H
+#define OCTOBLISK_QUERY_RAY_LANES_INL_H
 #endif
 
 #include <cmath>

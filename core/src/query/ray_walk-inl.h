@@ -1,6 +1,8 @@
-// The descent of a ray into a tree, boxes and triangles eight at a time. Read once for each target (simd.h).
-#ifndef OCTOBLISK_RAY_DESCENT_ONCE
-#define OCTOBLISK_RAY_DESCENT_ONCE
+// The walk of a ray down a tree, boxes and triangles eight at a time. It does not share traversal-inl.h: it
+// goes on to the nearest child without the to-do list, and prefetches the others. Read once for each target
+// (simd-inl.h).
+#ifndef OCTOBLISK_QUERY_RAY_WALK_ONCE
+#define OCTOBLISK_QUERY_RAY_WALK_ONCE
 
 #include <array>
 #include <bit>
@@ -34,11 +36,11 @@ class RayTask {
 }  // namespace octoblisk::detail
 #endif
 
-#if defined(OCTOBLISK_RAY_DESCENT_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_RAY_DESCENT_H
-#undef OCTOBLISK_RAY_DESCENT_H
+#if defined(OCTOBLISK_QUERY_RAY_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_RAY_WALK_INL_H
+#undef OCTOBLISK_QUERY_RAY_WALK_INL_H
 #else
-#define OCTOBLISK_RAY_DESCENT_H
+#define OCTOBLISK_QUERY_RAY_WALK_INL_H
 #endif
 
 #include <hwy/cache_control.h>

@@ -1,3 +1,4 @@
+// The walk is this query's own: each box hands the source's triangles that it has found down to its children.
 #include "octoblisk/source_contacts.h"
 
 #include <algorithm>

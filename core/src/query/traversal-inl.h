@@ -1,12 +1,12 @@
-// The one walk that all queries share: down two trees, or one tree and a box, over boxes that may overlap.
-// Read once for each target (simd.h).
+// The walk that all queries but rays share: down two trees, or one tree and a box, over boxes that may be
+// near. Read once for each target (simd-inl.h).
 //
 // Boxes are compared in single precision, grown by the rounding of the comparison, so that nothing is missed.
-#if defined(OCTOBLISK_TRAVERSAL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_TRAVERSAL_H
-#undef OCTOBLISK_TRAVERSAL_H
+#if defined(OCTOBLISK_QUERY_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_TRAVERSAL_INL_H
+#undef OCTOBLISK_QUERY_TRAVERSAL_INL_H
 #else
-#define OCTOBLISK_TRAVERSAL_H
+#define OCTOBLISK_QUERY_TRAVERSAL_INL_H
 #endif
 
 #include <algorithm>
@@ -36,15 +36,40 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   }
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of leaves below the two nodes of which no gap(boxes, box),
-/// nor one of the boxes between, is larger than limit(), which may shrink; the smallest gaps first: of all,
-/// to begin with, with a TraversalQueue, of those below the same pair with a TraversalStack. Returns true as
-/// soon as visit does, else false. Where the pose is not finite, nothing is near.
-template <template <typename Entry, int kLevels> typename ToDo, typename Gap, typename Limit, typename Visit>
+/// Where a walk ends: at the leaves.
+struct AtLeaves {
+  using Place = Slot;
+  static Place first(Slot slot) { return slot; }
+  static Slot slot(Place place) { return place; }
+  static Place below(Place, Slot slot) { return slot; }
+  static bool isEnd(Place, Child child) { return child.isLeaf(); }
+};
+
+/// Where a walk ends: at the boxes of a depth (the root's box is 0), and at leaves above it.
+struct AtDepth {
+  struct Place {
+    Slot at;
+    int depth;
+  };
+  static Place first(Slot slot) { return {slot, 0}; }
+  static Slot slot(Place place) { return place.at; }
+  static Place below(Place place, Slot slot) { return {slot, place.depth + 1}; }
+  bool isEnd(Place place, Child child) const { return place.depth >= depth || child.isLeaf(); }
+
+  int depth;
+};
+
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of ends below the two nodes, unless gap(boxes, box) of the
+/// pair or of a pair above it is larger than limit(), which may shrink. The smallest gaps come first: of all
+/// pairs, to begin with, with a TraversalQueue; of those below the same pair with a TraversalStack. Returns
+/// true as soon as visit does, else false. Where the pose is not finite, nothing is near.
+template <template <typename Entry, int kLevels> typename ToDo, typename End = AtLeaves, typename Gap,
+          typename Limit, typename Visit>
 bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair below, Gap&& gap, Limit&& limit,
-               Visit&& visit) {
+               Visit&& visit, const End& end = {}) {
+  using Place = typename End::Place;
   struct Entry {
-    Slot a, b;
+    Place a, b;
     float gap;
   };
   if (!(pose.size <= kFarthest)) return false;
@@ -55,7 +80,7 @@ bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair bel
     if (b.child(slot_b).isEmpty()) continue;
     const BoxF box = posed(pose.b_to_a, boxesAt(b, slot_b, room_of_one), lane_b);
     forEachWithin(gap(boxesOf(a, below.a, room), box), limit(), [&](std::uint32_t lane_a, float found) {
-      to_do.pushSorted(0, {{below.a, lane_a}, slot_b, found});
+      to_do.pushSorted(0, {End::first({below.a, lane_a}), End::first(slot_b), found});
     });
   }
   while (!to_do.empty()) {
@@ -64,37 +89,41 @@ bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair bel
       to_do.dismiss();
       continue;
     }
-    const Child child_a = a.child(pair.a), child_b = b.child(pair.b);
+    const Slot slot_a = End::slot(pair.a), slot_b = End::slot(pair.b);
+    const Child child_a = a.child(slot_a), child_b = b.child(slot_b);
     if (child_a.isEmpty() || child_b.isEmpty()) continue;  // of a pose that is none, as all gaps are NaN
-    if (child_a.isLeaf() && child_b.isLeaf()) {
-      if (visit(pair.a, pair.b)) return true;
+    const bool a_ends = end.isEnd(pair.a, child_a), b_ends = end.isEnd(pair.b, child_b);
+    if (a_ends && b_ends) {
+      if (visit(slot_a, slot_b)) return true;
       to_do.sawLeaves(limit());
       continue;
     }
     const std::size_t first = to_do.size();
-    const bool a_is_larger = largestHalfExtent(a, pair.a) >= largestHalfExtent(b, pair.b);
-    if (child_b.isLeaf() || (!child_a.isLeaf() && a_is_larger)) {
-      const BoxF box = posed(pose.b_to_a, boxesAt(b, pair.b, room), pair.b.lane);
+    const bool a_is_larger = largestHalfExtent(a, slot_a) >= largestHalfExtent(b, slot_b);
+    if (b_ends || (!a_ends && a_is_larger)) {
+      const BoxF box = posed(pose.b_to_a, boxesAt(b, slot_b, room), slot_b.lane);
       const std::uint32_t node = child_a.node();
       forEachWithin(gap(boxesOf(a, node, room), box), limit(), [&](std::uint32_t lane, float found) {
-        to_do.pushSorted(first, {{node, lane}, pair.b, found});
+        to_do.pushSorted(first, {End::below(pair.a, {node, lane}), pair.b, found});
       });
     } else {
-      const BoxF box = posed(pose.a_to_b, boxesAt(a, pair.a, room), pair.a.lane);
+      const BoxF box = posed(pose.a_to_b, boxesAt(a, slot_a, room), slot_a.lane);
       const std::uint32_t node = child_b.node();
       forEachWithin(gap(boxesOf(b, node, room), box), limit(), [&](std::uint32_t lane, float found) {
-        to_do.pushSorted(first, {pair.a, {node, lane}, found});
+        to_do.pushSorted(first, {pair.a, End::below(pair.b, {node, lane}), found});
       });
     }
   }
   return false;
 }
 
-/// The same for the leaves of one tree and a box in its local frame: visit(slot_of_leaf).
-template <typename Gap, typename Limit, typename Visit>
-bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, Visit&& visit) {
+/// The same for the ends of one tree and a box in its local frame: visit(slot).
+template <typename End = AtLeaves, typename Gap, typename Limit, typename Visit>
+bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, Visit&& visit,
+             const End& end = {}) {
+  using Place = typename End::Place;
   struct Entry {
-    Slot slot;
+    Place place;
     float gap;
   };
   if (!(local.size <= kFarthest)) return false;
@@ -102,21 +131,22 @@ bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, 
   TraversalStack<Entry, Tree::kMaxDepth> stack;
   Box8 room(Box8::Unset{});
   forEachWithin(gap(boxesOf(tree, 0, room), box), limit(), [&](std::uint32_t lane, float found) {
-    stack.pushSorted(0, {{0, lane}, found});
+    stack.pushSorted(0, {End::first({0, lane}), found});
   });
   while (!stack.empty()) {
     const Entry entry = stack.pop();
     if (entry.gap > limit()) continue;
-    const Child child = tree.child(entry.slot);
+    const Slot slot = End::slot(entry.place);
+    const Child child = tree.child(slot);
     if (child.isEmpty()) continue;  // of a box that is none, as all gaps are NaN
-    if (child.isLeaf()) {
-      if (visit(entry.slot)) return true;
+    if (end.isEnd(entry.place, child)) {
+      if (visit(slot)) return true;
       continue;
     }
     const std::size_t first = stack.size();
     const std::uint32_t node = child.node();
     forEachWithin(gap(boxesOf(tree, node, room), box), limit(), [&](std::uint32_t lane, float found) {
-      stack.pushSorted(first, {{node, lane}, found});
+      stack.pushSorted(first, {End::below(entry.place, {node, lane}), found});
     });
   }
   return false;

@@ -1,10 +1,10 @@
 // Which triangles of two leaves may be near each other, in single precision: one triangle against eight at a
-// time. Read once for each target (simd.h).
-#if defined(OCTOBLISK_TRIANGLE_DISTANCE_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_TRIANGLE_DISTANCE_H
-#undef OCTOBLISK_TRIANGLE_DISTANCE_H
+// time. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H
+#undef OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H
 #else
-#define OCTOBLISK_TRIANGLE_DISTANCE_H
+#define OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H
 #endif
 
 #include "query/leaf_pair-inl.h"

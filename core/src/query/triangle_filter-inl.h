@@ -1,10 +1,10 @@
 // Which triangles of two leaves meet, in single precision: one triangle against eight at a time. Where
-// rounding leaves the answer open, it says so. Read once for each target (simd.h).
-#if defined(OCTOBLISK_TRIANGLE_FILTER_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_TRIANGLE_FILTER_H
-#undef OCTOBLISK_TRIANGLE_FILTER_H
+// rounding leaves the answer open, it says so. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H
+#undef OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H
 #else
-#define OCTOBLISK_TRIANGLE_FILTER_H
+#define OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H
 #endif
 
 #include "query/leaf_pair-inl.h"

@@ -12,9 +12,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 bool trianglesIn(const Tree& tree, const Obb& box_in_tree, double reach,
                  bool (*visit)(void* user, std::uint32_t triangle), void* user) {
   const LocalBox local(tree, box_in_tree);
-  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
-  return walkBox(tree, local, gap, limit, [&](Slot slot) {
+  return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) {
     for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
       if (visit(user, triangle)) return true;
     }

@@ -15,9 +15,8 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
                    bool (*visit)(void* user, std::uint32_t triangle), void* user) {
   const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
   const ConvexCull cull(tree.origin(), points, bounds, convex_in_tree, reach);
-  const auto gap = [](const Box8& boxes, const BoxF& box) HWY_ATTR { return widestGap(boxes, box); };
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
-  return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
+  return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) HWY_ATTR {
     const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
     for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
       if (visit(user, triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;

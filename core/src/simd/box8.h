@@ -47,7 +47,7 @@ struct PoseF {
   }
 };
 
-/// Eight oriented boxes, each quantity of all eight in a row: they are tested at once (box_test.h). The axes
+/// Eight oriented boxes, each quantity of all eight in a row: they are tested at once (box_gap-inl.h). The axes
 /// of each are in descending order of their half extents.
 struct Box8 {
   float center[3][kLanes];

@@ -1,9 +1,9 @@
-// Eight oriented boxes against one: how far apart they are at least. Read once for each target (simd.h).
-#if defined(OCTOBLISK_BOX_TEST_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_BOX_TEST_H
-#undef OCTOBLISK_BOX_TEST_H
+// Eight oriented boxes against one: how far apart they are at least. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_SIMD_BOX_GAP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_SIMD_BOX_GAP_INL_H
+#undef OCTOBLISK_SIMD_BOX_GAP_INL_H
 #else
-#define OCTOBLISK_BOX_TEST_H
+#define OCTOBLISK_SIMD_BOX_GAP_INL_H
 #endif
 
 #include "simd/box8.h"
@@ -71,6 +71,11 @@ HWY_INLINE Float8 widestGap(const Box8& boxes, const BoxF& box) {
   return max(max(max(gaps.of_box[0], gaps.of_box[1]), gaps.of_box[2]),
              max(max(gaps.of_boxes[0], gaps.of_boxes[1]), gaps.of_boxes[2]));
 }
+
+/// widestGap, to hand to a walk.
+struct WidestGap {
+  HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const { return widestGap(boxes, box); }
+};
 
 /// A lower bound of the squared distances of the eight boxes to `box`.
 HWY_INLINE Float8 squaredDistanceBound(const Box8& boxes, const BoxF& box) {

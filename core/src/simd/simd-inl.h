@@ -4,11 +4,11 @@
 // A query's .cpp file is compiled once for each target; this header is read as often, so what includes it
 // must be per target as well. Products and sums are rounded on their own (no fused multiply-add), so that
 // every target computes the same bits.
-#if defined(OCTOBLISK_SIMD_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_SIMD_H
-#undef OCTOBLISK_SIMD_H
+#if defined(OCTOBLISK_SIMD_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_SIMD_SIMD_INL_H
+#undef OCTOBLISK_SIMD_SIMD_INL_H
 #else
-#define OCTOBLISK_SIMD_H
+#define OCTOBLISK_SIMD_SIMD_INL_H
 #endif
 
 #include <hwy/highway.h>

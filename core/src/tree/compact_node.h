@@ -36,7 +36,7 @@ struct alignas(16) CompactNode {
     return {rotation[0][lane], rotation[1][lane], rotation[2][lane], rotation[3][lane]};
   }
 
-  /// What the lane's integers stand for. The boxes of node_boxes.h are the same to the last bit.
+  /// What the lane's integers stand for. The boxes of node_boxes-inl.h are the same to the last bit.
   BoxF box(std::uint32_t lane) const;
 
   /// Writes the boxes of all lanes that have a child, each in the frame of its compact rotation, so that what

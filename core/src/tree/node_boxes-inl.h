@@ -1,10 +1,10 @@
 // The boxes of a tree's nodes as the queries read them: where they are in a full tree, decoded in a compact
-// one. Read once for each target (simd.h).
-#if defined(OCTOBLISK_NODE_BOXES_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCTOBLISK_NODE_BOXES_H
-#undef OCTOBLISK_NODE_BOXES_H
+// one. Read once for each target (simd-inl.h).
+#if defined(OCTOBLISK_TREE_NODE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_TREE_NODE_BOXES_INL_H
+#undef OCTOBLISK_TREE_NODE_BOXES_INL_H
 #else
-#define OCTOBLISK_NODE_BOXES_H
+#define OCTOBLISK_TREE_NODE_BOXES_INL_H
 #endif
 
 #include "simd/simd-inl.h"
