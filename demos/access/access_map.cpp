@@ -75,7 +75,7 @@ SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& opti
 
 bool AccessOptions::goesRound() const { return std::abs(tilts * tilt_step - 360.0) < 1e-9; }
 
-std::vector<SiteAccess> accessOf(PoseJudge& judge, std::span<const ContactSite> sites,
+std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
                                  const AccessOptions& options,
                                  const std::function<void(std::size_t)>& progress) {
   const std::size_t poses_of_site = options.leads.size() * static_cast<std::size_t>(options.tilts);
@@ -91,7 +91,7 @@ std::vector<SiteAccess> accessOf(PoseJudge& judge, std::span<const ContactSite> 
         }
       }
     }
-    const std::vector<PoseState> states = judge.judge(poses);
+    const std::vector<PoseState> states = judge.statesOf(poses);
     for (std::size_t s = begin; s < end; ++s) {
       found.push_back(
           accessAt(std::span(states).subspan((s - begin) * poses_of_site, poses_of_site), options));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "access/contact_site.h"
-#include "grinding/pose_judge.h"
+#include "grinding/judge.h"
 
 namespace octoblisk::demos {
 
@@ -53,7 +53,7 @@ struct SiteAccess {
 
 /// Asks for every tilt at every lead of every site; the answer does not depend on the judge's threads.
 /// `progress` is told how many sites are done.
-std::vector<SiteAccess> accessOf(PoseJudge& judge, std::span<const ContactSite> sites,
+std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
                                  const AccessOptions& options,
                                  const std::function<void(std::size_t)>& progress = {});
 

@@ -88,7 +88,7 @@ Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& quest
   std::ostringstream subtitle;
   subtitle << "widest free range of tilt at each point; right: arc length from the leading edge, up: height "
               "above the blade's root";
-  if (question.rules.margin > 0.0) subtitle << "; margin " << question.rules.margin << " mm";
+  if (question.rules.near_miss > 0.0) subtitle << "; margin " << question.rules.near_miss << " mm";
   annotation.subtitle = subtitle.str();
   for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});
   annotation.length_unit = "mm";

@@ -93,7 +93,7 @@ std::vector<Table> accessFacts(const AccessMap& map, const ClusteredOctree& blis
                                const std::string& blisk_name) {
   std::ostringstream depth, margin, free;
   depth << map.question.rules.max_depth << " mm";
-  margin << map.question.rules.margin << " mm";
+  margin << map.question.rules.near_miss << " mm";
   free << std::round(1000.0 * map.freeFraction()) / 10.0 << " %";
   Table parts{.name = "parts", .caption = "Parts of the tool", .columns = {"Part", "Triangles"}};
   for (const ToolPart& part : map.parts) {

@@ -75,8 +75,8 @@ std::string lineOf(const AccessQuestion& question) {
   const auto& [of_path, rules, options] = question;
   std::string line = std::string(of_path ? "path" : "grid") + " part " + std::to_string(rules.grinding_part) +
                      " blade " + std::to_string(rules.ground_blade) + " depth " + exactText(rules.max_depth) +
-                     " margin " + exactText(rules.margin) + " tilts " + std::to_string(options.tilts) + ' ' +
-                     exactText(options.tilt_from) + ' ' + exactText(options.tilt_step) + " leads";
+                     " margin " + exactText(rules.near_miss) + " tilts " + std::to_string(options.tilts) +
+                     ' ' + exactText(options.tilt_from) + ' ' + exactText(options.tilt_step) + " leads";
   for (const double lead : options.leads) line += ' ' + exactText(lead);
   return line;
 }
@@ -87,7 +87,7 @@ AccessQuestion questionOfLine(const std::string& line) {
   std::istringstream words(line);
   std::string kind, part, blade, depth, margin, tilts, leads;
   words >> kind >> part >> rules.grinding_part >> blade >> rules.ground_blade >> depth >> rules.max_depth >>
-      margin >> rules.margin >> tilts >> options.tilts >> options.tilt_from >> options.tilt_step >> leads;
+      margin >> rules.near_miss >> tilts >> options.tilts >> options.tilt_from >> options.tilt_step >> leads;
   of_path = kind == "path";
   options.leads.clear();
   for (double lead = 0.0; words >> lead;) options.leads.push_back(lead);

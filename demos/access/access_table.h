@@ -14,7 +14,7 @@ namespace octoblisk::demos {
 /// What is asked at each point.
 struct AccessQuestion {
   bool of_path = false;  ///< the points are a path's poses
-  ReachRules rules;
+  VerdictRules rules;    ///< as reachRulesOf (command_line/grinder_input.h) makes them
   AccessOptions options;
 
   std::size_t poses() const { return options.leads.size() * static_cast<std::size_t>(options.tilts); }

@@ -187,8 +187,8 @@ std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& 
                           files.threads, watch);
 }
 
-ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
-                        double margin) {
+VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
+                          double margin) {
   const VerdictRules& rules = input.tool.rules;
   if (rules.grinding_part == kNoPart) {
     throw std::runtime_error(files.tool + ": allowed: there is no row with \"ground\"");
@@ -199,7 +199,10 @@ ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, in
     throw std::runtime_error(files.tool + ": allowed[" + std::to_string(row) +
                              "]: here one part may touch, and the ground blade alone");
   }
-  return {rules.grinding_part, ground_blade, rules.maxDepth(rules.grinding_part), margin};
+  return {.grinding_part = rules.grinding_part,
+          .ground_blade = ground_blade,
+          .max_depth = rules.maxDepth(rules.grinding_part),
+          .near_miss = margin};
 }
 
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables) {

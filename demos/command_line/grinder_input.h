@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grinding/pose_judge.h"
+#include "grinding/judge.h"
 #include "grinding/run_watch.h"
 #include "grinding/tool_assembly.h"
 #include "models/blade_finder.h"
@@ -62,10 +62,10 @@ std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk
 std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,
                                  const std::vector<Pose>& path, const RunWatch& watch = {});
 
-/// What access and repair judge by. They know of one part that may touch one blade: throws naming the tool's
-/// file where its table allows more, or nothing.
-ReachRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
-                        double margin);
+/// What access and repair judge by: the margin (mm) is the near_miss of every pair. They know of one part
+/// that may touch one blade: throws naming the tool's file where its table allows more, or nothing.
+VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
+                          double margin);
 
 /// Throws naming one of the tables in the folder if it is a file that is read.
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables);

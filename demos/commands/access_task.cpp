@@ -110,8 +110,8 @@ void prepareTask(const AccessRequest& request, AccessTask& task) {
     throw std::invalid_argument(files.path + ": at no pose is the belt within 0.5 mm of blade " +
                                 std::to_string(blade));
   }
-  task.judge = std::make_unique<PoseJudge>(input.blisk, input.tool.parts, input.blades.blade_of_triangle,
-                                           question.rules, files.threads);
+  task.judge = std::make_unique<Judge>(input.blisk, input.tool.parts, input.blades.blade_of_triangle,
+                                       question.rules, files.threads);
 }
 
 Study studyOf(const AccessTask& task) {

@@ -9,7 +9,7 @@
 #include "access/access_table.h"
 #include "access/contact_site.h"
 #include "command_line/grinder_input.h"
-#include "grinding/pose_judge.h"
+#include "grinding/judge.h"
 #include "study/run_study.h"
 
 namespace octoblisk::demos {
@@ -34,7 +34,7 @@ struct AccessTask {
   GrinderInput input;
   AccessQuestion question;
   std::vector<ContactSite> sites;
-  std::unique_ptr<PoseJudge> judge;
+  std::unique_ptr<Judge> judge;
   std::vector<SiteAccess> answered;  ///< of each point; a point answered elsewhere has no pose that was tried
   std::size_t answered_here = 0;     ///< points
 };

@@ -245,8 +245,8 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with\n"
       "a warning. A part wholly inside the blisk is interference. On a move the contact wheel's centre goes\n"
       "straight while the tool turns evenly; coming within 0.001 mm is a hit, proved all the way. That the\n"
-      "belt stays within --max-depth is proved too; where it is not, its depth is measured every mm or\n"
-      "finer, and the summary tells how much deeper it may be between (depth_proved,\n"
+      "belt stays within --max-depth is proved too; where it is not, its depth is measured every 0.5 mm\n"
+      "or finer, and the summary tells how much deeper it may be between (depth_proved,\n"
       "depth_on_moves_at_most_mm).\n"
       "Exit codes: 0 no interference at any pose or move, 1 interference found or a move not proved free,\n"
       "2 bad input; 130, 143 stopped.");

@@ -29,13 +29,10 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kLeastClearance = 1e-3;  // mm, of moves
-constexpr double kMarginOfMoves = 0.5;    // part of the poses' margin
-
 struct RepairRequest {
   GrinderFiles files;
   double margin = 0.0;  // mm
-  RepairOptions options;
+  ChangeLimits limits;
   bool report = true;
 };
 
@@ -94,7 +91,7 @@ void requireBridged(const ChangeLimits& limits) {
 }
 
 /// The path as octoblisk grind judges it.
-GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
+GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
                   const std::vector<Pose>& path, TerminalWatch& terminal) {
   constexpr double kLeastNearMiss = 0.5;  // mm
   GrindingJob job;
@@ -104,7 +101,7 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Re
   job.parts = input.tool.parts;
   job.rules = input.tool.rules;
   job.rules.ground_blade = rules.ground_blade;
-  job.rules.near_miss = std::clamp(rules.margin, kLeastNearMiss, kMostNearMiss);
+  job.rules.near_miss = std::clamp(rules.near_miss, kLeastNearMiss, kMostNearMiss);
   job.path = path;
   job.threads = files.threads;
   GrindingRun run = runGrinding(job, terminal.watch());
@@ -116,7 +113,7 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Re
   return run;
 }
 
-void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const ReachRules& rules,
+void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
                        const std::vector<Pose>& path, const PathRepair& repaired, TerminalWatch& terminal) {
   const GrindingRun before = runOf(files, input, rules, path, terminal);
   const GrindingRun after = runOf(files, input, rules, repaired.path, terminal);
@@ -129,23 +126,21 @@ void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, con
 int repair(const RepairRequest& request) {
   const GrinderFiles& files = request.files;
   requireNotRead(files, {"path.csv", "changes.csv", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
-  requireBridged(request.options.limits);
-  const ChangeGrid usable(request.options.limits);  // refuses what is no use before anything is read
+  requireBridged(request.limits);
+  const ChangeGrid usable(request.limits);  // refuses what is no use before anything is read
   const bool own_path = !files.path.empty();
   const GrinderInput input = readGrinder(files);
   const std::vector<Pose> path = own_path ? readPath(files.path, *input.blisk) : builtInPath(files, input);
   TerminalWatch terminal(path.size());
   const std::optional<int> blade = groundBladeOf(files, input, path, terminal.watch());
   if (!blade) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
-  const ReachRules rules = reachRulesOf(files, input, *blade, request.margin);
+  const VerdictRules rules = reachRulesOf(files, input, *blade, request.margin);
   warnOfInput(files, input);
   makeFolder(files.out);
 
-  PoseJudge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
-  RepairOptions options = request.options;
-  options.moves.clearance = std::max(kMarginOfMoves * request.margin, kLeastClearance);
+  Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
   const PathRepair repaired =
-      repairPath(judge, path, directionsOffSurface(judge, path), options, terminal.watch());
+      repairPath(judge, path, directionsOffSurface(judge, path), request.limits, terminal.watch());
   terminal.endTask();
   const RepairFiles written(files.out, repaired.is_partial);
   WholeFiles whole;
@@ -177,7 +172,7 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
           "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file; default: the "
           "path that grind makes")
       ->check(notEmpty());
-  ChangeLimits& limits = request->options.limits;
+  ChangeLimits& limits = request->limits;
   const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {
     command.add_option(name, value, help)
         ->check(numberFrom(0.0, kMaxLength, above))
@@ -198,9 +193,6 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
             "mm that the retraction may change from a pose to the next", true);
   add_limit("--retract-grid", limits.retract_grid,
             "mm between the first ten retractions that are tried; wider beyond", true);
-  add_limit("--move-step", request->options.moves.step,
-            "mm between the poses of a move at which the belt's depth in the ground blade is asked for",
-            true);
   addReportOption(command, request->report);
   command.footer(
       std::string(kReportFooter) +
@@ -211,10 +203,10 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
       "               what is in the way of it or of the move to it\n"
       "The tilt turns the tool about z through its origin, which keeps a contact wheel where it is. Poses "
       "are\n"
-      "free where grind calls them no interference, with the margin. Moves are straight and turn evenly; "
-      "all\n"
-      "that must not touch keeps half of the margin on them, 1 um at least, continuously, and the belt's\n"
-      "depth in the ground blade is asked for every --move-step. Poses are counted from 0.\n"
+      "free where grind calls them no interference, with the margin. Moves are straight and turn evenly, "
+      "and\n"
+      "are judged as grind judges them, but that all that must not touch keeps half of the margin on them.\n"
+      "Poses are counted from 0.\n"
       "Ctrl-C leaves what was repaired so far in path.csv.partial and changes.csv.partial.\n"
       "Exit codes: 0 the repaired path is free, 1 something is left interfering, 2 bad input; 130, 143 "
       "stopped.");

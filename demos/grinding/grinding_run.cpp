@@ -5,8 +5,7 @@
 
 #include "base/parallel.h"
 #include "grinding/ground_blade.h"
-#include "grinding/moves.h"
-#include "grinding/pose_clearances.h"
+#include "grinding/judge.h"
 #include "grinding/reduce_contacts.h"
 #include "octoblisk/batch.h"
 
@@ -54,12 +53,10 @@ class Grinding {
   Grinding(const GrindingJob& job, GrindingRun& run)
       : job_(job),
         run_(run),
-        depths_(job.blisk, job.parts, limits(), job.threads),
-        obstacles_(job.blisk, job.blades.blade_of_triangle, job.parts.size(), run.rules),
-        moves_(job.blisk, run.parts, run.blade_of_triangle, run.rules, obstacles_, depths_, job.threads) {
+        judge_(job.blisk, job.parts, job.blades.blade_of_triangle, run.rules, job.threads) {
     const std::vector<double> reaches = reachesOf(job, run.rules);
     for (int thread = 0; thread < threadCount(job.threads); ++thread) {
-      cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, obstacles_));
+      cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, judge_.obstacles()));
     }
     if (job.spindle && job.rules.grinding_part < job.parts.size()) {
       const ToolPart& belt = job.parts[job.rules.grinding_part];
@@ -69,36 +66,33 @@ class Grinding {
                                                           belt.belt_speed.value_or(0.0), *job.spindle));
       }
     }
-    for (std::size_t part = 0; part < job.parts.size(); ++part)
-      run.depth_kinds.push_back(depths_.kindOf(part));
+    for (std::size_t part = 0; part < job.parts.size(); ++part) {
+      run.depth_kinds.push_back(judge_.depthKind(part));
+    }
   }
 
   void doPoses(std::size_t begin, std::size_t end) {
     run_.poses.resize(end);
     const std::span<PoseReport> poses = std::span(run_.poses).subspan(begin);
     findContacts(begin, poses);
-    measureDepths(begin, poses);
-    judge(poses, run_.rules);
+    {
+      const TimeAdded watch(run_.depth_seconds_a_pose);
+      judge_.measureDepths(poses);
+    }
+    judge_.setVerdicts(poses);
     if (!spindles_.empty()) findLoads(begin, poses);
     {
       const TimeAdded watch(run_.clearance_seconds_a_pose);
-      measureClearances(obstacles_, run_.parts, run_.blade_of_triangle, poses,
-                        begin > 0 ? &job_.path[begin - 1] : nullptr,
-                        end < job_.path.size() ? &job_.path[end] : nullptr, job_.threads);
+      judge_.measureClearances(poses, begin > 0 ? &job_.path[begin - 1] : nullptr,
+                               end < job_.path.size() ? &job_.path[end] : nullptr);
     }
     if (job_.continuous) {
       const TimeAdded watch(run_.move_seconds_a_pose);
-      moves_.check(std::span(run_.poses).subspan(begin > 0 ? begin - 1 : 0));
+      judge_.checkMoves(std::span(run_.poses).subspan(begin > 0 ? begin - 1 : 0));
     }
   }
 
  private:
-  std::vector<double> limits() const {
-    std::vector<double> limits;
-    for (std::size_t part = 0; part < job_.parts.size(); ++part) limits.push_back(job_.rules.maxDepth(part));
-    return limits;
-  }
-
   void findContacts(std::size_t begin, std::span<PoseReport> poses) {
     const TimeAdded watch(run_.contact_seconds_a_pose);
     parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
@@ -110,22 +104,6 @@ class Grinding {
         report.blades.push_back(run_.blade_of_triangle[found.contact.triangle_a]);
       }
     });
-  }
-
-  /// As solids, or by pairs of triangles where there are none.
-  void measureDepths(std::size_t begin, std::span<PoseReport> poses) {
-    const TimeAdded watch(run_.depth_seconds_a_pose);
-    auto found = depths_.measure(std::span(job_.path).subspan(begin, poses.size()));
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      PoseReport& pose = poses[i];
-      pose.depths = std::move(found[i]);
-      for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
-        if (run_.depth_kinds[deepest.part] == DepthKind::of_pairs) pose.depths.push_back(deepest);
-      }
-      for (const PartDepth& deepest : pose.depths) {
-        pose.depth_blades.push_back(run_.blade_of_triangle[deepest.triangle_of_blisk]);
-      }
-    }
   }
 
   void findLoads(std::size_t begin, std::span<const PoseReport> poses) {
@@ -140,9 +118,7 @@ class Grinding {
 
   const GrindingJob& job_;
   GrindingRun& run_;
-  PartDepths depths_;
-  Obstacles obstacles_;
-  MoveCheck moves_;
+  Judge judge_;
   std::vector<std::unique_ptr<GrindingCell>> cells_;    // one a thread
   std::vector<std::unique_ptr<SpindleCell>> spindles_;  // one a thread, where forces are asked for
 };

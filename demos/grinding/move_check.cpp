@@ -1,9 +1,13 @@
 #include "grinding/move_check.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/parallel.h"
+#include "grinding/pose_clearances.h"
+#include "models/belt_grinder.h"
+#include "models/shared_tree.h"
 #include "octoblisk/sweep.h"
 
 namespace octoblisk::demos {
@@ -12,56 +16,242 @@ using namespace detail;
 
 namespace {
 
-constexpr double kLeastRim = 1.0;  // mm: of tools whose belt has no contact wheel at the origin
-constexpr int kMostBetween = 10'000;
-
-/// The poses between a move's ends that are judged.
-std::vector<Pose> posesBetween(const Move& move, double rim, double step) {
-  const Motion motion(move.from, move.to);
-  const double way = motion.advance().norm() + motion.angle() * rim;
-  const int pieces = static_cast<int>(std::clamp(std::ceil(way / step), 1.0, double{kMostBetween}));
-  std::vector<Pose> poses;
-  for (int k = 1; k < pieces; ++k) poses.push_back(motion.at(static_cast<double>(k) / pieces));
-  return poses;
+const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {
+  const auto found = std::ranges::find(pose.depths, part, &PartDepth::part);
+  return found == pose.depths.end() ? nullptr : &*found;
 }
 
-std::optional<Hindrance> sweptInto(const PoseJudge& judge, const Move& move, double clearance) {
-  const Motion motion(move.from, move.to);
-  for (std::size_t part = 0; part < judge.parts().size(); ++part) {
-    const ClusteredOctree* forbidden = judge.forbiddenTo(part);
-    if (!forbidden) continue;
-    const auto impact = sweep(*forbidden, *judge.parts()[part].tree, motion, clearance);
-    if (!impact) continue;
-    const std::uint32_t triangle = impact->clearance.triangle_a;
-    const int blade = triangle == kNoTriangle ? 0 : judge.bladeOf(judge.numberInBlisk(part, triangle));
-    return Hindrance{part, blade, false, false};
-  }
-  return std::nullopt;
+bool isInside(const PoseReport& pose, std::size_t part) {
+  const PartDepth* const found = depthOf(pose, part);
+  return found && found->is_inside;
+}
+
+/// Keeps the first of what a move meets.
+void keepFirst(MoveReport& move, const MoveReport& met) {
+  if (move.outcome != MoveReport::Outcome::free && move.fraction <= met.fraction) return;
+  move.outcome = met.outcome;
+  move.fraction = met.fraction;
+  move.at = met.at;
 }
 
 }  // namespace
 
-std::vector<std::optional<Hindrance>> checkMoves(PoseJudge& judge, std::span<const Move> moves,
-                                                 const MoveCheckOptions& options) {
-  const Aabb& belt = judge.parts()[judge.rules().grinding_part].tree->mesh().bounds();
-  const double rim = std::max(kLeastRim, -belt.min.x());
-  std::vector<Pose> between;
-  std::vector<std::size_t> move_of;
-  for (std::size_t m = 0; m < moves.size(); ++m) {
-    for (const Pose& pose : posesBetween(moves[m], rim, options.step)) {
-      between.push_back(pose);
-      move_of.push_back(m);
+/// How deep a part is somewhere on a move, and the blisk's normal where it is; zero where it does not touch.
+struct MoveCheck::Touch {
+  double depth = 0.0;
+  Vec3 normal = Vec3::Zero();
+};
+
+/// A stretch of a move in which a part may touch.
+struct MoveCheck::Stretch {
+  Motion motion;               ///< all of the move
+  MoveReport* move = nullptr;  ///< what is known of it
+  std::size_t part = 0;
+  double begin = 0.0, end = 1.0;  ///< fractions of the move
+  Touch at_begin = {}, at_end = {};
+  double way = 0.0;  ///< of all of the move: no point that may touch goes farther
+  bool is_proved = false;
+
+  double length() const { return (end - begin) * way; }
+  double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
+  /// Half of the way each from where the depths are known.
+  double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
+
+  void leaveUnproved() const {
+    move->depth_proved = false;
+    move->depth_bound = std::max(move->depth_bound, depthBound());
+  }
+};
+
+MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
+                     std::span<const int> blade_of_triangle, const VerdictRules& rules,
+                     const Obstacles& obstacles, PartDepths& depths, int threads)
+    : blisk_(std::move(blisk)),
+      parts_(parts),
+      blade_of_triangle_(blade_of_triangle),
+      rules_(rules),
+      obstacles_(obstacles),
+      depths_(depths),
+      threads_(threadCount(threads)) {
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const bool may_touch = obstacles.mayTouchAny(part);
+    far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
+    depth_proofs_.emplace_back();
+    if (!may_touch || depths.kindOf(part) == DepthKind::of_pairs) continue;
+    depth_proofs_.back().emplace(depths.bliskSurface(), depths.partSurface(part));
+  }
+}
+
+MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
+  FarPart found;
+  std::vector<TriangleMesh::Indices> far;
+  for (std::size_t t = 0; t < part.triangleCount(); ++t) {
+    double radius = 0.0;
+    for (const Vec3& corner : part.triangle(t)) radius = std::max(radius, corner.norm());
+    if (radius > kNearGrinding) {
+      far.push_back(part.triangles()[t]);
+    } else {
+      found.near_radius = std::max(found.near_radius, radius);
     }
   }
-  std::vector<std::optional<Hindrance>> found(moves.size());
-  const std::vector<PoseState> states = judge.judge(between);
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    if (states[k].obstacle && !found[move_of[k]]) found[move_of[k]] = states[k].obstacle;
-  }
-  parallelFor(moves.size(), judge.threads(), [&](std::size_t m, std::size_t) {
-    if (!found[m]) found[m] = sweptInto(judge, moves[m], options.clearance);
-  });
+  const bool divides = !far.empty() && far.size() < part.triangleCount();
+  if (divides) found.tree = treeOf(TriangleMesh(part.vertices(), std::move(far)));
   return found;
+}
+
+/// How far a point of the part goes at most on a move, but for points that touch nothing on all of it.
+double MoveCheck::wayOfTouch(std::size_t part, const Motion& way) const {
+  const FarPart& far = far_parts_[part];
+  const double of_all = way.lengthBound(*parts_[part].tree);
+  const double of_near = way.advance().norm() + way.angle() * far.near_radius;
+  if (!far.tree || of_near >= of_all || of_all <= kDepthStep) return of_all;
+  return sweep(*blisk_, *far.tree, way, kMoveTolerance) ? of_all : of_near;
+}
+
+std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
+                                         std::span<const std::size_t> led_to, double clearance) {
+  std::vector<MoveReport> moves(led_to.size());
+  std::vector<std::vector<Stretch>> of_moves(led_to.size());
+  parallelFor(led_to.size(), threads_, [&](std::size_t m, std::size_t) {
+    const PoseReport &from = poses[led_to[m] - 1], &to = poses[led_to[m]];
+    sweepMove(from, to, clearance, moves[m]);
+    of_moves[m] = stretchesOf(from, to, moves[m]);
+  });
+  std::vector<Stretch> open;
+  for (const std::vector<Stretch>& of_move : of_moves)
+    open.insert(open.end(), of_move.begin(), of_move.end());
+  while (!open.empty()) {
+    parallelFor(open.size(), threads_,
+                [&](std::size_t i, std::size_t) { open[i].is_proved = isProved(open[i]); });
+    for (const Stretch& stretch : open) {
+      if (!stretch.is_proved) continue;
+      double& bound = stretch.move->depth_bound;
+      bound = std::max(bound, rules_.maxDepth(stretch.part));
+    }
+    std::erase_if(open, [](const Stretch& stretch) { return stretch.is_proved; });
+    halve(open);
+  }
+  return moves;
+}
+
+void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double clearance,
+                          MoveReport& move) const {
+  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const Obstacle* const obstacle = obstacles_.of(part);
+    if (!obstacle || isInside(from, part) || isInside(to, part)) continue;
+    if (has_clearances) {
+      const double at_from = from.part_clearances[part], at_to = to.part_clearances[part];
+      if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts
+      if (at_from + at_to > way.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
+    }
+    auto met = sweep(obstacle->tree(), *parts_[part].tree, way, clearance);
+    if (!met) continue;
+    met->clearance.triangle_a = obstacle->triangleOfBlisk(met->clearance.triangle_a);
+    MoveReport report;
+    report.outcome = met->converged ? MoveReport::Outcome::hit : MoveReport::Outcome::not_proved;
+    report.fraction = met->fraction;
+    report.at = {part, blade_of_triangle_[met->clearance.triangle_a], met->clearance};
+    keepFirst(move, report);
+  }
+}
+
+/// Where parts that may touch may do so on the move.
+std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
+                                                       MoveReport& move) const {
+  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  std::vector<Stretch> stretches;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    if (!obstacles_.mayTouchAny(part)) continue;
+    Stretch stretch{.motion = way, .move = &move, .part = part};
+    const PartDepth *const at_begin = depthOf(from, part), *const at_end = depthOf(to, part);
+    if (at_begin) stretch.at_begin = touchOf(*at_begin);
+    if (at_end) stretch.at_end = touchOf(*at_end);
+    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts
+      stretch.way = way.lengthBound(*parts_[part].tree);
+      stretch.leaveUnproved();
+      continue;
+    }
+    if (!at_begin) {
+      const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
+      if (!met) continue;
+      stretch.begin = met->fraction;
+    }
+    if (!depth_proofs_[part]) {  // the depths of pairs do not grow evenly
+      move.depth_proved = false;
+      move.depth_bound = std::numeric_limits<double>::infinity();
+    }
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
+MoveCheck::Touch MoveCheck::touchOf(const PartDepth& depth) const {
+  return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
+}
+
+bool MoveCheck::isProved(const Stretch& stretch) const {
+  const std::optional<DepthProof>& proof = depth_proofs_[stretch.part];
+  const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
+  return proof && !up.isZero(1e-6) &&
+         proof->holds(stretch.motion, stretch.begin, stretch.end, up.normalized(),
+                      rules_.maxDepth(stretch.part));
+}
+
+void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
+                            MoveReport& move) const {
+  MoveReport too_deep;
+  too_deep.outcome = MoveReport::Outcome::too_deep;
+  too_deep.fraction = fraction;
+  too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
+  too_deep.at.clearance.distance = -depth.depth;
+  too_deep.at.clearance.point_on_a = depth.point_on_blisk;
+  too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
+  keepFirst(move, too_deep);
+}
+
+/// Replaces stretches by their halves, but for those that are short enough, or behind what is too deep.
+void MoveCheck::halve(std::vector<Stretch>& unproved) {
+  constexpr double kHopeful = 0.9;     // part of the limit: deeper, no proof is to be expected
+  constexpr double kShortest = 0.125;  // mm
+  constexpr double kLeastPart = 1.0 / 256;
+  std::vector<Stretch> long_ones;
+  for (Stretch& stretch : unproved) {
+    if (stretch.way == 0.0) stretch.way = wayOfTouch(stretch.part, stretch.motion);
+    const bool hopeful =
+        depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
+    const MoveReport& move = *stretch.move;
+    const bool is_behind = move.outcome == MoveReport::Outcome::too_deep && stretch.begin >= move.fraction;
+    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep) &&
+        stretch.end - stretch.begin > kLeastPart) {
+      long_ones.push_back(std::move(stretch));
+      continue;
+    }
+    stretch.leaveUnproved();
+  }
+  std::vector<std::size_t> parts;
+  std::vector<Pose> middles;
+  for (const Stretch& stretch : long_ones) {
+    parts.push_back(stretch.part);
+    middles.push_back(stretch.motion.at(0.5 * (stretch.begin + stretch.end)));
+  }
+  const auto found = depths_.measure(parts, middles);
+  unproved.clear();
+  for (std::size_t i = 0; i < long_ones.size(); ++i) {
+    Stretch first = std::move(long_ones[i]), second = first;
+    const double middle = 0.5 * (first.begin + first.end);
+    first.end = second.begin = middle;
+    first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
+    const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
+    unproved.push_back(std::move(first));
+    if (too_deep) {
+      noteTooDeep(second.part, middle, *found[i], *second.move);
+      second.leaveUnproved();
+    } else {
+      unproved.push_back(std::move(second));
+    }
+  }
 }
 
 }  // namespace octoblisk::demos

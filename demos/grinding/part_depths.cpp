@@ -6,7 +6,10 @@
 
 #include "base/parallel.h"
 #include "grinding/lift.h"
+#include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
+#include "octoblisk/contacts.h"
+#include "octoblisk/containment.h"
 
 namespace octoblisk::demos {
 
@@ -18,6 +21,7 @@ constexpr double kPartOfLimit = 0.01;
 constexpr double kLeastTolerance = 1e-4;  // mm
 constexpr double kLeastFine = 0.01;       // mm
 constexpr double kFiner = 0.1;            // where the limit is between the bounds
+constexpr double kCoarse = 0.5;           // part of the limit, of a first question
 
 }  // namespace
 
@@ -61,8 +65,8 @@ std::vector<std::optional<PartDepth>> PartDepths::measure(std::span<const std::s
                                                           std::span<const Pose> tool_in_blisk) {
   std::vector<std::optional<PartDepth>> found(parts.size());
   parallelFor(found.size(), static_cast<int>(queries_.size()), [&](std::size_t i, std::size_t worker) {
-    if (kindOf(parts[i]) == DepthKind::of_pairs) return;
-    found[i] = ofPart(parts[i], tool_in_blisk[i], queries_[worker]);
+    found[i] = kindOf(parts[i]) == DepthKind::of_pairs ? ofPairs(parts[i], tool_in_blisk[i])
+                                                       : ofPart(parts[i], tool_in_blisk[i], queries_[worker]);
   });
   return found;
 }
@@ -87,6 +91,21 @@ std::vector<std::uint32_t> PartDepths::fineInside(std::size_t part, const Pose& 
   return triangles;
 }
 
+/// The deepest point of these in the part, if it is beyond the limit.
+std::optional<DeepPoint> PartDepths::fineBeyond(std::size_t part, const Pose& tool_in_blisk,
+                                                DepthQuery& query) const {
+  return deepestBeyond(blisk_->mesh(), fineInside(part, tool_in_blisk, query), part_surfaces_[part],
+                       tool_in_blisk.inverse(), std::max(limits_[part], kLeastFine));
+}
+
+/// Proved by a lift off a triangle of the blisk; false: not proved.
+bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
+                             std::uint32_t triangle_of_blisk) const {
+  const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
+  return !normal.isZero() && partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk,
+                                             normal.normalized(), limits_[part]);
+}
+
 std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_in_blisk,
                                             DepthQuery& query) const {
   const octoblisk::Surface& surface = part_surfaces_[part];
@@ -100,17 +119,84 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
     return PartDepth{part, of_blisk.depth, of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b, true};
   }
   const bool touches = collide(*blisk_, *parts_[part].tree, tool_in_blisk).has_value();
-  const auto staysWithin = [&] {
-    const Vec3 normal = scaledNormal(blisk_->mesh().triangle(of_part.triangle_a));
-    return !normal.isZero() &&
-           partsWhenLifted(blisk_surface_, surface, tool_in_blisk, normal.normalized(), limit);
-  };
-  if (touches && has_inside && of_part.depth <= limit && !staysWithin()) {
-    const auto of_blisk = deepestBeyond(blisk_->mesh(), fineInside(part, tool_in_blisk, query), surface,
-                                        tool_in_blisk.inverse(), std::max(limit, kLeastFine));
+  const bool may_be_deeper = touches && has_inside && of_part.depth <= limit;
+  if (may_be_deeper && !staysWithin(part, tool_in_blisk, of_part.triangle_a)) {
+    const auto of_blisk = fineBeyond(part, tool_in_blisk, query);
     if (of_blisk) return PartDepth{part, of_blisk->depth, of_blisk->triangle, of_blisk->point, false};
   }
   return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches};
+}
+
+std::optional<PartDepth> PartDepths::ofPairs(std::size_t part, const Pose& tool_in_blisk) const {
+  std::vector<Contact> touches;
+  contacts(*blisk_, *parts_[part].tree, tool_in_blisk, 0.0, touches);
+  std::vector<PartContact> of_part;
+  for (const Contact& contact : touches) of_part.push_back({part, contact});
+  const std::vector<PartDepth> deepest = depthsOfPairs(of_part);
+  return deepest.empty() ? std::nullopt : std::optional(deepest.front());
+}
+
+bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
+                          std::optional<std::uint32_t>& deep_corner, std::size_t thread) {
+  const double limit = limits_[part];
+  if (kindOf(part) == DepthKind::of_pairs) {
+    const auto deepest = ofPairs(part, tool_in_blisk);
+    return deepest && deepest->depth > limit;
+  }
+  if (staysWithin(part, tool_in_blisk, touch.a)) return false;
+  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
+  const double beyond = limit + tolerance;
+  if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
+  if (const auto corner = cornerBeyond(part, tool_in_blisk, touch.b, beyond)) {
+    deep_corner = corner;
+    return true;
+  }
+  DepthQuery& query = queries_[thread];
+  const octoblisk::Surface& surface = part_surfaces_[part];
+  const double coarse = std::max(kCoarse * limit, kLeastTolerance);
+  const GougeDepth guess = query.deepest(blisk_surface_, surface, tool_in_blisk, coarse);
+  if (guess.depth > beyond) return true;
+  if (guess.upper_bound > limit &&
+      settled(query, blisk_surface_, surface, tool_in_blisk, limit).depth > limit) {
+    return true;
+  }
+  if (kindOf(part) != DepthKind::of_solids) return false;
+  // No fine feature is deeper than the blisk's deepest point.
+  const GougeDepth of_blisk = query.deepest(surface, blisk_surface_, tool_in_blisk.inverse(), coarse);
+  return of_blisk.upper_bound > std::max(limit, kLeastFine) &&
+         fineBeyond(part, tool_in_blisk, query).has_value();
+}
+
+double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const {
+  const Vec3 point = tool_in_blisk * part_surfaces_[part].position(corner);
+  if (locate(blisk_surface_, point) != PointLocation::inside) return 0.0;
+  return closestPoint(*blisk_, point).value().distance;
+}
+
+/// Climbs from a triangle that touches, corner by corner, to where the part is deeper. None: not known.
+std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
+                                                      std::uint32_t touching_triangle, double depth) const {
+  constexpr int kMostSteps = 32;
+  const octoblisk::Surface& surface = part_surfaces_[part];
+  double deepest = -1.0;
+  std::uint32_t at = 0;
+  const auto rises = [&](std::uint32_t triangle) {
+    bool risen = false;
+    for (const std::uint32_t corner : surface.corners(triangle)) {
+      if (corner == at && deepest >= 0.0) continue;
+      const double here = depthOfCorner(part, tool_in_blisk, corner);
+      if (here <= deepest) continue;
+      deepest = here;
+      at = corner;
+      risen = true;
+    }
+    return risen;
+  };
+  bool risen = rises(touching_triangle);
+  for (int step = 0; risen && deepest <= depth && step < kMostSteps; ++step) {
+    risen = std::ranges::any_of(surface.star(at), rises);
+  }
+  return deepest > depth ? std::optional(at) : std::nullopt;
 }
 
 std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQuery& query) const {

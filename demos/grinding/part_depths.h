@@ -56,13 +56,25 @@ class PartDepths {
   /// depth is that of pairs.
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
-  /// The same of one part each: part and pose of the same index.
+  /// The same of one part each, that of pairs among them: part and pose of the same index.
   std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
                                                 std::span<const Pose> tool_in_blisk);
+
+  /// Whether a part, a pair of whose triangles touches the blisk (`touch.a` of the blisk), is deeper than its
+  /// limit: as measure says, but by cheaper questions first. `deep_corner` is memory from pose to pose: a
+  /// corner of the part that was too deep. Calls of one thread at a time (numbered from 0).
+  bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
+                std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
  private:
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
+  std::optional<PartDepth> ofPairs(std::size_t part, const Pose& tool_in_blisk) const;
+  bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
+  std::optional<DeepPoint> fineBeyond(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
+  double depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const;
+  std::optional<std::uint32_t> cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
+                                            std::uint32_t touching_triangle, double depth) const;
   GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
                      const Pose& b_in_a, double limit) const;
   std::vector<std::uint32_t> fineInside(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;

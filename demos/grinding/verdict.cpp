@@ -46,7 +46,7 @@ Verdict verdictOf(const PartContact& contact, int blade, double depth, const Ver
   return distance <= rules.margin(contact.part, blade) ? Verdict::near_miss : Verdict::clear;
 }
 
-void judge(std::span<PoseReport> poses, const VerdictRules& rules) {
+void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules) {
   for (PoseReport& pose : poses) {
     pose.verdicts.clear();
     pose.verdict = Verdict::clear;

@@ -85,7 +85,7 @@ struct PoseReport {
 };
 
 /// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or round it, is interference.
-void judge(std::span<PoseReport> poses, const VerdictRules& rules);
+void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules);
 
 /// What a pose has its verdict from.
 struct WorstTouch {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "models/require.h"
+#include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
 #include "repair/layered_search.h"
 
@@ -21,13 +22,12 @@ constexpr std::size_t kMostDoublings = 4;
 /// The search for one path: what is known of its nodes and steps.
 class Repairer {
  public:
-  Repairer(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-           const RepairOptions& options)
+  Repairer(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
+           const ChangeLimits& limits)
       : judge_(judge),
         path_(path),
         off_surface_(off_surface),
-        options_(options),
-        grid_(options.limits),
+        grid_(limits),
         search_(grid_, path.size()),
         known_(path.size() * grid_.size(), 0),
         by_cost_(grid_.size()),
@@ -57,8 +57,13 @@ class Repairer {
   }
   bool isStopped() const { return is_stopped_; }
 
+  /// What is not changed stays to the last bit.
   Pose pose(std::size_t index, std::uint32_t node) const {
-    return changedPose(path_[index], off_surface_[index], grid_.change(node));
+    const Change change = grid_.change(node);
+    return change.isNone() ? path_[index] : changedPose(path_[index], off_surface_[index], change);
+  }
+  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& way) const {
+    return free_moves_.contains({pose, way[pose - 1], way[pose]});
   }
   const ChangeGrid& grid() const { return grid_; }
   std::size_t asked(std::size_t pose) const {
@@ -98,7 +103,7 @@ class Repairer {
         ++more;
       }
     }
-    const std::vector<PoseState> states = judge_.judge(poses);
+    const std::vector<PoseState> states = judge_.statesOf(poses);
     bool any_blocked = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const auto [p, node] = asked[k];
@@ -120,11 +125,11 @@ class Repairer {
     for (std::size_t p = 1; p < way.size(); ++p) {
       if (tries_[p] > kMostTriesAMove) continue;
       if (known(p - 1, way[p - 1]) != kFree || known(p, way[p]) != kFree) continue;
-      if (free_moves_.contains({p, way[p - 1], way[p]})) continue;
+      if (isFreeMove(p, way)) continue;
       asked.push_back(p);
       moves.push_back({pose(p - 1, way[p - 1]), pose(p, way[p])});
     }
-    const auto found = checkMoves(judge_, moves, options_.moves);
+    const auto found = judge_.obstaclesOf(moves);
     bool any_blocked = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const std::size_t p = asked[k];
@@ -162,10 +167,9 @@ class Repairer {
     }
   }
 
-  PoseJudge& judge_;
+  Judge& judge_;
   std::span<const Pose> path_;
   std::span<const Vec3> off_surface_;
-  RepairOptions options_;
   ChangeGrid grid_;
   LayeredSearch search_;
   std::vector<char> known_;                 // of each pose and node
@@ -200,45 +204,49 @@ std::size_t PathRepair::changed() const {
       std::ranges::count_if(poses, [](const PoseRepair& pose) { return !pose.change.isNone(); }));
 }
 
-PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-                      const RepairOptions& options, const RunWatch& watch) {
+PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
+                      const ChangeLimits& limits, const RunWatch& watch) {
   require(!path.empty(), "a path of no poses cannot be repaired");
   require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
-  Repairer repairer(judge, path, off_surface, options);
+  Repairer repairer(judge, path, off_surface, limits);
   const std::vector<std::uint32_t> way = repairer.run(watch);
 
   PathRepair repair;
   repair.is_partial = repairer.isStopped();
   for (std::size_t p = 0; p < path.size(); ++p) {
-    const Change change = repairer.grid().change(way[p]);
-    // What is not changed stays to the last bit.
-    repair.path.push_back(change.isNone() ? path[p] : repairer.pose(p, way[p]));
+    repair.path.push_back(repairer.pose(p, way[p]));
     repair.poses.push_back({});
-    repair.poses.back().change = change;
+    repair.poses.back().change = repairer.grid().change(way[p]);
     repair.poses.back().asked = repairer.asked(p);
   }
-  const std::vector<PoseState> before = judge.judge(path), after = judge.judge(repair.path);
+  const std::vector<PoseState> before = judge.statesOf(path), after = judge.statesOf(repair.path);
   std::vector<Move> moves;
   std::vector<std::size_t> move_to;
   for (std::size_t p = 0; p < path.size(); ++p) {
     repair.poses[p].before = before[p];
     repair.poses[p].after = after[p];
     if (p == 0 || repair.is_partial || after[p - 1].obstacle || after[p].obstacle) continue;
+    if (repairer.isFreeMove(p, way)) continue;
     moves.push_back({repair.path[p - 1], repair.path[p]});
     move_to.push_back(p);
   }
-  const auto in_the_way = checkMoves(judge, moves, options.moves);
+  const auto in_the_way = judge.obstaclesOf(moves);
   for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = in_the_way[k];
   return repair;
 }
 
-std::vector<Vec3> directionsOffSurface(const PoseJudge& judge, std::span<const Pose> path) {
+std::vector<Vec3> directionsOffSurface(const Judge& judge, std::span<const Pose> path) {
+  const TriangleMesh& mesh = judge.blisk().mesh();
+  std::vector<TriangleMesh::Indices> ground;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const int blade = judge.bladeOfTriangle()[t];
+    if (blade != 0 && blade == judge.rules().ground_blade) ground.push_back(mesh.triangles()[t]);
+  }
+  const auto blade = ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));
   std::vector<Vec3> directions;
   for (const Pose& pose : path) {
     Vec3 direction = Vec3::Zero();
-    if (const ClusteredOctree* blade = judge.groundBlade()) {
-      direction = pose.translation - closestPoint(*blade, pose.translation)->point;
-    }
+    if (blade) direction = pose.translation - closestPoint(*blade, pose.translation)->point;
     directions.push_back(direction.isZero() ? Vec3(pose.rotation.col(0)) : direction.normalized());
   }
   return directions;

@@ -6,17 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "grinding/move_check.h"
-#include "grinding/pose_judge.h"
+#include "grinding/judge.h"
 #include "grinding/run_watch.h"
 #include "repair/change_grid.h"
 
 namespace octoblisk::demos {
-
-struct RepairOptions {
-  ChangeLimits limits;
-  MoveCheckOptions moves;
-};
 
 struct PoseRepair {
   Change change;
@@ -42,17 +36,17 @@ struct PathRepair {
 /// say. Poses are judged only when the cheapest way (layered_search.h) leads through them; where one is
 /// blocked, the next cheapest are judged with it, each time twice as many. Where a move is blocked, other
 /// changes are tried at its ends, and every other time they are retracted farther than would be cheapest;
-/// after a few dozen tries what is in its way is left there. At last the whole repaired path is judged again.
+/// after a few dozen tries what is in its way is left there.
 ///
 /// The answer is the same for any number of threads. `off_surface`: for each pose the unit direction of a
 /// lift. The watch is told how many poses have a change that holds so far; stopped, the best way so far is
 /// taken.
 /// Throws std::invalid_argument for an empty path, another number of directions, or a limit out of its range.
-PathRepair repairPath(PoseJudge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-                      const RepairOptions& options, const RunWatch& watch = {});
+PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
+                      const ChangeLimits& limits, const RunWatch& watch = {});
 
 /// For each pose the direction from the ground blade's nearest point to the tool's origin; where no blade is
 /// ground, along the arm.
-std::vector<Vec3> directionsOffSurface(const PoseJudge& judge, std::span<const Pose> path);
+std::vector<Vec3> directionsOffSurface(const Judge& judge, std::span<const Pose> path);
 
 }  // namespace octoblisk::demos

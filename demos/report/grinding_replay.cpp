@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "grinding/blade_side.h"
-#include "grinding/moves.h"
+#include "grinding/move_check.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_words.h"
 #include "report/versions.h"

@@ -11,7 +11,7 @@
 
 #include "grinding/belt_loop.h"
 #include "grinding/blade_side.h"
-#include "grinding/moves.h"
+#include "grinding/move_check.h"
 
 namespace octoblisk::demos {
 namespace {

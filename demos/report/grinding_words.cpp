@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "grinding/moves.h"
+#include "grinding/move_check.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 

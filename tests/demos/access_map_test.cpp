@@ -60,8 +60,8 @@ TEST(AccessMap, ofABarInASlotIsTheClosedForm) {
     int last = 0;
     while (is_free(last + 1)) ++last;
     ASSERT_GT(last, 5);
-    PoseJudge judge(treeOf(slot.walls), {{"bar", treeOf(slot.bar)}},
-                    std::vector<int>(slot.walls.triangleCount(), 0), {.ground_blade = 0, .margin = margin});
+    Judge judge(treeOf(slot.walls), {{"bar", treeOf(slot.bar)}},
+                std::vector<int>(slot.walls.triangleCount(), 0), {.ground_blade = 0, .near_miss = margin});
     const ContactSite site = siteAtOrigin();
     const auto found = accessOf(judge, {&site, 1}, {});
     ASSERT_EQ(found.size(), 1u);
@@ -79,8 +79,8 @@ TEST(AccessMap, ofABarInASlotIsTheClosedForm) {
 TEST(AccessMap, leadTurnsTheBarOutOfTheSlotsPlaneOrNot) {
   // About the normal y the bar stays between the planes: every lead is free at tilt 0.
   const Slot slot;
-  PoseJudge judge(treeOf(slot.walls), {{"bar", treeOf(slot.bar)}},
-                  std::vector<int>(slot.walls.triangleCount(), 0), {.ground_blade = 0});
+  Judge judge(treeOf(slot.walls), {{"bar", treeOf(slot.bar)}},
+              std::vector<int>(slot.walls.triangleCount(), 0), {.ground_blade = 0, .near_miss = 0.0});
   ContactSite site = siteAtOrigin();
   AccessOptions options{.tilt_from = -90.0, .tilt_step = 30.0, .tilts = 7, .leads = {-40.0, 0.0, 40.0}};
   EXPECT_FALSE(options.goesRound());
@@ -172,13 +172,13 @@ TEST(AccessMap, pictureShowsEachPointInItsColour) {
 TEST(AccessMap, whatAStudyKeepsInLinesIsReadBack) {
   AccessQuestion question;
   question.of_path = true;
-  question.rules = {2, 7, 0.1, 0.3};
+  question.rules = {.grinding_part = 2, .ground_blade = 7, .near_miss = 0.3};
   question.options = {-30.5, 0.1, 12, {-5.0, 0.0, 5.0}};
   const AccessQuestion same = questionOfLine(lineOf(question));
   EXPECT_EQ(lineOf(same), lineOf(question));
   EXPECT_TRUE(same.of_path);
   EXPECT_EQ(same.rules.ground_blade, 7);
-  EXPECT_EQ(same.rules.margin, 0.3);
+  EXPECT_EQ(same.rules.near_miss, 0.3);
   EXPECT_EQ(same.options.tilt_step, 0.1);
   EXPECT_EQ(same.options.leads, question.options.leads);
   EXPECT_THROW(questionOfLine("clearance tolerance 1"), std::invalid_argument);

@@ -7,7 +7,7 @@
 
 #include "demos/block.h"
 #include "grinding/lift.h"
-#include "grinding/moves.h"
+#include "grinding/move_check.h"
 #include "models/shared_tree.h"
 #include "octoblisk/depth.h"
 #include "shared/meshes.h"

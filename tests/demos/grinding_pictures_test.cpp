@@ -34,7 +34,7 @@ GrindingRun runWith(bool touches) {
     pose.depth_blades = {2};
   }
   run.poses = {pose};
-  judge(run.poses, run.rules);
+  setVerdicts(run.poses, run.rules);
   return run;
 }
 

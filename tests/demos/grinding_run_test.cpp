@@ -12,7 +12,7 @@
 
 #include "demos/block.h"
 #include "grinding/ground_blade.h"
-#include "grinding/moves.h"
+#include "grinding/move_check.h"
 #include "io/progress_bar.h"
 #include "models/shared_tree.h"
 #include "report/grinding_words.h"

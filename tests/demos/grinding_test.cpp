@@ -85,7 +85,7 @@ PoseReport judgedReport(const Pose& pose, std::vector<PartContact> contacts,
   for (const PartDepth& depth : report.depths) {
     report.depth_blades.push_back(blade_of_triangle[depth.triangle_of_blisk]);
   }
-  judge({&report, 1}, rules);
+  setVerdicts({&report, 1}, rules);
   return report;
 }
 
@@ -210,7 +210,7 @@ TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
   poses[0].blades = {3, 3, 4};
   poses[0].depths = {{.part = 0, .depth = 0.07}};
   poses[0].depth_blades = {3};
-  judge(poses, {.ground_blade = 3});
+  setVerdicts(poses, {.ground_blade = 3});
   EXPECT_EQ(poses[0].verdict, Verdict::interference);
   const WorstTouch worst = worstTouch(poses[0]).value();
   EXPECT_EQ(worst.blade, 4) << "not where it is deepest, but where it must not be";
@@ -225,7 +225,7 @@ TEST(Verdict, ofAPartWhollyInsideIsInterference) {
   pose.blades = {3};
   pose.depths = {{.part = 0, .depth = 1.5, .is_inside = true}};
   pose.depth_blades = {3};
-  judge({&pose, 1}, {.ground_blade = 3});
+  setVerdicts({&pose, 1}, {.ground_blade = 3});
   EXPECT_EQ(pose.verdict, Verdict::interference);
   const WorstTouch worst = worstTouch(pose).value();
   EXPECT_TRUE(worst.is_inside);

@@ -45,25 +45,25 @@ TriangleMesh ridge() {
 
 class PathRepairOver : public ::testing::Test {
  protected:
-  PathRepair repaired(const TriangleMesh& solid, const std::vector<Pose>& path, const RepairOptions& options,
+  PathRepair repaired(const TriangleMesh& solid, const std::vector<Pose>& path, const ChangeLimits& limits,
                       int threads = 0) {
-    judge_ = std::make_unique<PoseJudge>(treeOf(solid), std::vector<ToolPart>{{"bit", treeOf(bit_)}},
-                                         std::vector<int>(solid.triangleCount(), 0),
-                                         ReachRules{.ground_blade = 0}, threads);
-    return repairPath(*judge_, path, directionsOffSurface(*judge_, path), options);
+    judge_ = std::make_unique<Judge>(treeOf(solid), std::vector<ToolPart>{{"bit", treeOf(bit_)}},
+                                     std::vector<int>(solid.triangleCount(), 0),
+                                     VerdictRules{.ground_blade = 0, .near_miss = 0.0}, threads);
+    return repairPath(*judge_, path, directionsOffSurface(*judge_, path), limits);
   }
 
   const TriangleMesh bit_ = block({1, 1, 1}, 2);
-  std::unique_ptr<PoseJudge> judge_;
+  std::unique_ptr<Judge> judge_;
 };
 
 TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   const TriangleMesh solid = ridge();
   std::vector<Pose> path;
   for (int x = -20; x <= 20; ++x) path.push_back(standing(x, 0.2, 1.5));
-  RepairOptions options;
-  options.limits = {.tilt = 10, .slide = 4, .retract = 10, .retract_grid = 0.2, .retract_per_pose = 1.5};
-  const PathRepair repair = repaired(solid, path, options);
+  const ChangeLimits limits = {
+      .tilt = 10, .slide = 4, .retract = 10, .retract_grid = 0.2, .retract_per_pose = 1.5};
+  const PathRepair repair = repaired(solid, path, limits);
   ASSERT_EQ(repair.path.size(), path.size());
   EXPECT_TRUE(repair.isFree());
   EXPECT_EQ(repair.interferedBefore(), 9u) << "the bit is 2 wide, the ridge 6";
@@ -82,9 +82,9 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
     }
     if (p == 0) continue;
     const Change& last = repair.poses[p - 1].change;
-    EXPECT_LE(std::abs(change.tilt - last.tilt), options.limits.tilt_per_pose + 1e-9);
-    EXPECT_LE(std::abs(change.slide - last.slide), options.limits.slide_per_pose + 1e-9);
-    EXPECT_LE(std::abs(change.retract - last.retract), options.limits.retract_per_pose + 1e-9);
+    EXPECT_LE(std::abs(change.tilt - last.tilt), limits.tilt_per_pose + 1e-9);
+    EXPECT_LE(std::abs(change.slide - last.slide), limits.slide_per_pose + 1e-9);
+    EXPECT_LE(std::abs(change.retract - last.retract), limits.retract_per_pose + 1e-9);
     const Motion motion(repair.path[p - 1], repair.path[p]);
     for (int k = 1; k < 20; ++k) {
       ASSERT_TRUE(testing::bruteForcePairs(solid, bit_, motion.at(k / 20.0)).empty())
@@ -97,7 +97,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   EXPECT_GT(most, 3.5);
   EXPECT_LT(most, 8.0) << "moves that were blocked had it retracted farther than the least";
 
-  const PathRepair alone = repaired(solid, path, options, 1);
+  const PathRepair alone = repaired(solid, path, limits, 1);
   for (std::size_t p = 0; p < path.size(); ++p) {
     EXPECT_EQ(alone.path[p].translation, repair.path[p].translation) << "whatever the number of threads";
     EXPECT_EQ(alone.path[p].rotation, repair.path[p].rotation);
@@ -108,24 +108,21 @@ TEST_F(PathRepairOver, whatCannotBeRepairedIsLeftAndNamed) {
   const TriangleMesh solid = ridge();
   // Ten millimetres below the floor's top there is no way out within two.
   const std::vector<Pose> path = {standing(-20, 0, 3.0), standing(-18, 0, -5.0), standing(-16, 0, 3.0)};
-  RepairOptions options;
-  options.limits = {.tilt = 4, .slide = 2, .retract = 2, .retract_per_pose = 2};
-  const PathRepair repair = repaired(solid, path, options);
+  const ChangeLimits limits = {.tilt = 4, .slide = 2, .retract = 2, .retract_per_pose = 2};
+  const PathRepair repair = repaired(solid, path, limits);
   EXPECT_FALSE(repair.isFree());
   EXPECT_EQ(repair.posesLeft(), 1u);
   const auto left = describeLeft(repair, judge_->parts());
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0], "pose 1: bit wholly inside");
-  EXPECT_EQ(repair.poses[1].asked, ChangeGrid(options.limits).size()) << "all was tried";
+  EXPECT_EQ(repair.poses[1].asked, ChangeGrid(limits).size()) << "all was tried";
 }
 
 TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   const TriangleMesh wall = block({0.01, 20, 20}, 3);
   const std::vector<Pose> path = {standing(-3, 0, 0), standing(3, 0, 0), standing(6, 0, 0)};
-  RepairOptions options;
-  options.limits = {.tilt = 0, .slide = 0, .retract = 1, .retract_per_pose = 1};
-  options.moves.step = 100.0;  // nothing is judged between
-  const PathRepair repair = repaired(wall, path, options);
+  const ChangeLimits limits = {.tilt = 0, .slide = 0, .retract = 1, .retract_per_pose = 1};
+  const PathRepair repair = repaired(wall, path, limits);
   EXPECT_EQ(repair.posesLeft(), 0u);
   EXPECT_EQ(repair.movesLeft(), 1u);
   EXPECT_FALSE(repair.isFree());

@@ -122,7 +122,7 @@ TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
     EXPECT_FALSE(std::filesystem::exists(file("run")));
   }
   for (const char* arguments :
-       {"--tilt -1 --out run", "--retract-grid 0 --out run", "--move-step nan --out run"}) {
+       {"--tilt -1 --out run", "--retract-grid 0 --out run", "--slide nan --out run"}) {
     expectRefusal(run("repair " + std::string(arguments)), "octoblisk: --");
   }
   EXPECT_THAT(run("repair --help").out, HasSubstr("changes.csv"));

@@ -1,5 +1,6 @@
-// Whether a pose is free: against octoblisk grind's own way of judging, and by every pair of triangles.
-#include "grinding/pose_judge.h"
+// Whether a pose or a move is free: against octoblisk grind's own way of judging, and by every pair of
+// triangles.
+#include "grinding/judge.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 
 #include "demos/block.h"
 #include "grinding/grinding_cell.h"
+#include "grinding/grinding_run.h"
 #include "grinding/reduce_contacts.h"
 #include "grinding/verdict.h"
 #include "models/blade_finder.h"
@@ -46,11 +48,11 @@ std::vector<PoseReport> judgedByGrind(const std::shared_ptr<const ClusteredOctre
     }
     reports.push_back(std::move(report));
   }
-  judge(reports, rules);
+  setVerdicts(reports, rules);
   return reports;
 }
 
-TEST(PoseJudge, callsFreeWhatGrindDoesNotCallInterference) {
+TEST(Judge, callsFreeWhatGrindDoesNotCallInterference) {
   const auto blisk = treeOf(embeddedBlisk());
   const BladesFound blades = findBlades(blisk->mesh());
   const std::vector<ToolPart> parts = defaultGrinder();
@@ -65,10 +67,10 @@ TEST(PoseJudge, callsFreeWhatGrindDoesNotCallInterference) {
     changed.translation += Vec3{shift(random), shift(random), shift(random)};
     poses.push_back(changed);
   }
-  const VerdictRules rules{0, 1, 0.1};
+  const VerdictRules rules{.near_miss = 0.0};
   const auto reports = judgedByGrind(blisk, parts, blades, poses, rules);
-  PoseJudge judge(blisk, parts, blades.blade_of_triangle, {0, 1, rules.max_depth, 0.0});
-  const std::vector<PoseState> states = judge.judge(poses);
+  Judge judge(blisk, parts, blades.blade_of_triangle, rules);
+  const std::vector<PoseState> states = judge.statesOf(poses);
   std::size_t free = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(!states[i].obstacle, reports[i].verdict != Verdict::interference) << "pose " << i;
@@ -86,8 +88,8 @@ TEST(PoseJudge, callsFreeWhatGrindDoesNotCallInterference) {
   EXPECT_LT(free, 7 * poses.size() / 10);
 
   // The same bits from one thread.
-  PoseJudge alone(blisk, parts, blades.blade_of_triangle, {0, 1, rules.max_depth, 0.0}, 1);
-  const std::vector<PoseState> same = alone.judge(poses);
+  Judge alone(blisk, parts, blades.blade_of_triangle, rules, 1);
+  const std::vector<PoseState> same = alone.statesOf(poses);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     ASSERT_EQ(same[i].obstacle.has_value(), states[i].obstacle.has_value());
     if (!same[i].obstacle) continue;
@@ -109,10 +111,81 @@ TriangleMesh slot(double half_gap) {
   return {vertices, triangles};
 }
 
-TEST(PoseJudge, equalsEveryPairOfTrianglesOfASlotAndABar) {
+TEST(Judge, judgesMovesForRepairAsForGrind) {
+  const auto blisk = treeOf(embeddedBlisk());
+  const BladesFound blades = findBlades(blisk->mesh());
+  const std::vector<Pose> path = makeGrindingPath(blisk->mesh(), blades);
+  GrindingJob job;
+  job.blisk = blisk;
+  job.blades = blades;
+  job.parts = defaultGrinder();
+  for (std::size_t i = 0; i < path.size(); i += 3) job.path.push_back(path[i]);
+  job.rules.near_miss = 0.5;
+  const GrindingRun run = runGrinding(job);
+  job.rules.near_miss = 0.0;
+  Judge judge(blisk, job.parts, blades.blade_of_triangle, job.rules);
+  const std::vector<PoseState> states = judge.statesOf(job.path);
+  std::vector<Move> moves;
+  std::vector<std::size_t> led_to;
+  for (std::size_t i = 0; i < job.path.size(); ++i) {
+    EXPECT_EQ(!states[i].obstacle, run.poses[i].verdict != Verdict::interference) << "pose " << i;
+    if (i == 0 || states[i - 1].obstacle || states[i].obstacle) continue;
+    moves.push_back({job.path[i - 1], job.path[i]});
+    led_to.push_back(i);
+  }
+  const auto obstacles = judge.obstaclesOf(moves);
+  std::size_t blocked = 0;
+  for (std::size_t m = 0; m < moves.size(); ++m) {
+    const MoveReport& move = *run.poses[led_to[m]].move;
+    ASSERT_EQ(obstacles[m].has_value(), move.outcome != MoveReport::Outcome::free) << "to " << led_to[m];
+    if (!obstacles[m]) continue;
+    ++blocked;
+    EXPECT_EQ(obstacles[m]->part, move.at.part);
+    EXPECT_EQ(obstacles[m]->blade, move.at.blade);
+    EXPECT_EQ(obstacles[m]->too_deep, move.outcome == MoveReport::Outcome::too_deep);
+  }
+  EXPECT_GT(blocked, 2u);
+  EXPECT_GT(moves.size(), 3 * blocked);
+}
+
+TEST(Judge, findsARidgeBetweenPosesHalfAMillimetreApart) {
+  // A ridge 0.3 wide and 0.4 high, and a pin that is pressed 0.02 into the face beside it.
+  TriangleMesh plain = block({3, 3, 1}, 40);
+  std::vector<Vec3> vertices = plain.vertices();
+  for (Vec3& v : vertices) v.z() += v.z() == 1.0 && std::abs(v.x() - 0.3) < 1e-9 ? 0.4 : 0.0;
+  const TriangleMesh ridge(vertices, plain.triangles());
+  const std::vector<int> blades(ridge.triangleCount(), 1);
+  const std::vector<ToolPart> pin = {{"pin", treeOf(block({0.02, 0.02, 0.5}, 1))}};
+  Judge judge(treeOf(ridge), pin, blades, {.max_depth = 0.05, .near_miss = 0.0});
+  const Move over{at(-1, 0.01, 1.48), at(1, 0.01, 1.48)}, beside{at(-2, 0.01, 1.48), at(0, 0.01, 1.48)};
+  std::vector<Pose> between;
+  for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) between.push_back(at(x, 0.01, 1.48));
+  for (const PoseState& state : judge.statesOf(between)) {
+    EXPECT_FALSE(state.obstacle);
+    EXPECT_TRUE(state.grinds);
+  }
+  const std::vector<Move> moves = {over, beside};
+  const auto found = judge.obstaclesOf(moves);
+  ASSERT_TRUE(found[0]);
+  EXPECT_TRUE(found[0]->too_deep);
+  EXPECT_FALSE(found[1]);
+
+  // Of an open blisk nothing is proved, but every half millimetre is asked.
+  std::vector<TriangleMesh::Indices> open = ridge.triangles();
+  std::erase_if(open, [&](const TriangleMesh::Indices& t) { return vertices[t[0]].x() == -3.0; });
+  Judge of_open(treeOf(TriangleMesh(vertices, open)), {{"bar", treeOf(block({0.2, 0.5, 0.5}, 1))}},
+                std::vector<int>(open.size(), 1), judge.rules());
+  const std::vector<Move> of_bar = {over, {at(-2, 0.01, 1.48), at(-0.5, 0.01, 1.48)}};
+  const auto found_of_open = of_open.obstaclesOf(of_bar);
+  ASSERT_TRUE(found_of_open[0]);
+  EXPECT_TRUE(found_of_open[0]->too_deep);
+  EXPECT_FALSE(found_of_open[1]);
+}
+
+TEST(Judge, equalsEveryPairOfTrianglesOfASlotAndABar) {
   const TriangleMesh walls = slot(6.6), bar = block({15, 2, 3}, 2);
-  PoseJudge judge(treeOf(walls), {{"bar", treeOf(bar)}}, std::vector<int>(walls.triangleCount(), 0),
-                  {.ground_blade = 0}, 2);
+  Judge judge(treeOf(walls), {{"bar", treeOf(bar)}}, std::vector<int>(walls.triangleCount(), 0),
+              {.ground_blade = 0, .near_miss = 0.0}, 2);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> angle(-0.5, 0.5), shift(-3.0, 3.0);
   std::vector<Pose> poses;
@@ -120,7 +193,7 @@ TEST(PoseJudge, equalsEveryPairOfTrianglesOfASlotAndABar) {
     poses.push_back({Mat3(Eigen::AngleAxisd(angle(random), Vec3::UnitZ())),
                      Vec3{shift(random), shift(random), shift(random)}});
   }
-  const auto states = judge.judge(poses);
+  const auto states = judge.statesOf(poses);
   std::size_t free = 0;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const bool touches = !testing::bruteForcePairs(walls, bar, poses[k]).empty();
@@ -131,12 +204,13 @@ TEST(PoseJudge, equalsEveryPairOfTrianglesOfASlotAndABar) {
   EXPECT_LT(free, poses.size() * 7 / 10);
 }
 
-TEST(PoseJudge, knowsWhatIsWhollyInsideAndWhatIsTooNear) {
+TEST(Judge, knowsWhatIsWhollyInsideAndWhatIsTooNear) {
   const TriangleMesh wall = block({20, 20, 20}, 4);
   const std::vector<int> blades(wall.triangleCount(), 0);
   const std::vector<Pose> poses = {at(0, 0, 0), at(40, 0, 0), at(23.2, 0, 0), at(23.0, 0, 0)};
-  PoseJudge touch(treeOf(wall), {{"bit", treeOf(block({3, 3, 3}, 2))}}, blades, {.ground_blade = 0});
-  auto states = touch.judge(poses);
+  Judge touch(treeOf(wall), {{"bit", treeOf(block({3, 3, 3}, 2))}}, blades,
+              {.ground_blade = 0, .near_miss = 0.0});
+  auto states = touch.statesOf(poses);
   ASSERT_TRUE(states[0].obstacle);
   EXPECT_TRUE(states[0].obstacle->is_inside);
   EXPECT_FALSE(states[1].obstacle);
@@ -144,17 +218,18 @@ TEST(PoseJudge, knowsWhatIsWhollyInsideAndWhatIsTooNear) {
   ASSERT_TRUE(states[3].obstacle) << "it just touches";
   EXPECT_FALSE(states[3].obstacle->is_inside);
 
-  PoseJudge apart(treeOf(wall), {{"bit", treeOf(block({3, 3, 3}, 2))}}, blades,
-                  {.ground_blade = 0, .margin = 0.3});
-  states = apart.judge(poses);
+  Judge apart(treeOf(wall), {{"bit", treeOf(block({3, 3, 3}, 2))}}, blades,
+              {.ground_blade = 0, .near_miss = 0.3});
+  states = apart.statesOf(poses);
   EXPECT_FALSE(states[1].obstacle);
   EXPECT_TRUE(states[2].obstacle) << "0.2 mm apart";
 
-  PoseJudge round(treeOf(wall), {{"cage", treeOf(block({30, 30, 30}, 2))}}, blades, {.ground_blade = 0});
-  EXPECT_TRUE(round.judge({&poses[0], 1}).front().obstacle->is_inside);
+  Judge round(treeOf(wall), {{"cage", treeOf(block({30, 30, 30}, 2))}}, blades,
+              {.ground_blade = 0, .near_miss = 0.0});
+  EXPECT_TRUE(round.statesOf({&poses[0], 1}).front().obstacle->is_inside);
 }
 
-TEST(PoseJudge, judgesThePressOnTheGroundBladeAloneByItsDepth) {
+TEST(Judge, judgesThePressOnTheGroundBladeAloneByItsDepth) {
   // The block's face x = 20 is the ground blade, its other faces the rest.
   const TriangleMesh wall = block({20, 20, 20}, 4);
   std::vector<int> blades(wall.triangleCount(), 0);
@@ -162,10 +237,11 @@ TEST(PoseJudge, judgesThePressOnTheGroundBladeAloneByItsDepth) {
     const Triangle corners = wall.triangle(t);
     blades[t] = corners[0].x() == 20 && corners[1].x() == 20 && corners[2].x() == 20;
   }
-  PoseJudge judge(treeOf(wall), {{"belt", treeOf(block({3, 3, 3}, 3))}}, blades, {.max_depth = 0.1});
+  Judge judge(treeOf(wall), {{"belt", treeOf(block({3, 3, 3}, 3))}}, blades,
+              {.max_depth = 0.1, .near_miss = 0.0});
   const std::vector<Pose> poses = {at(23.01, 0, 0), at(22.92, 1, 0.3), at(22.88, 1, 0.3), at(21.0, 1, 0.3),
                                    at(22.95, 18.5, 0)};
-  const auto states = judge.judge(poses);
+  const auto states = judge.statesOf(poses);
   EXPECT_FALSE(states[0].obstacle);
   EXPECT_FALSE(states[0].grinds);
   EXPECT_FALSE(states[1].obstacle) << "0.08 mm deep";

@@ -1,0 +1,197 @@
+#include "grinding/judge.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "base/parallel.h"
+#include "grinding/lift.h"
+#include "grinding/pose_clearances.h"
+#include "octoblisk/path_query.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::size_t kPosesOfTrail = 64;  // then memory begins afresh, whatever the number of threads
+constexpr double kMarginOfMoves = 0.5;     // part of the poses' margin
+
+std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {
+  std::vector<double> limits;
+  for (std::size_t part = 0; part < parts; ++part) limits.push_back(rules.maxDepth(part));
+  return limits;
+}
+
+bool isSame(const Pose& a, const Pose& b) {
+  return a.rotation == b.rotation && a.translation == b.translation;
+}
+
+}  // namespace
+
+struct Judge::Trail {
+  explicit Trail(const Judge& judge) : touched(judge.parts_.size()), deep_corners(judge.parts_.size()) {
+    for (std::size_t part = 0; part < judge.parts_.size(); ++part) {
+      const ClusteredOctree& tree = *judge.parts_[part].tree;
+      const Obstacle* const obstacle = judge.obstacles_.of(part);
+      forbidden.push_back(obstacle ? std::optional<PathQuery>(std::in_place, obstacle->tree(), tree)
+                                   : std::nullopt);
+      if (judge.obstacles_.mayTouchAny(part)) touched[part].emplace(*judge.blisk_, tree);
+    }
+  }
+
+  std::vector<std::optional<PathQuery>> forbidden;  // of each part with what it must not touch
+  std::vector<std::optional<PathQuery>> touched;    // of each part that may touch, with the blisk
+  std::vector<std::optional<std::uint32_t>> deep_corners;
+  std::size_t last_hit = 0;  // the part that was in the way
+};
+
+Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
+             std::vector<int> blade_of_triangle, VerdictRules rules, int threads)
+    : blisk_(std::move(blisk)),
+      parts_(std::move(parts)),
+      blade_of_triangle_(std::move(blade_of_triangle)),
+      rules_(std::move(rules)),
+      threads_(threadCount(threads)),
+      obstacles_(blisk_, blade_of_triangle_, parts_.size(), rules_),
+      depths_(blisk_, parts_, depthLimits(rules_, parts_.size()), threads),
+      moves_(blisk_, parts_, blade_of_triangle_, rules_, obstacles_, depths_, threads) {}
+
+Judge::~Judge() = default;
+
+void Judge::measureDepths(std::span<PoseReport> poses) {
+  std::vector<Pose> places;
+  for (const PoseReport& pose : poses) places.push_back(pose.tool_in_blisk);
+  auto found = depths_.measure(places);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    PoseReport& pose = poses[i];
+    pose.depths = std::move(found[i]);
+    for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
+      if (depths_.kindOf(deepest.part) == DepthKind::of_pairs) pose.depths.push_back(deepest);
+    }
+    pose.depth_blades.clear();
+    for (const PartDepth& deepest : pose.depths) {
+      pose.depth_blades.push_back(blade_of_triangle_[deepest.triangle_of_blisk]);
+    }
+  }
+}
+
+void Judge::setVerdicts(std::span<PoseReport> poses) const { demos::setVerdicts(poses, rules_); }
+
+void Judge::measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const {
+  demos::measureClearances(obstacles_, parts_, blade_of_triangle_, poses, before, after, threads_);
+}
+
+void Judge::checkMoves(std::span<PoseReport> poses) {
+  std::vector<std::size_t> led_to;
+  for (std::size_t i = 1; i < poses.size(); ++i) led_to.push_back(i);
+  std::vector<MoveReport> found = moves_.check(poses, led_to, kMoveTolerance);
+  for (std::size_t m = 0; m < found.size(); ++m) poses[led_to[m]].move = std::move(found[m]);
+}
+
+std::vector<PoseState> Judge::statesOf(std::span<const Pose> tool_in_blisk) {
+  std::vector<PoseState> states(tool_in_blisk.size());
+  const std::size_t trails = (states.size() + kPosesOfTrail - 1) / kPosesOfTrail;
+  parallelFor(trails, threads_, [&](std::size_t index, std::size_t thread) {
+    Trail trail(*this);
+    const std::size_t end = std::min(states.size(), (index + 1) * kPosesOfTrail);
+    for (std::size_t i = index * kPosesOfTrail; i < end; ++i) {
+      states[i] = stateAt(tool_in_blisk[i], trail, thread);
+    }
+  });
+  return states;
+}
+
+PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
+  PoseState state;
+  // The part that was in the way a moment ago is likely to be so still.
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const std::size_t part = (trail.last_hit + k) % parts_.size();
+    state.obstacle = hitBy(part, pose, trail);
+    if (!state.obstacle) continue;
+    trail.last_hit = part;
+    return state;
+  }
+  std::vector<std::pair<std::size_t, TrianglePair>> touches;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const auto pair = trail.touched[part] ? trail.touched[part]->collide(pose) : std::nullopt;
+    if (pair) {
+      touches.emplace_back(part, *pair);
+    } else if (isInside(part, pose)) {
+      state.obstacle = Hindrance{part, 0, false, true};
+      return state;
+    }
+  }
+  for (const auto& [part, pair] : touches) {
+    state.grinds = true;
+    if (!depths_.isBeyond(part, pose, pair, trail.deep_corners[part], thread)) continue;
+    state.obstacle = Hindrance{part, blade_of_triangle_[pair.a], true, false};
+    return state;
+  }
+  return state;
+}
+
+/// A touch that the part must not have, or a clearance below the margin.
+std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail& trail) const {
+  if (!trail.forbidden[part]) return std::nullopt;
+  std::uint32_t triangle = kNoTriangle;
+  if (rules_.near_miss > 0.0) {
+    const Clearance clearance = trail.forbidden[part]->distance(pose, {.upper_bound = rules_.near_miss});
+    if (clearance.found()) triangle = clearance.triangle_a;
+  } else if (const auto pair = trail.forbidden[part]->collide(pose)) {
+    triangle = pair->a;
+  }
+  if (triangle == kNoTriangle) return std::nullopt;
+  return Hindrance{part, blade_of_triangle_[obstacles_.of(part)->triangleOfBlisk(triangle)], false, false};
+}
+
+/// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse.
+bool Judge::isInside(std::size_t part, const Pose& pose) const {
+  return depths_.bliskSurface().isClosed() &&
+         isNested(depths_.bliskSurface(), depths_.partSurface(part), pose);
+}
+
+std::vector<std::optional<Hindrance>> Judge::obstaclesOf(std::span<const Move> moves) {
+  std::vector<std::size_t> led_to;
+  const std::vector<PoseReport> ends = endsOf(moves, led_to);
+  const double clearance = std::max(kMarginOfMoves * rules_.near_miss, kMoveTolerance);
+  std::vector<std::optional<Hindrance>> obstacles;
+  for (const MoveReport& move : moves_.check(ends, led_to, clearance)) {
+    using Outcome = MoveReport::Outcome;
+    obstacles.push_back(std::nullopt);
+    if (move.outcome == Outcome::free) continue;
+    obstacles.back() = Hindrance{move.at.part, move.at.blade, move.outcome == Outcome::too_deep, false};
+  }
+  return obstacles;
+}
+
+/// The ends of moves, one pose where a move ends as the next begins, with what MoveCheck needs of them.
+std::vector<PoseReport> Judge::endsOf(std::span<const Move> moves, std::vector<std::size_t>& led_to) {
+  std::vector<PoseReport> ends;
+  const auto add = [&](const Pose& pose) { ends.emplace_back().tool_in_blisk = pose; };
+  for (const Move& move : moves) {
+    if (ends.empty() || !isSame(ends.back().tool_in_blisk, move.from)) add(move.from);
+    add(move.to);
+    led_to.push_back(ends.size() - 1);
+  }
+  std::vector<std::size_t> parts;
+  std::vector<Pose> places;
+  std::vector<PoseReport*> reports;
+  for (PoseReport& end : ends) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (!obstacles_.mayTouchAny(part)) continue;
+      parts.push_back(part);
+      places.push_back(end.tool_in_blisk);
+      reports.push_back(&end);
+    }
+  }
+  const auto depths = depths_.measure(parts, places);
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    if (depths[k]) reports[k]->depths.push_back(*depths[k]);
+  }
+  measureClearances(ends, nullptr, nullptr);
+  return ends;
+}
+
+}  // namespace octoblisk::demos
