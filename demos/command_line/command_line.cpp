@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "command_line/complain.h"
+#include "command_line/subcommand_help.h"
 #include "command_line/subcommand_names.h"
 #include "study/launch.h"
 #include "study/stop_signal.h"
@@ -25,16 +26,13 @@ std::string commandAskedFor(const CLI::App& app) {
 
 int runCommandLine(int argc, char** argv, const std::string& version,
                    std::initializer_list<AddCommand> subcommands) {
-  CLI::App app{
-      "OctoBlisk: checks an abrasive belt against a bladed disk (blisk), exactly on the triangles.\n"
-      "Lengths are in mesh units; the generated models and the grinding check are in mm."};
+  const Help& help = helpOf("octoblisk");
+  CLI::App app{help.about};
   app.name("octoblisk");
   app.require_subcommand(1);
   app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
   app.set_help_all_flag("--help-all", "Help of every subcommand");
-  app.footer(
-      "Mesh files are read with coordinates rounded to 32-bit floats.\n"
-      "Exit codes: 0 clean, 1 interference found or a motion not proved free, 2 bad input.");
+  app.footer(help.footer);
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);

@@ -13,10 +13,4 @@ inline void addReportOption(CLI::App& command, bool& report) {
       ->capture_default_str();
 }
 
-/// For the footers.
-inline constexpr const char* kReportFooter =
-    "To look at, in OUT, without a network: report.html, a replay in the browser with chart and table; "
-    "run.glb,\n"
-    "the same as glTF for Blender and others, 20 poses a second; contacts.vtk and path.vtk for ParaView.\n";
-
 }  // namespace octoblisk::demos

@@ -34,13 +34,4 @@ void addShardOptions(CLI::App& command, StudyTarget& target) {
       "is none");
 }
 
-std::string studyFooter(const std::string& partial) {
-  return "Stopped or killed, a run leaves what was answered in " + partial +
-         ": the same command with\n"
-         "--resume goes on from there. Started by mpirun, the processes share the work (built with "
-         "OCTOBLISK_BUILD_MPI); "
-         "all\n"
-         "ways give the same file.\n";
-}
-
 }  // namespace octoblisk::demos

@@ -14,7 +14,4 @@ void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& 
 /// Adds --shard and --resume alone.
 void addShardOptions(CLI::App& command, StudyTarget& target);
 
-/// Lines of the help's end. `partial`: the file that an unfinished run leaves.
-std::string studyFooter(const std::string& partial = "OUT.partial");
-
 }  // namespace octoblisk::demos

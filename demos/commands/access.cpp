@@ -14,6 +14,7 @@
 #include "command_line/out_folder.h"
 #include "command_line/report_option.h"
 #include "command_line/study_options.h"
+#include "command_line/subcommand_help.h"
 #include "commands/access_files.h"
 #include "commands/access_task.h"
 #include "commands/commands.h"
@@ -76,10 +77,7 @@ int access(AccessRequest request) {
 }  // namespace
 
 void addAccessCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "access",
-      "Map where the belt grinder may stand: at each contact point the tilts and leads at which nothing\n"
-      "touches that must not. The points are a grid on one side of a blade, or those of a path.");
+  CLI::App& command = addSubcommand(app, "access");
   const auto request = std::make_shared<AccessRequest>();
   addGrinderOptions(command, request->files);
   addMarginOption(command, request->margin);
@@ -133,23 +131,6 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
   addShardOptions(command, request->study);
   command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
   addReportOption(command, request->report);
-  command.footer(
-      std::string(kReportFooter) +
-      "Written, in OUT:\n"
-      "  points.csv  a row for each point: place and normal, height above the blade's root and arc length\n"
-      "              from its leading edge (mm), free part of all tilts and leads, the widest free range of\n"
-      "              tilt and its lead, the leads free about its middle, and the part most often in the way\n"
-      "  ranges.csv  every free range of tilt; one across 180 degrees goes on above it\n"
-      "  map.png     the side unrolled, coloured by the widest range\n"
-      "At tilt 0 of a grid the arm lies along the surface, away from the axis, and at 90 it stands square "
-      "to\n"
-      "it; lead turns the arm towards the wheels' axis. Free is what grind does not call interference, and\n"
-      "keeps the margin. Points are counted from 0.\n"
-      "With --shard OUT is a file, a part of points.csv: octoblisk merge PARTS --out DIR/points.csv makes "
-      "that\n"
-      "of all parts, and the other two beside it.\n" +
-      studyFooter("OUT/points.csv.partial") +
-      "Exit codes: 0 every point has a free pose, 1 some have none, 2 bad input; 130, 143 stopped.");
   command.callback([request, &exit_code] { exit_code = access(*request); });
 }
 

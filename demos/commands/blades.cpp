@@ -15,6 +15,7 @@
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
 #include "command_line/picture_bar.h"
+#include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/mesh_file.h"
 #include "io/whole_files.h"
@@ -119,9 +120,7 @@ int findAndTell(const BladesRequest& request) {
 }  // namespace
 
 void addBladesCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "blades",
-      "Find axis, hub, blades, their sides and edges, and the channels between them, from a mesh alone");
+  CLI::App& command = addSubcommand(app, "blades");
   const auto request = std::make_shared<BladesRequest>();
   command
       .add_option("--blisk", request->blisk,
@@ -133,14 +132,6 @@ void addBladesCommand(CLI::App& app, int& exit_code) {
       ->required()
       ->check(notEmpty());
   command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
-  command.footer(
-      "blades.csv has a line a blade: the angle of its leading edge at the tip, the areas of its sides, "
-      "where\n"
-      "its edges end, in the mesh's frame, and the channel to the next blade: the sides that bound it and\n"
-      "their least distance at mid height. Angles are about the axis, from the mesh's x direction; blade 1\n"
-      "is nearest to angle 0. What way the stream goes is not to be seen: leading edges are taken to be at\n"
-      "the axis' beginning. Blades of several kinds (splitters) are not found.\n"
-      "Exit codes: 0 found, 2 bad input, or no blisk.");
   command.callback([request, &exit_code] { exit_code = findAndTell(*request); });
 }
 

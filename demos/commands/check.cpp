@@ -12,6 +12,7 @@
 
 #include "command_line/option_checks.h"
 #include "command_line/study_options.h"
+#include "command_line/subcommand_help.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "io/exact_number.h"
@@ -120,12 +121,7 @@ int check(CheckRequest request) {
 }  // namespace
 
 void addCheckCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "check",
-      "Tell for each pose whether the surfaces of two meshes meet, exactly on their triangles; if asked,\n"
-      "how far apart or how deep in each other they are, and whether the ways between poses are free.\n"
-      "Lengths are in mesh units: both meshes and the poses must share them. One mesh wholly inside\n"
-      "another does not meet it: ask for the depth to be told.");
+  CLI::App& command = addSubcommand(app, "check");
   const auto request = std::make_shared<CheckRequest>();
   const std::string mesh_help = ", in mesh units: .stl, .obj or .ply";
   command.add_option("--fixed", request->fixed, "Mesh that stays" + mesh_help)->required()->check(notEmpty());
@@ -168,13 +164,6 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
                   "are the same")
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
-  command.footer(
-      "Mesh files are read with coordinates rounded to 32-bit floats.\n" + studyFooter() +
-      "Exit codes: 0 all poses clear, and with --continuous all ways between them free; 1 any pose where "
-      "the\n"
-      "surfaces meet, with --depth one mesh is inside the other, or with --continuous a way not proved "
-      "free;\n"
-      "2 bad input: no file is written then, and one of an earlier run stays as it was; 130, 143 stopped.");
   command.callback([request, &exit_code] { exit_code = check(*request); });
 }
 

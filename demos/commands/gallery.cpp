@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command_line/option_checks.h"
+#include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/quoted_text.h"
 
@@ -48,14 +49,12 @@ void showAsked(const GalleryRequest& request) {
 }  // namespace
 
 void addGalleryCommand(CLI::App& app, int&) {
-  CLI::App& command = *app.add_subcommand(
-      "gallery", "Run scenes of moving concave bodies in Bullet worlds; write a picture and a table of each");
+  CLI::App& command = addSubcommand(app, "gallery");
   const auto request = std::make_shared<GalleryRequest>();
   command.add_option("scene", request->scene, "One of: " + sceneNames())->capture_default_str();
   command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; made where missing")
       ->required()
       ->check(notEmpty());
-  command.footer("The scenes' sources are in demos/gallery, one a file. Pictures are the same on every run.");
   command.callback([request] { showAsked(*request); });
 }
 

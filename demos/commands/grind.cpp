@@ -12,6 +12,7 @@
 #include "command_line/out_folder.h"
 #include "command_line/picture_bar.h"
 #include "command_line/report_option.h"
+#include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
 #include "grinding/grinding_run.h"
@@ -162,11 +163,7 @@ int grind(const GrindRequest& request) {
 }  // namespace
 
 void addGrindCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "grind",
-      "Check a belt grinder along a path over a blisk, in a Bullet world. The belt is there to touch the "
-      "blade\n"
-      "that it grinds; every other touch is interference. The built-in path is not free of it on purpose.");
+  CLI::App& command = addSubcommand(app, "grind");
   const auto request = std::make_shared<GrindRequest>();
   addGrinderOptions(command, request->files);
   addConvexOption(command, request->convex);
@@ -219,37 +216,6 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
           "Pictures of so many poses, evenly over the path, in OUT/frames, and contact_sheet.png of them all")
       ->check(wholeNumberFrom(0, kMostFrames))
       ->capture_default_str();
-  command.footer(
-      std::string(kReportFooter) +
-      "Tables, in OUT; none is written before the end, Ctrl-C keeps the poses done (\"partial\": true):\n"
-      "  poses.csv     the verdict of each pose; part, blade, side (forward: towards greater angles), point\n"
-      "                and normal of its worst touch, or of where it is nearest, and the part's depth; the\n"
-      "                clearance from all that must not be touched; the move from the pose before: free, "
-      "hit\n"
-      "                (of what neither pose touches), too deep, or not proved, the fraction that is free, "
-      "and\n"
-      "                how deep at most what may touch gets on it\n"
-      "  contacts.csv  contacts, a few of each patch of touch, each with a verdict of its own: triangles,\n"
-      "                points and normal in the blisk's frame; the normal points from the part into the\n"
-      "                blisk; the depth is that of the pair of triangles alone\n"
-      "  forces.csv    with --spindle, for each pose at which the belt touches: normal force (stiffness "
-      "times\n"
-      "                the belt's depth) and friction, N; the force on the blisk in its frame; its torque "
-      "about\n"
-      "                the axis, N m; and the blisk's angular acceleration beyond what the brake holds, "
-      "rad/s2\n"
-      "  summary.json  limits, counts, the poses that interfere\n"
-      "  path.csv      the path\n"
-      "Blades are numbered from 1 by angle; blade 0 is hub or shroud. Poses and triangles are counted from\n"
-      "0. A negative depth is a clearance. Verdicts go by how deep the deepest point of a part lies in the\n"
-      "blisk, or of the blisk in the part, to 1 % of --max-depth; of open meshes by what can be told, with\n"
-      "a warning. A part wholly inside the blisk is interference. On a move the contact wheel's centre goes\n"
-      "straight while the tool turns evenly; coming within 0.001 mm is a hit, proved all the way. That the\n"
-      "belt stays within --max-depth is proved too; where it is not, its depth is measured every 0.5 mm\n"
-      "or finer, and the summary tells how much deeper it may be between (depth_proved,\n"
-      "depth_on_moves_at_most_mm).\n"
-      "Exit codes: 0 no interference at any pose or move, 1 interference found or a move not proved free,\n"
-      "2 bad input; 130, 143 stopped.");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }
 

@@ -12,6 +12,7 @@
 
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
+#include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "grinding/tool_file.h"
 #include "io/mesh_file.h"
@@ -215,9 +216,8 @@ void addGrinder(CLI::App& make) {
 }  // namespace
 
 void addMakeCommand(CLI::App& app, int&) {
-  CLI::App& make = *app.add_subcommand("make", "Write a generated blisk or belt grinder part to a file");
+  CLI::App& make = addSubcommand(app, "make");
   make.require_subcommand(1);
-  make.footer("Exit codes: 0 written, 2 bad input.");
   make.option_defaults()->always_capture_default();
   addBlisk(make);
   addGrinder(make);

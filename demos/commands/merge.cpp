@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line/option_checks.h"
+#include "command_line/subcommand_help.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
@@ -42,20 +43,10 @@ int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
 }  // namespace
 
 void addMergeCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "merge",
-      "Make the table of a study of the parts that its subcommand wrote when told --shard: the same file, "
-      "byte\n"
-      "for byte, as without.");
+  CLI::App& command = addSubcommand(app, "merge");
   const auto request = std::make_shared<MergeRequest>();
   command.add_option("PART", request->parts, "All parts, in any order")->required()->check(notEmpty());
   command.add_option("-o,--out", request->out, "CSV file to write")->required()->check(notEmpty());
-  command.footer(
-      "Refused are parts that are unfinished, damaged, of other inputs or options, overlap, or leave a gap.\n"
-      "Beside the table of octoblisk access go its other files, ranges.csv and map.png.\n"
-      "Exit codes: as the study's subcommand, check or access: 0 clear, 1 not all clear; 2 bad input: no "
-      "file\n"
-      "is written then, and one of an earlier run stays as it was.");
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
     exit_code = tellStudy(mergeParts(parts, request->out, checkPart), request->out);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command_line/option_checks.h"
+#include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "commands/paper_run.h"
 
@@ -46,19 +47,13 @@ void addOptions(CLI::App& command, PaperRequest& request) {
   command.add_option("-o,--out", request.out, "Folder for report, tables and figures; made where missing")
       ->required()
       ->check(notEmpty());
-  command.footer(
-      "Written to OUT: report.md, report.html (which needs no other file), every table as CSV, figures as\n"
-      "SVG and PNG; of Table 3 replay.html, its paths in the browser, without a network.\n"
-      "Exit codes: 0 done, 2 bad input.");
+  command.footer(helpOf("paper").footer);
 }
 
 }  // namespace
 
 void addPaperCommand(CLI::App& app, int& exit_code) {
-  CLI::App& paper = *app.add_subcommand(
-      "paper",
-      "Run the experiments of Z. Huang et al., Collision detection algorithm of belt grinding of the Blisk\n"
-      "based on improved octree segmentation method, again, and set its numbers beside ours");
+  CLI::App& paper = *app.add_subcommand("paper", helpOf("paper").about);
   paper.require_subcommand(1);
   for (const PaperSubcommand& subcommand : kPaperSubcommands) {
     CLI::App& command = *paper.add_subcommand(subcommand.name, subcommand.help);

@@ -10,6 +10,7 @@
 #include "command_line/axis_option.h"
 #include "command_line/convex_option.h"
 #include "command_line/option_checks.h"
+#include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/mesh_file.h"
 #include "io/whole_files.h"
@@ -96,8 +97,7 @@ int makePath(PathRequest request) {
 }  // namespace
 
 void addPathCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "path", "Write a toolpath of the belt grinder along a side of a blade, or round its leading edge");
+  CLI::App& command = addSubcommand(app, "path");
   const auto request = std::make_shared<PathRequest>();
   SurfacePathOptions& options = request->options;
   command
@@ -155,13 +155,6 @@ void addPathCommand(CLI::App& app, int& exit_code) {
                   "Part of the blade's height, root 0 to tip 1, to grind from")
       ->check(numberFrom(0.0, 1.0));
   command.add_option("--height-to", options.height_to, "And to")->check(numberFrom(0.0, 1.0));
-  command.footer(
-      "Poses are those of the belt in the mesh's frame: contact wheel at the origin, its axis along z, arm\n"
-      "along +x. Approach and retraction are rapid: feed 0 in the table. A CL file tells the wheel's axis "
-      "by\n"
-      "three more numbers, GOTO/x,y,z,i,j,k,u,v,w. Whether anything is touched that must not be is for\n"
-      "'octoblisk grind --path' to say.\n"
-      "Exit codes: 0 written, 2 bad input.");
   command.callback([request, &exit_code] { exit_code = makePath(*request); });
 }
 

@@ -15,6 +15,7 @@
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
 #include "command_line/report_option.h"
+#include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
 #include "grinding/tool_file.h"
@@ -158,11 +159,7 @@ int repair(const RepairRequest& request) {
 }  // namespace
 
 void addRepairCommand(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "repair",
-      "Make a path of the belt grinder free of interference by tilt, slide along the wheels' axis and\n"
-      "retraction, smooth from pose to pose and as little as can be; poses and the moves between them are\n"
-      "checked. What cannot be repaired is named.");
+  CLI::App& command = addSubcommand(app, "repair");
   const auto request = std::make_shared<RepairRequest>();
   addGrinderOptions(command, request->files);
   addMarginOption(command, request->margin);
@@ -194,22 +191,6 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
   add_limit("--retract-grid", limits.retract_grid,
             "mm between the first ten retractions that are tried; wider beyond", true);
   addReportOption(command, request->report);
-  command.footer(
-      std::string(kReportFooter) +
-      "Written, in OUT:\n"
-      "  path.csv     the repaired path, as many poses\n"
-      "  changes.csv  for each pose: what it was, tilt, slide and retraction against it, what it is now, "
-      "and\n"
-      "               what is in the way of it or of the move to it\n"
-      "The tilt turns the tool about z through its origin, which keeps a contact wheel where it is. Poses "
-      "are\n"
-      "free where grind calls them no interference, with the margin. Moves are straight and turn evenly, "
-      "and\n"
-      "are judged as grind judges them, but that all that must not touch keeps half of the margin on them.\n"
-      "Poses are counted from 0.\n"
-      "Ctrl-C leaves what was repaired so far in path.csv.partial and changes.csv.partial.\n"
-      "Exit codes: 0 the repaired path is free, 1 something is left interfering, 2 bad input; 130, 143 "
-      "stopped.");
   command.callback([request, &exit_code] { exit_code = repair(*request); });
 }
 

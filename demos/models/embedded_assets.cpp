@@ -1,43 +1,23 @@
 #include "models/embedded_assets.h"
 
-#include <string_view>
-
+#include "io/embedded_file.h"
 #include "io/mesh_file.h"
 
-// Puts a file of assets/ into the program, between two symbols.
-#define OCTOBLISK_EMBED(symbol, file)                           \
-  __asm__(".pushsection .rodata\n" #symbol                      \
-          "_begin:\n"                                           \
-          ".incbin \"" OCTOBLISK_ASSETS "/" file "\"\n" #symbol \
-          "_end:\n"                                             \
-          ".byte 0\n"                                           \
-          ".popsection\n");                                     \
-  extern "C" const char symbol##_begin[], symbol##_end[]
-
-OCTOBLISK_EMBED(octoblisk_blisk, "blisk.ply");
-OCTOBLISK_EMBED(octoblisk_belt, "belt.ply");
-OCTOBLISK_EMBED(octoblisk_contact_wheel, "contact_wheel.ply");
-OCTOBLISK_EMBED(octoblisk_drive_wheel, "drive_wheel.ply");
-OCTOBLISK_EMBED(octoblisk_arm, "arm.ply");
+OCTOBLISK_EMBED(octoblisk_blisk, OCTOBLISK_ASSETS "/blisk.ply");
+OCTOBLISK_EMBED(octoblisk_belt, OCTOBLISK_ASSETS "/belt.ply");
+OCTOBLISK_EMBED(octoblisk_contact_wheel, OCTOBLISK_ASSETS "/contact_wheel.ply");
+OCTOBLISK_EMBED(octoblisk_drive_wheel, OCTOBLISK_ASSETS "/drive_wheel.ply");
+OCTOBLISK_EMBED(octoblisk_arm, OCTOBLISK_ASSETS "/arm.ply");
 
 namespace octoblisk::demos {
-namespace {
 
-TriangleMesh embedded(const char* name, const char* begin, const char* end) {
-  return readMesh(name, std::string_view(begin, static_cast<std::size_t>(end - begin)));
-}
-
-}  // namespace
-
-TriangleMesh embeddedBlisk() { return embedded("blisk.ply", octoblisk_blisk_begin, octoblisk_blisk_end); }
+TriangleMesh embeddedBlisk() { return readMesh("blisk.ply", OCTOBLISK_EMBEDDED(octoblisk_blisk)); }
 
 std::vector<EmbeddedPart> embeddedBeltGrinder() {
-  return {
-      {"belt", embedded("belt.ply", octoblisk_belt_begin, octoblisk_belt_end)},
-      {"contact wheel",
-       embedded("contact_wheel.ply", octoblisk_contact_wheel_begin, octoblisk_contact_wheel_end)},
-      {"drive wheel", embedded("drive_wheel.ply", octoblisk_drive_wheel_begin, octoblisk_drive_wheel_end)},
-      {"arm", embedded("arm.ply", octoblisk_arm_begin, octoblisk_arm_end)}};
+  return {{"belt", readMesh("belt.ply", OCTOBLISK_EMBEDDED(octoblisk_belt))},
+          {"contact wheel", readMesh("contact_wheel.ply", OCTOBLISK_EMBEDDED(octoblisk_contact_wheel))},
+          {"drive wheel", readMesh("drive_wheel.ply", OCTOBLISK_EMBEDDED(octoblisk_drive_wheel))},
+          {"arm", readMesh("arm.ply", OCTOBLISK_EMBEDDED(octoblisk_arm))}};
 }
 
 }  // namespace octoblisk::demos

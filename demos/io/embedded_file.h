@@ -1,0 +1,19 @@
+// Files that are built into the program.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+/// Puts a file into the program, between two symbols of C, at file scope. Its path is a string literal.
+#define OCTOBLISK_EMBED(symbol, path)      \
+  __asm__(".pushsection .rodata\n" #symbol \
+          "_begin:\n"                      \
+          ".incbin \"" path "\"\n" #symbol \
+          "_end:\n"                        \
+          ".byte 0\n"                      \
+          ".popsection\n");                \
+  extern "C" const char symbol##_begin[], symbol##_end[]
+
+/// The bytes of such a file.
+#define OCTOBLISK_EMBEDDED(symbol) \
+  std::string_view(symbol##_begin, static_cast<std::size_t>(symbol##_end - symbol##_begin))
