@@ -13,8 +13,8 @@ namespace octoblisk::demos {
 
 /// What is asked at each point.
 struct AccessQuestion {
-  bool of_path = false;  ///< the points are a path's poses
-  VerdictRules rules;    ///< as reachRulesOf (command_line/grinder_input.h) makes them
+  bool of_path = false;                  ///< the points are a path's poses
+  VerdictRules rules{.near_miss = 0.0};  ///< as reachRulesOf (command_line/grinder_input.h) makes them
   AccessOptions options;
 
   std::size_t poses() const { return options.leads.size() * static_cast<std::size_t>(options.tilts); }

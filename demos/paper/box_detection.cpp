@@ -156,7 +156,7 @@ bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& bli
 bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
   const Pose blisk_in_body = body_in_blisk.inverse();
   const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
-  return descend(treeOf(blisk), Tree::kRoot, meets, [](const Obb&) { return true; });
+  return descend(detail::treeOf(blisk), Tree::kRoot, meets, [](const Obb&) { return true; });
 }
 
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
@@ -165,7 +165,7 @@ BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
     ++left.tested;
     return overlaps(box, here);
   };
-  descend(treeOf(blisk), Tree::kRoot, near, [&](const Obb& leaf) {
+  descend(detail::treeOf(blisk), Tree::kRoot, near, [&](const Obb& leaf) {
     ++left.leaves;
     left.volume += leaf.volume();
     return false;
@@ -174,7 +174,7 @@ BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
 }
 
 BoxesLeft leavesNear(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
-  return PairDescent(treeOf(blisk), treeOf(body), body_in_blisk).find();
+  return PairDescent(detail::treeOf(blisk), detail::treeOf(body), body_in_blisk).find();
 }
 
 }  // namespace octoblisk::demos

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "core/same_bits.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "shared/brute_force.h"
@@ -27,13 +28,6 @@ std::vector<SharedMesh> largeMeshes() {
   std::vector<TriangleMesh::Indices> same(10000, {0, 1, 2});
   return {testing::torus(3, 1, 300, 100), testing::fan(12, 30), testing::soup(random, 20000, 10, 0.3),
           std::make_shared<const TriangleMesh>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, same)};
-}
-
-bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
-         treeOf(a).nodes().size() == treeOf(b).nodes().size() &&
-         std::memcmp(treeOf(a).nodes().data(), treeOf(b).nodes().data(),
-                     treeOf(a).nodes().size() * sizeof(TreeNode)) == 0;
 }
 
 TEST(Build, isTheSameForAnyNumberOfThreads) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "shared/meshes.h"
+#include "shared/solids.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -14,12 +15,6 @@ using namespace detail;
 namespace {
 
 using testing::SharedMesh;
-
-SharedMesh moved(const SharedMesh& mesh, double scale, const Vec3& offset) {
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh->vertices()) vertices.push_back(scale * vertex + offset);
-  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh->triangles());
-}
 
 std::vector<SharedMesh> meshes() {
   std::mt19937_64 random(11);
@@ -35,10 +30,10 @@ std::vector<SharedMesh> meshes() {
           std::make_shared<const TriangleMesh>(one.vertices(), same),  // all duplicates
           std::make_shared<const TriangleMesh>(std::vector<Vec3>{{1, 2, 3}},
                                                std::vector<TriangleMesh::Indices>(100)),
-          moved(torus, 1e9, {1e11, 0, 0}),
-          moved(torus, 1e-9, {1, 1, 1}),
-          moved(torus, 1e-30, {0, 0, 0}),
-          moved(torus, 1, {1e8, -1e8, 1e8})};
+          testing::scaledAndMoved(torus, 1e9, {1e11, 0, 0}),
+          testing::scaledAndMoved(torus, 1e-9, {1, 1, 1}),
+          testing::scaledAndMoved(torus, 1e-30, {0, 0, 0}),
+          testing::scaledAndMoved(torus, 1, {1e8, -1e8, 1e8})};
 }
 
 TEST(ClusteredOctree, isValidForEveryMeshAndPartition) {

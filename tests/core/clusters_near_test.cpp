@@ -18,7 +18,7 @@ namespace {
 
 using testing::uniform;
 
-ClusteredOctree treeOf(const testing::SharedMesh& mesh, Storage storage = Storage::full) {
+ClusteredOctree built(const testing::SharedMesh& mesh, Storage storage = Storage::full) {
   return ClusteredOctree::build(mesh, {.storage = storage});
 }
 
@@ -48,8 +48,8 @@ class ClustersNear : public ::testing::TestWithParam<Storage> {};
 INSTANTIATE_TEST_SUITE_P(fastAndCompact, ClustersNear, ::testing::Values(Storage::full, Storage::compact));
 
 TEST_P(ClustersNear, missesNoPairOfTreesAndInventsNone) {
-  const ClusteredOctree a = treeOf(testing::fan(5, 8), GetParam());
-  const ClusteredOctree b = treeOf(testing::torus(0.6, 0.2, 24, 12), GetParam());
+  const ClusteredOctree a = built(testing::fan(5, 8), GetParam());
+  const ClusteredOctree b = built(testing::torus(0.6, 0.2, 24, 12), GetParam());
   std::mt19937_64 random(71);
   constexpr int kCases = 300;
   for (const int depth : {0, 1, 2, 3, ClusteredOctree::kMaxDepth}) {
@@ -76,7 +76,7 @@ TEST_P(ClustersNear, missesNoPairOfTreesAndInventsNone) {
 }
 
 TEST_P(ClustersNear, missesNoBoxAndInventsNone) {
-  const ClusteredOctree tree = treeOf(testing::torus(2, 0.5, 32, 16), GetParam());
+  const ClusteredOctree tree = built(testing::torus(2, 0.5, 32, 16), GetParam());
   std::mt19937_64 random(74);
   constexpr int kCases = 300;
   std::map<int, std::vector<Obb>> boxes;
@@ -87,7 +87,7 @@ TEST_P(ClustersNear, missesNoBoxAndInventsNone) {
     const Obb box{pose.translation, pose.rotation,
                   Vec3{uniform(random, 0.1, 0.7), uniform(random, 0.1, 0.7), uniform(random, 0.1, 0.7)}};
     const double reach = i % 2 == 0 ? 0.0 : uniform(random, 0.0, 0.2);
-    const ClusteredOctree solid = treeOf(testing::boxMesh(box.half_extents));
+    const ClusteredOctree solid = built(testing::boxMesh(box.half_extents));
     const bool within = distance(tree, solid, pose, {.upper_bound = reach + 1e-9}).found();
     for (const int depth : {0, 1, 2, 3, ClusteredOctree::kMaxDepth}) {
       const bool near = clustersNear(tree, box, reach, depth);
@@ -105,7 +105,7 @@ TEST_P(ClustersNear, missesNoBoxAndInventsNone) {
 }
 
 TEST(ClustersNear, aSphereInTheHoleOfATorusIsNearItsRootAlone) {
-  const ClusteredOctree torus = treeOf(testing::torus(2, 0.5, 48, 24));
+  const ClusteredOctree torus = built(testing::torus(2, 0.5, 48, 24));
   const Obb box{Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5)};
   EXPECT_TRUE(clustersNear(torus, box, 0.0, 0));
   EXPECT_TRUE(clustersNear(torus, box, 0.0, -1));
@@ -114,7 +114,7 @@ TEST(ClustersNear, aSphereInTheHoleOfATorusIsNearItsRootAlone) {
 }
 
 TEST(ClustersNear, nothingIsNearWhatIsNotFinite) {
-  const ClusteredOctree torus = treeOf(testing::torus(2, 0.5, 24, 12));
+  const ClusteredOctree torus = built(testing::torus(2, 0.5, 24, 12));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(clustersNear(torus, {Vec3::Constant(nan), Mat3::Identity(), Vec3::Ones()}, 0.0, 2));
   EXPECT_FALSE(clustersNear(torus, torus, {Mat3::Constant(nan), Vec3::Zero()}, 0.0, 2));

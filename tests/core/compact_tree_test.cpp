@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/same_bits.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
@@ -31,10 +32,6 @@ constexpr double kLeanBytes = 24.0;  // a triangle
 
 ClusteredOctree compact(const SharedMesh& mesh, PartitionKind partition = PartitionKind::clustering) {
   return ClusteredOctree::build(mesh, {.partition = partition, .storage = Storage::compact});
-}
-
-SharedMesh scaledAndMoved(const TriangleMesh& mesh, double scale, const Vec3& offset) {
-  return testing::moved(mesh, {Mat3::Identity(), offset}, scale);
 }
 
 TEST(CompactNode, rotationsAreOrthonormalToSinglePrecision) {
@@ -114,10 +111,10 @@ TEST(CompactTree, isValidForEveryMesh) {
                                            std::vector<TriangleMesh::Indices>(3000, {0, 1, 2})),
       std::make_shared<const TriangleMesh>(std::vector<Vec3>{{1, 2, 3}},
                                            std::vector<TriangleMesh::Indices>(100)),
-      scaledAndMoved(*torus, 1e9, {1e11, 0, 0}),
-      scaledAndMoved(*torus, 1e-9, {1, 1, 1}),
-      scaledAndMoved(*torus, 1e-30, {0, 0, 0}),
-      scaledAndMoved(*torus, 1, {1e8, -1e8, 1e8})};
+      testing::scaledAndMoved(torus, 1e9, {1e11, 0, 0}),
+      testing::scaledAndMoved(torus, 1e-9, {1, 1, 1}),
+      testing::scaledAndMoved(torus, 1e-30, {0, 0, 0}),
+      testing::scaledAndMoved(torus, 1, {1e8, -1e8, 1e8})};
   for (const SharedMesh& mesh : meshes) {
     for (const PartitionKind partition : {PartitionKind::clustering, PartitionKind::paper}) {
       const ClusteredOctree tree = compact(mesh, partition);
@@ -142,13 +139,6 @@ TEST(CompactTree, takesAQuarterOfTheMemory) {
     EXPECT_LT(tree.stats().leaf_volume, 1.3 * fast.stats().leaf_volume);
     EXPECT_TRUE(treeOf(tree).nodes().empty());
   }
-}
-
-bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
-         treeOf(a).compactNodes().size() == treeOf(b).compactNodes().size() &&
-         std::memcmp(treeOf(a).compactNodes().data(), treeOf(b).compactNodes().data(),
-                     treeOf(a).compactNodes().size_bytes()) == 0;
 }
 
 TEST(CompactTree, isTheSameForAnyNumberOfThreads) {
@@ -178,7 +168,7 @@ TEST(CompactTree, refits) {
   }
 }
 
-struct Case {
+struct CompactCase {
   const char* name;
   SharedMesh a, b;
   double spread;
@@ -187,13 +177,13 @@ struct Case {
 /// Every query on two fast trees, two compact ones, and one of each.
 TEST(CompactTree, queries_vs_fastTrees) {
   std::mt19937_64 random(75);
-  const std::vector<Case> cases = {
+  const std::vector<CompactCase> cases = {
       {"tori", testing::torus(3, 1, 32, 16), testing::torus(3, 0.8, 32, 16), 5.5},
       {"torus in a fan", testing::fan(9, 10), testing::torus(0.5, 0.15, 20, 12), 1.3},
       {"soups", testing::soup(random, 300, 5, 0.4), testing::soup(random, 300, 5, 0.4), 8.0},
-      {"large and far", scaledAndMoved(*testing::torus(3, 1, 32, 16), 1e5, {1e7, 1e7, 1e7}),
+      {"large and far", testing::scaledAndMoved(testing::torus(3, 1, 32, 16), 1e5, {1e7, 1e7, 1e7}),
        testing::torus(3e5, 8e4, 32, 16), 5.5e5}};
-  for (const Case& scene : cases) {
+  for (const CompactCase& scene : cases) {
     SCOPED_TRACE(scene.name);
     const ClusteredOctree fast_a = ClusteredOctree::build(scene.a), fast_b = ClusteredOctree::build(scene.b);
     const ClusteredOctree compact_a = compact(scene.a), compact_b = compact(scene.b);

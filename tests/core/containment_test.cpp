@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/solid.h"
 #include "geometry/half_line_crossing.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
@@ -20,16 +21,6 @@ namespace {
 using testing::SharedMesh;
 
 /// A mesh, its tree and its surface, each in its place.
-struct Solid {
-  explicit Solid(SharedMesh shared, PartitionKind kind = PartitionKind::clustering)
-      : mesh(std::move(shared)), tree(ClusteredOctree::build(mesh, {.partition = kind})), surface(tree) {}
-  Solid(const Solid&) = delete;
-
-  SharedMesh mesh;
-  ClusteredOctree tree;
-  Surface surface;
-};
-
 /// With all coordinates multiples of 2^-16, so that middles of edges and faces are exact.
 SharedMesh rounded(const TriangleMesh& mesh) {
   std::vector<Vec3> vertices;

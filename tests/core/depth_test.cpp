@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/solid.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
 
@@ -13,16 +14,6 @@ namespace octoblisk {
 namespace {
 
 using testing::SharedMesh;
-
-struct Solid {
-  explicit Solid(SharedMesh shared)
-      : mesh(std::move(shared)), tree(ClusteredOctree::build(mesh)), surface(tree) {}
-  Solid(const Solid&) = delete;
-
-  SharedMesh mesh;
-  ClusteredOctree tree;
-  Surface surface;
-};
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 

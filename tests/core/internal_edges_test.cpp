@@ -8,6 +8,7 @@
 
 #include "contact/corner_contacts.h"
 #include "octoblisk/contacts.h"
+#include "shared/brute_force.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -20,10 +21,6 @@ using testing::uniform;
 
 Obb boxAt(const Vec3& center, const Vec3& half_extents, double turn) {
   return {center, Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix(), half_extents};
-}
-
-double deepest(const std::vector<Contact>& contacts) {
-  return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
 }
 
 TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
@@ -40,10 +37,10 @@ TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
     contacts(floor, ConvexBox(box), Pose(), 0.02, found);
     const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.999; };
     askew += std::ranges::any_of(found, isAskew);
-    const double before = deepest(found);
+    const double before = testing::deepest(found);
     edges.removeFrom(found, floor.mesh());
     ASSERT_FALSE(found.empty());
-    ASSERT_EQ(deepest(found), before);
+    ASSERT_EQ(testing::deepest(found), before);
     ASSERT_NEAR(before, -depth, 1e-9);
     for (const Contact& contact : found) ASSERT_NEAR(contact.normal.z(), -1.0, 1e-6) << "case " << i;
   }
@@ -58,10 +55,10 @@ TEST(InternalEdges, aWallStaysWhereItMeetsTheFloor) {
   contacts(room, ConvexHull({Vec3(1.0, 0.0, 1.0), Vec3(1.5, 0.0, 1.2), Vec3(1.2, 0.3, 1.5)}, 0.05), Pose(),
            0.02, found);
   ASSERT_FALSE(found.empty());
-  const double before = deepest(found);
+  const double before = testing::deepest(found);
   edges.removeFrom(found, room.mesh());
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(deepest(found), before);
+  EXPECT_EQ(testing::deepest(found), before);
 }
 
 TEST(InternalEdges, bothSidesOfARidgeStay) {

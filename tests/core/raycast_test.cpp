@@ -10,6 +10,7 @@
 #include "geometry/ray_triangle.h"
 #include "query/ray_walk.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -129,12 +130,6 @@ void expectEqual(const RayHit& found, const RayHit& expected) {
   EXPECT_EQ(found.back_face, expected.back_face);
 }
 
-SharedMesh moved(const SharedMesh& mesh, double scale, const Vec3& offset) {
-  std::vector<Vec3> vertices;
-  for (const Vec3& v : mesh->vertices()) vertices.push_back(scale * v + offset);
-  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh->triangles());
-}
-
 /// Rays of all kinds round a mesh, in turn.
 class RayMaker {
  public:
@@ -199,24 +194,24 @@ class Rays : public ::testing::TestWithParam<PartitionKind> {};
 
 TEST_P(Rays, hits_vs_bruteforce) {
   std::mt19937_64 random(73);
-  struct Case {
+  struct RayScene {
     const char* name;
     SharedMesh mesh;
   };
   const SharedMesh torus = testing::torus(3, 1, 32, 16);
-  const Case cases[] = {{"torus", torus},
-                        {"fan", testing::fan(9, 10)},
-                        {"soup", testing::soup(random, 600, 5, 0.8)},
-                        {"sheet", testing::waveSheet(4, 0.5, 16)},
-                        {"flat sheet", testing::waveSheet(4, 0.0, 16)},
-                        {"box", testing::boxMesh({1, 2, 3})},
-                        {"tiny torus", moved(torus, 1e-6, Vec3::Zero())},
-                        {"huge torus", moved(torus, 1e6, Vec3::Zero())},
-                        {"torus afar", moved(torus, 1.0, Vec3(1e6, -2e6, 3e6))},
-                        {"tiny torus afar", moved(torus, 1e-6, Vec3(1, -2, 3))}};
+  const RayScene cases[] = {{"torus", torus},
+                            {"fan", testing::fan(9, 10)},
+                            {"soup", testing::soup(random, 600, 5, 0.8)},
+                            {"sheet", testing::waveSheet(4, 0.5, 16)},
+                            {"flat sheet", testing::waveSheet(4, 0.0, 16)},
+                            {"box", testing::boxMesh({1, 2, 3})},
+                            {"tiny torus", testing::scaledAndMoved(torus, 1e-6, Vec3::Zero())},
+                            {"huge torus", testing::scaledAndMoved(torus, 1e6, Vec3::Zero())},
+                            {"torus afar", testing::scaledAndMoved(torus, 1.0, Vec3(1e6, -2e6, 3e6))},
+                            {"tiny torus afar", testing::scaledAndMoved(torus, 1e-6, Vec3(1, -2, 3))}};
   std::vector<RayHit> found;
   int rays = 0, hits = 0;
-  for (const Case& scene : cases) {
+  for (const RayScene& scene : cases) {
     const ClusteredOctree tree = ClusteredOctree::build(scene.mesh, {.partition = GetParam()});
     RayMaker maker(*scene.mesh);
     for (int i = 0; i < 150 * RayMaker::kKinds; ++i) {
@@ -246,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(Partitions, Rays, ::testing::Values(PartitionKind::clus
 
 TEST(Raycast, noRaySlipsThroughEdgesOrCorners) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
-    const SharedMesh mesh = moved(testing::torus(3, 1, 40, 24), scale, Vec3::Zero());
+    const SharedMesh mesh = testing::scaledAndMoved(testing::torus(3, 1, 40, 24), scale, Vec3::Zero());
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     std::mt19937_64 random(74);
     for (int i = 0; i < 3000; ++i) {

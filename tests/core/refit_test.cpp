@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/same_bits.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
@@ -62,12 +63,6 @@ SharedMesh applied(const Deformation& deformation, const TriangleMesh& mesh) {
   return deformed(mesh, [&](const Vec3& v) {
     return Vec3(deformation.moved(v) + testing::randomPoint(random, deformation.noise));
   });
-}
-
-bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
-  return std::ranges::equal(treeOf(a).triangleOrder(), treeOf(b).triangleOrder()) &&
-         treeOf(a).nodes().size() == treeOf(b).nodes().size() &&
-         std::memcmp(treeOf(a).nodes().data(), treeOf(b).nodes().data(), treeOf(a).nodes().size_bytes()) == 0;
 }
 
 TEST(Refit, isValidForEveryDeformationAndScale) {

@@ -11,14 +11,14 @@
 namespace octoblisk {
 namespace {
 
-struct Case {
+struct SourceScene {
   const char* name;
   testing::SharedMesh a, b;
   double spread;
   int poses;
 };
 
-std::vector<Case> cases() {
+std::vector<SourceScene> sourceScenes() {
   std::mt19937_64 random(41);
   return {
       {"linked tori", testing::torus(3, 1, 32, 16), testing::torus(3, 0.8, 32, 16), 5.5, 60},
@@ -29,7 +29,7 @@ std::vector<Case> cases() {
 }
 
 TEST(SourceContacts, contacts_vs_bruteforce) {
-  for (const Case& scene : cases()) {
+  for (const SourceScene& scene : sourceScenes()) {
     const ClusteredOctree a = ClusteredOctree::build(scene.a);
     const testing::MeshSource b(*scene.b);
     SourceContacts query;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "octoblisk/contacts.h"
+#include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
 
@@ -33,10 +34,6 @@ struct Found {
   }
 };
 
-double deepest(const std::vector<Contact>& contacts) {
-  return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
-}
-
 TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
   const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(3, 0.0, 60));
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.5, 0.4, 0.3}));
@@ -52,7 +49,7 @@ TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
     const auto isAskew = [](const Contact& c) { return std::abs(c.normal.z()) < 0.99; };
     askew += std::ranges::any_of(found.all, isAskew);
     ASSERT_FALSE(found.kept.empty());
-    ASSERT_EQ(deepest(found.kept), deepest(found.all));
+    ASSERT_EQ(testing::deepest(found.kept), testing::deepest(found.all));
     for (const Contact& contact : found.kept) ASSERT_LT(contact.normal.z(), -0.99) << "case " << i;
   }
   EXPECT_GT(askew, kCases / 2);  // else there would be nothing to remove
@@ -69,7 +66,7 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
     const Vec3 direction = testing::randomRotation(random).col(0);
     pose.translation = direction * uniform(random, 1.75, 1.95);
     const Found found(tree, tree, pose, 0.04);
-    if (found.all.empty() || deepest(found.all) > 0.0) continue;
+    if (found.all.empty() || testing::deepest(found.all) > 0.0) continue;
     // A point midway between two surfaces that are past each other is in both solids.
     const auto isInside = [&](const Contact& c) {
       const Vec3 middle = 0.5 * (c.point_on_a + c.point_on_b);
@@ -78,7 +75,7 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
     const bool was_inside = std::ranges::any_of(found.all, isInside);
     inside_before += was_inside;
     inside_after += std::ranges::any_of(found.kept, isInside);
-    ASSERT_EQ(deepest(found.kept), deepest(found.all));
+    ASSERT_EQ(testing::deepest(found.kept), testing::deepest(found.all));
   }
   EXPECT_GT(inside_before, kCases / 3);
   EXPECT_EQ(inside_after, 0);
@@ -102,8 +99,8 @@ void expectShortWays(const testing::SharedMesh& mesh_a, double top, const testin
     const Found found(a, b, pose, 0.0);
     if (found.all.empty()) continue;  // what is lowest is beside A
     ++cases;
-    had_long_ways += deepest(found.all) < -2.0 * depth;
-    has_long_ways += deepest(found.kept) < -2.0 * depth;
+    had_long_ways += testing::deepest(found.all) < -2.0 * depth;
+    has_long_ways += testing::deepest(found.kept) < -2.0 * depth;
   }
   EXPECT_GT(cases, 600);
   EXPECT_GT(had_long_ways, cases / 2);

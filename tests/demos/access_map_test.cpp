@@ -18,21 +18,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by) {
-  std::vector<Vec3> vertices = mesh.vertices();
-  for (Vec3& v : vertices) v += by;
-  return {vertices, mesh.triangles()};
-}
-
-TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
-  std::vector<Vec3> vertices = a.vertices();
-  vertices.insert(vertices.end(), b.vertices().begin(), b.vertices().end());
-  std::vector<TriangleMesh::Indices> triangles = a.triangles();
-  const auto first = static_cast<std::uint32_t>(a.vertices().size());
-  for (const auto& [i, j, k] : b.triangles()) triangles.push_back({first + i, first + j, first + k});
-  return {vertices, triangles};
-}
-
 /// A bar of 2 mm thickness from the origin to x = 20, in a slot of planes at y = ± half_gap.
 constexpr double kLength = 20.0, kHalfThickness = 1.0, kHalfGap = 7.3;
 

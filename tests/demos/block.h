@@ -1,4 +1,4 @@
-// A box whose faces are grids of triangles.
+// A box whose faces are grids of triangles, and meshes of several.
 #pragma once
 
 #include <array>
@@ -47,5 +47,23 @@ inline TriangleMesh block(const Vec3& half, int steps) {
   }
   return {vertices, triangles};
 }
+
+inline TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by) {
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& v : vertices) v += by;
+  return {vertices, mesh.triangles()};
+}
+
+inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
+  std::vector<Vec3> vertices = a.vertices();
+  vertices.insert(vertices.end(), b.vertices().begin(), b.vertices().end());
+  std::vector<TriangleMesh::Indices> triangles = a.triangles();
+  const auto first = static_cast<std::uint32_t>(a.vertices().size());
+  for (const auto& [i, j, k] : b.triangles()) triangles.push_back({first + i, first + j, first + k});
+  return {vertices, triangles};
+}
+
+/// Not turned.
+inline Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 
 }  // namespace octoblisk::demos

@@ -22,8 +22,6 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr double kPi = std::numbers::pi;
-
 /// One line of a result file.
 struct Answer {
   bool colliding = false;
@@ -71,8 +69,10 @@ std::vector<Pose> posesRoundBlades(int count) {
   };
   std::vector<Pose> poses;
   for (int i = 0; i < count; ++i) {
-    const double angle = between(-kPi, kPi), radius = between(225.0, 260.0), height = between(-60.0, 60.0);
-    const double roll = between(-kPi, kPi), tilt = between(-0.4, 0.4), swing = between(-0.4, 0.4);
+    const double angle = between(-std::numbers::pi, std::numbers::pi), radius = between(225.0, 260.0),
+                 height = between(-60.0, 60.0);
+    const double roll = between(-std::numbers::pi, std::numbers::pi), tilt = between(-0.4, 0.4),
+                 swing = between(-0.4, 0.4);
     poses.push_back(beltPose(angle, radius, height, {roll, tilt, swing}));
   }
   return poses;
@@ -178,7 +178,8 @@ TEST_F(CheckCommand, leavesZeroForACleanPath) {
   constexpr int kPoses = 90;
   constexpr double kClearRadius = 300.0;  // mm; the tips are at 240
   std::vector<Pose> poses;
-  for (int i = 0; i < kPoses; ++i) poses.push_back(beltPose(2.0 * kPi * i / kPoses, kClearRadius, 0.0));
+  for (int i = 0; i < kPoses; ++i)
+    poses.push_back(beltPose(2.0 * std::numbers::pi * i / kPoses, kClearRadius, 0.0));
   writePoses(folder_.path() / "poses.csv", poses);
   makeMeshes(".stl");
   const Outcome outcome = check(".stl", "poses.csv", "result.csv");

@@ -5,15 +5,11 @@
 
 #include <cmath>
 
+#include "demos/default_blisk.h"
 #include "models/blisk.h"
 
 namespace octoblisk::demos {
 namespace {
-
-const Blisk& blisk() {
-  static const Blisk result = makeDefaultBlisk();
-  return result;
-}
 
 CmmExperiment run(const CmmExperimentOptions& options = {}) {
   static const BladesFound blades = findBlades(blisk().mesh);

@@ -22,7 +22,7 @@ std::vector<NominalPoint> nominalPoints(const SectionGrid& grid) {
   return points;
 }
 
-ClusteredOctree treeOf(const SectionGrid& grid, const std::vector<double>& displacements) {
+ClusteredOctree treeOfGrid(const SectionGrid& grid, const std::vector<double>& displacements) {
   return ClusteredOctree::build(std::make_shared<const TriangleMesh>(grid.displaced(displacements)));
 }
 
@@ -33,7 +33,7 @@ SectionGrid wave() {
 TEST(VirtualCmm, anOffsetSurfaceIsOffByTheOffset) {
   const SectionGrid grid = wave();
   for (const double offset : {0.0, 0.025, -0.03, 0.5}) {
-    const ClusteredOctree part = treeOf(grid, std::vector<double>(grid.size(), offset));
+    const ClusteredOctree part = treeOfGrid(grid, std::vector<double>(grid.size(), offset));
     for (const double deviation : measureDeviations(part, nominalPoints(grid), {.noise = 0.0})) {
       EXPECT_NEAR(deviation, offset, 1e-3 * std::abs(offset) + 5e-5);
     }
@@ -42,7 +42,7 @@ TEST(VirtualCmm, anOffsetSurfaceIsOffByTheOffset) {
 
 TEST(VirtualCmm, aFlatIsExact) {
   const SectionGrid grid = plate(40.0, 81, 0.5, 21);
-  const ClusteredOctree part = treeOf(grid, std::vector<double>(grid.size(), 0.0234));
+  const ClusteredOctree part = treeOfGrid(grid, std::vector<double>(grid.size(), 0.0234));
   for (const double deviation : measureDeviations(part, nominalPoints(grid), {.noise = 0.0})) {
     EXPECT_NEAR(deviation, 0.0234, 2e-7);
   }
@@ -55,7 +55,7 @@ TEST(VirtualCmm, theBallTouchesBesideThePointWhereSomethingIsHigher) {
   std::vector<double> displacements(grid.size(), 0.0);
   const std::size_t row = 50, station = 200;
   displacements[grid.index(row, station)] = 0.3;
-  const ClusteredOctree part = treeOf(grid, displacements);
+  const ClusteredOctree part = treeOfGrid(grid, displacements);
   const CmmOptions options{.probe_radius = 1.0, .noise = 0.0};
   for (const std::size_t beside : {0u, 1u, 2u, 4u, 6u}) {
     const SectionGrid::Point& nominal = grid.at(row, station + beside);
@@ -67,7 +67,7 @@ TEST(VirtualCmm, theBallTouchesBesideThePointWhereSomethingIsHigher) {
 
 TEST(VirtualCmm, noiseIsSeededAndHasItsDeviation) {
   const SectionGrid grid = plate(40.0, 81, 0.5, 21);
-  const ClusteredOctree part = treeOf(grid, std::vector<double>(grid.size(), 0.02));
+  const ClusteredOctree part = treeOfGrid(grid, std::vector<double>(grid.size(), 0.02));
   const CmmOptions options{.noise = 0.0005, .seed = 11};
   const std::vector<double> deviations = measureDeviations(part, nominalPoints(grid), options);
   EXPECT_EQ(deviations, measureDeviations(part, nominalPoints(grid), options));
@@ -79,7 +79,7 @@ TEST(VirtualCmm, noiseIsSeededAndHasItsDeviation) {
 
 TEST(VirtualCmm, tellsWhereTheBallMeetsNothing) {
   const SectionGrid grid = plate(40.0, 81, 0.5, 21);
-  const ClusteredOctree part = treeOf(grid, std::vector<double>(grid.size(), 0.0));
+  const ClusteredOctree part = treeOfGrid(grid, std::vector<double>(grid.size(), 0.0));
   const std::vector<NominalPoint> beside = {{Vec3(50.0, 5.0, 0.0), Vec3::UnitZ()}};
   EXPECT_THROW(measureDeviations(part, beside), std::invalid_argument);
   const std::vector<NominalPoint> within = {{Vec3(0.0, 5.0, -1.0), Vec3::UnitZ()}};

@@ -15,9 +15,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kLimit = 0.1;
-
-Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+constexpr double kMostDepth = 0.1;
 
 /// A trees' surface with its tree.
 struct Solid {
@@ -31,16 +29,16 @@ TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
   const DepthProof proof(wall.surface, tool.surface);
   const auto isProved = [&](double depth_from, double depth_to) {
     const Motion move(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
-    return proof.holds(move, 0.0, 1.0, Vec3::UnitX(), kLimit);
+    return proof.holds(move, 0.0, 1.0, Vec3::UnitX(), kMostDepth);
   };
   EXPECT_TRUE(isProved(0.02, 0.02));
   EXPECT_TRUE(isProved(0.02, 0.08));
   EXPECT_TRUE(isProved(-5.0, 0.08));
   EXPECT_FALSE(isProved(0.02, 0.11));
   const Motion move(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the way
-  EXPECT_TRUE(proof.holds(move, 0.0, 0.8, Vec3::UnitX(), kLimit));
-  EXPECT_FALSE(proof.holds(move, 0.0, 0.95, Vec3::UnitX(), kLimit));
-  EXPECT_FALSE(proof.holds(move, 0.0, 0.8, -Vec3::UnitX(), kLimit)) << "the lift leads in";
+  EXPECT_TRUE(proof.holds(move, 0.0, 0.8, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(move, 0.0, 0.95, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(move, 0.0, 0.8, -Vec3::UnitX(), kMostDepth)) << "the lift leads in";
 }
 
 TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
@@ -55,17 +53,17 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
   const Solid solid(TriangleMesh(vertices, triangles)), tool(block({0.5, 1, 2}, 2));
   const DepthProof proof(solid.surface, tool.surface);
   const Motion over(at(1.48, -3, 0), at(1.48, 3, 0)), beside(at(1.48, -3, 0), at(1.48, -1.2, 0));
-  EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kLimit));
-  EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kMostDepth));
+  EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMostDepth));
 }
 
 TEST(DepthProof, aToolWhollyInsideIsNotWithinTheLimit) {
   const Solid wall(block({20, 20, 20}, 2)), tool(block({1, 1, 1}, 2));
   const DepthProof proof(wall.surface, tool.surface);
-  EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kLimit));
-  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(0, 0, 0), Vec3::UnitX(), kLimit));
-  EXPECT_TRUE(partsWhenLifted(wall.surface, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kLimit));
-  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kLimit));
+  EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(0, 0, 0), Vec3::UnitX(), kMostDepth));
+  EXPECT_TRUE(partsWhenLifted(wall.surface, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kMostDepth));
 }
 
 TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
@@ -84,7 +82,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
       double reach = 0.0;
       for (const Vec3& corner : tool.tree->mesh().vertices())
         reach = std::max(reach, -(pose.rotation * corner).dot(up));
-      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kLimit)) * up;
+      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kMostDepth)) * up;
     };
     to.rotation =
         Mat3(Eigen::AngleAxisd(testing::uniform(random, -0.02, 0.02), Vec3::UnitZ()) * from.rotation);
@@ -92,7 +90,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
     seated(to);
     to.translation += testing::uniform(random, -0.3, 0.3) * Vec3::UnitZ();
     const Motion move(from, to);
-    const bool holds = proof.holds(move, 0.0, 1.0, up, kLimit);
+    const bool holds = proof.holds(move, 0.0, 1.0, up, kMostDepth);
     double deepest = 0.0;
     for (int k = 0; k <= 20; ++k) {
       const Pose pose = move.at(k / 20.0);
@@ -100,10 +98,10 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
                           query.deepest(tool.surface, ring.surface, pose.inverse(), 1e-4).depth});
     }
     if (holds) {
-      ASSERT_LE(deepest, kLimit + 1e-9) << i;
+      ASSERT_LE(deepest, kMostDepth + 1e-9) << i;
     }
     proved += holds;
-    beyond += deepest > kLimit;
+    beyond += deepest > kMostDepth;
   }
   EXPECT_GT(proved, kMoves * 3 / 10);
   EXPECT_GT(beyond, kMoves * 2 / 10);

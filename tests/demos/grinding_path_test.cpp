@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "demos/default_blisk.h"
 #include "models/blisk.h"
 #include "models/radians.h"
 #include "octoblisk/collide.h"
@@ -21,11 +22,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-const Blisk& blisk() {
-  static const Blisk result = makeDefaultBlisk();
-  return result;
-}
 
 const BladesFound& blades() {
   static const BladesFound result = findBlades(blisk().mesh);
@@ -70,7 +66,7 @@ bool liesOnBlade(int blade, const Vec3& point, double tolerance) {
   return false;
 }
 
-ClusteredOctree treeOf(const std::function<bool(int)>& takes) {
+ClusteredOctree treeOfBlades(const std::function<bool(int)>& takes) {
   std::vector<TriangleMesh::Indices> triangles;
   for (std::size_t t = 0; t < blisk().mesh.triangleCount(); ++t) {
     if (takes(blisk().blade_of_triangle[t])) triangles.push_back(blisk().mesh.triangles()[t]);
@@ -154,8 +150,8 @@ TEST(GrindingPath, beginsAndEndsAlongTheArm) {
 TEST(GrindingPath, theDefaultBeltTouchesItsBladeAndFitsTheChannel) {
   const GrindingPathOptions options;
   const ClusteredOctree belt = ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeBelt()));
-  const ClusteredOctree own = treeOf([&](int blade) { return blade == options.blade; });
-  const ClusteredOctree rest = treeOf([&](int blade) { return blade != options.blade; });
+  const ClusteredOctree own = treeOfBlades([&](int blade) { return blade == options.blade; });
+  const ClusteredOctree rest = treeOfBlades([&](int blade) { return blade != options.blade; });
   const std::vector<Pose> path = pathOf(options);
   for (const Pose& pose : workOf(path, options)) {
     EXPECT_TRUE(collide(own, belt, pose));

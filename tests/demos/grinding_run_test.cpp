@@ -24,8 +24,6 @@ namespace {
 
 using Outcome = MoveReport::Outcome;
 
-Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
-
 /// One part against a mesh that is blade `blade`; no blade is ground.
 GrindingJob jobOf(const TriangleMesh& blisk, int blade, const TriangleMesh& part, std::vector<Pose> path) {
   GrindingJob job;

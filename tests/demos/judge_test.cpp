@@ -21,8 +21,6 @@
 namespace octoblisk::demos {
 namespace {
 
-Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
-
 std::vector<ToolPart> defaultGrinder() {
   std::vector<ToolPart> parts;
   for (EmbeddedPart& part : embeddedBeltGrinder()) parts.push_back({part.name, treeOf(std::move(part.mesh))});

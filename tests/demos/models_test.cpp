@@ -26,7 +26,7 @@ using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-constexpr int kBlades = 24;
+constexpr int kBladeCount = 24;
 constexpr double kHubRadius = 128.0;
 constexpr double kTipRadius = 240.0;
 const RadiusProfile kHub = cylinderProfile(kHubRadius, 100.0);
@@ -83,7 +83,7 @@ TEST(Blisk, shroudJoinsTheTips) {
   EXPECT_TRUE(isWatertight(blisk.mesh));
   EXPECT_GT(enclosedVolume(blisk.mesh), enclosedVolume(makeDefaultBlisk(50'000).mesh));
   // Two rings and 24 blades between them: genus 1 + 24.
-  EXPECT_EQ(eulerCharacteristic(blisk.mesh), 2 - 2 * (1 + kBlades));
+  EXPECT_EQ(eulerCharacteristic(blisk.mesh), 2 - 2 * (1 + kBladeCount));
   EXPECT_NEAR(blisk.mesh.bounds().max.x(), kTipRadius + options.shroud_thickness, 1e-9);
 }
 
@@ -101,10 +101,10 @@ TEST(Blisk, rootsLieOnTheHubAndBladesAreNumbered) {
     blade_sum.try_emplace(blade, Vec3::Zero()).first->second += mesh.triangle(t)[0];
     ++blade_triangles[blade];
   }
-  ASSERT_EQ(blade_triangles.size(), static_cast<std::size_t>(kBlades));
-  for (int blade = 1; blade <= kBlades; ++blade) {
+  ASSERT_EQ(blade_triangles.size(), static_cast<std::size_t>(kBladeCount));
+  for (int blade = 1; blade <= kBladeCount; ++blade) {
     EXPECT_EQ(blade_triangles[blade], blade_triangles[1]);
-    const double pitch = 2.0 * std::numbers::pi / kBlades;
+    const double pitch = 2.0 * std::numbers::pi / kBladeCount;
     EXPECT_LT((blade_sum[blade] - turned(blade_sum[1], (blade - 1) * pitch)).norm(), 1e-6);
   }
   int roots = 0;
@@ -114,15 +114,15 @@ TEST(Blisk, rootsLieOnTheHubAndBladesAreNumbered) {
     EXPECT_TRUE(!on_hub[v] || radius <= kHubRadius + 1e-9) << radius;
     if (on_blade[v] && on_hub[v]) ++roots;
   }
-  EXPECT_EQ(roots % kBlades, 0);
-  EXPECT_GT(roots, kBlades * 12);
+  EXPECT_EQ(roots % kBladeCount, 0);
+  EXPECT_GT(roots, kBladeCount * 12);
 }
 
 TEST(Blisk, repeatsFromBladeToBlade) {
   const TriangleMesh mesh = makeDefaultBlisk(10'000).mesh;
-  const std::size_t vertices_in_sector = mesh.vertices().size() / kBlades;
+  const std::size_t vertices_in_sector = mesh.vertices().size() / kBladeCount;
   for (std::size_t v = 0; v < mesh.vertices().size(); ++v) {
-    const Vec3 expected = turned(mesh.vertices()[v], 2.0 * std::numbers::pi / kBlades);
+    const Vec3 expected = turned(mesh.vertices()[v], 2.0 * std::numbers::pi / kBladeCount);
     const Vec3& next = mesh.vertices()[(v + vertices_in_sector) % mesh.vertices().size()];
     ASSERT_LT((next - expected).norm(), 1e-9) << v;
   }
@@ -137,7 +137,7 @@ TEST(Blisk, channelsTakeTheBelt) {
     for (int row = 0; row <= 20; ++row) {
       for (int j = 0; j <= 60; ++j) {
         CylindricalPoint next = blade.at(BladeSide::backward, row, j);
-        next.angle += 2.0 * std::numbers::pi / kBlades;
+        next.angle += 2.0 * std::numbers::pi / kBladeCount;
         width = std::min(width, (toCartesian(next) - forward).norm());
       }
     }

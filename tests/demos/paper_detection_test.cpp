@@ -21,7 +21,7 @@ using namespace detail;
 
 namespace {
 
-const Progress kSilent = [](double) {};
+const Progress kNoProgress = [](double) {};
 
 ClusteredOctree fanTree() { return ClusteredOctree::build(testing::fan(3, 10)); }
 ClusteredOctree ringTree() { return ClusteredOctree::build(testing::torus(0.5, 0.08, 16, 8)); }
@@ -176,7 +176,7 @@ struct SmallDetection {
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
   std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.6, 2);
   DetectionResult result =
-      runDetectionExperiment(blisk, belt, parts, poses, poses, {.fnop = 2, .clusters = 2}, kSilent);
+      runDetectionExperiment(blisk, belt, parts, poses, poses, {.fnop = 2, .clusters = 2}, kNoProgress);
 };
 
 TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {

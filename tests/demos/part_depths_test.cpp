@@ -16,8 +16,6 @@
 namespace octoblisk::demos {
 namespace {
 
-Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
-
 /// The depths at one pose of a tool of one part.
 std::vector<PartDepth> depthsOf(const TriangleMesh& blisk, const TriangleMesh& tool, const Pose& pose,
                                 double limit) {

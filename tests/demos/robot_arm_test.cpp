@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "demos/robot_poses.h"
 #include "paper/robot/inverse_kinematics.h"
 #include "shared/meshes.h"
 
@@ -42,10 +43,6 @@ Joints randomJoints(std::mt19937_64& random, const SixAxisArm& arm) {
 }
 
 /// How far apart two poses are: mm, and the greatest difference of the rotations' elements, in mm at 1 m.
-double apart(const Pose& a, const Pose& b) {
-  return (a.translation - b.translation).norm() + 1000.0 * (a.rotation - b.rotation).cwiseAbs().maxCoeff();
-}
-
 /// Far from where two axes lie in one line or the elbow is straight, so that joints follow from poses.
 bool isRegular(const SixAxisArm& arm, const Joints& joints) {
   const Vec3 wrist = linkFrames(arm, joints)[3].translation;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "demos/robot_poses.h"
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
@@ -29,10 +30,6 @@ RobotCellSetup smallSetup() {
   setup.blisk_in_base = bliskInBase(stand, 0.3, 0.0);
   setup.tool_in_flange = toolInFlange(kToolLength);
   return setup;
-}
-
-double apart(const Pose& a, const Pose& b) {
-  return (a.translation - b.translation).norm() + 1000.0 * (a.rotation - b.rotation).cwiseAbs().maxCoeff();
 }
 
 Joints readyJoints() { return jointsOfDegrees(0.0, 10.0, 15.0, 0.0, 60.0, 0.0); }

@@ -44,7 +44,7 @@ const RobotScene& coarseScene() {
   return scene;
 }
 
-std::vector<Pose> pathOf(const GrindingPathOptions& options) {
+std::vector<Pose> coarsePathOf(const GrindingPathOptions& options) {
   return makeGrindingPath(coarseScene().blisk->mesh(), coarseScene().blades, options);
 }
 
@@ -57,7 +57,7 @@ RobotScene sceneOfShortPath(double depth) {
   options.retract_poses = 1;
   options.retract = 10.0;
   options.depth = depth;
-  scene.path = pathOf(options);
+  scene.path = coarsePathOf(options);
   return scene;
 }
 
@@ -95,7 +95,7 @@ TEST(TimedPath, goesAtConstantSpeed_andSlowerWhereItTurns) {
 
 TEST(CellLayout, theDefaultPath_isReachedWithinLimits_withoutLeaps) {
   const SixAxisArm arm;
-  const std::vector<Pose> path = pathOf({});
+  const std::vector<Pose> path = coarsePathOf({});
   const CellLayout layout = chooseLayout(arm, path, coarseScene().blisk->mesh().bounds());
   Reach why = Reach::too_far;
   EXPECT_EQ(firstNotReached(arm, layout, path, why), path.size());
@@ -116,7 +116,7 @@ TEST(CellLayout, theDefaultPath_isReachedWithinLimits_withoutLeaps) {
 TEST(CellLayout, tellsHowFarTheArmGets_whereItCannotFollow) {
   StandOptions stand;
   stand.center.x() = 4000.0;
-  const std::vector<Pose> path = pathOf({});
+  const std::vector<Pose> path = coarsePathOf({});
   const Aabb& bounds = coarseScene().blisk->mesh().bounds();
   try {
     chooseLayout({}, path, bounds, stand);
@@ -129,7 +129,7 @@ TEST(CellLayout, tellsHowFarTheArmGets_whereItCannotFollow) {
 
 TEST(CellLayout, itsReport_ofAPoseBeyondReach_isThatPose) {
   const SixAxisArm arm;
-  std::vector<Pose> path = pathOf({});
+  std::vector<Pose> path = coarsePathOf({});
   const CellLayout layout = chooseLayout(arm, path, coarseScene().blisk->mesh().bounds());
   path[7].translation *= 10.0;
   Reach why = Reach::reached;

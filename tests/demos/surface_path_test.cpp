@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "demos/command.h"
+#include "demos/default_blisk.h"
 #include "demos/read_table.h"
 #include "demos/refusal.h"
 #include "demos/scratch_folder.h"
@@ -30,11 +31,6 @@ using ::testing::HasSubstr;
 constexpr int kBlade = 4;
 using enum PathRegion;
 using enum PathPattern;
-
-const Blisk& blisk() {
-  static const Blisk result = makeDefaultBlisk();
-  return result;
-}
 
 const BladeContours& contours() {
   static const BladeContours result(blisk().mesh, findBladeSides(blisk().mesh, findBlades(blisk().mesh)),

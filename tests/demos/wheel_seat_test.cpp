@@ -10,7 +10,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kRadius = 9.5, kWidth = 20.0, kDepth = 0.02;
+constexpr double kWheelRadius = 9.5, kBeltWidth = 20.0, kDepth = 0.02;
 
 /// A surface y = bulge · (z² − x²·0) over x and z within ± 30: a trough along x where the bulge is above 0.
 TriangleMesh trough(double bulge) {
@@ -38,9 +38,9 @@ TriangleMesh trough(double bulge) {
 double seatedHeight(double bulge) {
   const TriangleMesh surface = trough(bulge);
   const std::vector<int> blades(surface.triangleCount(), 1);
-  const WheelSeat seat(surface, blades, 1, kRadius, kWidth);
+  const WheelSeat seat(surface, blades, 1, kWheelRadius, kBeltWidth);
   Pose nominal;
-  nominal.translation = Vec3(0.3, kRadius - kDepth, 0.0);
+  nominal.translation = Vec3(0.3, kWheelRadius - kDepth, 0.0);
   const Pose seated = seat.seated(nominal, Vec3::UnitY(), kDepth);
   EXPECT_EQ(seated.rotation, nominal.rotation);
   EXPECT_EQ(seated.translation.x(), nominal.translation.x());
@@ -48,24 +48,24 @@ double seatedHeight(double bulge) {
 }
 
 TEST(WheelSeat, onAFlatOrBulgingSurfaceIsWhereItTouchesThePoint) {
-  EXPECT_NEAR(seatedHeight(0.0), kRadius - kDepth, 3e-3);
-  EXPECT_NEAR(seatedHeight(-0.01), kRadius - kDepth, 3e-3);
+  EXPECT_NEAR(seatedHeight(0.0), kWheelRadius - kDepth, 3e-3);
+  EXPECT_NEAR(seatedHeight(-0.01), kWheelRadius - kDepth, 3e-3);
 }
 
 TEST(WheelSeat, inATroughLiesOnItsEdges) {
   // At the wheel's edges, 10 mm off the middle, the trough is as high as this.
   for (const double bulge : {0.002, 0.006, 0.02}) {
-    const double edge = bulge * 0.25 * kWidth * kWidth;
-    EXPECT_NEAR(seatedHeight(bulge), edge + kRadius - kDepth, 3e-3 + 0.001 * edge) << bulge;
+    const double edge = bulge * 0.25 * kBeltWidth * kBeltWidth;
+    EXPECT_NEAR(seatedHeight(bulge), edge + kWheelRadius - kDepth, 3e-3 + 0.001 * edge) << bulge;
   }
 }
 
 TEST(WheelSeat, refusesWhatIsNoWheelOrNoBlade) {
   const TriangleMesh surface = trough(0.0);
   const std::vector<int> blades(surface.triangleCount(), 1);
-  EXPECT_THROW(WheelSeat(surface, blades, 2, kRadius, kWidth), std::invalid_argument);
-  EXPECT_THROW(WheelSeat(surface, blades, 1, 0.0, kWidth), std::invalid_argument);
-  EXPECT_THROW(WheelSeat(surface, blades, 1, kRadius, -1.0), std::invalid_argument);
+  EXPECT_THROW(WheelSeat(surface, blades, 2, kWheelRadius, kBeltWidth), std::invalid_argument);
+  EXPECT_THROW(WheelSeat(surface, blades, 1, 0.0, kBeltWidth), std::invalid_argument);
+  EXPECT_THROW(WheelSeat(surface, blades, 1, kWheelRadius, -1.0), std::invalid_argument);
 }
 
 }  // namespace

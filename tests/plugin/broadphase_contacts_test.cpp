@@ -230,7 +230,9 @@ std::string firstDifference(const std::vector<TouchPoint>& found, const std::vec
   return text.str();
 }
 
-const auto kName = [](const ::testing::TestParamInfo<Life>& info) { return std::string(info.param.name); };
+const auto kNameOfLife = [](const ::testing::TestParamInfo<Life>& info) {
+  return std::string(info.param.name);
+};
 
 class BroadphaseContacts : public ::testing::TestWithParam<Life> {};
 // About still, slow, and past the boxes that Bullet keeps; then all of them at once, many and for long.
@@ -239,7 +241,7 @@ INSTANTIATE_TEST_SUITE_P(lives, BroadphaseContacts,
                                            Life{"slow", 140, 24, 12, 9, 0.05, 0.05},
                                            Life{"fast", 140, 24, 12, 9, 1.0, 1.0},
                                            Life{"long", 560, 2000, 4, 18, 0.001, 1.0}),
-                         kName);
+                         kNameOfLife);
 
 TEST_P(BroadphaseContacts, areAllThere) {
   Twins twins(GetParam());

@@ -8,6 +8,7 @@
 
 #include "octoblisk_bullet/kinematic_body.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
@@ -19,11 +20,6 @@ using testing::at;
 using testing::BulletWorld;
 
 constexpr int kBlades = 5, kSegments = 8;
-
-ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, std::vector<std::uint32_t> part_begin = {0}) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
-                              std::move(part_begin));
-}
 
 /// A body of mass 0 in a world, as long as it lives.
 struct Added {
@@ -51,7 +47,7 @@ std::vector<ReportedContact> report(BulletWorld& world, std::span<const BladeTab
 }
 
 TEST(KinematicBody, meetsStaticAndDynamicBodiesButNotItsLike) {
-  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   BulletWorld world;
   Added fixed(world, torus, false), tool(world, torus, true), other_tool(world, torus, true);
   btRigidBody& falling = world.add(torus, 1, at(0, 0, 1));
@@ -77,7 +73,7 @@ TEST(KinematicBody, meetsStaticAndDynamicBodiesButNotItsLike) {
 }
 
 TEST(KinematicBody, byTheWorldsOwnWayHasNoContactWithAStaticOne) {
-  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   BulletWorld world;
   Added fixed(world, torus, false);
   btRigidBody tool(0, nullptr, &torus);
@@ -102,7 +98,7 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
   for (std::uint32_t i = 0; i < fan->triangleCount(); ++i)
     blade_of_triangle.push_back(1 + int(i / triangles));
   const std::vector<std::uint32_t> part_begin{0, 2 * triangles, 4 * triangles};
-  ClusteredOctreeShape blisk = shapeOf(fan, part_begin), tool = shapeOf(testing::torus(0.6, 0.2, 16, 8));
+  ClusteredOctreeShape blisk = shapeOver(fan, part_begin), tool = shapeOver(testing::torus(0.6, 0.2, 16, 8));
   btCompoundShape compound;  // Bullet puts it first in its manifolds, wherever it was added
   compound.addChildShape(btTransform::getIdentity(), &tool);
   std::mt19937_64 random(95);
@@ -157,7 +153,7 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
 
 TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
   // Tools come to the part all at once, or one by one and the last first.
-  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   btSphereShape ball(btScalar(0.9));
   const auto numbers = [&](bool one_by_one) {
     BulletWorld world;
@@ -188,7 +184,7 @@ TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
 }
 
 TEST(ContactReport, numbersOfSomeoneElseHaveNoBlade) {
-  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   BulletWorld world;
   Added fixed(world, torus, false), tool(world, torus, true);
   tool.body.setWorldTransform(at(1, 0, 0));
@@ -217,7 +213,7 @@ TEST(ContactReport, numbersOfSomeoneElseHaveNoBlade) {
 }
 
 TEST(ContactReport, refusesTablesOfOthers) {
-  ClusteredOctreeShape torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   btSphereShape ball(1);
   btCollisionObject mesh, convex;
   mesh.setCollisionShape(&torus);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -10,17 +11,13 @@ namespace {
 using testing::at;
 using testing::BulletWorld;
 
-ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-}
-
 void expectRest(const btRigidBody& body, double height, double tolerance) {
   EXPECT_NEAR(double(body.getWorldTransform().getOrigin().z()), height, tolerance);
   EXPECT_LT(double(body.getLinearVelocity().length()), 0.05);
 }
 
 TEST(Dynamics, convexBodiesRestOnAFlatMesh) {
-  auto floor = shapeOf(testing::waveSheet(20, 0.0, 20));
+  auto floor = shapeOver(testing::waveSheet(20, 0.0, 20));
   btSphereShape sphere(btScalar(0.5));
   btBoxShape box(btVector3(btScalar(0.5), btScalar(0.4), btScalar(0.3)));
   btCapsuleShape capsule(btScalar(0.3), btScalar(1.0));
@@ -37,7 +34,7 @@ TEST(Dynamics, convexBodiesRestOnAFlatMesh) {
 
 /// Slides a body over a flat floor of small triangles and tells the highest speed upward.
 double bumpOf(btConvexShape& shape, double height) {
-  auto floor = shapeOf(testing::waveSheet(20, 0.0, 80));
+  auto floor = shapeOver(testing::waveSheet(20, 0.0, 80));
   BulletWorld world;
   world.add(floor, 0, at(0, 0, 0)).setFriction(0);
   btRigidBody& body = world.add(shape, 1, at(-8, 0.13, height));
@@ -66,8 +63,8 @@ TEST(Dynamics, nothingBumpsAgainstTheEdgesOfAFlatFloor) {
 }
 
 TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
-  auto floor = shapeOf(testing::waveSheet(10, 0.3, 60));
-  auto torus = shapeOf(testing::torus(1.5, 0.4, 32, 16));
+  auto floor = shapeOver(testing::waveSheet(10, 0.3, 60));
+  auto torus = shapeOver(testing::torus(1.5, 0.4, 32, 16));
   BulletWorld world;
   world.add(floor, 0, at(0, 0, 0));
   btRigidBody& ring = world.add(torus, 1, at(0, 0, 2));
@@ -80,7 +77,7 @@ TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
 }
 
 TEST(Dynamics, aTorusHangsOnATorus) {
-  auto torus = shapeOf(testing::torus(1.0, 0.2, 32, 16));
+  auto torus = shapeOver(testing::torus(1.0, 0.2, 32, 16));
   BulletWorld world;
   world.add(torus, 0, btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI)));
   btRigidBody& link = world.add(
@@ -92,7 +89,7 @@ TEST(Dynamics, aTorusHangsOnATorus) {
 }
 
 TEST(Dynamics, addingAndRemovingLeavesNothingBehind) {
-  auto torus = shapeOf(testing::torus(1.5, 0.4, 32, 16));
+  auto torus = shapeOver(testing::torus(1.5, 0.4, 32, 16));
   btSphereShape sphere(btScalar(0.5));
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);

@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
 namespace {
 
 using testing::SharedMesh;
-
-ClusteredOctreeShape shapeOf(const SharedMesh& mesh) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-}
 
 void expectNear(const btVector3& found, const Vec3& expected, double relative = 1e-6) {
   EXPECT_LT((fromBullet(found) - expected).norm(), relative * expected.norm())
@@ -29,23 +26,23 @@ btVector3 inertiaOf(const btCollisionShape& shape, double mass) {
 TEST(Mass, inertiaOfAClosedMeshIsThatOfTheSolid) {
   const Vec3 half(1, 2, 3);
   const SharedMesh box = testing::boxMesh(half);
-  expectNear(inertiaOf(shapeOf(box), 6.0), Vec3(26, 20, 10));
+  expectNear(inertiaOf(shapeOver(box), 6.0), Vec3(26, 20, 10));
   // About the origin, wherever the centre of mass is.
   const SharedMesh beside = testing::moved(*box, {Mat3::Identity(), Vec3(10, 0, 0)});
-  expectNear(inertiaOf(shapeOf(beside), 6.0), Vec3(26, 620, 610));
+  expectNear(inertiaOf(shapeOver(beside), 6.0), Vec3(26, 620, 610));
   const double major = 3.0, minor = 1.0;
-  expectNear(inertiaOf(shapeOf(testing::torus(major, minor, 200, 100)), 2.0),
+  expectNear(inertiaOf(shapeOver(testing::torus(major, minor, 200, 100)), 2.0),
              Vec3(2 * 5.125, 2 * 5.125, 2 * 9.75), 2e-3);
 }
 
 TEST(Mass, inertiaOfAnOpenMeshIsThatOfItsBox) {
   const SharedMesh box = testing::firstTriangles(*testing::boxMesh({1, 2, 3}), 11);
-  EXPECT_FALSE(shapeOf(box).massProperties().is_solid);
-  expectNear(inertiaOf(shapeOf(box), 6.0), Vec3(26, 20, 10));
+  EXPECT_FALSE(shapeOver(box).massProperties().is_solid);
+  expectNear(inertiaOf(shapeOver(box), 6.0), Vec3(26, 20, 10));
 }
 
 TEST(Mass, inertiaFollowsTheScaling) {
-  ClusteredOctreeShape shape = shapeOf(testing::boxMesh({1, 1, 1}));
+  ClusteredOctreeShape shape = shapeOver(testing::boxMesh({1, 1, 1}));
   shape.setLocalScaling(btVector3(-1, 2, 3));
   EXPECT_TRUE(shape.massProperties().is_solid);
   EXPECT_NEAR(shape.massProperties().volume, 48.0, 1e-9);
@@ -55,7 +52,7 @@ TEST(Mass, inertiaFollowsTheScaling) {
 TEST(Mass, principalAxisTransform) {
   std::mt19937_64 random(71);
   const Pose pose = testing::randomPose(random, 5.0);
-  const ClusteredOctreeShape shape = shapeOf(testing::moved(*testing::boxMesh({3, 2, 1}), pose));
+  const ClusteredOctreeShape shape = shapeOver(testing::moved(*testing::boxMesh({3, 2, 1}), pose));
   btTransform principal;
   btVector3 inertia;
   shape.calculatePrincipalAxisTransform(btScalar(6.0), principal, inertia);
@@ -70,7 +67,7 @@ TEST(Mass, aCompoundAtThePrincipalFrameSpinsSteadily) {
   // Its inertia about the skew axes of the mesh would not let it.
   std::mt19937_64 random(72);
   const Pose pose = testing::randomPose(random, 1.0);
-  ClusteredOctreeShape shape = shapeOf(testing::moved(*testing::boxMesh({3, 2, 1}), pose));
+  ClusteredOctreeShape shape = shapeOver(testing::moved(*testing::boxMesh({3, 2, 1}), pose));
   btTransform principal;
   btVector3 inertia;
   shape.calculatePrincipalAxisTransform(1, principal, inertia);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -17,10 +18,6 @@ using testing::BulletWorld;
 
 constexpr double kTube = 0.1;  // of the ring
 constexpr double kThreshold = kTube;
-
-ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-}
 
 struct Throw {
   double speed = 200.0;
@@ -71,9 +68,9 @@ class ThinRing : public ::testing::Test {
     return false;
   }
 
-  ClusteredOctreeShape ring_ = shapeOf(testing::torus(1.0, kTube, 32, 12));
-  ClusteredOctreeShape sheet_ = shapeOf(testing::waveSheet(60, 0.0, 8));
-  ClusteredOctreeShape plate_ = shapeOf(testing::boxMesh({60, 60, 0.005}));
+  ClusteredOctreeShape ring_ = shapeOver(testing::torus(1.0, kTube, 32, 12));
+  ClusteredOctreeShape sheet_ = shapeOver(testing::waveSheet(60, 0.0, 8));
+  ClusteredOctreeShape plate_ = shapeOver(testing::boxMesh({60, 60, 0.005}));
 };
 
 TEST_F(ThinRing, stopsAtASheetThatItTunnelsThrough) {

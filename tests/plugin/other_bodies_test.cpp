@@ -13,6 +13,7 @@
 
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -20,10 +21,6 @@ namespace {
 
 using testing::at;
 using testing::BulletWorld;
-
-ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-}
 
 /// Gravity, its collision objects removed at the end.
 template <typename World>
@@ -33,7 +30,7 @@ void settle(World& world, int steps) {
 
 template <typename Broadphase>
 void clothRestsOnOurs() {
-  auto floor = shapeOf(testing::waveSheet(4, 0.0, 16));
+  auto floor = shapeOver(testing::waveSheet(4, 0.0, 16));
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   registerAlgorithm(&dispatcher);
@@ -64,7 +61,7 @@ TEST(OtherBodies, clothRestsOnOurs) { clothRestsOnOurs<btDbvtBroadphase>(); }
 TEST(OtherBodies, clothRestsOnOursInOurBroadphase) { clothRestsOnOurs<ClusteredOctreeBroadphase>(); }
 
 TEST(OtherBodies, ghostsSeeOurs) {
-  auto torus = shapeOf(testing::torus(2, 0.7, 24, 12));
+  auto torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   btSphereShape sphere(btScalar(0.5));
   BulletWorld world;
   btGhostPairCallback callback;
@@ -92,8 +89,8 @@ TEST(OtherBodies, ghostsSeeOurs) {
 
 template <typename Broadphase>
 void aMultibodyRestsOnOurs() {
-  auto floor = shapeOf(testing::waveSheet(4, 0.0, 16));
-  auto torus = shapeOf(testing::torus(0.6, 0.25, 24, 12));
+  auto floor = shapeOver(testing::waveSheet(4, 0.0, 16));
+  auto torus = shapeOver(testing::torus(0.6, 0.25, 24, 12));
   btBoxShape box(toBullet(Vec3(0.4, 0.3, 0.2)));
   for (btCollisionShape* shape :
        {static_cast<btCollisionShape*>(&box), static_cast<btCollisionShape*>(&torus)}) {
@@ -131,7 +128,7 @@ TEST(OtherBodies, aMultibodyRestsOnOursInOurBroadphase) {
 }
 
 TEST(OtherBodies, raysAndSweepsHitOurs) {
-  auto floor = shapeOf(testing::waveSheet(4, 0.0, 16));
+  auto floor = shapeOver(testing::waveSheet(4, 0.0, 16));
   btSphereShape sphere(btScalar(0.5));
   BulletWorld world;
   btRigidBody& ground = world.add(floor, 0, at(0, 0, 0));

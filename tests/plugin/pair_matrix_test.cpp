@@ -7,6 +7,7 @@
 
 #include "plugin/bullet_world.h"
 #include "plugin/partners.h"
+#include "plugin/shape_over.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
 
@@ -26,10 +27,6 @@ constexpr double kNoise = sizeof(btScalar) == 4 ? 1e-5 : 1e-12;  // of posed coo
 const testing::SharedMesh& torusMesh() {
   static const testing::SharedMesh mesh = testing::rounded(*testing::torus(2, 0.7, 24, 12));
   return mesh;
-}
-
-ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
 }
 
 std::vector<Partner> allPartners() {
@@ -60,7 +57,7 @@ struct Pair {
     other_in_torus = world_torus.inverse() * fromBullet(other_object.getWorldTransform());
   }
 
-  ClusteredOctreeShape torus = shapeOf(torusMesh());
+  ClusteredOctreeShape torus = shapeOver(torusMesh());
   Made made;
   std::mt19937_64 random;
   double spread;
@@ -160,7 +157,7 @@ TEST_P(ConcavePairs, contacts_vs_bruteforce) {
 TEST_P(ConcavePairs, closestPointsReachAsFarAsAsked) {
   if (!GetParam().floor) GTEST_SKIP();
   const Made made = GetParam().floor();
-  auto box = shapeOf(testing::boxMesh({0.5, 0.5, 0.5}));
+  auto box = shapeOver(testing::boxMesh({0.5, 0.5, 0.5}));
   btCollisionObject a, b;
   a.setCollisionShape(&box);
   b.setCollisionShape(made.shape.get());
@@ -253,8 +250,8 @@ class Floors : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(Floors, ourBodiesComeToRest) {
   const Made floor = GetParam().floor();
-  auto box = shapeOf(testing::boxMesh({0.5, 0.4, 0.3}));
-  auto ring = shapeOf(testing::torus(0.6, 0.25, 24, 12));
+  auto box = shapeOver(testing::boxMesh({0.5, 0.4, 0.3}));
+  auto ring = shapeOver(testing::torus(0.6, 0.25, 24, 12));
   BulletWorld world;
   world.add(*floor.shape, 0, at(0, 0, 0));
   const btTransform tilted(btQuaternion(btVector3(1, 0, 0), btScalar(0.3)), btVector3(-1, 0, 1));
@@ -274,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(PairMatrix, Floors, ::testing::ValuesIn(floors()), kNam
 
 TEST(Plane, deepBodiesComeOut) {
   // However deep: a plane is a half-space.
-  auto box = shapeOf(testing::boxMesh({1, 1, 1}));
+  auto box = shapeOver(testing::boxMesh({1, 1, 1}));
   btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
   BulletWorld world;
   world.add(plane, 0, at(0, 0, 0));
@@ -292,7 +289,7 @@ struct GImpactContacts {
 };
 
 GImpactContacts gimpactContacts(BulletWorld& world, btGImpactShapeInterface& gimpact) {
-  auto torus = shapeOf(torusMesh());
+  auto torus = shapeOver(torusMesh());
   gimpact.updateBound();
   btCollisionObject a, b;
   a.setCollisionShape(&torus);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "plugin/bullet_world.h"
+#include "plugin/collected_triangles.h"
 #include "plugin/message_of.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
@@ -25,13 +26,6 @@ SharedMesh deformed(const TriangleMesh& mesh, const std::function<Vec3(const Vec
   for (const Vec3& vertex : mesh.vertices()) vertices.push_back(moved(vertex));
   return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
 }
-
-struct Collected final : btTriangleCallback {
-  std::map<int, Triangle> triangles;
-  void processTriangle(btVector3* t, int, int index) override {
-    triangles[index] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
-  }
-};
 
 TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
   std::mt19937_64 random(81);
@@ -55,13 +49,13 @@ TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
     for (int i = 0; i < 100; ++i) {
       const Vec3 center = testing::randomPoint(random, 4),
                  half = testing::randomPoint(random, 0.7).cwiseAbs();
-      Collected found;
+      CollectedTriangles found;
       shape.processAllTriangles(&found, toBullet(center - half), toBullet(center + half));
       for (int t = 0; t < int(bent->triangleCount()); ++t) {
         Triangle expected = bent->triangle(std::size_t(t));
         for (Vec3& vertex : expected) vertex = vertex.cwiseProduct(scaling).eval();
         if (mirrored) std::swap(expected[1], expected[2]);
-        const auto at = found.triangles.find(t);
+        const auto at = found.triangles.find({0, t});
         const bool meets = testing::boxTriangleOverlap({center, Mat3::Identity(), half}, expected) > 1e-5;
         ASSERT_TRUE(at != found.triangles.end() || !meets) << "box " << i << ", triangle " << t;
         if (at != found.triangles.end()) {

@@ -12,6 +12,7 @@
 #include "octoblisk/tree_blob.h"
 #include "octoblisk_bullet/mesh_interface.h"
 #include "plugin/bullet_world.h"
+#include "plugin/collected_triangles.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -33,15 +34,8 @@ struct Importer final : btCollisionWorldImporter {
   }
 };
 
-struct Collected final : btTriangleCallback {
-  std::map<std::pair<int, int>, Triangle> triangles;
-  void processTriangle(btVector3* t, int part, int index) override {
-    triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
-  }
-};
-
 std::map<std::pair<int, int>, Triangle> trianglesOf(const btConcaveShape& shape) {
-  Collected found;
+  CollectedTriangles found;
   const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
   shape.processAllTriangles(&found, -far, far);
   return found.triangles;

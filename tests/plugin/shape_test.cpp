@@ -5,6 +5,7 @@
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "plugin/bullet_world.h"
+#include "plugin/collected_triangles.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
@@ -13,21 +14,8 @@ namespace {
 
 using testing::BulletMesh;
 
-struct Collected final : btTriangleCallback {
-  struct Corners {
-    Vec3 a, b, c;
-  };
-  std::map<std::pair<int, int>, Corners> triangles;
-  int calls = 0;
-
-  void processTriangle(btVector3* t, int part, int index) override {
-    ++calls;
-    triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
-  }
-};
-
-Collected allOf(const btConcaveShape& shape) {
-  Collected found;
+CollectedTriangles allOf(const btConcaveShape& shape) {
+  CollectedTriangles found;
   const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
   shape.processAllTriangles(&found, -far, far);
   return found;
@@ -40,7 +28,7 @@ TEST(Shape, processAllTriangles_vs_bruteforce) {
   std::size_t visited = 0;
   for (int i = 0; i < 300; ++i) {
     const Vec3 center = testing::randomPoint(random, 2), half = testing::randomPoint(random, 0.5).cwiseAbs();
-    Collected found;
+    CollectedTriangles found;
     shape.processAllTriangles(&found, toBullet(center - half), toBullet(center + half));
     ASSERT_EQ(static_cast<std::size_t>(found.calls), found.triangles.size());  // none twice
     const Vec3 low = fromBullet(toBullet(center - half)), high = fromBullet(toBullet(center + half));
@@ -65,7 +53,7 @@ TEST(Shape, processAllTrianglesTakesBoxesOfAnySize) {
   const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
   for (const btScalar size :
        {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY, std::numeric_limits<btScalar>::infinity()}) {
-    Collected found;
+    CollectedTriangles found;
     shape.processAllTriangles(&found, btVector3(-size, -size, -size), btVector3(size, size, size));
     EXPECT_EQ(found.triangles.size(), mesh->triangleCount()) << size;
   }
@@ -73,7 +61,7 @@ TEST(Shape, processAllTrianglesTakesBoxesOfAnySize) {
 
 /// The same two triangles through every layout that the interface allows.
 template <typename Scalar, typename Index>
-Collected throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type) {
+CollectedTriangles throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type) {
   struct Vertex {
     Scalar x, y, z;
     char padding[5];  // unaligned on purpose
@@ -99,13 +87,13 @@ Collected throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type
   return allOf(ClusteredOctreeShape(&mesh));
 }
 
-void expectBothParts(const Collected& found) {
+void expectBothParts(const CollectedTriangles& found) {
   ASSERT_EQ(found.triangles.size(), 4u);
   for (int part = 0; part < 2; ++part) {
     const auto& second = found.triangles.at({part, 1});
-    EXPECT_EQ(second.a, Vec3(0, 0, 0));
-    EXPECT_EQ(second.b, Vec3(2, 3, 0));
-    EXPECT_EQ(second.c, Vec3(0, 3, 2));
+    EXPECT_EQ(second[0], Vec3(0, 0, 0));
+    EXPECT_EQ(second[1], Vec3(2, 3, 0));
+    EXPECT_EQ(second[2], Vec3(0, 3, 2));
   }
 }
 
@@ -131,7 +119,7 @@ TEST(Shape, sixteenBitIndicesAreUnsigned) {
   part.m_vertexType = PHY_FLOAT;
   btTriangleIndexVertexArray mesh;
   mesh.addIndexedMesh(part, PHY_SHORT);
-  EXPECT_EQ(allOf(ClusteredOctreeShape(&mesh)).triangles.at({0, 0}).c, Vec3(7, 0, 0));
+  EXPECT_EQ(allOf(ClusteredOctreeShape(&mesh)).triangles.at({0, 0})[2], Vec3(7, 0, 0));
 }
 
 std::string messageOf(const btStridingMeshInterface* mesh) {

@@ -55,7 +55,7 @@ double distanceByBullet(const Triangle& triangle, const btConvexShape& shape, co
 class TriangleContacts : public ::testing::TestWithParam<NamedShape> {};
 
 TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
-  constexpr double kTolerance = 2e-3;  // of Bullet's search, in single precision; of bodies of about 1
+  constexpr double kOfBullet = 2e-3;  // of Bullet's search, in single precision; of bodies of about 1
   const std::unique_ptr<btConvexShape> shape = GetParam().make();
   btCollisionObject triangle_object, shape_object;
   shape_object.setCollisionShape(shape.get());
@@ -77,22 +77,22 @@ TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
     PairReport report;
     world->contactPairTest(&triangle_object, &shape_object, report);
     const double by_bullet = distanceByBullet(triangle, *shape, btTransform::getIdentity());
-    if (by_bullet > kTolerance) {
-      ASSERT_GT(report.deepest(), by_bullet - kTolerance) << "case " << i;  // far: none
+    if (by_bullet > kOfBullet) {
+      ASSERT_GT(report.deepest(), by_bullet - kOfBullet) << "case " << i;  // far: none
       if (!report.points.empty()) {
-        ASSERT_NEAR(report.deepest(), by_bullet, kTolerance) << "case " << i;
+        ASSERT_NEAR(report.deepest(), by_bullet, kOfBullet) << "case " << i;
       }
       continue;
     }
-    if (by_bullet > -kTolerance) continue;
+    if (by_bullet > -kOfBullet) continue;
     ++hits;
     // A way out no longer than Bullet's, as Bullet itself sees once the triangle has gone it.
-    ASSERT_GE(report.deepest(), by_bullet - kTolerance) << "case " << i;
-    equal += std::abs(report.deepest() - by_bullet) < kTolerance;
+    ASSERT_GE(report.deepest(), by_bullet - kOfBullet) << "case " << i;
+    equal += std::abs(report.deepest() - by_bullet) < kOfBullet;
     const auto deepest = std::ranges::min_element(report.points, {}, &PairReport::Point::distance);
     Triangle moved = triangle;  // the triangle is A: the normal points to it
-    for (Vec3& corner : moved) corner += (kTolerance - deepest->distance) * deepest->normal;
-    ASSERT_GT(distanceByBullet(moved, *shape, btTransform::getIdentity()), -kTolerance) << "case " << i;
+    for (Vec3& corner : moved) corner += (kOfBullet - deepest->distance) * deepest->normal;
+    ASSERT_GT(distanceByBullet(moved, *shape, btTransform::getIdentity()), -kOfBullet) << "case " << i;
   }
   EXPECT_GT(hits, kCases * 3 / 10);
   EXPECT_LT(hits, kCases * 7 / 10);

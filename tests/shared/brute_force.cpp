@@ -66,6 +66,10 @@ std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMes
   return found;
 }
 
+double deepest(const std::vector<Contact>& contacts) {
+  return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
+}
+
 bool integerTrianglesMeet(const Triangle& triangle_a, const Triangle& triangle_b) {
   std::array<IntVec, 3> a, b;
   for (std::size_t i = 0; i < 3; ++i) {

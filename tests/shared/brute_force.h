@@ -16,6 +16,9 @@ std::vector<TrianglePair> bruteForcePairs(const TriangleMesh& a, const TriangleM
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold);
 
+/// The distance of the deepest, or nearest, of some contacts.
+double deepest(const std::vector<Contact>& contacts);
+
 /// The exact verdict on two triangles with integer corners, |coordinate| <= 1024: separating axes in
 /// integers. Shares no step with the library's test.
 bool integerTrianglesMeet(const Triangle& a, const Triangle& b);

@@ -49,6 +49,10 @@ SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale) {
   return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
 }
 
+SharedMesh scaledAndMoved(const SharedMesh& mesh, double scale, const Vec3& offset) {
+  return moved(*mesh, {Mat3::Identity(), offset}, scale);
+}
+
 SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   std::vector<Vec3> vertices = a.vertices();
   std::vector<TriangleMesh::Indices> triangles = a.triangles();

@@ -19,6 +19,7 @@ Voxels randomVoxels(std::mt19937_64& random, int size);
 
 /// Every vertex moved by the pose after it was scaled.
 SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale = 1.0);
+SharedMesh scaledAndMoved(const SharedMesh& mesh, double scale, const Vec3& offset);
 
 /// All triangles of both, unconnected.
 SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b);

@@ -1,0 +1,24 @@
+// The triangles that a shape gives to a callback.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
+
+#include <map>
+#include <utility>
+
+#include "octoblisk/triangle_mesh.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk {
+
+struct CollectedTriangles final : btTriangleCallback {
+  std::map<std::pair<int, int>, Triangle> triangles;  ///< by part and index
+  int calls = 0;
+
+  void processTriangle(btVector3* t, int part, int index) override {
+    ++calls;
+    triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
+  }
+};
+
+}  // namespace octoblisk

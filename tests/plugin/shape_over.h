@@ -1,0 +1,20 @@
+// A shape over a mesh, with a tree of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+
+inline ClusteredOctreeShape shapeOver(const testing::SharedMesh& mesh,
+                                      std::vector<std::uint32_t> part_begin = {0}) {
+  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
+                              std::move(part_begin));
+}
+
+}  // namespace octoblisk

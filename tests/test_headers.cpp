@@ -1,0 +1,1 @@
+// The headers of all tests are compiled with this file.
