@@ -1,0 +1,79 @@
+// Eight triangles at once, and the distances of their edges and faces in single precision. Read once for each
+// target (simd-inl.h).
+#if defined(OCTOBLISK_SIMD_TRIANGLE8_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_SIMD_TRIANGLE8_INL_H
+#undef OCTOBLISK_SIMD_TRIANGLE8_INL_H
+#else
+#define OCTOBLISK_SIMD_TRIANGLE8_INL_H
+#endif
+
+#include "simd/simd-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+HWY_INLINE Float8 clamped01(const Float8& x) { return min(max(x, Float8(0.0f)), Float8(1.0f)); }
+
+/// A number that is not 0 to divide by, for squared lengths.
+HWY_INLINE Float8 nonzero(const Float8& squared) { return max(squared, Float8(1e-37f)); }
+
+/// An edge, its squared length and 1 over that.
+struct Edge8 {
+  Vec8 along;
+  Float8 squared, reciprocal;
+
+  Edge8() = default;
+  HWY_INLINE explicit Edge8(const Vec8& edge)
+      : along(edge), squared(dot(edge, edge)), reciprocal(Float8(1.0f) / nonzero(squared)) {}
+};
+
+/// The squared distances of segments p + s·u and q + t·v, s and t in [0, 1], where `offset` is p − q
+/// (C. Ericson, Real-Time Collision Detection, 5.1.9). Never less than the true ones, but for rounding.
+HWY_INLINE Float8 squaredSegmentDistance(const Edge8& u, const Edge8& v, const Vec8& offset) {
+  const Float8 uv = dot(u.along, v.along), u_offset = dot(u.along, offset), v_offset = dot(v.along, offset);
+  const Float8 start =
+      clamped01((uv * v_offset - u_offset * v.squared) / nonzero(u.squared * v.squared - uv * uv));
+  const Float8 t = clamped01((uv * start + v_offset) * v.reciprocal);
+  const Float8 s = clamped01((uv * t - u_offset) * u.reciprocal);
+  const Vec8 apart = offset + u.along * s - v.along * t;
+  return dot(apart, apart);
+}
+
+/// With what distances to them need.
+struct Triangle8 {
+  Vec8 corner[3];
+  Edge8 edge[3];
+  Vec8 normal, outward[3];      // from the edges, in the triangle's plane
+  Float8 longest;               // squared edge
+  Float8 reciprocal_of_normal;  // squared
+  Float8 thin;                  ///< above 0 for triangles too thin to have a normal: no more than this wide
+
+  HWY_INLINE Triangle8(const Vec8& first, const Vec8& second, const Vec8& third)
+      : corner{first, second, third} {
+    for (int v = 0; v < 3; ++v) edge[v] = Edge8(corner[(v + 1) % 3] - corner[v]);
+    normal = cross(edge[0].along, edge[1].along);
+    for (int v = 0; v < 3; ++v) outward[v] = cross(edge[v].along, normal);
+    const Float8 squared_normal = dot(normal, normal);
+    reciprocal_of_normal = Float8(1.0f) / nonzero(squared_normal);
+    longest = max(edge[0].squared, max(edge[1].squared, edge[2].squared));
+    constexpr float kThin = 0x1p-10f;  // of sin²
+    thin = select(squared_normal, Float8(kThin) * longest * longest + Float8(0x1p-100f),
+                  Float8(0x1p-4f) * sqrt(longest) + Float8(0x1p-100f), Float8(0.0f));
+  }
+};
+
+/// The squared distance of a point to the triangle's plane where its foot is inside the triangle, else, and
+/// where it is thin, far.
+HWY_INLINE Float8 squaredFaceDistance(const Vec8& point, const Triangle8& face) {
+  const Float8 far(1e38f), height = dot(face.normal, point - face.corner[0]);
+  Float8 outside = face.thin;
+  for (int i = 0; i < 3; ++i) {
+    outside = max(outside, dot(face.outward[i], point - face.corner[i]));
+  }
+  return select(Float8(0.0f), outside, far, height * height * face.reciprocal_of_normal);
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
