@@ -1,10 +1,16 @@
 #include "grinding/grinding_cell.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
 #include "grinding/obstacles.h"
-#include "octoblisk/contacts.h"
 #include "octoblisk/distance.h"
+#include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -13,60 +19,169 @@
 
 namespace octoblisk::demos {
 
+/// Bullet's world: the blisk, its obstacles and the parts of the tool as bodies. Which part meets which of
+/// the others is the broadphase's to know; the algorithm that the dispatcher runs on a pair finds its
+/// contacts.
 class GrindingCell::World {
  public:
-  World(std::shared_ptr<const ClusteredOctree> blisk, const std::vector<ToolPart>& parts,
-        const std::vector<double>& reaches)
-      : world_(&dispatcher_, &broadphase_, &solver_, &configuration_), blisk_(std::move(blisk)) {
+  World(const std::shared_ptr<const ClusteredOctree>& blisk, const std::vector<ToolPart>& parts,
+        const std::vector<double>& reaches, const Obstacles* obstacles)
+      : world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     registerAlgorithm(&dispatcher_);
-    world_.addRigidBody(&blisk_.body);
+    broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
+    // The lesser reach of two bodies counts.
+    const double reach = reaches.empty() ? 0.0 : *std::ranges::max_element(reaches);
+    targets_.push_back(std::make_unique<Body>(blisk, reach));
+    targets_.push_back(std::make_unique<Body>(blisk, 0.0));
+    std::map<const Obstacle*, std::size_t> target_of;
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      parts_.push_back(std::make_unique<Body>(parts[part].tree));
-      parts_.back()->shape.setContactBreakingThreshold(btScalar(reaches[part]));
-      addKinematicBody(world_, parts_.back()->body);
+      parts_.push_back(std::make_unique<Body>(parts[part].tree, reaches[part]));
+      parts_.back()->body.setUserIndex(static_cast<int>(part));
+      touched_.push_back(kNone);
+      forbidden_.push_back(kWholeBlisk);
+      if (!obstacles || !obstacles->mayTouchAny(part)) continue;
+      touched_[part] = kTouchedBlisk;
+      forbidden_[part] = kNone;
+      const Obstacle* const obstacle = obstacles->of(part);
+      if (!obstacle) continue;
+      const auto [known, is_new] = target_of.try_emplace(obstacle, targets_.size());
+      if (is_new) targets_.push_back(std::make_unique<Body>(obstacle->sharedTree(), reach));
+      forbidden_[part] = known->second;
     }
+    for (std::size_t target = 0; target < targets_.size(); ++target) {
+      targets_[target]->body.setUserIndex(static_cast<int>(target));
+      world_.addRigidBody(&targets_[target]->body);
+    }
+    for (const auto& part : parts_) addKinematicBody(world_, part->body);
+    found_.resize(parts_.size() * targets_.size());
   }
 
   ~World() {
     for (const auto& part : parts_) world_.removeRigidBody(&part->body);
-    world_.removeRigidBody(&blisk_.body);
+    for (const auto& target : targets_) world_.removeRigidBody(&target->body);
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  const ClusteredOctree& blisk() const { return blisk_.shape.tree(); }
+  const ClusteredOctree& blisk() const { return targets_.front()->shape.tree(); }
 
-  void move(const Pose& tool_in_blisk) {
+  /// Moves the tool there and has Bullet detect all collisions.
+  void detect(const Pose& tool_in_blisk) {
+    pairs_dispatched_ = 0;
+    for (std::vector<Contact>& contacts : found_) contacts.clear();
     for (const auto& part : parts_) part->body.setWorldTransform(toBullet(tool_in_blisk));
-    world_.updateAabbs();
-    world_.computeOverlappingPairs();
+    world_.performDiscreteCollisionDetection();
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (parts_[part]->body.getActivationState() == DISABLE_SIMULATION) detectLarge(part);
+    }
   }
 
-  /// Whether the broadphase has a pair of the part with the blisk. Bullet gives up bodies beyond 1 km.
-  bool mayBeNear(std::size_t part) {
-    if (parts_[part]->body.getActivationState() == DISABLE_SIMULATION) return true;
-    btBroadphaseProxy *of_blisk = blisk_.body.getBroadphaseHandle(),
-                      *of_part = parts_[part]->body.getBroadphaseHandle();
-    return broadphase_.getOverlappingPairCache()->findPair(of_blisk, of_part) != nullptr;
-  }
+  std::size_t pairsDispatched() const { return pairs_dispatched_; }
+
+  /// The contacts that were detected last of a part with the blisk that it may touch: touches alone.
+  std::span<const Contact> touches(std::size_t part) const { return found(part, touched_[part]); }
+  /// And with what it must not touch, within its reach. A's triangles are those of the obstacle.
+  std::span<const Contact> forbidden(std::size_t part) const { return found(part, forbidden_[part]); }
 
  private:
+  static constexpr std::size_t kWholeBlisk = 0, kTouchedBlisk = 1, kNone = ~std::size_t{0};
+
   /// A body and the shape that it has.
   struct Body {
-    explicit Body(std::shared_ptr<const ClusteredOctree> tree)
-        : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {}
+    Body(std::shared_ptr<const ClusteredOctree> tree, double reach)
+        : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {
+      shape.setContactBreakingThreshold(btScalar(reach));
+    }
 
     ClusteredOctreeShape shape;
     btRigidBody body;
   };
 
+  /// Pairs each part with its own targets.
+  class Filter final : public btOverlapFilterCallback {
+   public:
+    explicit Filter(const World& world) : world_(world) {}
+    bool needBroadphaseCollision(btBroadphaseProxy* one, btBroadphaseProxy* other) const override {
+      const auto *first = static_cast<const btCollisionObject*>(one->m_clientObject),
+                 *second = static_cast<const btCollisionObject*>(other->m_clientObject);
+      if (first->isStaticObject() == second->isStaticObject()) return false;
+      if (second->isStaticObject()) std::swap(first, second);
+      return world_.meets(static_cast<std::size_t>(second->getUserIndex()),
+                          static_cast<std::size_t>(first->getUserIndex()));
+    }
+
+   private:
+    const World& world_;
+  };
+
+  /// Bullet's dispatcher, whose pairs give all their contacts to the world.
+  class Dispatcher final : public btCollisionDispatcher {
+   public:
+    Dispatcher(btCollisionConfiguration* configuration, World& world)
+        : btCollisionDispatcher(configuration), world_(world) {
+      setNearCallback([](btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo&) {
+        static_cast<Dispatcher&>(dispatcher).collide(pair);
+      });
+    }
+
+   private:
+    void collide(btBroadphasePair& pair) {
+      const auto *one = static_cast<const btCollisionObject*>(pair.m_pProxy0->m_clientObject),
+                 *other = static_cast<const btCollisionObject*>(pair.m_pProxy1->m_clientObject);
+      world_.collide(*one, *other, pair.m_algorithm);
+    }
+
+    World& world_;
+  };
+
+  bool meets(std::size_t part, std::size_t target) const {
+    return touched_[part] == target || forbidden_[part] == target;
+  }
+
+  std::span<const Contact> found(std::size_t part, std::size_t target) const {
+    if (target == kNone) return {};
+    return found_[part * targets_.size() + target];
+  }
+
+  /// Runs the pair's algorithm, which is made if it is null.
+  void collide(const btCollisionObject& one, const btCollisionObject& other,
+               btCollisionAlgorithm*& algorithm) {
+    const bool in_order = one.isStaticObject();  // the target first: it is A of the contacts
+    const btCollisionObject &target = in_order ? one : other, &part = in_order ? other : one;
+    const btCollisionObjectWrapper a(nullptr, target.getCollisionShape(), &target, target.getWorldTransform(),
+                                     -1, -1),
+        b(nullptr, part.getCollisionShape(), &part, part.getWorldTransform(), -1, -1);
+    if (!algorithm) algorithm = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    ++pairs_dispatched_;
+    AllContacts all(&a, &b);
+    algorithm->processCollision(&a, &b, world_.getDispatchInfo(), &all);
+    const auto place = static_cast<std::size_t>(part.getUserIndex()) * targets_.size() +
+                       static_cast<std::size_t>(target.getUserIndex());
+    found_[place].assign(all.contacts().begin(), all.contacts().end());
+  }
+
+  /// Bullet gives up bodies of more than a million units.
+  void detectLarge(std::size_t part) {
+    for (const std::size_t target : {touched_[part], forbidden_[part]}) {
+      if (target == kNone) continue;
+      btCollisionAlgorithm* algorithm = nullptr;
+      collide(targets_[target]->body, parts_[part]->body, algorithm);
+      algorithm->~btCollisionAlgorithm();
+      dispatcher_.freeCollisionAlgorithm(algorithm);
+    }
+  }
+
   btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_{&configuration_};
+  Dispatcher dispatcher_{&configuration_, *this};
   ClusteredOctreeBroadphase broadphase_;
+  Filter filter_{*this};
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
-  Body blisk_;
+  std::vector<std::unique_ptr<Body>> targets_;  // the blisk, the blisk that may be touched, obstacles
   std::vector<std::unique_ptr<Body>> parts_;
+  std::vector<std::size_t> touched_, forbidden_;  // of each part: its targets
+  std::vector<std::vector<Contact>> found_;       // of each part and target
+  std::size_t pairs_dispatched_ = 0;
 };
 
 GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
@@ -77,32 +192,29 @@ GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::ve
                            std::vector<double> reaches)
     : parts_(std::move(parts)),
       reaches_(std::move(reaches)),
-      world_(std::make_unique<World>(std::move(blisk), parts_, reaches_)) {}
+      world_(std::make_unique<World>(blisk, parts_, reaches_, nullptr)) {}
 
 GrindingCell::GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                            std::vector<double> reaches, const Obstacles& obstacles)
-    : GrindingCell(std::move(blisk), std::move(parts), std::move(reaches)) {
-  obstacles_ = &obstacles;
-}
+    : parts_(std::move(parts)),
+      reaches_(std::move(reaches)),
+      obstacles_(&obstacles),
+      world_(std::make_unique<World>(blisk, parts_, reaches_, &obstacles)) {}
 
 GrindingCell::~GrindingCell() = default;
 
 const ClusteredOctree& GrindingCell::blisk() const { return world_->blisk(); }
 
+std::size_t GrindingCell::pairsDispatched() const { return world_->pairsDispatched(); }
+
 std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   std::vector<PartContact> found;
-  world_->move(tool_in_blisk);
+  world_->detect(tool_in_blisk);
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (!world_->mayBeNear(part)) continue;
     const bool may_touch = obstacles_ && obstacles_->mayTouchAny(part);
     if (may_touch) addTouches(part, tool_in_blisk, found);
-    const Obstacle* const obstacle = may_touch ? obstacles_->of(part) : nullptr;
-    if (may_touch && !obstacle) continue;
-    // A manifold holds a few points of a patch, which may stand for others that are worse: ask for all.
-    const ClusteredOctree& forbidden = obstacle ? obstacle->tree() : blisk();
-    contacts(forbidden, *parts_[part].tree, tool_in_blisk, reaches_[part], contacts_);
-    for (Contact& contact : contacts_) {
-      if (obstacle) contact.triangle_a = obstacle->triangleOfBlisk(contact.triangle_a);
+    for (Contact contact : world_->forbidden(part)) {
+      if (may_touch) contact.triangle_a = obstacles_->of(part)->triangleOfBlisk(contact.triangle_a);
       found.push_back({part, contact});
     }
   }
@@ -111,15 +223,14 @@ std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
 
 /// Of what the part may touch: the touches, or else the nearest pair.
 void GrindingCell::addTouches(std::size_t part, const Pose& tool_in_blisk, std::vector<PartContact>& found) {
-  const ClusteredOctree& tree = *parts_[part].tree;
   const auto mayTouch = [&](std::uint32_t triangle) { return obstacles_->mayTouch(part, triangle); };
-  contacts(blisk(), tree, tool_in_blisk, 0.0, contacts_);
   const std::size_t before = found.size();
-  for (const Contact& contact : contacts_) {
+  for (const Contact& contact : world_->touches(part)) {
     if (mayTouch(contact.triangle_a)) found.push_back({part, contact});
   }
   if (found.size() > before) return;
-  const Clearance nearest = distance(blisk(), tree, tool_in_blisk, {.upper_bound = reaches_[part]});
+  const Clearance nearest =
+      distance(blisk(), *parts_[part].tree, tool_in_blisk, {.upper_bound = reaches_[part]});
   if (!nearest.found() || nearest.distance == 0.0 || !mayTouch(nearest.triangle_a)) return;
   Contact contact{.triangle_a = nearest.triangle_a, .triangle_b = nearest.triangle_b};
   contact.point_on_a = nearest.point_on_a;

@@ -48,11 +48,15 @@ class GrindingCell {
   const ClusteredOctree& blisk() const;
   const std::vector<ToolPart>& parts() const { return parts_; }
 
-  /// Moves the tool there, asks Bullet's broadphase (clustered_octree_broadphase.h) which parts may come
-  /// within reach of the blisk, and finds all contacts of those: of every pair of triangles, part by part, by
-  /// ascending triangles; with obstacles, those with what a part may touch first. The answer does not depend
-  /// on the poses before.
+  /// Moves the tool there and has Bullet's world detect all collisions: for the pairs that the broadphase
+  /// (clustered_octree_broadphase.h) finds, the dispatcher runs the algorithm that registerAlgorithm
+  /// (register.h) gave it, and all contacts of that are taken (all_contacts.h), not those few that a manifold
+  /// keeps. Part by part, by ascending triangles; with obstacles, those with what a part may touch first. The
+  /// answer does not depend on the poses before.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
+
+  /// Pairs of bodies whose algorithm ran for the last pose.
+  std::size_t pairsDispatched() const;
 
  private:
   void addTouches(std::size_t part, const Pose& tool_in_blisk, std::vector<PartContact>& found);
@@ -61,7 +65,6 @@ class GrindingCell {
   std::vector<ToolPart> parts_;
   std::vector<double> reaches_;
   const Obstacles* obstacles_ = nullptr;
-  std::vector<Contact> contacts_;  ///< of one part; kept for its memory
   std::unique_ptr<World> world_;
 };
 

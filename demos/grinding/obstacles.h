@@ -22,6 +22,7 @@ class Obstacle {
   Obstacle(const ClusteredOctree& blisk, std::vector<std::uint32_t> triangles);
 
   const ClusteredOctree& tree() const { return *tree_; }
+  std::shared_ptr<const ClusteredOctree> sharedTree() const { return tree_; }
   /// The number in the blisk's mesh of a triangle of the tree's.
   std::uint32_t triangleOfBlisk(std::uint32_t triangle) const {
     return triangle_of_blisk_.empty() ? triangle : triangle_of_blisk_[triangle];

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 
@@ -115,6 +116,11 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   }
   revisions_ = revisions;
   findContacts(mesh, other, reach, contacts_);
+  if (auto* const all = dynamic_cast<AllContacts*>(result)) {
+    all->take(*mesh.getCollisionObject(), contacts_);
+    return;
+  }
+  toSurfaceContacts(mesh, other, reach, contacts_);
 
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const std::span<const ContactPatch> patches = patches_.reduce(contacts_);

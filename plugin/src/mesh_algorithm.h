@@ -40,9 +40,14 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
                 const btCollisionObjectWrapper* body1, bool mesh_is_body1);
 
  private:
-  /// Replaces `found` by the contacts of mesh (A) and other (B) within `reach`, in the mesh's frame.
+  /// Replaces `found` by the contacts of the triangles of mesh (A) and other (B) within `reach`, in the
+  /// mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             double reach, std::vector<Contact>& found) = 0;
+
+  /// Makes of the contacts that were found last those of the surfaces, which know no edges between triangles.
+  virtual void toSurfaceContacts(const btCollisionObjectWrapper&, const btCollisionObjectWrapper&, double,
+                                 std::vector<Contact>&) {}
 
   /// Nothing that is known of the shapes' triangles holds any more.
   virtual void trianglesHaveMoved() {}

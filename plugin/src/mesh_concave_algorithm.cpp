@@ -104,13 +104,18 @@ void MeshConcaveAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                         std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const ConcaveSource source(static_cast<const btConcaveShape&>(*other.getCollisionShape()));
-  const Pose other_in_mesh =
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  source_contacts_.find(shape.tree(), source, other_in_mesh, reach, found);
+  other_in_mesh_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  source_contacts_.find(shape.tree(), source, other_in_mesh_, reach, found);
+}
+
+void MeshConcaveAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
+                                             const btCollisionObjectWrapper&, double,
+                                             std::vector<Contact>& found) {
+  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   surface_contacts_.filter(
       found, [&](const Contact& contact) { return shape.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {
-        return other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
+        return other_in_mesh_ * source_contacts_.triangle(contact.triangle_b).corners;
       });
 }
 

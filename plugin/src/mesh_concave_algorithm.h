@@ -18,11 +18,14 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                         double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;
 
   SourceContacts source_contacts_;
+  Pose other_in_mesh_;
   SurfaceContacts surface_contacts_;
 };
 

@@ -88,11 +88,17 @@ void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   const auto& convex_shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
   core_.update(convex_shape);
   const BulletConvex convex(convex_shape, core_);
-  const Pose convex_in_mesh =
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  contacts(shape.tree(), convex, convex_in_mesh, reach, near_, found);
+  convex_in_mesh_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  contacts(shape.tree(), convex, convex_in_mesh_, reach, near_, found);
+}
+
+void MeshConvexAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
+                                            const btCollisionObjectWrapper& other, double reach,
+                                            std::vector<Contact>& found) {
+  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+  const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), core_);
   internal_edges_.removeFrom(found, shape.tree().mesh());
-  addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh, reach, found);
+  addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, found);
 }
 
 }  // namespace octoblisk::detail

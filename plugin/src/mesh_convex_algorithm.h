@@ -34,10 +34,13 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                         double reach, std::vector<Contact>& found) override;
   void trianglesHaveMoved() override { near_.forget(); }
 
   CoreCorners core_;
   TriangleCache near_;
+  Pose convex_in_mesh_;
   InternalEdges internal_edges_;
 };
 

@@ -13,11 +13,18 @@ void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                      std::vector<Contact>& found) {
   const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
-  const Pose b_in_a = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  contacts(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
+  b_in_a_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  contacts(shape_a.tree(), shape_b.tree(), b_in_a_, reach, found);
+}
+
+void MeshMeshAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
+                                          const btCollisionObjectWrapper& other, double,
+                                          std::vector<Contact>& found) {
+  const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+  const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   surface_contacts_.filter(
       found, [&](const Contact& contact) { return shape_a.tree().mesh().triangle(contact.triangle_a); },
-      [&](const Contact& contact) { return b_in_a * shape_b.tree().mesh().triangle(contact.triangle_b); });
+      [&](const Contact& contact) { return b_in_a_ * shape_b.tree().mesh().triangle(contact.triangle_b); });
 }
 
 double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {

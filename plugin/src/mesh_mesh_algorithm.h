@@ -15,10 +15,13 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                         double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;
 
+  Pose b_in_a_;
   SurfaceContacts surface_contacts_;
 };
 

@@ -1,0 +1,122 @@
+// All contacts of a pair, from the algorithm that the dispatcher runs: against every pair of triangles.
+#include "octoblisk_bullet/all_contacts.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
+#include "shared/brute_force.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::BulletWorld;
+
+/// Two bodies, and the dispatcher's algorithm for them in one order.
+class DispatchedPair {
+ public:
+  DispatchedPair(BulletWorld& world, btCollisionObject& first, btCollisionObject& second)
+      : world_(world), first_(first), second_(second) {
+    const btCollisionObjectWrapper a = wrapOf(first_), b = wrapOf(second_);
+    algorithm_ = world_.dispatcher().findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+  }
+  ~DispatchedPair() {
+    algorithm_->~btCollisionAlgorithm();
+    world_.dispatcher().freeCollisionAlgorithm(algorithm_);
+  }
+  DispatchedPair(const DispatchedPair&) = delete;
+  DispatchedPair& operator=(const DispatchedPair&) = delete;
+
+  /// The contacts, in the frame of A, and A.
+  std::pair<const btCollisionObject*, std::vector<Contact>> contacts() {
+    const btCollisionObjectWrapper a = wrapOf(first_), b = wrapOf(second_);
+    AllContacts all(&a, &b);
+    algorithm_->processCollision(&a, &b, world_->getDispatchInfo(), &all);
+    return {all.a(), {all.contacts().begin(), all.contacts().end()}};
+  }
+
+  int manifoldPoints() {
+    btManifoldArray manifolds;
+    algorithm_->getAllContactManifolds(manifolds);
+    int points = 0;
+    for (int i = 0; i < manifolds.size(); ++i) points += manifolds[i]->getNumContacts();
+    return points;
+  }
+
+ private:
+  static btCollisionObjectWrapper wrapOf(const btCollisionObject& object) {
+    return {nullptr, object.getCollisionShape(), &object, object.getWorldTransform(), -1, -1};
+  }
+
+  BulletWorld& world_;
+  btCollisionObject &first_, &second_;
+  btCollisionAlgorithm* algorithm_;
+};
+
+TEST(AllContacts, ofTwoOfOurShapes_vs_bruteforce) {
+  const auto fan = testing::fan(5, 8), torus = testing::torus(0.6, 0.2, 20, 10);
+  ClusteredOctreeShape fan_shape = shapeOver(fan), torus_shape = shapeOver(torus);
+  constexpr double kReach = 0.03;
+  for (ClusteredOctreeShape* const shape : {&fan_shape, &torus_shape}) {
+    shape->setContactBreakingThreshold(btScalar(kReach));
+  }
+  BulletWorld world;
+  btCollisionObject still, moving;
+  still.setCollisionShape(&fan_shape);
+  moving.setCollisionShape(&torus_shape);
+  DispatchedPair pair(world, still, moving);
+  std::mt19937_64 random(61);
+  int hits = 0, patches = 0;
+  constexpr int kPoses = 150;
+  for (int i = 0; i < kPoses; ++i) {
+    still.setWorldTransform(toBullet(testing::randomPose(random, 0.3)));
+    moving.setWorldTransform(toBullet(testing::randomPose(random, 1.2)));
+    const Pose moving_in_still =
+        fromBullet(still.getWorldTransform()).inverse() * fromBullet(moving.getWorldTransform());
+    const auto [a, found] = pair.contacts();
+    ASSERT_EQ(a, &still);
+    const auto expected =
+        testing::bruteForceContacts(*fan, *torus, moving_in_still, double(btScalar(kReach)));
+    ASSERT_EQ(found.size(), expected.size()) << "pose " << i;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      ASSERT_EQ(found[c].triangle_a, expected[c].triangle_a);
+      ASSERT_EQ(found[c].triangle_b, expected[c].triangle_b);
+      ASSERT_NEAR(found[c].distance, expected[c].distance, 1e-9);
+    }
+    hits += !found.empty();
+    patches += found.size() > 4;
+    ASSERT_EQ(pair.manifoldPoints(), 0) << "they are left as they are";
+  }
+  EXPECT_GT(hits, 3 * kPoses / 10);
+  EXPECT_LT(hits, 7 * kPoses / 10);
+  EXPECT_GT(patches, hits / 2) << "more than a manifold keeps";
+}
+
+TEST(AllContacts, ofAConvexShapeInEitherOrderAreInTheMeshsFrame) {
+  const auto sheet = testing::waveSheet(2, 0.0, 8);
+  ClusteredOctreeShape sheet_shape = shapeOver(sheet);
+  btBoxShape box(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+  box.setMargin(btScalar(0.01));
+  BulletWorld world;
+  btCollisionObject mesh, convex;
+  mesh.setCollisionShape(&sheet_shape);
+  convex.setCollisionShape(&box);
+  mesh.setWorldTransform(testing::at(0, 0, 7));
+  convex.setWorldTransform(testing::at(0, 0, btScalar(7.49)));
+  for (const bool mesh_first : {true, false}) {
+    DispatchedPair pair(world, mesh_first ? mesh : convex, mesh_first ? convex : mesh);
+    const auto [a, found] = pair.contacts();
+    EXPECT_EQ(a, &mesh);
+    EXPECT_GT(found.size(), 4u) << "one of each triangle beneath";
+    for (const Contact& contact : found) {
+      EXPECT_NEAR(contact.point_on_a.z(), 0.0, 1e-5);
+    }
+    EXPECT_NEAR(testing::deepest(found), -0.01, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
