@@ -1,5 +1,6 @@
 #include "command_line/grinder_input.h"
 
+#include <chrono>
 #include <iostream>
 #include <stdexcept>
 
@@ -44,8 +45,7 @@ TriangleMesh bliskOfFiles(const GrinderFiles& files) {
   return blisk;
 }
 
-void findBladesOf(const GrinderFiles& files, GrinderInput& input) {
-  const TriangleMesh& mesh = input.blisk->mesh();
+void findBladesOf(const GrinderFiles& files, const TriangleMesh& mesh, GrinderInput& input) {
   try {
     BliskFound found = bliskAbout(files.axis, mesh, files.bliskName());
     input.mesh_in_blisk = found.mesh_in_blisk;
@@ -132,9 +132,20 @@ void addMarginOption(CLI::App& command, double& margin) {
 GrinderInput readGrinder(const GrinderFiles& files) {
   GrinderInput input;
   input.tool = toolOfFiles(files);
-  input.blisk = treeOf(bliskOfFiles(files));
-  findBladesOf(files, input);
+  const auto blisk = std::make_shared<const TriangleMesh>(bliskOfFiles(files));
+  findBladesOf(files, *blisk, input);
   requireBladesThere(files, input);
+  const auto start = std::chrono::steady_clock::now();
+  BuildOptions options = files.tree;
+  const bool is_clustered = options.partition == PartitionKind::clustering;
+  if (!is_clustered) options.part_of_triangle = input.blades.blade_of_triangle;
+  input.blisk = std::make_shared<const ClusteredOctree>(ClusteredOctree::build(blisk, options));
+  input.tree_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (is_clustered) return input;
+  for (ToolPart& part : input.tool.parts) {
+    part.tree =
+        std::make_shared<const ClusteredOctree>(ClusteredOctree::build(part.tree->sharedMesh(), files.tree));
+  }
   return input;
 }
 
@@ -144,7 +155,7 @@ GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks) {
   input.blisk =
       std::make_shared<const ClusteredOctree>(treeOnceANode(ranks, [&] { return bliskOfFiles(files); }));
   ranks.together([&] {
-    findBladesOf(files, input);
+    findBladesOf(files, input.blisk->mesh(), input);
     requireBladesThere(files, input);
   });
   return input;

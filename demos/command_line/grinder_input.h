@@ -12,6 +12,7 @@
 #include "grinding/run_watch.h"
 #include "grinding/tool_assembly.h"
 #include "models/blade_finder.h"
+#include "octoblisk/build_options.h"
 #include "study/ranks.h"
 
 namespace octoblisk::demos {
@@ -24,6 +25,7 @@ struct GrinderFiles {
   std::optional<int> ground_blade;
   double max_depth = 0.1;  ///< mm
   int threads = 0;
+  BuildOptions tree;  ///< of the trees' partition; parts are filled in
 
   std::string bliskName() const { return blisk.empty() ? "the blisk" : blisk; }
   std::string toolName() const { return !tool.empty() ? tool : belt.empty() ? "default" : belt; }
@@ -40,6 +42,7 @@ struct GrinderInput {
   Pose mesh_in_blisk;                            ///< from the file's frame to that with the axis Z
   BladesFound blades;                            ///< none: count 0
   ToolAssembly tool;
+  double tree_seconds = 0.0;  ///< to build the blisk's tree
 };
 
 /// Reads blisk and tool; tells where triangles face inward, and are turned. The blades are those of findBlisk

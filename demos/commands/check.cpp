@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command_line/option_checks.h"
+#include "command_line/partition_option.h"
 #include "command_line/study_options.h"
 #include "command_line/subcommand_help.h"
 #include "commands/check_summary.h"
@@ -29,6 +30,7 @@ struct CheckRequest {
   std::string moving;
   std::string poses;
   StudyTarget target;
+  BuildOptions tree;
   PoseCheckOptions options;
 };
 
@@ -75,6 +77,11 @@ Study studyOf(const CheckRequest& request, const ClusteredOctree& fixed, const C
   study.inputs = {{"fixed", fingerprintOf(fixed.mesh())},
                   {"moving", fingerprintOf(moving.mesh())},
                   {"poses", fingerprintOf(poses)}};
+  // Of several pairs that meet, the tree decides which is told.
+  if (request.tree.partition == PartitionKind::paper) {
+    study.inputs.push_back({"clusters", static_cast<std::uint64_t>(request.tree.clusters)});
+    study.inputs.push_back({"fnop", static_cast<std::uint64_t>(request.tree.leaf_capacity)});
+  }
   study.options = optionsLine(request.options);
   return study;
 }
@@ -103,8 +110,8 @@ int check(CheckRequest request) {
   PoseCheckOptions& options = request.options;
   if (options.threads == 0) options.threads = ranks.threadsEach();
   const SharedPoses moving_in_fixed = posesOnceANode(ranks, request.poses);
-  const ClusteredOctree fixed = treeOnceANode(ranks, request.fixed);
-  const ClusteredOctree moving = treeOnceANode(ranks, request.moving);
+  const ClusteredOctree fixed = treeOnceANode(ranks, request.fixed, request.tree);
+  const ClusteredOctree moving = treeOnceANode(ranks, request.moving, request.tree);
   std::unique_ptr<PoseCheck> poses_check;
   ranks.together([&] { poses_check = poseCheck(request, fixed, moving); });
   const Study study = studyOf(request, fixed, moving, moving_in_fixed.poses);
@@ -139,6 +146,7 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       command, request->target,
       "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
       "of triangles that meet where colliding is 1; then the columns of the options below");
+  addPartitionOption(command, request->tree);
   PoseCheckOptions& options = request->options;
   command.add_flag("--clearance", options.clearance,
                    "Column clearance: the least distance of the surfaces, in mesh units; 0 where they meet");

@@ -10,6 +10,7 @@
 #include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
+#include "command_line/partition_option.h"
 #include "command_line/picture_bar.h"
 #include "command_line/report_option.h"
 #include "command_line/subcommand_help.h"
@@ -150,6 +151,7 @@ int grind(const GrindRequest& request) {
   run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
   run.tool_name = files.toolName();
   run.path_name = files.path.empty() ? "generated" : files.path;
+  run.tree_seconds = input.tree_seconds;
   run.convex_side = convexSideOf(request, input);
   warnOfParts(files, run);
   writeAll(run, job.path, request);
@@ -166,6 +168,7 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "grind");
   const auto request = std::make_shared<GrindRequest>();
   addGrinderOptions(command, request->files);
+  addPartitionOption(command, request->files.tree);
   addConvexOption(command, request->convex);
   command
       .add_option("--path", request->files.path,

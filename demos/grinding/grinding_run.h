@@ -31,6 +31,7 @@ struct GrindingRun {
   std::vector<PoseReport> poses;                  ///< those that were done: the first of the path
   std::optional<SpindleOptions> spindle;          ///< where forces were asked for
   std::vector<std::optional<SpindleLoad>> loads;  ///< of each pose, then; by the grinding part
+  double tree_seconds = 0.0;                      ///< to build the blisk's tree; 0: not known
   /// Means of all threads together, s a pose.
   double contact_seconds_a_pose = 0.0;    ///< Bullet's answer which parts are near, and their contacts
   double depth_seconds_a_pose = 0.0;      ///< how deep the parts are

@@ -178,8 +178,8 @@ Table inputTable(const GrindingRun& run) {
           .rows = {{"Blisk", run.blisk_name},
                    {"its triangles", std::to_string(tree.triangles)},
                    {"its blades", std::to_string(run.blade_count)},
-                   {"its tree", std::to_string(tree.leaves) + " leaf boxes on up to " +
-                                    std::to_string(tree.depth) + " levels"},
+                   {"its tree", partitionText(run.blisk->options()) + ", " + std::to_string(tree.leaves) +
+                                    " leaf boxes on up to " + std::to_string(tree.depth) + " levels"},
                    {"Tool", run.tool_name},
                    {"Path", run.path_name},
                    {"its poses", std::to_string(run.path_poses)}}};

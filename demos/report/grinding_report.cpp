@@ -12,6 +12,7 @@
 #include "grinding/belt_loop.h"
 #include "grinding/blade_side.h"
 #include "grinding/move_check.h"
+#include "report/grinding_words.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -282,7 +283,9 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
       {"moves", moves},
       {"forces", forcesOf(run)},
       {"tree",
-       {{"nodes_of_up_to_8_boxes", tree.nodes},
+       {{"partition", partitionText(run.blisk->options())},
+        {"build_s", run.tree_seconds},
+        {"nodes_of_up_to_8_boxes", tree.nodes},
         {"leaf_boxes", tree.leaves},
         {"boxes_round_deepest_leaf", tree.depth},
         {"leaf_boxes_mm3", tree.leaf_volume}}},

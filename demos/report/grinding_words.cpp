@@ -66,6 +66,10 @@ std::string inWords(const GrindingRun& run) {
   text << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
        << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
        << run.count(Verdict::interference) << " interference\n";
+  if (run.blisk->options().partition == PartitionKind::paper) {
+    text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
+         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us a pose\n";
+  }
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict == Verdict::interference) {
     text << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
@@ -90,6 +94,12 @@ std::string depthOnMoves(const GrindingRun& run) {
     text << "; on the others not known, as the blisk is open";
   }
   return text.str();
+}
+
+std::string partitionText(const BuildOptions& options) {
+  if (options.partition == PartitionKind::clustering) return "clustered";
+  const std::string k = options.clusters == 0 ? "k_opt" : "k = " + std::to_string(options.clusters);
+  return "paper, " + k + ", FNOP " + std::to_string(options.leaf_capacity);
 }
 
 }  // namespace octoblisk::demos

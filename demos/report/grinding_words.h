@@ -15,4 +15,7 @@ std::string inWords(const GrindingRun& run);
 /// not measured, but no more than 0.4 mm". For a run whose moves were checked.
 std::string depthOnMoves(const GrindingRun& run);
 
+/// "clustered", "paper, k_opt, FNOP 8", "paper, k = 2, FNOP 20".
+std::string partitionText(const BuildOptions& options);
+
 }  // namespace octoblisk::demos

@@ -62,8 +62,8 @@ class Unpacker {
   std::span<const std::byte> rest_;
 };
 
-ClusteredOctree builtTree(const std::function<TriangleMesh()>& make_mesh) {
-  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(make_mesh()));
+ClusteredOctree builtTree(const std::function<TriangleMesh()>& make_mesh, const BuildOptions& options) {
+  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(make_mesh()), options);
 }
 
 std::vector<std::byte> packedTree(const ClusteredOctree& tree) {
@@ -90,13 +90,16 @@ ClusteredOctree unpackedTree(const SharedBytes& shared) {
 
 }  // namespace
 
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file) {
-  return treeOnceANode(ranks, [&] { return readMesh(mesh_file); });
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file,
+                              const BuildOptions& options) {
+  return treeOnceANode(
+      ranks, [&] { return readMesh(mesh_file); }, options);
 }
 
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh) {
-  if (ranks.count() == 1) return builtTree(make_mesh);
-  const SharedBytes shared = ranks.onceANode([&] { return packedTree(builtTree(make_mesh)); });
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
+                              const BuildOptions& options) {
+  if (ranks.count() == 1) return builtTree(make_mesh, options);
+  const SharedBytes shared = ranks.onceANode([&] { return packedTree(builtTree(make_mesh, options)); });
   std::optional<ClusteredOctree> tree;
   ranks.together([&] { tree = unpackedTree(shared); });
   return *std::move(tree);

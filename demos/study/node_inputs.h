@@ -15,9 +15,11 @@ namespace octoblisk::demos {
 
 /// The tree of a mesh file. It is built once a node and used by all where it is; each rank has a copy of the
 /// mesh. Throws as readMesh and ClusteredOctree::build do, at all ranks.
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file);
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file,
+                              const BuildOptions& options = {});
 /// Of a mesh that is made, or read and mended, at one rank of each node.
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh);
+ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
+                              const BuildOptions& options = {});
 
 /// Poses, and who keeps them.
 struct SharedPoses {

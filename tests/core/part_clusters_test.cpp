@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "build/paper/k_means.h"
+#include "build/paper/k_opt.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -53,6 +54,28 @@ TEST(PartClusters, everyTriangleIsOnceInAClusterOfItsPart) {
   }
 }
 
+TEST(PartClusters, withoutAKEachPartHasItsBest) {
+  const Points points(600);
+  constexpr std::size_t kFnop = 20;
+  const auto parts = partClusters(points.centroids,
+                                  {.clusters = 0, .part_of_triangle = points.parts, .leaf_capacity = kFnop});
+  const std::set<int> numbers(std::begin(kNumbers), std::end(kNumbers));
+  ASSERT_EQ(parts.size(), numbers.size());
+  std::set<std::size_t> found;
+  auto part = parts.begin();
+  for (const int number : numbers) {
+    std::vector<Vec3> alone;
+    for (std::size_t t = 0; t < points.parts.size(); ++t) {
+      if (points.parts[t] == number) alone.push_back(points.centroids[t]);
+    }
+    EXPECT_EQ(part->size(), optimalK(alone, {.leaf_capacity = kFnop}).k);
+    found.insert((part++)->size());
+  }
+  EXPECT_GT(found.size(), 1u) << "not all the same";
+  const std::vector<Vec3> one = {Vec3::Zero()};
+  EXPECT_EQ(partClusters(one, {.clusters = 0}).front().size(), 1u);
+}
+
 TEST(PartClusters, clustersAreThoseOfThePartByItself) {
   const Points points(300);
   const auto parts = partClusters(points.centroids, {.clusters = 4, .part_of_triangle = points.parts});
@@ -84,7 +107,6 @@ TEST(PartClusters, aSmallPartHasAsManyAsItHasTriangles) {
 
 TEST(PartClusters, refusesBadOptions) {
   const std::vector<Vec3> centroids(3, Vec3::Zero());
-  EXPECT_THROW(partClusters(centroids, {.clusters = 0}), std::invalid_argument);
   EXPECT_THROW(partClusters(centroids, {.part_of_triangle = {1, 2}}), std::invalid_argument);
 }
 

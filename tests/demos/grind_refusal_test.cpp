@@ -34,7 +34,8 @@ TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
   for (const char* arguments :
        {"--max-depth -1 --out run", "--max-depth nan --out run", "--max-depth 1e999 --out run",
         "--near-miss 0 --out run", "--near-miss nan --out run", "--near-miss 1e9 --out run", "--out ''",
-        "--blisk '' --out run", "--path '' --out run", "--ground-blade 0 --out run"}) {
+        "--blisk '' --out run", "--path '' --out run", "--ground-blade 0 --out run",
+        "--partition paper:9 --out run", "--partition paper:2:0 --out run", "--partition octree --out run"}) {
     const Outcome outcome = run(arguments);
     expectRefusal(outcome, "octoblisk: --");
     EXPECT_LT(outcome.error.size(), 120u) << outcome.error;

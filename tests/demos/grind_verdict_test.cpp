@@ -119,6 +119,27 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   }
 }
 
+TEST_F(GrindCommand, thePapersPartitionGivesTheSameContactsAndVerdicts) {
+  const std::string common = " --poses-only --no-pictures --no-report";
+  ASSERT_EQ(run("--out clustered" + common).exit_code, 1);
+  const auto expected = readTable(file("clustered/poses.csv"));
+  for (const auto& [option, name] :
+       {std::pair("paper", "paper, k_opt, FNOP 8"), std::pair("paper:2:20", "paper, k = 2, FNOP 20")}) {
+    const Outcome outcome = run("--out paper --partition " + std::string(option) + common);
+    ASSERT_EQ(outcome.exit_code, 1) << outcome.error;
+    EXPECT_THAT(outcome.out, HasSubstr("Partition: " + std::string(name) + "; tree built in "));
+    EXPECT_EQ(contentOf(file("paper/contacts.csv")), contentOf(file("clustered/contacts.csv")));
+    const auto found = readTable(file("paper/poses.csv"));
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t pose = 0; pose < found.size(); ++pose) {
+      EXPECT_EQ(found[pose].at("verdict"), expected[pose].at("verdict")) << "pose " << pose;
+    }
+    const auto summary = nlohmann::json::parse(contentOf(file("paper/summary.json")));
+    EXPECT_EQ(summary["tree"]["partition"], name);
+    EXPECT_GT(summary["tree"]["build_s"], 0.0);
+  }
+}
+
 TEST_F(GrindCommand, aPartWhollyInsideTheBliskIsInterference) {
   writeMesh(file("small.ply"), block({3, 3, 3}, 2));
   folder_.write("buried.csv", "x,y,z,qw,qx,qy,qz\n95,0,0,1,0,0,0\n300,0,0,1,0,0,0\n");

@@ -95,6 +95,57 @@ TEST(AllContacts, ofTwoOfOurShapes_vs_bruteforce) {
   EXPECT_GT(patches, hits / 2) << "more than a manifold keeps";
 }
 
+/// Of a partition, with the blades of a fan as its parts.
+ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, BuildOptions options, int parts) {
+  options.part_of_triangle.resize(mesh->triangleCount());
+  for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
+    options.part_of_triangle[t] =
+        static_cast<int>(t * static_cast<std::size_t>(parts) / mesh->triangleCount());
+  }
+  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, options)));
+}
+
+TEST(AllContacts, areTheSameOfEveryPartition) {
+  constexpr int kBlades = 5, kOptimal = 0;
+  const auto fan = testing::fan(kBlades, 8), torus = testing::torus(0.6, 0.2, 20, 10);
+  ClusteredOctreeShape fan_shape = shapeOver(fan), torus_shape = shapeOver(torus);
+  std::vector<ClusteredOctreeShape> fans, tori;
+  for (const int k : {1, 2, 8, kOptimal}) {
+    const BuildOptions options{.partition = PartitionKind::paper, .clusters = k};
+    fans.push_back(shapeOf(fan, options, kBlades));
+    tori.push_back(shapeOf(torus, options, 1));
+  }
+  BulletWorld world;
+  std::mt19937_64 random(62);
+  int hits = 0;
+  constexpr int kPoses = 60;
+  for (int i = 0; i < kPoses; ++i) {
+    const btTransform pose = toBullet(testing::randomPose(random, 1.2));
+    const auto contactsOf = [&](ClusteredOctreeShape& still_shape, ClusteredOctreeShape& moving_shape) {
+      btCollisionObject still, moving;
+      still.setCollisionShape(&still_shape);
+      moving.setCollisionShape(&moving_shape);
+      moving.setWorldTransform(pose);
+      return DispatchedPair(world, still, moving).contacts().second;
+    };
+    const std::vector<Contact> expected = contactsOf(fan_shape, torus_shape);
+    hits += !expected.empty();
+    for (std::size_t k = 0; k < fans.size(); ++k) {
+      const std::vector<Contact> found = contactsOf(fans[k], tori[k]);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t c = 0; c < found.size(); ++c) {
+        ASSERT_EQ(found[c].triangle_a, expected[c].triangle_a);
+        ASSERT_EQ(found[c].triangle_b, expected[c].triangle_b);
+        ASSERT_EQ(found[c].distance, expected[c].distance);
+        ASSERT_EQ(found[c].normal, expected[c].normal);
+        ASSERT_EQ(found[c].point_on_a, expected[c].point_on_a);
+      }
+    }
+  }
+  EXPECT_GT(hits, 3 * kPoses / 10);
+  EXPECT_LT(hits, 7 * kPoses / 10);
+}
+
 TEST(AllContacts, ofAConvexShapeInEitherOrderAreInTheMeshsFrame) {
   const auto sheet = testing::waveSheet(2, 0.0, 8);
   ClusteredOctreeShape sheet_shape = shapeOver(sheet);

@@ -31,7 +31,7 @@ struct BuildOptions {
   int threads = 0;  ///< that build: 0 for as many as the machine has; the tree is the same to the last bit
   Storage storage = Storage::full;
   // The rest is for `paper` alone.
-  int clusters = 2;                        ///< k, 1..8, for each part
+  int clusters = 2;                        ///< k, 1..8, for each part; 0: k_opt of each part, from 2 to 8
   std::uint64_t seed = 1;                  ///< of k-means
   std::vector<int> part_of_triangle = {};  ///< e.g. blade numbers, one a triangle; empty: one part
 };

@@ -24,9 +24,11 @@ Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
     return clusteringPartition(std::move(records),
                                {options.leaf_capacity, options.quality, threadCount(options.threads)});
   }
-  return paperPartition(
-      records.span(), {options.leaf_capacity,
-                       {static_cast<std::size_t>(options.clusters), options.seed, options.part_of_triangle}});
+  return paperPartition(records.span(), {options.leaf_capacity,
+                                         {.clusters = static_cast<std::size_t>(options.clusters),
+                                          .seed = options.seed,
+                                          .part_of_triangle = options.part_of_triangle,
+                                          .leaf_capacity = static_cast<std::size_t>(options.leaf_capacity)}});
 }
 
 /// Room for the rounding of vertices, projections and box centres to single precision.

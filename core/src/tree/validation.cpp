@@ -177,8 +177,8 @@ void checkBuild(const TriangleMesh* mesh, const BuildOptions& options) {
                                 ", but must be 1 to 8");
   }
   checkThreads(options.threads);
-  if (options.clusters < 1 || options.clusters > kLanes) {
-    throw std::invalid_argument("clusters is " + std::to_string(options.clusters) + ", but must be 1 to 8");
+  if (options.clusters < 0 || options.clusters > kLanes) {
+    throw std::invalid_argument("clusters is " + std::to_string(options.clusters) + ", but must be 0 to 8");
   }
   if (!options.part_of_triangle.empty() && options.part_of_triangle.size() != triangles) {
     throw std::invalid_argument("part_of_triangle has " + std::to_string(options.part_of_triangle.size()) +

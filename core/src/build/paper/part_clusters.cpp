@@ -6,16 +6,27 @@
 #include <string>
 
 #include "build/paper/k_means.h"
+#include "build/paper/k_opt.h"
 
 namespace octoblisk::detail {
 namespace {
+
+std::size_t clusterCount(std::span<const Vec3> points, const PartClusterOptions& options) {
+  constexpr std::size_t kLeast = 2, kMost = 8;
+  if (options.clusters > 0 || points.size() < kLeast) return std::max<std::size_t>(options.clusters, 1);
+  return optimalK(points, {.k_min = kLeast,
+                           .k_max = std::min(kMost, points.size()),
+                           .leaf_capacity = options.leaf_capacity,
+                           .seed = options.seed})
+      .k;
+}
 
 std::vector<TriangleSet> clustersOf(const TriangleSet& part, std::span<const Vec3> centroids,
                                     const PartClusterOptions& options) {
   std::vector<Vec3> points;
   points.reserve(part.size());
   for (const std::uint32_t t : part) points.push_back(centroids[t]);
-  const std::size_t k = std::min(options.clusters, part.size());
+  const std::size_t k = std::min(clusterCount(points, options), part.size());
   const Clustering clustering = kMeans(points, {.k = k, .seed = options.seed});
   std::vector<TriangleSet> clusters(k);
   for (std::size_t i = 0; i < part.size(); ++i) clusters[clustering.cluster_of_point[i]].push_back(part[i]);
@@ -28,7 +39,6 @@ std::vector<TriangleSet> clustersOf(const TriangleSet& part, std::span<const Vec
 std::vector<std::vector<TriangleSet>> partClusters(std::span<const Vec3> centroids,
                                                    const PartClusterOptions& options) {
   const std::vector<int>& part_of = options.part_of_triangle;
-  if (options.clusters == 0) throw std::invalid_argument("a part has at least one cluster");
   if (!part_of.empty() && part_of.size() != centroids.size()) {
     throw std::invalid_argument("there are " + std::to_string(part_of.size()) + " part numbers for " +
                                 std::to_string(centroids.size()) + " triangles");

@@ -10,16 +10,18 @@
 namespace octoblisk::detail {
 
 struct PartClusterOptions {
-  std::size_t clusters = 2;                ///< k, at least 1, for each part; fewer where it has fewer points
+  /// k for each part, fewer where it has fewer points; 0: the best for the part (k_opt.h).
+  std::size_t clusters = 2;
   std::uint64_t seed = 1;                  ///< of k-means
   std::vector<int> part_of_triangle = {};  ///< blade numbers, say; empty: one part
+  std::size_t leaf_capacity = 8;           ///< the paper's FNOP, by which k_opt goes
 };
 
 /// Indices of triangles, ascending.
 using TriangleSet = std::vector<std::uint32_t>;
 
 /// The clusters of each part, by ascending part; no cluster is empty. The points are the triangles' centroids
-/// (k_means.h). Throws std::invalid_argument for k = 0, and for parts that are not one a triangle.
+/// (k_means.h). Throws std::invalid_argument for parts that are not one a triangle.
 std::vector<std::vector<TriangleSet>> partClusters(std::span<const Vec3> centroids,
                                                    const PartClusterOptions& options);
 
