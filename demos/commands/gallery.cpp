@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command_line/option_checks.h"
+#include "command_line/partition_option.h"
 #include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/quoted_text.h"
@@ -19,6 +20,7 @@ namespace {
 struct GalleryRequest {
   std::string scene = "all";
   std::string out;
+  BuildOptions tree;
 };
 
 std::string sceneNames() {
@@ -35,7 +37,7 @@ void showAsked(const GalleryRequest& request) {
   for (const gallery::Exhibit& exhibit : gallery::exhibits()) {
     if (request.scene != "all" && request.scene != exhibit.name) continue;
     is_known = true;
-    const std::vector<gallery::Number> numbers = gallery::show(exhibit, request.out);
+    const std::vector<gallery::Number> numbers = gallery::show(exhibit, request.out, request.tree);
     std::cout << (std::filesystem::path(request.out) / (exhibit.name + ".png")).string() << ": at "
               << exhibit.shown.back() << " s";
     for (const gallery::Number& number : numbers) std::cout << ", " << number.name << ' ' << number.value;
@@ -55,6 +57,7 @@ void addGalleryCommand(CLI::App& app, int&) {
   command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; made where missing")
       ->required()
       ->check(notEmpty());
+  addPartitionOption(command, request->tree);
   command.callback([request] { showAsked(*request); });
 }
 

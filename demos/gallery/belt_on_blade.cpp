@@ -59,7 +59,8 @@ Pose toolTouching(const TriangleMesh& blisk, const demos::BladesFound& blades,
 BeltOnBlade::BeltOnBlade(const BeltOnBladeOptions& options)
     : options_(options),
       shape_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(
-          std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(options.blisk_triangles).mesh)))),
+          std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(options.blisk_triangles).mesh),
+          options.tree))),
       surface_(shape_.tree()),
       blades_(demos::findBlades(shape_.tree().mesh())),
       touching_(toolTouching(shape_.tree().mesh(), blades_, options)) {

@@ -23,6 +23,7 @@ struct BeltOnBladeOptions {
   double press = 4.0;         ///< how far beyond first touch the tool goes
   double press_begin = 0.05;  ///< s
   double press_end = 0.3;     ///< s
+  BuildOptions tree = {};     ///< of the blisk
 };
 
 class BeltOnBlade final : public GalleryScene {

@@ -14,7 +14,7 @@ namespace {
 /// Millimetres, kg and seconds: docs/units.md says what to set for it.
 class BliskAndDebris final : public RigidScene {
  public:
-  explicit BliskAndDebris(int bodies) : RigidScene(1.0 / 960.0) {
+  BliskAndDebris(int bodies, const BuildOptions& tree) : RigidScene(1.0 / 960.0, tree) {
     world_->setGravity(btVector3(0, 0, 0));
     world_->getSolverInfo().m_splitImpulsePenetrationThreshold *= 1000;
     const auto mesh = std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk(12'000).mesh);
@@ -75,8 +75,8 @@ class BliskAndDebris final : public RigidScene {
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies) {
-  return std::make_unique<BliskAndDebris>(bodies);
+std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies, const BuildOptions& tree) {
+  return std::make_unique<BliskAndDebris>(bodies, tree);
 }
 
 }  // namespace octoblisk::gallery

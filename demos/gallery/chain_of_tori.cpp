@@ -13,7 +13,7 @@ constexpr double kStep = 1.0 / 120.0;          // s
 
 class ChainOfTori final : public RigidScene {
  public:
-  explicit ChainOfTori(int links) : RigidScene(kStep) {
+  ChainOfTori(int links, const BuildOptions& tree) : RigidScene(kStep, tree) {
     ClusteredOctreeShape& shape = shapeOf(shapes::torus(kRadius, kTube, 32, 16));
     const btQuaternion upright(btVector3(1, 0, 0), SIMD_HALF_PI), across(btVector3(0, 0, 1), SIMD_HALF_PI);
     for (int i = 0; i <= links; ++i) {
@@ -61,6 +61,8 @@ class ChainOfTori final : public RigidScene {
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makeChainOfTori(int links) { return std::make_unique<ChainOfTori>(links); }
+std::unique_ptr<GalleryScene> makeChainOfTori(int links, const BuildOptions& tree) {
+  return std::make_unique<ChainOfTori>(links, tree);
+}
 
 }  // namespace octoblisk::gallery

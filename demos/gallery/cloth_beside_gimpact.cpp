@@ -94,7 +94,8 @@ class ClothOnChannel {
 
 class ClothBesideGimpact final : public GalleryScene {
  public:
-  ClothBesideGimpact() {
+  explicit ClothBesideGimpact(const BuildOptions& tree)
+      : ours_shape_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_, tree))) {
     ours_shape_.setMargin(btScalar(ClothOnChannel::kMargin));
     gimpact_shape_.setMargin(btScalar(ClothOnChannel::kMargin));
     gimpact_shape_.updateBound();
@@ -147,13 +148,15 @@ class ClothBesideGimpact final : public GalleryScene {
   shapes::SharedMesh mesh_ =
       shapes::uProfile(ClothOnChannel::kHalfWidth, ClothOnChannel::kHalfDepth, ClothOnChannel::kWall, 0.5);
   BulletMesh source_{*mesh_};
-  ClusteredOctreeShape ours_shape_{std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_))};
+  ClusteredOctreeShape ours_shape_;
   btGImpactMeshShape gimpact_shape_{source_.view()};
   std::unique_ptr<ClothOnChannel> ours_, gimpact_;
 };
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makeClothBesideGimpact() { return std::make_unique<ClothBesideGimpact>(); }
+std::unique_ptr<GalleryScene> makeClothBesideGimpact(const BuildOptions& tree) {
+  return std::make_unique<ClothBesideGimpact>(tree);
+}
 
 }  // namespace octoblisk::gallery

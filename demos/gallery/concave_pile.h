@@ -21,7 +21,7 @@ using shapes::SharedMesh;
 /// Makes a shape of a mesh: ours, or another library's for comparison.
 using MakeShape = std::function<std::unique_ptr<btCollisionShape>(const SharedMesh& mesh)>;
 
-std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh);
+std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh, const BuildOptions& tree = {});
 
 /// Lengths in m, masses in kg. Bodies are dropped in square layers, each body turned at random.
 class ConcavePile {
@@ -34,8 +34,10 @@ class ConcavePile {
     double in_bodies = 0.0;  ///< of the deepest point of a body, or the floor, in another body
   };
 
-  explicit ConcavePile(int bodies, unsigned seed, const MakeShape& make_shape = makeOurShape,
-                       int layer_side = 4) {
+  explicit ConcavePile(
+      int bodies, unsigned seed,
+      const MakeShape& make_shape = [](const SharedMesh& mesh) { return makeOurShape(mesh); },
+      int layer_side = 4) {
     std::mt19937_64 random(seed);
     const SharedMesh meshes[] = {shapes::torus(0.4, 0.15, 20, 10), shapes::gear(8, 0.4, 0.5, 0.2, 0.12),
                                  shapes::uProfile(0.35, 0.3, 0.12, 0.4),
@@ -129,9 +131,9 @@ class ConcavePile {
   std::vector<Body> bodies_;
 };
 
-inline std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh) {
+inline std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh, const BuildOptions& tree) {
   auto shape = std::make_unique<ClusteredOctreeShape>(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, tree)));
   shape->setMargin(ConcavePile::kMargin);
   return shape;
 }

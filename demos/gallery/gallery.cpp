@@ -42,13 +42,13 @@ const std::vector<Exhibit>& exhibits() {
        "Nothing but contacts links them; the top ring swings to and fro",
        1.0 / 120.0,
        {0.0, 1.0, 2.0},
-       [] { return makeChainOfTori(8); }},
+       [](const BuildOptions& tree) { return makeChainOfTori(8, tree); }},
       {"pile",
        "A pile of 200 concave parts",
        "Rings, gears, channels and lumps, all of them ClusteredOctreeShapes",
        1.0 / 60.0,
        {0.0, 1.0, 5.0},
-       [] { return makePile(200); }},
+       [](const BuildOptions& tree) { return makePile(200, tree); }},
       {"cloth-beside-gimpact",
        "A cloth on a channel, and on one of GImpact's",
        "The channel on the left holds it; through GImpact's it falls",
@@ -69,7 +69,7 @@ const std::vector<Exhibit>& exhibits() {
        "Parts fly through the channels and slow it down; a line on the hub shows how far it has turned",
        1.0 / 960.0,
        {0.0, 0.2, 0.5},
-       [] { return makeBliskAndDebris(60); },
+       [](const BuildOptions& tree) { return makeBliskAndDebris(60, tree); },
        3,
        360,
        400},
@@ -78,7 +78,9 @@ const std::vector<Exhibit>& exhibits() {
        "Driven by its wheels, pressed on the convex side of a blade",
        BeltOnBlade::kTimeStep,
        {0.0, 0.4},
-       [] { return std::make_unique<BeltOnBlade>(); },
+       [](const BuildOptions& tree) {
+         return std::make_unique<BeltOnBlade>(BeltOnBladeOptions{.tree = tree});
+       },
        1,
        1000,
        340},
@@ -86,8 +88,9 @@ const std::vector<Exhibit>& exhibits() {
   return all;
 }
 
-std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder) {
-  const std::unique_ptr<GalleryScene> scene = exhibit.make();
+std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder,
+                         const BuildOptions& tree) {
+  const std::unique_ptr<GalleryScene> scene = exhibit.make(tree);
   const auto stepAt = [&](double time) { return std::lround(time / exhibit.time_step); };
   const long end = stepAt(exhibit.shown.back()), interval = std::max(1l, end / kRows);
   std::vector<Number> numbers = scene->numbers();

@@ -12,8 +12,9 @@ namespace octoblisk::gallery {
 const std::vector<Exhibit>& exhibits();
 
 /// Runs the scene to its end and writes NAME.png, its frames on a contact sheet, and NAME.csv, the time and
-/// its numbers at some forty times. Returns the numbers at the end. Throws std::runtime_error naming a file
-/// that cannot be written.
-std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder);
+/// its numbers at some forty times. `tree` is of all shapes. Returns the numbers at the end. Throws
+/// std::runtime_error naming a file that cannot be written.
+std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder,
+                         const BuildOptions& tree = {});
 
 }  // namespace octoblisk::gallery

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "octoblisk/build_options.h"
 #include "render/picture.h"
 
 namespace octoblisk::gallery {
@@ -36,7 +37,7 @@ struct Exhibit {
   std::string caption;        ///< one sentence: what there is to see
   double time_step;           ///< of a step, s
   std::vector<double> shown;  ///< the times of the frames, s; growing; the last is the end
-  std::function<std::unique_ptr<GalleryScene>()> make;
+  std::function<std::unique_ptr<GalleryScene>(const BuildOptions& tree)> make;
   int columns = 3;         ///< of frames
   int frame_width = 400;   ///< pixels
   int frame_height = 330;  ///< pixels, with the caption

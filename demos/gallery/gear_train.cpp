@@ -14,7 +14,7 @@ constexpr int kTeeth[] = {12, 20, 16};
 
 class GearTrain final : public RigidScene {
  public:
-  GearTrain() : RigidScene(1.0 / 240.0) {
+  explicit GearTrain(const BuildOptions& tree) : RigidScene(1.0 / 240.0, tree) {
     world_->setGravity(btVector3(0, 0, 0));
     const demos::Color colors[] = {demos::palette::kOrange, demos::palette::kSky, demos::palette::kGreen};
     double x = 0.0;
@@ -72,6 +72,8 @@ class GearTrain final : public RigidScene {
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makeGearTrain() { return std::make_unique<GearTrain>(); }
+std::unique_ptr<GalleryScene> makeGearTrain(const BuildOptions& tree) {
+  return std::make_unique<GearTrain>(tree);
+}
 
 }  // namespace octoblisk::gallery

@@ -9,7 +9,7 @@ namespace {
 /// Lengths in m.
 class HelloShape final : public RigidScene {
  public:
-  HelloShape() : RigidScene(1.0 / 240.0) {
+  explicit HelloShape(const BuildOptions& tree) : RigidScene(1.0 / 240.0, tree) {
     // Mass 0 is static. A mesh is a surface, here an open one, that faces up.
     add(shapeOf(shapes::waveSheet(1.5, 0.0, 8)), 0, at(0, 0, 0), demos::palette::kSteel);
     add(shapeOf(shapes::boxMesh({0.15, 0.15, 0.7})), 0, at(0, 0, 0.7), demos::palette::kSky);
@@ -32,6 +32,8 @@ class HelloShape final : public RigidScene {
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makeHelloShape() { return std::make_unique<HelloShape>(); }
+std::unique_ptr<GalleryScene> makeHelloShape(const BuildOptions& tree) {
+  return std::make_unique<HelloShape>(tree);
+}
 
 }  // namespace octoblisk::gallery

@@ -9,7 +9,9 @@ constexpr int kLayerSide = 6;
 
 class Pile final : public GalleryScene {
  public:
-  explicit Pile(int bodies) : pile_(bodies, 1, makeOurShape, kLayerSide) {
+  Pile(int bodies, const BuildOptions& tree)
+      : pile_(
+            bodies, 1, [&](const SharedMesh& mesh) { return makeOurShape(mesh, tree); }, kLayerSide) {
     for (std::size_t i = 0; i < pile_.size(); ++i) pile_.body(i).setActivationState(DISABLE_DEACTIVATION);
   }
 
@@ -43,6 +45,8 @@ class Pile final : public GalleryScene {
 
 }  // namespace
 
-std::unique_ptr<GalleryScene> makePile(int bodies) { return std::make_unique<Pile>(bodies); }
+std::unique_ptr<GalleryScene> makePile(int bodies, const BuildOptions& tree) {
+  return std::make_unique<Pile>(bodies, tree);
+}
 
 }  // namespace octoblisk::gallery

@@ -4,7 +4,7 @@ namespace octoblisk::gallery {
 
 ClusteredOctreeShape& RigidScene::shapeOf(const shapes::SharedMesh& mesh, double margin) {
   shapes_.push_back(std::make_unique<ClusteredOctreeShape>(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh))));
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, tree_))));
   shapes_.back()->setMargin(btScalar(margin));
   return *shapes_.back();
 }

@@ -19,7 +19,7 @@ class RigidScene : public GalleryScene {
   demos::Picture picture() const override;
 
  protected:
-  explicit RigidScene(double time_step) : time_step_(time_step) {}
+  RigidScene(double time_step, BuildOptions tree) : time_step_(time_step), tree_(std::move(tree)) {}
 
   /// Our shape, kept as long as the scene. The margin suits bodies of a metre: they rest calmer with it.
   ClusteredOctreeShape& shapeOf(const shapes::SharedMesh& mesh, double margin = 0.01);
@@ -34,6 +34,7 @@ class RigidScene : public GalleryScene {
   std::vector<std::unique_ptr<ClusteredOctreeShape>> shapes_;
   std::vector<std::pair<const btRigidBody*, demos::Color>> colors_;
   double time_step_;
+  BuildOptions tree_;  ///< of all shapes
   Aabb seen_;
   Vec3 direction_ = -Vec3::UnitZ();
 

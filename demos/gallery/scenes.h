@@ -1,15 +1,15 @@
-// The scenes of the gallery, one a file, each of which begins with what it shows.
+// The scenes of the gallery, one a file, each of which begins with what it shows. `tree` is of their shapes.
 #pragma once
 
 #include "gallery/gallery_scene.h"
 
 namespace octoblisk::gallery {
 
-std::unique_ptr<GalleryScene> makeHelloShape();
-std::unique_ptr<GalleryScene> makeChainOfTori(int links);
-std::unique_ptr<GalleryScene> makePile(int bodies);
-std::unique_ptr<GalleryScene> makeClothBesideGimpact();
-std::unique_ptr<GalleryScene> makeGearTrain();
-std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies);
+std::unique_ptr<GalleryScene> makeHelloShape(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeChainOfTori(int links, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makePile(int bodies, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeClothBesideGimpact(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeGearTrain(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies, const BuildOptions& tree = {});
 
 }  // namespace octoblisk::gallery
