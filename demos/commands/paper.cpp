@@ -44,6 +44,12 @@ void addOptions(CLI::App& command, PaperRequest& request) {
   command.add_option("--seed", request.seed, "Of clouds, clusters, poses, stock and noise")
       ->check(wholeNumberFrom(0, std::int64_t{1} << 62))
       ->capture_default_str();
+  command
+      .add_option("--starts", request.starts,
+                  "Runs of k-means from other initial centres, the best of which (eq. 5) counts; 1 is the "
+                  "paper's own start")
+      ->check(wholeNumberFrom(1, 1000))
+      ->capture_default_str();
   command.add_option("-o,--out", request.out, "Folder for report, tables and figures; made where missing")
       ->required()
       ->check(notEmpty());

@@ -46,7 +46,8 @@ namespace {
 constexpr double kLift = 1.0;             // mm, of the path held off the blade
 constexpr std::size_t kPosesAbout = 400;  // seeded poses of the belt about the blade
 constexpr double kReachOfPoses = 40.0;    // mm
-constexpr std::size_t kSeeds = 5;         // other clouds and clusterings for Table 1
+constexpr std::size_t kSeeds = 32;        // of clouds and clusters, over which Tables 1 to 4 are spread
+constexpr int kRepeatsOfSeeds = 3;        // to be timed
 
 constexpr const char* kReplayFile = "replay.html";  // of Table 3
 
@@ -124,8 +125,8 @@ class PaperRun {
 
   Findings table3(const Progress& progress) const {
     const std::vector<Points> parts = clouds();
-    const BliskRanges ranges = findBliskRanges(parts, request_.seed);
-    progress(0.4);
+    const BliskRanges ranges = findBliskRanges(parts, kMeans());
+    progress(0.1);
     const auto blisk = treeOf(model_.mesh);
     const DetectionScene scene{.model = model_,
                                .blisk = blisk,
@@ -134,13 +135,17 @@ class PaperRun {
                                .lifted = judged(*blisk, *belt_, grindingPath(kLift)),
                                .lift = kLift};
     const DetectionResult result =
-        runDetectionExperiment(*blisk, *belt_, parts, scene.ground, scene.lifted, {.seed = request_.seed},
-                               stretchOf(progress, 0.4, 1.0));
+        runDetectionExperiment(*blisk, *belt_, parts, scene.ground, scene.lifted, {.k_means = kMeans()},
+                               stretchOf(progress, 0.1, 0.3));
+    const DetectionSeeds seeds = detectionOverSeeds(
+        [this](std::uint64_t seed) { return clouds(seed); }, principalBox(belt_->mesh().vertices()),
+        grindingPath(0.0), {.count = kSeeds, .k_means = kMeans()}, stretchOf(progress, 0.3, 1.0));
     const Replay replay = detectionReplay(scene, result);
     writeReplayPage(replay, replayMeshesOf(replay), out_ / kReplayFile);
     Findings findings;
     findings.add(bliskRangesSection(ranges, static_cast<std::size_t>(model_.blades.count)));
-    findings.add(detectionSection(result, model_.name, kLift), detectionClaims(result));
+    findings.add(detectionSection(result, seeds, model_.name, kLift), detectionClaims(result, seeds));
+    sayWhatIsByConstruction(findings.sections.back());
     findings.sections.back().paragraphs.push_back(std::string(kReplayFile) +
                                                   ", beside this report, plays both paths in the browser.");
     return findings;
@@ -150,9 +155,12 @@ class PaperRun {
     const RobotScene scene = robotScene(model_, clouds(), grindingPath(0.0));
     RobotRunOptions options;
     options.noise.seed = request_.seed;
-    const RobotReport report =
-        runRobotExperiment(scene, model_.name, grindingPath(kLift), kLift, options, progress);
+    options.k_means = kMeans();
+    const RobotReport report = runRobotExperiment(
+        scene, model_.name, grindingPath(kLift), kLift, options,
+        [this](std::uint64_t seed) { return clouds(seed); }, progress);
     Section section = robotSection(report);
+    sayWhatIsByConstruction(section);
     section.figures = drawRobotFigures(report, scene, out_);
     return {{std::move(section)}, robotClaims(report)};
   }
@@ -171,7 +179,16 @@ class PaperRun {
   }
 
  private:
-  std::vector<Points> clouds() const { return partClouds(model_, request_.points, request_.seed); }
+  std::vector<Points> clouds(std::uint64_t seed) const { return partClouds(model_, request_.points, seed); }
+  std::vector<Points> clouds() const { return clouds(request_.seed); }
+  KMeansOptions kMeans() const { return {.k = 2, .seed = request_.seed, .starts = request_.starts}; }
+
+  void sayWhatIsByConstruction(Section& section) const {
+    if (!request_.blade.empty()) return;
+    section.paragraphs.push_back(
+        "By construction: the built-in blisk is made as large as the paper's, 480 × 480 × 200 mm. Its "
+        "traditional range agrees with the paper's for that reason alone.");
+  }
 
   /// The path as it is ground, or held off the blade by so much.
   std::vector<Pose> grindingPath(double lift) const {
@@ -186,12 +203,15 @@ class PaperRun {
         posesAbout(*treeOf(model_.blade), *belt_, kPosesAbout, kReachOfPoses, request_.seed);
     SplitRun run{.blade_name = nameOfBlade(),
                  .points = cloud_.size(),
-                 .result = runSplitExperiment(cloud_, belt_box, poses, {.seed = request_.seed},
-                                              stretchOf(progress, 0.0, 0.7))};
-    for (std::uint64_t other = 1; other <= kSeeds; ++other) {
-      const std::uint64_t seed = request_.seed + other;
-      run.ratios_of_seeds.push_back(nodeRatios(evenPoints(*model_.blade, request_.points, seed), seed));
-      progress(0.7 + 0.3 * static_cast<double>(other) / kSeeds);
+                 .result = runSplitExperiment(cloud_, belt_box, poses, {.k_means = kMeans()},
+                                              stretchOf(progress, 0.0, 0.3))};
+    for (std::size_t i = 0; i < kSeeds; ++i) {
+      KMeansOptions k_means = kMeans();
+      k_means.seed += i;
+      run.of_seeds.push_back(
+          runSplitExperiment(evenPoints(*model_.blade, request_.points, k_means.seed), belt_box, {},
+                             {.k_means = k_means, .repeats = kRepeatsOfSeeds}, [](double) {}));
+      progress(0.3 + 0.7 * static_cast<double>(i + 1) / kSeeds);
     }
     return run;
   }

@@ -23,6 +23,7 @@ struct PaperRequest {
   std::string out;            ///< folder; made where missing
   std::size_t points = 1900;  ///< of a blade
   std::uint64_t seed = 1;     ///< of clouds, clusters, poses, stock and noise
+  int starts = 16;            ///< of k-means; 1 is the paper's own
 };
 
 /// Writes the report into the folder. Of all parts, those that the mesh is not made for are left out, which

@@ -42,15 +42,18 @@ std::string countLarger(const std::vector<BliskRange>& ranges, double than, doub
 
 }  // namespace
 
-BliskRanges findBliskRanges(std::span<const Points> parts, std::uint64_t seed) {
+BliskRanges findBliskRanges(std::span<const Points> parts, const KMeansOptions& k_means) {
+  KMeansOptions of_k = k_means;
   BliskRanges ranges;
   const Points whole = joined(parts);
   ranges.whole = rangeOf(1, std::span(&whole, 1));
   for (std::size_t k = 2; k <= kMostClusters; ++k) {
-    ranges.at_once.push_back(rangeOf(k, clustersOf(whole, k, seed)));
+    of_k.k = k;
+    ranges.at_once.push_back(rangeOf(k, clustersOf(whole, of_k)));
   }
   for (std::size_t k = 1; k <= kMostClusters; ++k) {
-    ranges.by_parts.push_back(rangeOf(k, clustersOfParts(parts, k, seed)));
+    of_k.k = k;
+    ranges.by_parts.push_back(rangeOf(k, clustersOfParts(parts, of_k)));
   }
   return ranges;
 }

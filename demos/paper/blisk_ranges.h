@@ -25,8 +25,8 @@ struct BliskRanges {
   std::vector<BliskRange> by_parts;  ///< parts first (blades, hub), then k clusters of each, k = 1..8
 };
 
-/// Of the parts' clouds, each of at least 8 points.
-BliskRanges findBliskRanges(std::span<const Points> parts, std::uint64_t seed);
+/// Of the parts' clouds, each of at least 8 points; k of the options is not asked.
+BliskRanges findBliskRanges(std::span<const Points> parts, const detail::KMeansOptions& k_means);
 
 /// What the report says of it.
 Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades);

@@ -8,6 +8,7 @@
 #include "octoblisk/collide.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"
+#include "paper/paper_octrees.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
@@ -49,23 +50,9 @@ double secondsOf(const Detector& detector, const std::vector<BeltPose>& path) {
   return watch.seconds();
 }
 
-/// The paper's octrees over the points of the blisk.
-struct PaperOctrees {
-  PaperOctrees(const std::vector<Points>& parts, const DetectionOptions& options)
-      : whole(joined(parts)),
-        clusters(clustersOfParts(parts, options.clusters, options.seed)),
-        traditional(std::span(&whole, 1), options.fnop, CellFrame::box),
-        improved(clusters, options.fnop, CellFrame::box),
-        improved_principal(clusters, options.fnop, CellFrame::principal_box) {}
-
-  Points whole;
-  std::vector<Points> clusters;
-  Segmentation traditional, improved, improved_principal;
-};
-
 /// All methods, in the order of DetectionMethod. The bodies and octrees must outlive them.
 std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredOctree& belt,
-                                  const PaperOctrees& paper) {
+                                  const PaperOctrees& paper, const Segmentation& improved_principal) {
   const Obb belt_box = principalBox(belt.mesh().vertices());
   const double our_range = blisk.boxes(0).front().volume();
   const auto oneBox = [&](std::string method, const Obb& box) {
@@ -91,7 +78,7 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
   detectors[kImprovedOneAxis] = octrees("paper's improved, 1 axis", paper.improved, SeparatingAxes::first_x);
   detectors[kImproved] = octrees("paper's improved, 15 axes", paper.improved, SeparatingAxes::exact15);
   detectors[kImprovedPrincipal] =
-      octrees("improved in principal frames, 15 axes", paper.improved_principal, SeparatingAxes::exact15);
+      octrees("improved in principal frames, 15 axes", improved_principal, SeparatingAxes::exact15);
   detectors[kOursBoxes] = {
       "ours, boxes against the belt's box", our_range,
       [&blisk, belt_box](const Pose& pose) { return leavesNear(blisk, pose * belt_box); }};
@@ -112,13 +99,13 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
 }
 
 /// All methods in turn, run by run: what disturbs the machine disturbs all.
-void timeRuns(const std::vector<Detector>& detectors, const std::vector<BeltPose>& path,
+void timeRuns(const std::vector<Detector>& detectors, const std::vector<BeltPose>& path, int runs,
               std::vector<DetectionRow>& rows, const Progress& progress) {
-  for (std::size_t run = 0; run < kRuns; ++run) {
+  for (int run = 0; run < runs; ++run) {
     for (std::size_t method = 0; method < detectors.size(); ++method) {
-      rows[method].run_seconds[run] = secondsOf(detectors[method], path);
+      rows[method].run_seconds.push_back(secondsOf(detectors[method], path));
     }
-    progress(static_cast<double>(run + 1) / kRuns);
+    progress(static_cast<double>(run + 1) / runs);
   }
 }
 
@@ -179,14 +166,15 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
                                        const std::vector<Points>& parts, const std::vector<BeltPose>& ground,
                                        const std::vector<BeltPose>& lifted, const DetectionOptions& options,
                                        const Progress& progress) {
-  const PaperOctrees paper(parts, options);
-  const std::vector<Detector> detectors = detectorsOf(blisk, belt, paper);
+  const PaperOctrees paper(parts, options.k_means, options.fnop);
+  const Segmentation improved_principal(paper.clusters, options.fnop, CellFrame::principal_box);
+  const std::vector<Detector> detectors = detectorsOf(blisk, belt, paper, improved_principal);
   DetectionResult result{.path_poses = ground.size(), .cloud_points = paper.whole.size(), .options = options};
   for (const Detector& detector : detectors) {
     result.rows.push_back(judgedRow(detector, ground, lifted));
     progress(0.3 * static_cast<double>(result.rows.size()) / static_cast<double>(detectors.size()));
   }
-  timeRuns(detectors, ground, result.rows, stretchOf(progress, 0.3, 0.7));
+  timeRuns(detectors, ground, options.runs, result.rows, stretchOf(progress, 0.3, 0.7));
   result.holes = holesOf(coversOf(blisk, belt, paper), ground, lifted, stretchOf(progress, 0.7, 1.0));
   return result;
 }

@@ -1,21 +1,19 @@
 // The experiment of Table 3: detection over a grinding path, by the paper's methods and ours.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "paper/belt_poses.h"
 #include "paper/progress.h"
-#include "paper/published.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
 
 struct DetectionOptions {
-  std::size_t fnop = 2;      ///< the paper's optimum
-  std::size_t clusters = 2;  ///< of each part; the paper's optimum
-  std::uint64_t seed = 1;
+  std::size_t fnop = 2;             ///< the paper's optimum
+  detail::KMeansOptions k_means{};  ///< of each part; the paper's optimum is k = 2
+  int runs = 9;                     ///< over the ground path, to be timed
 };
 
 /// What a method calls colliding, against the exact triangles.
@@ -35,15 +33,15 @@ struct PoseDetection {
 
 struct DetectionRow {
   std::string method;
-  double range = 0.0;                       ///< of the boxes that it begins with, mm³
-  double volume_left = 0.0;                 ///< of the leaf boxes that overlap, the mean of all poses, mm³
-  double boxes_tested = 0.0;                ///< pairs of boxes a pose, the mean; 0 where not counted
-  std::array<double, kRuns> run_seconds{};  ///< of each run over the ground path
-  Alarms ground{};                          ///< over the path as it is ground
-  Alarms lifted{};                          ///< over the path held off the blade
-  std::vector<PoseDetection> at_ground{};   ///< at each pose of the first
-  std::vector<PoseDetection> at_lifted{};   ///< at each pose of the second
-  bool is_exact = false;                    ///< asks the triangles
+  double range = 0.0;                      ///< of the boxes that it begins with, mm³
+  double volume_left = 0.0;                ///< of the leaf boxes that overlap, the mean of all poses, mm³
+  double boxes_tested = 0.0;               ///< pairs of boxes a pose, the mean; 0 where not counted
+  std::vector<double> run_seconds{};       ///< of each run over the ground path
+  Alarms ground{};                         ///< over the path as it is ground
+  Alarms lifted{};                         ///< over the path held off the blade
+  std::vector<PoseDetection> at_ground{};  ///< at each pose of the first
+  std::vector<PoseDetection> at_lifted{};  ///< at each pose of the second
+  bool is_exact = false;                   ///< asks the triangles
 };
 
 /// Whether leaf boxes cover what the belt's triangles touch: without the belt's box, which is larger than it.

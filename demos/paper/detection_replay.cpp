@@ -96,7 +96,7 @@ std::vector<Table> detectionFacts(const DetectionScene& scene, const DetectionRe
            .rows = {{"Method", result.rows[kImproved].method},
                     {"Points", std::to_string(result.cloud_points)},
                     {"FNOP, most points of a leaf", std::to_string(result.options.fnop)},
-                    {"Clusters of each part", std::to_string(result.options.clusters)},
+                    {"Clusters of each part", std::to_string(result.options.k_means.k)},
                     {"Held off the blade by", fixedText(scene.lift, 0) + " mm"},
                     {"Touch or not", "exact on the triangles"}}},
           versionsTable()};

@@ -107,7 +107,7 @@ std::vector<NamedPicture> cellPictures(const PaperModel& model, const Points& cl
 std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Points& cloud,
                                              std::uint64_t seed) {
   constexpr std::size_t kFnop = 10;
-  const std::vector<Points> clusters = clustersOf(cloud, 2, seed);
+  const std::vector<Points> clusters = clustersOf(cloud, {.k = 2, .seed = seed});
   return {segmentationPicture(model, cloud, {cloud}, kFnop, CellFrame::cube, "fig5a.png",
                               "Figure 5 (a): traditional"),
           segmentationPicture(model, cloud, clusters, kFnop, CellFrame::cube, "fig5b.png",
@@ -120,7 +120,7 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
   std::vector<NamedPicture> pictures;
   for (std::size_t k = 2; k <= 8; ++k) {
     Picture picture = bladePicture(model);
-    const std::vector<Points> clusters = clustersOf(cloud, k, seed);
+    const std::vector<Points> clusters = clustersOf(cloud, {.k = k, .seed = seed});
     for (std::size_t c = 0; c < clusters.size(); ++c) {
       const Color color = kClusterColors[c % kClusterColors.size()];
       picture.scene.addPoints(clusters[c], {.color = color, .width = 9.0f});

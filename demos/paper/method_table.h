@@ -46,6 +46,14 @@ double ratioToTraditional(const MethodTable<Number>& table, std::size_t method, 
   return static_cast<double>(table[method][column]) / static_cast<double>(table[0][column]);
 }
 
+/// The mean over FNOP of a row's ratios to the traditional method.
+template <typename Number>
+double meanRatio(const MethodTable<Number>& table, std::size_t method) {
+  double sum = 0.0;
+  for (std::size_t column = 0; column < kFnops; ++column) sum += ratioToTraditional(table, method, column);
+  return sum / kFnops;
+}
+
 /// Row and column of the cell of the improved method that is least against the traditional one's of the same
 /// FNOP; the first of equals.
 struct TableCell {

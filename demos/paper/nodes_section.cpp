@@ -36,27 +36,6 @@ Table nodesTable(const MethodTable<std::size_t>& nodes) {
   return table;
 }
 
-Table seedsTable(const SplitRun& run) {
-  Table table{.name = "table1_seeds",
-              .caption = "Nodes against the traditional method, mean over FNOP 1–10, of " +
-                         std::to_string(run.ratios_of_seeds.size()) +
-                         " other clouds and clusterings by other seeds",
-              .columns = {"k", "fewest", "mean", "most"},
-              .rows = {}};
-  for (std::size_t m = 0; m + 1 < kMethods; ++m) {
-    double least = run.ratios_of_seeds.front()[m], most = least, sum = 0.0;
-    for (const auto& ratios : run.ratios_of_seeds) {
-      least = std::min(least, ratios[m]);
-      most = std::max(most, ratios[m]);
-      sum += ratios[m];
-    }
-    table.rows.push_back({std::to_string(clustersOfMethod(m + 1)), changeText(1.0, least),
-                          changeText(1.0, sum / static_cast<double>(run.ratios_of_seeds.size())),
-                          changeText(1.0, most)});
-  }
-  return table;
-}
-
 Table kOptTable(const MethodTable<std::size_t>& nodes, const MethodTable<double>& volumes) {
   Table table = fnopTable("table1_k_opt", "k_opt (step 5) by two criteria (erratum 5)");
   const auto add = [&](const std::string& name, const auto& numbers) {
@@ -68,8 +47,8 @@ Table kOptTable(const MethodTable<std::size_t>& nodes, const MethodTable<double>
   return table;
 }
 
-/// By what factor the traditional row here is from the paper's, in the mean: the cloud is chosen, the paper
-/// gives none.
+/// The factor by which the traditional row here differs from the paper's, in the mean: the cloud is chosen,
+/// the paper gives none.
 double meanFactor(const MethodTable<std::size_t>& nodes, std::size_t first_column) {
   double sum = 0.0;
   for (std::size_t c = first_column; c < kFnops; ++c) {
@@ -94,7 +73,7 @@ std::string bestText(const MethodTable<Number>& table) {
 
 std::string cloudText(const SplitRun& run, const MethodTable<std::size_t>& nodes) {
   return "The blade: " + run.blade_name + ", " + std::to_string(run.points) +
-         " points, about evenly spread. The paper does not say how many it has; the traditional row here is "
+         " points, about evenly spread. The paper does not say how many it has; the traditional row here "
          "differs from the paper's by a factor of " +
          fixedText(meanFactor(nodes, 0), 2) + " (root mean square of the logarithms), of " +
          fixedText(meanFactor(nodes, 2), 2) +
@@ -206,7 +185,7 @@ Section nodesSection(const SplitRun& run) {
   section.tables.push_back(
       oneRowAMethod("table1_nodes_principal", "TNON with boxes in principal frames, each cluster its own",
                     [&](std::size_t m, std::size_t c) { return std::to_string(nodes_principal[m][c]); }));
-  if (!run.ratios_of_seeds.empty()) section.tables.push_back(seedsTable(run));
+  section.tables.push_back(seedsTable("table1_seeds", "Nodes", run, &SplitCell::nodes));
   section.tables.push_back(kOptTable(nodes, volumes_principal));
   section.tables.push_back(volumeTable("table1_volume", cubes, volumes));
   section.tables.push_back(volumeTable("table1_volume_principal", boxes, volumes_principal));

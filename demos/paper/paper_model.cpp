@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "models/embedded_assets.h"
 #include "paper/surface_points.h"
 
@@ -21,18 +22,21 @@ PaperModel paperModel(std::string name, TriangleMesh mesh) {
 }
 
 std::vector<Points> partClouds(const PaperModel& model, std::size_t count, std::uint64_t seed) {
-  std::vector<Points> clouds = {evenPoints(*model.blade, count, seed)};
-  if (!model.isBlisk()) return clouds;
+  if (!model.isBlisk()) return {evenPoints(*model.blade, count, seed)};
   const std::vector<int>& part = model.blades.blade_of_triangle;
-  for (int blade = 2; blade <= model.blades.count; ++blade) {
-    clouds.push_back(evenPoints(partOf(*model.mesh, part, blade), count, seed));
-  }
-  if (std::ranges::find(part, 0) == part.end()) return clouds;
-  const TriangleMesh hub = partOf(*model.mesh, part, 0);
-  constexpr double kMostOfHub = 4.0;
-  const double share = std::min(kMostOfHub, surfaceArea(hub) / surfaceArea(*model.blade));
-  const auto hub_count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count)));
-  clouds.push_back(evenPoints(hub, hub_count, seed));
+  const auto blades = static_cast<std::size_t>(model.blades.count);
+  const bool has_hub = std::ranges::find(part, 0) != part.end();
+  std::vector<Points> clouds(blades + has_hub);
+  // The hub, which takes longest, first.
+  detail::parallelFor(clouds.size(), detail::threadCount(0), [&](std::size_t index, std::size_t) {
+    const std::size_t i = clouds.size() - 1 - index;
+    const TriangleMesh mesh = partOf(*model.mesh, part, i < blades ? static_cast<int>(i) + 1 : 0);
+    constexpr double kMostOfHub = 4.0;
+    const double share =
+        i < blades ? 1.0 : std::min(kMostOfHub, surfaceArea(mesh) / surfaceArea(*model.blade));
+    clouds[i] =
+        evenPoints(mesh, static_cast<std::size_t>(std::ceil(share * static_cast<double>(count))), seed);
+  });
   return clouds;
 }
 

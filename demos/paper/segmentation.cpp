@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "build/paper/k_means.h"
 #include "build/paper/principal_box.h"
 #include "geometry/principal_axes.h"
 
@@ -11,10 +10,10 @@ namespace octoblisk::demos {
 
 using namespace detail;
 
-std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed) {
-  if (k == 0) return {points};
-  const Clustering clustering = kMeans(points, {.k = k, .seed = seed, .paper_start = true});
-  std::vector<Points> clusters(k);
+std::vector<Points> clustersOf(const Points& points, const KMeansOptions& options) {
+  if (options.k == 0) return {points};
+  const Clustering clustering = kMeans(points, options);
+  std::vector<Points> clusters(options.k);
   for (std::size_t i = 0; i < points.size(); ++i) {
     clusters[clustering.cluster_of_point[i]].push_back(points[i]);
   }
@@ -22,11 +21,12 @@ std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_
   return clusters;
 }
 
-std::vector<Points> clustersOfParts(std::span<const Points> parts, std::size_t k, std::uint64_t seed) {
+std::vector<Points> clustersOfParts(std::span<const Points> parts, const KMeansOptions& options) {
   std::vector<Points> all;
   for (const Points& part : parts) {
-    for (Points& cluster : clustersOf(part, std::min(k, part.size()), seed))
-      all.push_back(std::move(cluster));
+    KMeansOptions of_part = options;
+    of_part.k = std::min(options.k, part.size());
+    for (Points& cluster : clustersOf(part, of_part)) all.push_back(std::move(cluster));
   }
   return all;
 }

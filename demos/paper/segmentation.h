@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "build/paper/k_means.h"
 #include "build/paper/octree.h"
 #include "paper/paper_model.h"
 
@@ -17,14 +18,13 @@ enum class CellFrame {
   principal_box,  ///< the points' box along their principal axes: each cluster its own
 };
 
-/// The points of each of k clusters by k-means from the paper's start; empty clusters are left out. Of k = 0,
-/// the traditional method, all points together.
-/// Throws std::invalid_argument where k is above the number of points.
-std::vector<Points> clustersOf(const Points& points, std::size_t k, std::uint64_t seed);
+/// The points of each of k clusters by k-means; empty clusters are left out. Of k = 0, the traditional
+/// method, all points together. Throws as kMeans.
+std::vector<Points> clustersOf(const Points& points, const detail::KMeansOptions& options);
 
 /// The same of each of several clouds, all together; of a cloud with fewer points than k, as many clusters as
 /// it has points.
-std::vector<Points> clustersOfParts(std::span<const Points> parts, std::size_t k, std::uint64_t seed);
+std::vector<Points> clustersOfParts(std::span<const Points> parts, const detail::KMeansOptions& options);
 
 /// All points of several clouds.
 Points joined(std::span<const Points> parts);

@@ -4,16 +4,14 @@
 #include <vector>
 
 #include "paper/box_detection.h"
+#include "paper/spread.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
-namespace {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
+using namespace detail;
+
+namespace {
 
 using Clusters = std::vector<Points>;
 
@@ -49,8 +47,8 @@ void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, Spl
   }
   for (std::size_t method = 0; method < kMethods; ++method) {
     for (std::size_t column = 0; column < kFnops; ++column) {
-      result.cubes[method][column].split_ms = median(times[method][column][0]);
-      result.principal[method][column].split_ms = median(times[method][column][1]);
+      result.cubes[method][column].split_ms = spreadOf(times[method][column][0]).median;
+      result.principal[method][column].split_ms = spreadOf(times[method][column][1]).median;
     }
   }
 }
@@ -64,13 +62,15 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
 
   std::array<Clusters, kMethods> clusters;
   for (std::size_t method = 0; method < kMethods; ++method) {
+    KMeansOptions k_means = options.k_means;
+    k_means.k = clustersOfMethod(method);
     std::vector<double> times;
     for (int repeat = 0; repeat < std::min(options.repeats, 3); ++repeat) {
       const Stopwatch watch;
-      clusters[method] = clustersOf(cloud, clustersOfMethod(method), options.seed);
+      clusters[method] = clustersOf(cloud, k_means);
       times.push_back(1e3 * watch.seconds());
     }
-    if (method > 0) result.cluster_ms[method] = median(times);
+    if (method > 0) result.cluster_ms[method] = spreadOf(times).median;
   }
   for (std::size_t method = 0; method < kMethods; ++method) {
     for (std::size_t column = 0; column < kFnops; ++column) {
@@ -84,24 +84,6 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
   }
   timeSplits(clusters, options.repeats, result, stretchOf(progress, 0.5, 1.0));
   return result;
-}
-
-std::array<double, kMethods - 1> nodeRatios(const Points& cloud, std::uint64_t seed) {
-  std::array<double, kFnops> traditional{};
-  std::array<double, kMethods - 1> ratios{};
-  for (std::size_t method = 0; method < kMethods; ++method) {
-    const Clusters clusters = clustersOf(cloud, clustersOfMethod(method), seed);
-    for (std::size_t column = 0; column < kFnops; ++column) {
-      const auto nodes =
-          static_cast<double>(Segmentation(clusters, fnopOf(column), CellFrame::cube).totalNodes());
-      if (method == 0) {
-        traditional[column] = nodes;
-      } else {
-        ratios[method - 1] += nodes / traditional[column] / kFnops;
-      }
-    }
-  }
-  return ratios;
 }
 
 }  // namespace octoblisk::demos

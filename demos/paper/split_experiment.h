@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 
 #include "paper/belt_poses.h"
@@ -13,8 +12,8 @@
 namespace octoblisk::demos {
 
 struct SplitOptions {
-  std::uint64_t seed = 1;  ///< of k-means
-  int repeats = 15;        ///< of which split_ms is the median, interleaved over all cells
+  detail::KMeansOptions k_means{};  ///< of each k
+  int repeats = 15;                 ///< of which split_ms is the median, interleaved over all cells
 };
 
 /// What a method does at an FNOP.
@@ -50,9 +49,5 @@ MethodTable<Number> numbersOf(const MethodTable<SplitCell>& cells, Number SplitC
 /// seed.
 SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::span<const BeltPose> poses,
                                const SplitOptions& options, const Progress& progress);
-
-/// Of each k from 2: the node count of axis-aligned cubes against the traditional method's, the mean over
-/// FNOP 1..10, as a ratio.
-std::array<double, kMethods - 1> nodeRatios(const Points& cloud, std::uint64_t seed);
 
 }  // namespace octoblisk::demos

@@ -78,7 +78,7 @@ Section splitTimesSection(const SplitRun& run) {
                    " here and " + changeText(kPublishedSeconds[0][fnop2], kPublishedSeconds[k2][fnop2]) +
                    " in the paper (erratum 11); with the time of k-means it is " +
                    changeText(cubes[0][fnop2], with_clustering) + " here."},
-          .tables = {timesTable(cubes),
+          .tables = {timesTable(cubes), seedsTable("table2_seeds", "Split time", run, &SplitCell::split_ms),
                      oneRowAMethod(
                          "table2_times_principal",
                          "Split time with boxes in principal frames, the finding of the frames included (ms)",

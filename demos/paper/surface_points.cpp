@@ -57,11 +57,11 @@ std::vector<Vec3> evenPoints(const TriangleMesh& mesh, std::size_t count, std::u
   while (points.size() < count) {
     const Vec3 taken = pool[farthest];
     points.push_back(taken);
+    double most = -1.0;
     for (std::size_t i = 0; i < pool.size(); ++i) {
       squared_distance[i] = std::min(squared_distance[i], (pool[i] - taken).squaredNorm());
+      if (squared_distance[i] > most) most = squared_distance[farthest = i];
     }
-    farthest =
-        static_cast<std::size_t>(std::ranges::max_element(squared_distance) - squared_distance.begin());
   }
   return points;
 }

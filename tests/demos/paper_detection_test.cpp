@@ -11,6 +11,7 @@
 #include "paper/box_detection.h"
 #include "paper/detection_experiment.h"
 #include "paper/detection_replay.h"
+#include "paper/detection_seeds.h"
 #include "paper/surface_points.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -35,7 +36,7 @@ TEST(BoxDetection, cellsLeft_vs_everyCell) {
   int hits = 0, more_by_one_axis = 0;
   constexpr int kPoses = 200;
   for (const CellFrame frame : {CellFrame::cube, CellFrame::principal_box}) {
-    const Segmentation segmentation(clustersOf(cloud, 3, 1), 4, frame);
+    const Segmentation segmentation(clustersOf(cloud, {.k = 3}), 4, frame);
     const std::vector<Obb> cells = segmentation.leafCells();
     for (int i = 0; i < kPoses; ++i) {
       const Obb there = testing::randomPose(random, 1.5) * box;
@@ -102,7 +103,7 @@ TEST(BoxDetection, leafBoxesLeft_vs_everyPair) {
 
 TEST(BoxDetection, cellsThatTrianglesMeet_vs_everyTriangle) {
   const Points cloud = evenPoints(*testing::fan(3, 10), 150, 1);
-  const Segmentation segmentation(clustersOf(cloud, 2, 1), 1, CellFrame::box);
+  const Segmentation segmentation(clustersOf(cloud, {.k = 2}), 1, CellFrame::box);
   const std::vector<Obb> cells = segmentation.leafCells();
   const ClusteredOctree blisk = fanTree(), belt = ringTree();
   const std::vector<Obb> leaves = leafBoxes(blisk);
@@ -144,7 +145,7 @@ Points cornersOf(const Vec3& low, const Vec3& size) {
 TEST(BliskRanges, ofTwoBoxesByHand) {
   // Two boxes of 1 × 2 × 3, 9 apart along x.
   const std::vector<Points> parts = {cornersOf({0, 0, 0}, {1, 2, 3}), cornersOf({10, 0, 0}, {1, 2, 3})};
-  const BliskRanges ranges = findBliskRanges(parts, 1);
+  const BliskRanges ranges = findBliskRanges(parts, {});
   EXPECT_DOUBLE_EQ(ranges.whole.axis_aligned, 11.0 * 2.0 * 3.0);
   EXPECT_NEAR(ranges.whole.principal, 11.0 * 2.0 * 3.0, 1e-9);
   ASSERT_EQ(ranges.at_once.size(), 7u);
@@ -175,8 +176,7 @@ struct SmallDetection {
   ClusteredOctree blisk = fanTree(), belt = ringTree();
   std::vector<Points> parts = {evenPoints(blisk.mesh(), 120, 1)};
   std::vector<BeltPose> poses = posesAbout(blisk, belt, 60, 0.6, 2);
-  DetectionResult result =
-      runDetectionExperiment(blisk, belt, parts, poses, poses, {.fnop = 2, .clusters = 2}, kNoProgress);
+  DetectionResult result = runDetectionExperiment(blisk, belt, parts, poses, poses, {.fnop = 2}, kNoProgress);
 };
 
 TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
@@ -207,6 +207,32 @@ TEST(DetectionExperiment, rowsAgreeWithTheirDefinitions) {
   EXPECT_EQ(rows[kOneAabb].range, boundingBox(small.blisk.mesh().vertices(), Mat3::Identity()).volume());
   EXPECT_LE(rows[kOursBothBoxes].ground.false_positives, rows[kOursBoxes].ground.false_positives);
   EXPECT_LE(rows[kTraditional].ground.false_positives, rows[kTraditionalOneAxis].ground.false_positives);
+}
+
+TEST(DetectionSeeds, rangesAreThoseOfEachSeedsBoxes) {
+  const SmallDetection small;
+  const auto cloudsOf = [&](std::uint64_t seed) {
+    return std::vector<Points>{evenPoints(small.blisk.mesh(), 120, seed)};
+  };
+  std::vector<Pose> poses;
+  for (const BeltPose& pose : small.poses) poses.push_back(pose.belt_in_mesh);
+  const Obb belt_box = principalBox(small.belt.mesh().vertices());
+  const DetectionSeeds seeds = detectionOverSeeds(
+      cloudsOf, belt_box, poses, {.count = 4, .k_means = {.seed = 7}, .runs = 2}, kNoProgress);
+  ASSERT_EQ(seeds.count(), 4u);
+  for (std::size_t i = 0; i < seeds.count(); ++i) {
+    const Points cloud = cloudsOf(7 + i).front();
+    double range = 0.0, principal = 0.0;
+    for (const Points& cluster : clustersOf(cloud, {.k = 2, .seed = 7 + i})) {
+      range += boundingBox(cluster, Mat3::Identity()).volume();
+      principal += principalBox(cluster).volume();
+    }
+    const double whole = boundingBox(cloud, Mat3::Identity()).volume();
+    EXPECT_NEAR(seeds.range[i], range / whole, 1e-12);
+    EXPECT_NEAR(seeds.principal_range[i], principal / whole, 1e-12);
+    EXPECT_GT(seeds.seconds[i], 0.0);
+  }
+  EXPECT_NE(seeds.range[0], seeds.range[1]);
 }
 
 TEST(DetectionReplay, posesSayWhatTheTrianglesAndTheBoxesSay) {

@@ -251,8 +251,9 @@ TEST(RobotSection, showsTheRunsBesideThePaper) {
   RobotRunOptions options = quickOptions();
   options.control_period = 0.1;
   double done = 0.0;
-  const RobotReport report =
-      runRobotExperiment(scene, "a coarse blisk", lifted, 1.0, options, [&](double part) {
+  const RobotReport report = runRobotExperiment(
+      scene, "a coarse blisk", lifted, 1.0, options, [&](std::uint64_t) { return scene.clouds; },
+      [&](double part) {
         EXPECT_GE(part, done);
         done = part;
       });
@@ -262,15 +263,18 @@ TEST(RobotSection, showsTheRunsBesideThePaper) {
   EXPECT_LT(report.lifted.touching_ticks, report.runs[0].touching_ticks);
 
   const Section section = robotSection(report);
-  ASSERT_EQ(section.tables.size(), 5u);
+  ASSERT_EQ(section.tables.size(), 6u);
   const Table& paper = section.tables[0];
-  ASSERT_EQ(paper.rows.size(), 5u);  // range, three runs, their average
+  ASSERT_EQ(paper.rows.size(), 4u);  // range; least, median and greatest time
   EXPECT_EQ(paper.rows[0][5], "4608.00");
   EXPECT_EQ(paper.rows[0][6], "2534.40");
   EXPECT_EQ(paper.rows[1][7], "-18.39 %");
-  EXPECT_EQ(paper.rows[4][5], "475.88");
-  EXPECT_EQ(paper.rows[4][7], "-18.44 %");
-  const Table& alarms = section.tables[2];
+  EXPECT_EQ(paper.rows[2][5], "475.99");
+  EXPECT_EQ(paper.rows[2][7], "-18.48 %");
+  EXPECT_EQ(section.tables[1].name, "table4_seeds");
+  ASSERT_EQ(report.seeds.count(), 32u);
+  EXPECT_EQ(section.tables[1].rows[0][1], changeText(1.0, spreadOf(report.seeds.range).mean));
+  const Table& alarms = section.tables[3];
   ASSERT_EQ(alarms.rows.size(), 2 * kRobotMethods);
   const RobotRun& last = report.lifted;
   EXPECT_THAT(alarms.rows[kRobotMethods][3],

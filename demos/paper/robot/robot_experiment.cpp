@@ -26,7 +26,7 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   require(options.control_period > 0.0, "the control period must be above 0 s");
   require(options.steps_a_tick > 0, "a tick needs a step of the world");
   require(options.margin >= 0.0, "the margin must be at least 0 mm");
-  require(options.clusters > 0 && options.leaf_capacity > 0,
+  require(options.k_means.k > 0 && options.leaf_capacity > 0,
           "the numbers of clusters and of points a leaf must be above 0");
   require(options.noise.encoder >= 0.0 && options.noise.position >= 0.0 && options.noise.direction >= 0.0,
           "standard deviations of noise must be at least 0");
@@ -169,7 +169,8 @@ class RobotLoop {
     const Belief belief{joints + encoder_error_, noise_.toolError()};
     tick.position_error = (tool_in_blisk.translation - wanted.translation).norm();
     tick.direction_error = angleBetween(tool_in_blisk.rotation, wanted.rotation);
-    tick.sensing_error = (cell_.toolInBlisk(belief).translation - tool_in_blisk.translation).norm();
+    tick.tool_in_blisk = cell_.toolInBlisk(belief);
+    tick.sensing_error = (tick.tool_in_blisk.translation - tool_in_blisk.translation).norm();
     run_.least_margin_to_limits = std::min(
         {run_.least_margin_to_limits, (joints - arm_.least).minCoeff(), (arm_.greatest - joints).minCoeff()});
     return belief;

@@ -43,6 +43,7 @@ struct RobotTick {
   double sensing_error = 0.0;                  ///< of the centre as it is measured from where it is, mm
   std::array<float, kRobotMethods> seconds{};  ///< the processor's
   std::array<bool, kRobotMethods> alarm{};     ///< of the belt
+  Pose tool_in_blisk;                          ///< as measured
   bool touch = false;                          ///< the belt truly touches the blisk
   bool forbidden = false;                      ///< something truly touches that must not
 };

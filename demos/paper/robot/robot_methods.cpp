@@ -1,7 +1,6 @@
 #include "paper/robot/robot_methods.h"
 
 #include <chrono>
-#include <span>
 
 #include "build/paper/principal_box.h"
 #include "octoblisk/collide.h"
@@ -15,8 +14,6 @@ using namespace detail;
 
 namespace {
 
-constexpr std::uint64_t kClusterSeed = 1;  // of k-means
-
 class TickWatch {
  public:
   TimeTaken taken() const {
@@ -28,16 +25,6 @@ class TickWatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Stopwatch processor_;
 };
-
-Segmentation traditionalOf(const RobotScene& scene, const RobotRunOptions& options) {
-  const Points whole = joined(scene.clouds);
-  return Segmentation(std::span(&whole, 1), options.leaf_capacity, CellFrame::box);
-}
-
-Segmentation improvedOf(const RobotScene& scene, const RobotRunOptions& options) {
-  return Segmentation(clustersOfParts(scene.clouds, options.clusters, kClusterSeed), options.leaf_capacity,
-                      CellFrame::box);
-}
 
 /// Of the boxes that the broadphase looks at first.
 double boxVolume(const ClusteredOctree& tree) {
@@ -53,15 +40,14 @@ RobotMethods::RobotMethods(const RobotScene& scene, const RobotRunOptions& optio
       options_(options),
       cell_(cell),
       belt_(principalBox(scene.tool.front().tree->mesh().vertices())),
-      traditional_(traditionalOf(scene, options)),
-      improved_(improvedOf(scene, options)) {}
+      octrees_(scene.clouds, options.k_means, options.leaf_capacity) {}
 
 double RobotMethods::range(RobotMethod method) const {
   switch (method) {
     case RobotMethod::traditional:
-      return traditional_.rootVolume();
+      return octrees_.traditional.rootVolume();
     case RobotMethod::improved:
-      return improved_.rootVolume();
+      return octrees_.improved.rootVolume();
     default:
       return boxVolume(*scene_.blisk);
   }
@@ -70,9 +56,9 @@ double RobotMethods::range(RobotMethod method) const {
 RobotAnswer RobotMethods::ask(RobotMethod method, const Belief& belief) const {
   switch (method) {
     case RobotMethod::traditional:
-      return askBoxes(traditional_, belief);
+      return askBoxes(octrees_.traditional, belief);
     case RobotMethod::improved:
-      return askBoxes(improved_, belief);
+      return askBoxes(octrees_.improved, belief);
     case RobotMethod::yes_or_no:
       return askTriangles(belief);
     case RobotMethod::exact:

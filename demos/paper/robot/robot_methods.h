@@ -5,10 +5,10 @@
 #include <set>
 
 #include "octoblisk/types.h"
+#include "paper/paper_octrees.h"
 #include "paper/robot/robot_cell.h"
 #include "paper/robot/robot_options.h"
 #include "paper/robot/robot_scene.h"
-#include "paper/segmentation.h"
 
 namespace octoblisk::demos {
 
@@ -55,7 +55,7 @@ class RobotMethods {
   const RobotRunOptions& options_;
   RobotCell& cell_;
   Obb belt_;  // in the belt's frame
-  Segmentation traditional_, improved_;
+  PaperOctrees octrees_;
 };
 
 }  // namespace octoblisk::demos

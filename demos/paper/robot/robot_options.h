@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "build/paper/k_means.h"
+
 namespace octoblisk::demos {
 
 /// What an arm's sensors get wrong. Each drawn from a normal distribution of the given standard deviation.
@@ -24,7 +26,7 @@ struct RobotRunOptions {
   int steps_a_tick = 4;           ///< of the Bullet world
   double margin = 0.2;            ///< mm: the second exact method tells of everything as near as this
   int ground_blade = 1;           ///< that the belt may touch
-  std::size_t clusters = 2;       ///< of each blade, in the paper's method (k)
+  detail::KMeansOptions k_means;  ///< of each part, in the paper's method
   std::size_t leaf_capacity = 2;  ///< in the paper's octrees (FNOP)
   NoiseOptions noise;
 };

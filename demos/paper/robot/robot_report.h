@@ -1,10 +1,12 @@
 // The runs of the robot that Table 4 is made of.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "paper/detection_seeds.h"
 #include "paper/robot/robot_experiment.h"
 
 namespace octoblisk::demos {
@@ -20,13 +22,17 @@ struct RobotReport {
   StandOptions stand;
   std::vector<RobotRun> runs;
   RobotRun lifted;
+  DetectionSeeds seeds;  ///< of the paper's methods, at ticks of the first run
 };
 
 /// Chooses the layout for the scene's path and makes the runs, their seeds counted on from the options'. The
-/// lifted path is to begin near the scene's. Throws as chooseLayout and runRobot.
+/// lifted path is to begin near the scene's; `parts_of_seed` gives the clouds of the blisk's parts. Throws as
+/// chooseLayout and runRobot.
 RobotReport runRobotExperiment(const RobotScene& scene, std::string blisk_name,
                                const std::vector<Pose>& lifted_path, double lift,
-                               const RobotRunOptions& options, const Progress& progress);
+                               const RobotRunOptions& options,
+                               const std::function<std::vector<Points>(std::uint64_t seed)>& parts_of_seed,
+                               const Progress& progress);
 
 /// What a method did on several runs together.
 struct RobotTotals {

@@ -24,9 +24,9 @@ std::string degrees(double angle, int digits) { return fixedText(angle * 180.0 /
 
 /// The time is that of the whole path.
 DetectionNumbers numbersOf(const std::vector<RobotRun>& runs, RobotMethod method) {
-  DetectionNumbers numbers{.range = runs.front().of(method).range};
-  for (std::size_t run = 0; run < kRuns; ++run) {
-    numbers.seconds[run] = runs[run].of(method).mean_seconds * static_cast<double>(runs[run].ticks.size());
+  DetectionNumbers numbers{.range = runs.front().of(method).range, .seconds = {}};
+  for (const RobotRun& run : runs) {
+    numbers.seconds.push_back(run.of(method).mean_seconds * static_cast<double>(run.ticks.size()));
   }
   return numbers;
 }
@@ -36,14 +36,15 @@ Table paperTable(const RobotReport& report) {
       "table4_paper",
       "Table 4 in the paper's form: traditional and improved octrees in the loop of the simulated robot, and "
       "in the paper. The time is the processor's, of all ticks of the path together",
-      paperNumbers(report), kPublishedTable4, 3);
+      {numbersOf(report.runs, RobotMethod::traditional), numbersOf(report.runs, RobotMethod::improved)},
+      kPublishedTable4, 3);
 }
 
 Table timesTable(const RobotReport& report) {
   const RobotRunOptions& options = report.runs.front().options;
   Table table{
       .name = "table4_times",
-      .caption = "Range and time of each method in the loop, over the " + std::to_string(kRuns) +
+      .caption = "Range and time of each method in the loop, over the " + std::to_string(report.runs.size()) +
                  " runs, in the processor's time and by the clock, which other work on the machine delays; "
                  "the control period is " +
                  milliseconds(options.control_period) + " ms",
@@ -139,7 +140,7 @@ Table assumptionsTable(const RobotReport& report) {
           {"steps of the Bullet world at each tick", std::to_string(options.steps_a_tick), "assumed"},
           {"margin of the last method", fixedText(options.margin, 2) + " mm", "assumed"},
           {"octrees of the paper's methods: k of each part, FNOP",
-           std::to_string(options.clusters) + ", " + std::to_string(options.leaf_capacity),
+           std::to_string(options.k_means.k) + ", " + std::to_string(options.leaf_capacity),
            "the paper's optimum in Table 1"},
           {"repeatability of the tool's place, along each axis, one draw a run",
            fixedText(3e3 * options.noise.position, 0) + " µm", slamani},
@@ -172,16 +173,13 @@ Table assumptionsTable(const RobotReport& report) {
 
 }  // namespace
 
-DetectionTable paperNumbers(const RobotReport& report) {
-  return {numbersOf(report.runs, RobotMethod::traditional), numbersOf(report.runs, RobotMethod::improved)};
-}
-
 std::string microseconds(double seconds) { return fixedText(1e6 * seconds, 1); }
 std::string milliseconds(double seconds) { return fixedText(1e3 * seconds, 2); }
 
 std::vector<Table> robotTables(const RobotReport& report) {
-  return {paperTable(report), timesTable(report), alarmsTable(report), robotTable(report),
-          assumptionsTable(report)};
+  return {paperTable(report), seedsTable("table4_seeds", "Table 4", report.seeds),
+          timesTable(report), alarmsTable(report),
+          robotTable(report), assumptionsTable(report)};
 }
 
 }  // namespace octoblisk::demos

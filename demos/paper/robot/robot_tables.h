@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "paper/published.h"
 #include "paper/robot/robot_report.h"
 #include "render/document.h"
 
@@ -12,9 +11,6 @@ namespace octoblisk::demos {
 
 /// In the paper's form; times; alarms; the robot; what is assumed.
 std::vector<Table> robotTables(const RobotReport& report);
-
-/// Of the paper's methods; the time is that of the whole path.
-DetectionTable paperNumbers(const RobotReport& report);
 
 std::string microseconds(double seconds);  ///< "12.3"
 std::string milliseconds(double seconds);  ///< "0.12"

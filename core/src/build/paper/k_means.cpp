@@ -10,8 +10,7 @@ namespace octoblisk::detail {
 namespace {
 
 /// k different points, drawn by the first k steps of a Fisher–Yates shuffle (step 1).
-std::vector<Vec3> randomCenters(std::span<const Vec3> points, std::size_t k, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
+std::vector<Vec3> randomCenters(std::span<const Vec3> points, std::size_t k, std::mt19937_64& random) {
   std::vector<std::uint32_t> index(points.size());
   std::iota(index.begin(), index.end(), 0u);
   std::vector<Vec3> centers;
@@ -101,10 +100,14 @@ Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options) {
                                 ", but must be 1 to the number of points, " + std::to_string(points.size()));
   }
   if (options.max_iterations < 1) throw std::invalid_argument("k-means: max_iterations must be at least 1");
-  Clustering clustering =
-      lloyd(points, randomCenters(points, options.k, options.seed), options.max_iterations);
-  if (options.paper_start) clustering = lloyd(points, std::move(clustering.centers), options.max_iterations);
-  return clustering;
+  if (options.starts < 1) throw std::invalid_argument("k-means: starts must be at least 1");
+  std::mt19937_64 random(options.seed);
+  Clustering best = lloyd(points, randomCenters(points, options.k, random), options.max_iterations);
+  for (int start = 1; start < options.starts && options.k > 1; ++start) {
+    Clustering other = lloyd(points, randomCenters(points, options.k, random), options.max_iterations);
+    if (other.squared_error < best.squared_error) best = std::move(other);
+  }
+  return best;
 }
 
 }  // namespace octoblisk::detail
