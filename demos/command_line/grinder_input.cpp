@@ -238,8 +238,8 @@ void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (open.count > 0) {
     warnOf(files.bliskName(),
            describe(open) +
-               ", so it is no solid: depths are those of pairs of triangles, which shrink as meshes get "
-               "finer, and a part wholly inside goes unnoticed");
+               ". Near them the surface bounds no solid: where the tool touches it there, its depth, and so the "
+               "verdict, is unknown, which counts as interference");
   }
 }
 

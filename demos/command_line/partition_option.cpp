@@ -18,7 +18,7 @@ void addPartitionOption(CLI::App& command, BuildOptions& options) {
     }
     if (!std::regex_match(text, found, form)) {
       throw CLI::ValidationError("--partition",
-                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]] with K from 1 to 8");
+                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]], K 1 to 8");
     }
     options.partition = PartitionKind::paper;
     options.clusters = found[1].matched ? std::stoi(found[1]) : 0;

@@ -46,7 +46,7 @@ bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const 
 
 }  // namespace
 
-DepthProof::DepthProof(const octoblisk::Surface& blisk, const octoblisk::Surface& part)
+DepthProof::DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& part)
     : blisk_(blisk), part_(part) {
   const TriangleMesh& mesh = part.tree().mesh();
   std::array<std::vector<TriangleMesh::Indices>, kShells.size() + 1> triangles;
@@ -64,11 +64,11 @@ DepthProof::DepthProof(const octoblisk::Surface& blisk, const octoblisk::Surface
 bool DepthProof::holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const {
   const Vec3 lift = limit * up;
   for (const Shell& shell : shells_) {
-    if (!keepsOff(blisk_.tree(), *shell, move, begin, end, lift)) return false;
+    if (!keepsOff(blisk_.surface().tree(), *shell, move, begin, end, lift)) return false;
   }
   Pose lifted = move.at(begin);  // as the surfaces do not meet, what holds here holds all the way
   lifted.translation += lift;
-  return !isNested(blisk_, part_, lifted);
+  return !mayBeNested(blisk_, part_, lifted);
 }
 
 }  // namespace octoblisk::demos

@@ -6,14 +6,15 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/motion.h"
+#include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
 namespace octoblisk::demos {
 
 class DepthProof {
  public:
-  /// The surfaces must outlive it; the blisk's must be closed.
-  DepthProof(const octoblisk::Surface& blisk, const octoblisk::Surface& part);
+  /// The surfaces must outlive it; the blisk's boundary must be whole.
+  DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& part);
 
   /// True: at no fraction of the move from `begin` to `end` is any point of the part deeper than `limit` (mm)
   /// in the blisk, or of the blisk in the part. For the part, lifted by the limit along `up` (of unit length,
@@ -25,7 +26,7 @@ class DepthProof {
   /// The part's triangles that are about as far from its origin: those near it go a shorter way in a turn.
   using Shell = std::shared_ptr<const ClusteredOctree>;
 
-  const octoblisk::Surface& blisk_;
+  const SolidBoundary& blisk_;
   const octoblisk::Surface& part_;
   std::vector<Shell> shells_;
 };

@@ -40,19 +40,17 @@ bool isBeside(const Triangle& triangle, const Aabb& box) {
 
 }  // namespace
 
-std::vector<std::uint32_t> fineFeatures(const octoblisk::Surface& surface, double depth, int threads) {
-  const ClusteredOctree& tree = surface.tree();
+std::vector<std::uint32_t> fineFeatures(const SolidBoundary& boundary, double depth, int threads) {
+  const ClusteredOctree& tree = boundary.surface().tree();
   std::vector<char> fine(tree.mesh().triangleCount(), 1);
-  if (surface.isOriented()) {
-    constexpr std::size_t kAtOnce = 1024;
-    parallelFor((fine.size() + kAtOnce - 1) / kAtOnce, threadCount(threads),
-                [&](std::size_t block, std::size_t) {
-                  const std::size_t end = std::min(fine.size(), (block + 1) * kAtOnce);
-                  for (std::size_t t = block * kAtOnce; t < end; ++t) {
-                    fine[t] = isFine(tree, static_cast<std::uint32_t>(t), depth);
-                  }
-                });
-  }
+  constexpr std::size_t kAtOnce = 1024;
+  parallelFor((fine.size() + kAtOnce - 1) / kAtOnce, threadCount(threads),
+              [&](std::size_t block, std::size_t) {
+                const auto end = static_cast<std::uint32_t>(std::min(fine.size(), (block + 1) * kAtOnce));
+                for (auto t = static_cast<std::uint32_t>(block * kAtOnce); t < end; ++t) {
+                  if (boundary.has(t)) fine[t] = isFine(tree, t, depth);
+                }
+              });
   std::vector<std::uint32_t> found;
   for (std::uint32_t t = 0; t < fine.size(); ++t) {
     if (fine[t]) found.push_back(t);

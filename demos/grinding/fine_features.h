@@ -7,20 +7,21 @@
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
 namespace octoblisk::demos {
 
-/// The numbers of the triangles of a closed surface that faces outward, where a point a given depth inwards
-/// along the normal is nearer to the surface than 96 % of it: asked at corners, middles of edges and
-/// centroid. Where the surface is not oriented, all triangles.
+/// The numbers of the triangles that bound no solid, and of those of the rest, which faces outward, where a
+/// point a given depth inwards along the normal is nearer to the surface than 96 % of it: asked at corners,
+/// middles of edges and centroid.
 ///
 /// What they are for: let no point of another solid's surface be deeper in this solid than `depth`, and let
 /// it not swallow the whole. Then the other solid has no point at all that is deeper, and a point of this
 /// surface that is deeper in the other than `depth` is where no ball of that radius touches it from within:
 /// on a fine feature. (Edges that turn by 16° or less are none: cos 16° = 0.96, and across such an edge
 /// either depth may exceed the other by 1 - cos 8° = 1 %.)
-std::vector<std::uint32_t> fineFeatures(const octoblisk::Surface& surface, double depth, int threads = 0);
+std::vector<std::uint32_t> fineFeatures(const SolidBoundary& boundary, double depth, int threads = 0);
 
 /// A point of some triangles that lies inside a solid.
 struct DeepPoint {

@@ -151,8 +151,8 @@ double GrindingRun::depthBound() const {
 
 bool GrindingRun::interferes() const {
   using Outcome = MoveReport::Outcome;
-  return count(Verdict::interference) + count(Outcome::hit) + count(Outcome::too_deep) +
-             count(Outcome::not_proved) >
+  return count(Verdict::interference) + count(Verdict::unknown) + count(Outcome::hit) +
+             count(Outcome::too_deep) + count(Outcome::not_proved) >
          0;
 }
 

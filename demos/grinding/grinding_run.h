@@ -43,7 +43,7 @@ struct GrindingRun {
   std::size_t count(MoveReport::Outcome outcome) const;  ///< moves
   std::size_t moveCount() const;                         ///< that were checked
   std::size_t depthsProved() const;  ///< moves on which what may touch is proved no deeper than it may be
-  double depthBound() const;         ///< mm: no deeper on any move; infinite where it is not known
+  double depthBound() const;         ///< mm: no deeper on any move
   /// Whether a pose or a move interferes, or a move could not be proved free.
   bool interferes() const;
 };

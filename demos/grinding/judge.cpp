@@ -67,9 +67,6 @@ void Judge::measureDepths(std::span<PoseReport> poses) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     PoseReport& pose = poses[i];
     pose.depths = std::move(found[i]);
-    for (const PartDepth& deepest : depthsOfPairs(pose.contacts)) {
-      if (depths_.kindOf(deepest.part) == DepthKind::of_pairs) pose.depths.push_back(deepest);
-    }
     pose.depth_blades.clear();
     for (const PartDepth& deepest : pose.depths) {
       pose.depth_blades.push_back(blade_of_triangle_[deepest.triangle_of_blisk]);
@@ -146,10 +143,10 @@ std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail&
   return Hindrance{part, blade_of_triangle_[obstacles_.of(part)->triangleOfBlisk(triangle)], false, false};
 }
 
-/// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse.
+/// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse,
+/// or that is not known.
 bool Judge::isInside(std::size_t part, const Pose& pose) const {
-  return depths_.bliskSurface().isClosed() &&
-         isNested(depths_.bliskSurface(), depths_.partSurface(part), pose);
+  return mayBeNested(depths_.blisk(), depths_.partSurface(part), pose);
 }
 
 std::vector<std::optional<Hindrance>> Judge::obstaclesOf(std::span<const Move> moves) {

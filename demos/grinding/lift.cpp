@@ -5,24 +5,26 @@
 
 namespace octoblisk::demos {
 
-bool isNested(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a) {
-  for (std::size_t k = 0; a.isClosed() && k < b.partCount(); ++k) {
-    if (locate(a, b_in_a * b.position(b.cornerOfPart(k))) == PointLocation::inside) return true;
+bool mayBeNested(const SolidBoundary& a, const octoblisk::Surface& b, const Pose& b_in_a) {
+  for (std::size_t k = 0; k < b.partCount(); ++k) {
+    if (a.locate(b_in_a * b.position(b.cornerOfPart(k))) != PointLocation::outside) return true;
   }
-  for (std::size_t k = 0; b.isClosed() && k < a.partCount(); ++k) {
-    if (locate(b, a.position(a.cornerOfPart(k)), b_in_a) == PointLocation::inside) return true;
+  const octoblisk::Surface& surface = a.surface();
+  for (std::size_t k = 0; b.isClosed() && k < surface.partCount(); ++k) {
+    if (locate(b, surface.position(surface.cornerOfPart(k)), b_in_a) == PointLocation::inside) return true;
   }
   return false;
 }
 
-bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part,
-                     const Pose& part_in_solid, const Vec3& up, double depth) {
+bool partsWhenLifted(const SolidBoundary& solid, const octoblisk::Surface& part, const Pose& part_in_solid,
+                     const Vec3& up, double depth) {
   constexpr double kSlope = 0.3;
   const Vec3 across = up.unitOrthogonal(), along = up.cross(across);
   for (const Vec3& direction : {up, Vec3(up + kSlope * across), Vec3(up - kSlope * across),
                                 Vec3(up + kSlope * along), Vec3(up - kSlope * along)}) {
     const Pose lifted{part_in_solid.rotation, part_in_solid.translation + depth * direction.normalized()};
-    if (!collide(solid.tree(), part.tree(), lifted) && !isNested(solid, part, lifted)) return true;
+    if (!collide(solid.surface().tree(), part.tree(), lifted) && !mayBeNested(solid, part, lifted))
+      return true;
   }
   return false;
 }

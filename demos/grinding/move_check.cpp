@@ -77,8 +77,8 @@ MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
     const bool may_touch = obstacles.mayTouchAny(part);
     far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
     depth_proofs_.emplace_back();
-    if (!may_touch || depths.kindOf(part) == DepthKind::of_pairs) continue;
-    depth_proofs_.back().emplace(depths.bliskSurface(), depths.partSurface(part));
+    if (!may_touch || !depths.blisk().isWhole()) continue;
+    depth_proofs_.back().emplace(depths.blisk(), depths.partSurface(part));
   }
 }
 
@@ -178,10 +178,6 @@ std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, c
       if (!met) continue;
       stretch.begin = met->fraction;
     }
-    if (!depth_proofs_[part]) {  // the depths of pairs do not grow evenly
-      move.depth_proved = false;
-      move.depth_bound = std::numeric_limits<double>::infinity();
-    }
     stretches.push_back(std::move(stretch));
   }
   return stretches;
@@ -202,7 +198,8 @@ bool MoveCheck::isProved(const Stretch& stretch) const {
 void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
                             MoveReport& move) const {
   MoveReport too_deep;
-  too_deep.outcome = MoveReport::Outcome::too_deep;
+  const bool is_proved = depth.is_known || depth.depth > rules_.maxDepth(part);
+  too_deep.outcome = is_proved ? MoveReport::Outcome::too_deep : MoveReport::Outcome::not_proved;
   too_deep.fraction = fraction;
   too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
   too_deep.at.clearance.distance = -depth.depth;
@@ -243,9 +240,10 @@ void MoveCheck::halve(std::vector<Stretch>& unproved) {
     const double middle = 0.5 * (first.begin + first.end);
     first.end = second.begin = middle;
     first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
-    const bool too_deep = found[i] && (found[i]->is_inside || found[i]->depth > rules_.maxDepth(first.part));
+    const bool is_free = !found[i] || (found[i]->is_known && !found[i]->is_inside &&
+                                       found[i]->depth <= rules_.maxDepth(first.part));
     unproved.push_back(std::move(first));
-    if (too_deep) {
+    if (!is_free) {
       noteTooDeep(second.part, middle, *found[i], *second.move);
       second.leaveUnproved();
     } else {

@@ -64,7 +64,7 @@ class MoveCheck {
   const Obstacles& obstacles_;
   PartDepths& depths_;
   std::vector<FarPart> far_parts_;                       // of each part
-  std::vector<std::optional<DepthProof>> depth_proofs_;  // of each part that may touch a closed blisk
+  std::vector<std::optional<DepthProof>> depth_proofs_;  // of each part that may touch a whole blisk
   int threads_;
 };
 

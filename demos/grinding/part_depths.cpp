@@ -8,8 +8,8 @@
 #include "grinding/lift.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
+#include "octoblisk/distance.h"
 
 namespace octoblisk::demos {
 
@@ -23,6 +23,16 @@ constexpr double kLeastFine = 0.01;       // mm
 constexpr double kFiner = 0.1;            // where the limit is between the bounds
 constexpr double kCoarse = 0.5;           // part of the limit, of a first question
 
+/// Measured more closely while the limit is between the bounds.
+template <typename SurfaceOfA>
+GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
+                   double limit) {
+  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
+  const GougeDepth found = query.deepest(a, b, b_in_a, tolerance);
+  if (found.depth > limit || found.upper_bound <= limit) return found;
+  return query.deepest(a, b, b_in_a, kFiner * tolerance);
+}
+
 }  // namespace
 
 PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
@@ -35,21 +45,20 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
       parts_(std::move(parts)),
       limits_(std::move(limits)),
       blisk_surface_(*blisk_),
+      blisk_boundary_(blisk_surface_, threads),
       queries_(static_cast<std::size_t>(threadCount(threads))) {
   for (const ToolPart& part : parts_) part_surfaces_.emplace_back(*part.tree);
-  if (!blisk_surface_.isClosed()) return;
   for (const double limit : limits_) {
     const auto [known, is_new] = fine_.try_emplace(limit);
     if (!is_new) continue;
     known->second.resize(blisk_->mesh().triangleCount(), 0);
-    for (const std::uint32_t triangle : fineFeatures(blisk_surface_, std::max(limit, kLeastFine), threads)) {
+    for (const std::uint32_t triangle : fineFeatures(blisk_boundary_, std::max(limit, kLeastFine), threads)) {
       known->second[triangle] = 1;
     }
   }
 }
 
 DepthKind PartDepths::kindOf(std::size_t part) const {
-  if (!blisk_surface_.isClosed()) return DepthKind::of_pairs;
   return part_surfaces_[part].isClosed() ? DepthKind::of_solids : DepthKind::of_part;
 }
 
@@ -65,19 +74,9 @@ std::vector<std::optional<PartDepth>> PartDepths::measure(std::span<const std::s
                                                           std::span<const Pose> tool_in_blisk) {
   std::vector<std::optional<PartDepth>> found(parts.size());
   parallelFor(found.size(), static_cast<int>(queries_.size()), [&](std::size_t i, std::size_t worker) {
-    found[i] = kindOf(parts[i]) == DepthKind::of_pairs ? ofPairs(parts[i], tool_in_blisk[i])
-                                                       : ofPart(parts[i], tool_in_blisk[i], queries_[worker]);
+    found[i] = ofPart(parts[i], tool_in_blisk[i], queries_[worker]);
   });
   return found;
-}
-
-/// Measured more closely while the limit is between the bounds.
-GougeDepth PartDepths::settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
-                               const Pose& b_in_a, double limit) const {
-  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
-  const GougeDepth found = query.deepest(a, b, b_in_a, tolerance);
-  if (found.depth > limit || found.upper_bound <= limit) return found;
-  return query.deepest(a, b, b_in_a, kFiner * tolerance);
 }
 
 /// The blisk's fine features that have a point in the part, and maybe some that have none.
@@ -102,8 +101,9 @@ std::optional<DeepPoint> PartDepths::fineBeyond(std::size_t part, const Pose& to
 bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
                              std::uint32_t triangle_of_blisk) const {
   const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
-  return !normal.isZero() && partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk,
-                                             normal.normalized(), limits_[part]);
+  return blisk_boundary_.isWhole() && !normal.isZero() &&
+         partsWhenLifted(blisk_boundary_, part_surfaces_[part], tool_in_blisk, normal.normalized(),
+                         limits_[part]);
 }
 
 std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_in_blisk,
@@ -111,8 +111,12 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
   const octoblisk::Surface& surface = part_surfaces_[part];
   const double limit = limits_[part];
   const bool has_inside = kindOf(part) == DepthKind::of_solids;
-  const GougeDepth of_part = settled(query, blisk_surface_, surface, tool_in_blisk, limit);
+  const GougeDepth of_part = settled(query, blisk_boundary_, surface, tool_in_blisk, limit);
   if (of_part.gouging != Gouging::found) {  // no surfaces meet: the blisk may be inside the part
+    if (!of_part.is_known) {
+      const Clearance nearest = distance(*blisk_, *parts_[part].tree, tool_in_blisk);
+      return PartDepth{part, 0.0, nearest.triangle_a, nearest.point_on_a, true, false};
+    }
     if (!has_inside) return std::nullopt;
     const GougeDepth of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit);
     if (of_blisk.gouging != Gouging::found) return std::nullopt;
@@ -124,25 +128,13 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
     const auto of_blisk = fineBeyond(part, tool_in_blisk, query);
     if (of_blisk) return PartDepth{part, of_blisk->depth, of_blisk->triangle, of_blisk->point, false};
   }
-  return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches};
-}
-
-std::optional<PartDepth> PartDepths::ofPairs(std::size_t part, const Pose& tool_in_blisk) const {
-  std::vector<Contact> touches;
-  contacts(*blisk_, *parts_[part].tree, tool_in_blisk, 0.0, touches);
-  std::vector<PartContact> of_part;
-  for (const Contact& contact : touches) of_part.push_back({part, contact});
-  const std::vector<PartDepth> deepest = depthsOfPairs(of_part);
-  return deepest.empty() ? std::nullopt : std::optional(deepest.front());
+  return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches, of_part.is_known};
 }
 
 bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                           std::optional<std::uint32_t>& deep_corner, std::size_t thread) {
   const double limit = limits_[part];
-  if (kindOf(part) == DepthKind::of_pairs) {
-    const auto deepest = ofPairs(part, tool_in_blisk);
-    return deepest && deepest->depth > limit;
-  }
+  if (!blisk_boundary_.has(touch.a)) return true;
   if (staysWithin(part, tool_in_blisk, touch.a)) return false;
   const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
   const double beyond = limit + tolerance;
@@ -154,11 +146,11 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   DepthQuery& query = queries_[thread];
   const octoblisk::Surface& surface = part_surfaces_[part];
   const double coarse = std::max(kCoarse * limit, kLeastTolerance);
-  const GougeDepth guess = query.deepest(blisk_surface_, surface, tool_in_blisk, coarse);
-  if (guess.depth > beyond) return true;
-  if (guess.upper_bound > limit &&
-      settled(query, blisk_surface_, surface, tool_in_blisk, limit).depth > limit) {
-    return true;
+  const GougeDepth guess = query.deepest(blisk_boundary_, surface, tool_in_blisk, coarse);
+  if (guess.depth > beyond || !guess.is_known) return true;
+  if (guess.upper_bound > limit) {
+    const GougeDepth found = settled(query, blisk_boundary_, surface, tool_in_blisk, limit);
+    if (found.depth > limit || !found.is_known) return true;
   }
   if (kindOf(part) != DepthKind::of_solids) return false;
   // No fine feature is deeper than the blisk's deepest point.
@@ -169,8 +161,8 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
 
 double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const {
   const Vec3 point = tool_in_blisk * part_surfaces_[part].position(corner);
-  if (locate(blisk_surface_, point) != PointLocation::inside) return 0.0;
-  return closestPoint(*blisk_, point).value().distance;
+  const ClosestPoint nearest = closestPoint(*blisk_, point).value();
+  return blisk_boundary_.locate(point, nearest) == PointLocation::inside ? nearest.distance : 0.0;
 }
 
 /// Climbs from a triangle that touches, corner by corner, to where the part is deeper. None: not known.
@@ -202,22 +194,8 @@ std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Po
 std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQuery& query) const {
   std::vector<PartDepth> found;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (kindOf(part) == DepthKind::of_pairs) continue;
     if (const auto depth = ofPart(part, tool_in_blisk, query)) found.push_back(*depth);
   }
-  return found;
-}
-
-std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts) {
-  std::map<std::size_t, PartDepth> deepest;
-  for (const auto& [part, contact] : contacts) {
-    if (contact.distance > 0.0) continue;
-    const PartDepth here{part, -contact.distance, contact.triangle_a, contact.point_on_a, false};
-    const auto [known, is_new] = deepest.try_emplace(part, here);
-    if (!is_new && here.depth > known->second.depth) known->second = here;
-  }
-  std::vector<PartDepth> found;
-  for (const auto& [part, depth] : deepest) found.push_back(depth);
   return found;
 }
 

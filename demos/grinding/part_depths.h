@@ -11,6 +11,7 @@
 #include "grinding/fine_features.h"
 #include "grinding/grinding_cell.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/solid_boundary.h"
 
 namespace octoblisk::demos {
 
@@ -21,13 +22,15 @@ struct PartDepth {
   std::uint32_t triangle_of_blisk = 0;  ///< the deepest point's own, or the nearest to it
   Vec3 point_on_blisk = Vec3::Zero();   ///< on that triangle
   bool is_inside = false;               ///< no surfaces meet: one lies wholly in the other
+  /// False: the part is where the blisk's surface bounds no solid (octoblisk/solid_boundary.h), at a hole,
+  /// say; it may be deeper, or not in the blisk at all.
+  bool is_known = true;
 };
 
 /// What a part's depth is.
 enum class DepthKind {
   of_solids,  ///< how deep the deepest point of the part lies inside the blisk; see PartDepths
-  of_part,    ///< how deep the deepest point of the part, which is open, lies inside the blisk
-  of_pairs,   ///< of the deepest pair of triangles, as the blisk is open: less the finer the meshes are
+  of_part,    ///< the same of a part that is open: how deep the blisk lies inside it is not asked
 };
 
 /// Measures depths by DepthQuery (octoblisk/depth.h), pose by pose over threads; the answers do not depend on
@@ -49,46 +52,41 @@ class PartDepths {
              std::vector<double> limits, int threads = 0);
 
   DepthKind kindOf(std::size_t part) const;
-  const octoblisk::Surface& bliskSurface() const { return blisk_surface_; }
+  const SolidBoundary& blisk() const { return blisk_boundary_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
-  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; but none whose
-  /// depth is that of pairs.
+  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order.
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
-  /// The same of one part each, that of pairs among them: part and pose of the same index.
+  /// The same of one part each: part and pose of the same index.
   std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
                                                 std::span<const Pose> tool_in_blisk);
 
   /// Whether a part, a pair of whose triangles touches the blisk (`touch.a` of the blisk), is deeper than its
-  /// limit: as measure says, but by cheaper questions first. `deep_corner` is memory from pose to pose: a
-  /// corner of the part that was too deep. Calls of one thread at a time (numbered from 0).
+  /// limit, or its depth is not known: as measure says, but by cheaper questions first. `deep_corner` is
+  /// memory from pose to pose: a corner of the part that was too deep. Calls of one thread at a time
+  /// (numbered from 0).
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
  private:
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
-  std::optional<PartDepth> ofPairs(std::size_t part, const Pose& tool_in_blisk) const;
   bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
   std::optional<DeepPoint> fineBeyond(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   double depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const;
   std::optional<std::uint32_t> cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
                                             std::uint32_t touching_triangle, double depth) const;
-  GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
-                     const Pose& b_in_a, double limit) const;
   std::vector<std::uint32_t> fineInside(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
   std::vector<double> limits_;  // of each part
   octoblisk::Surface blisk_surface_;
+  SolidBoundary blisk_boundary_;
   std::vector<octoblisk::Surface> part_surfaces_;
   std::map<double, std::vector<char>> fine_;  // by limit: which triangles of the blisk are
   std::vector<DepthQuery> queries_;           // one a thread
 };
-
-/// The depths of pairs of triangles: for each part that touches, its deepest contact.
-std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts);
 
 }  // namespace octoblisk::demos

@@ -14,6 +14,8 @@ std::string nameOf(Verdict verdict) {
       return "intended contact";
     case Verdict::near_miss:
       return "near miss";
+    case Verdict::unknown:
+      return "unknown";
     case Verdict::interference:
       return "interference";
   }
@@ -35,12 +37,14 @@ double VerdictRules::margin(std::size_t part, int blade) const {
   return margin;
 }
 
-Verdict verdictOf(const PartContact& contact, int blade, double depth, const VerdictRules& rules) {
+Verdict verdictOf(const PartContact& contact, int blade, const PartDepth* depth, const VerdictRules& rules) {
   const double distance = contact.contact.distance;
   const bool touches = distance <= 0.0;
   if (rules.allows(contact.part, blade)) {
     if (!touches) return Verdict::clear;
-    return depth <= rules.maxDepth(contact.part) ? Verdict::intended_contact : Verdict::interference;
+    if (depth == nullptr) return Verdict::intended_contact;
+    if (depth->depth > rules.maxDepth(contact.part)) return Verdict::interference;
+    return depth->is_known ? Verdict::intended_contact : Verdict::unknown;
   }
   if (touches) return Verdict::interference;
   return distance <= rules.margin(contact.part, blade) ? Verdict::near_miss : Verdict::clear;
@@ -53,11 +57,14 @@ void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules) {
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
       const PartContact& contact = pose.contacts[c];
       const auto deepest = std::ranges::find(pose.depths, contact.part, &PartDepth::part);
-      const double depth = deepest == pose.depths.end() ? 0.0 : deepest->depth;
-      pose.verdicts.push_back(verdictOf(contact, pose.blades[c], depth, rules));
+      pose.verdicts.push_back(
+          verdictOf(contact, pose.blades[c], deepest == pose.depths.end() ? nullptr : &*deepest, rules));
       pose.verdict = std::max(pose.verdict, pose.verdicts.back());
     }
-    if (std::ranges::any_of(pose.depths, &PartDepth::is_inside)) pose.verdict = Verdict::interference;
+    for (const PartDepth& deepest : pose.depths) {
+      if (!deepest.is_inside) continue;
+      pose.verdict = std::max(pose.verdict, deepest.is_known ? Verdict::interference : Verdict::unknown);
+    }
   }
 }
 
@@ -72,7 +79,7 @@ std::optional<WorstTouch> worstTouch(const PoseReport& pose) {
     const int blade = pose.depth_blades[d];
     if (!deepest.is_inside) continue;
     consider(
-        {Verdict::interference, deepest.depth, true, 0.0},
+        {deepest.is_known ? Verdict::interference : Verdict::unknown, deepest.depth, true, 0.0},
         {deepest.part, blade, blade, deepest.depth, deepest.point_on_blisk, true, deepest.triangle_of_blisk});
   }
   for (std::size_t c = 0; c < pose.contacts.size(); ++c) {

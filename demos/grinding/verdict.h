@@ -14,10 +14,12 @@
 
 namespace octoblisk::demos {
 
-/// From harmless to worst; a pose's verdict is the worst of its contacts'.
-enum class Verdict { clear, intended_contact, near_miss, interference };
+/// From harmless to worst; a pose's verdict is the worst of its contacts'. Unknown is how deep a part is that
+/// touches the blisk, or may be inside it, where the blisk's surface bounds no solid; it counts as
+/// interference.
+enum class Verdict { clear, intended_contact, near_miss, unknown, interference };
 
-/// "clear", "intended contact", "near miss", "interference".
+/// "clear", "intended contact", "near miss", "unknown", "interference".
 std::string nameOf(Verdict verdict);
 
 /// Depths and distances in mm.
@@ -36,11 +38,11 @@ struct VerdictRules {
   double margin(std::size_t part, int blade) const;
 };
 
-/// Of one contact with a blade (0: hub or shroud) of a part that is `depth` (mm) deep in the blisk, if it
-/// touches it. Contacts of a part with what it may touch are intended up to its greatest depth, and clear
-/// where the two are apart; any other touch is interference, any other contact that is apart a near miss if
-/// it is within the pair's margin.
-Verdict verdictOf(const PartContact& contact, int blade, double depth, const VerdictRules& rules);
+/// Of one contact with a blade (0: hub or shroud) of a part whose depth in the blisk is `depth`; null where
+/// it was not found in it. Contacts of a part with what it may touch are intended up to its greatest depth,
+/// unknown where that depth is not known to be all, and clear where the two are apart; any other touch is
+/// interference, any other contact that is apart a near miss if it is within the pair's margin.
+Verdict verdictOf(const PartContact& contact, int blade, const PartDepth* depth, const VerdictRules& rules);
 
 /// How far a part is from what it must not touch; 0 where it touches. The blisk is A; points and triangles
 /// are of the whole blisk.
@@ -53,16 +55,17 @@ struct PartClearance {
 /// What happens between a pose and the one before it, beside what happens at the two.
 struct MoveReport {
   enum class Outcome {
-    free,        ///< nothing is touched that must not be
-    hit,         ///< something is that is not at the two poses
-    too_deep,    ///< a part that may touch is deeper than it may
-    not_proved,  ///< the part comes nearer than the tolerance, and whether it touches was not settled
+    free,      ///< nothing is touched that must not be
+    hit,       ///< something is that is not at the two poses
+    too_deep,  ///< a part that may touch is deeper than it may
+    /// The part comes nearer than the tolerance, and whether it touches was not settled; or its depth is not
+    /// known.
+    not_proved,
   };
   Outcome outcome = Outcome::free;
   double fraction = 1.0;  ///< of the move, straight and turning evenly, that is free
   PartClearance at;       ///< there; for a part that is too deep, its depth as a negative distance
-  /// Of the parts that may touch what they touch: no deeper all the way (mm); infinite where that is not
-  /// known, as the blisk is open.
+  /// Of the parts that may touch what they touch: no deeper all the way (mm).
   double depth_bound = 0.0;
   /// Whether it is proved (depth_proof.h) that none of these is deeper than it may be; else one is, or that
   /// was asked at some places.
@@ -84,7 +87,8 @@ struct PoseReport {
   std::optional<MoveReport> move;  ///< from the pose before
 };
 
-/// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or round it, is interference.
+/// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or round it, is interference;
+/// unknown where it is not known whether it is.
 void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules);
 
 /// What a pose has its verdict from.

@@ -27,7 +27,7 @@ Color colorOf(const std::string& part) {
 
 Color colorOf(Verdict verdict) {
   return verdict == Verdict::intended_contact ? palette::kGreen
-         : verdict == Verdict::interference   ? palette::kVermilion
+         : verdict >= Verdict::unknown        ? palette::kVermilion
                                               : palette::kYellow;
 }
 
@@ -58,7 +58,8 @@ void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
 }
 
 void addContacts(const PoseReport& pose, float width, Picture& picture) {
-  for (const Verdict verdict : {Verdict::near_miss, Verdict::intended_contact, Verdict::interference}) {
+  for (const Verdict verdict :
+       {Verdict::near_miss, Verdict::intended_contact, Verdict::unknown, Verdict::interference}) {
     std::vector<Vec3> points;
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
       if (pose.verdicts[c] == verdict) points.push_back(pose.contacts[c].contact.point_on_a);
@@ -95,6 +96,7 @@ std::string counts(const GrindingRun& run) {
   text << "Whole path: " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
        << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
        << run.count(Verdict::interference) << " interference";
+  if (run.count(Verdict::unknown) > 0) text << ", " << run.count(Verdict::unknown) << " unknown";
   return text.str();
 }
 

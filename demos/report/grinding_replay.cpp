@@ -68,7 +68,7 @@ void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFindin
                         sideOf(run.blisk->mesh(), run.mesh_in_blisk, at.clearance.triangle_a, at.blade),
                         0.0 - at.clearance.distance, p});
   }
-  if (pose.verdict != Verdict::interference && pose.verdict != Verdict::near_miss) return;
+  if (pose.verdict < Verdict::near_miss) return;
   ReplayFinding finding{.at = static_cast<double>(p), .verdict = static_cast<std::size_t>(pose.verdict)};
   if (const std::optional<ReplayNearest> worst = worstOf(run, pose)) {
     finding.part = worst->part;
@@ -84,12 +84,13 @@ std::string ofPoses(std::size_t count, std::size_t total) {
 }
 
 std::string titleOf(const GrindingRun& run) {
-  const std::size_t bad = run.count(Verdict::interference);
+  const std::size_t bad = run.count(Verdict::interference), unknown = run.count(Verdict::unknown);
   const std::size_t moves = run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep);
   const std::string also = moves == 0 ? std::string()
                                       : (bad == 0 ? std::string() : std::string(" and ")) +
                                             std::to_string(moves) + (moves == 1 ? " move" : " moves");
   if (bad > 0) return "Interference at " + ofPoses(bad, run.poses.size()) + also;
+  if (unknown > 0) return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + also;
   if (moves > 0) return "Interference on " + also;
   return "No interference at " + std::to_string(run.poses.size()) +
          (run.poses.size() == 1 ? " pose" : " poses");
@@ -103,7 +104,7 @@ std::string subtitleOf(const GrindingRun& run) {
               ? std::string("No blade is ground")
               : "Blade " + std::to_string(blade) + " of " + std::to_string(run.blade_count) + " is ground";
   const PoseReport& shown = run.poses[poseToShow(run)];
-  if (shown.verdict == Verdict::interference) {
+  if (shown.verdict >= Verdict::unknown) {
     text += "; worst is pose " + std::to_string(poseToShow(run)) + ", " + describeWorst(run, shown);
   }
   return text;
@@ -140,8 +141,7 @@ Table partsTable(const GrindingRun& run) {
     for (const AllowedPair& pair : run.rules.allowed) {
       if (pair.part.value_or(part) == part) add(bladeChoiceText(pair.blade));
     }
-    constexpr std::array kHow = {"as solids", "as an open surface in the solid blisk",
-                                 "triangle by triangle"};
+    constexpr std::array kHow = {"as solids", "as an open surface in the solid blisk"};
     const auto how = static_cast<std::size_t>(run.depth_kinds[part]);
     table.rows.push_back({run.parts[part].name, std::to_string(run.parts[part].tree->mesh().triangleCount()),
                           touches.empty() ? "nothing" : touches,
@@ -189,7 +189,7 @@ Table inputTable(const GrindingRun& run) {
 
 std::vector<ReplayVerdict> grindingVerdicts() {
   std::vector<ReplayVerdict> verdicts;
-  constexpr std::array kTones = {Tone::clear, Tone::intended, Tone::near, Tone::interference};
+  constexpr std::array kTones = {Tone::clear, Tone::intended, Tone::near, Tone::open, Tone::interference};
   for (std::size_t v = 0; v < kTones.size(); ++v) {
     verdicts.push_back({nameOf(static_cast<Verdict>(v)), kTones[v]});
   }
@@ -240,6 +240,7 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.verdicts = grindingVerdicts();
   for (std::size_t v = 0; v <= static_cast<std::size_t>(Verdict::interference); ++v) {
     const auto verdict = static_cast<Verdict>(v);
+    if (verdict == Verdict::unknown && run.count(verdict) == 0) continue;
     replay.counts.push_back({nameOf(verdict), run.count(verdict), replay.verdicts[v].tone});
   }
   if (run.continuous) {

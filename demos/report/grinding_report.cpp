@@ -39,8 +39,6 @@ std::string nameOf(DepthKind kind) {
              "of the blisk inside the part";
     case DepthKind::of_part:
       return "how deep the deepest point of the part, which is open, lies inside the blisk";
-    case DepthKind::of_pairs:
-      return "of the deepest pair of triangles, as the blisk is open";
   }
   return {};
 }
@@ -108,10 +106,10 @@ void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
 }
 
-/// How deep what may touch is on the move at most; empty where that is not known.
+/// How deep what may touch is on the move at most.
 void writeDepthOfMove(const PoseReport& pose, std::ostream& stream) {
   stream << ',';
-  if (pose.move && std::isfinite(pose.move->depth_bound)) stream << pose.move->depth_bound;
+  if (pose.move) stream << pose.move->depth_bound;
 }
 
 /// The loops of the parts that run as belts; null for all others.
@@ -139,7 +137,7 @@ void writeVelocity(const BeltLoop* loop, const ToolPart& part, const Pose& tool_
 std::vector<PoseRange> interferingRanges(const GrindingRun& run) {
   std::vector<PoseRange> ranges;
   for (std::size_t pose = 0; pose < run.poses.size(); ++pose) {
-    if (run.poses[pose].verdict != Verdict::interference) continue;
+    if (run.poses[pose].verdict < Verdict::unknown) continue;
     const bool goes_on = !ranges.empty() && ranges.back().last + 1 == pose;
     if (!goes_on) ranges.push_back({pose, pose});
     ranges.back().last = pose;
@@ -278,6 +276,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
         {"clear", run.count(Verdict::clear)},
         {"intended_contact", run.count(Verdict::intended_contact)},
         {"near_miss", run.count(Verdict::near_miss)},
+        {"unknown", run.count(Verdict::unknown)},
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", ranges},
       {"moves", moves},

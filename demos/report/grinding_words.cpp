@@ -65,14 +65,20 @@ std::string inWords(const GrindingRun& run) {
   }
   text << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
        << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
-       << run.count(Verdict::interference) << " interference\n";
+       << run.count(Verdict::interference) << " interference";
+  if (const std::size_t unknown = run.count(Verdict::unknown); unknown > 0) {
+    text << ", " << unknown
+         << " unknown (depth unknown: the blisk's surface is open, doubled, or meets itself near the tool)";
+  }
+  text << '\n';
   if (run.blisk->options().partition == PartitionKind::paper) {
     text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
          << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us a pose\n";
   }
   const PoseReport& shown = run.poses[poseToShow(run)];
-  if (shown.verdict == Verdict::interference) {
-    text << "Interference at " << listOf(interferingRanges(run)) << ", counted from 0\n";
+  if (shown.verdict >= Verdict::unknown) {
+    text << (run.count(Verdict::unknown) > 0 ? "Interference or unknown depth at " : "Interference at ")
+         << listOf(interferingRanges(run)) << ", counted from 0\n";
     text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
   if (run.continuous) {
@@ -87,12 +93,7 @@ std::string depthOnMoves(const GrindingRun& run) {
   std::ostringstream text;
   text << "proved within the limit on " << proved << " of " << moves << (moves == 1 ? " move" : " moves");
   if (proved == moves) return text.str();
-  const double bound = run.depthBound();
-  if (std::isfinite(bound)) {
-    text << "; on the others not measured, but no more than " << bound << " mm";
-  } else {
-    text << "; on the others not known, as the blisk is open";
-  }
+  text << "; on the others not measured, but no more than " << run.depthBound() << " mm";
   return text.str();
 }
 

@@ -209,7 +209,7 @@ std::uint64_t hashOfSolids(const GoldenScene& scene, const ClusteredOctree& a, c
   answers.add(mass.center_of_mass);
   answers.add(frame.moments);
   for (int k = 0; k < 3; ++k) answers.add(Vec3(frame.in_mesh.rotation.col(k)));
-  const Clustering clusters = kMeans(scene.soup->vertices(), {.k = 5});
+  const Clustering clusters = kMeans(scene.soup->vertices(), {.k = 5, .starts = 1});
   for (const Vec3& center : clusters.centers) answers.add(center);
   answers.add(clusters.squared_error);
   return answers.hash();

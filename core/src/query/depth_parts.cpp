@@ -47,6 +47,11 @@ double DepthQuery::boundOf(const Part& part) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
     }
     const bool is_outside = corner.side == Side::outside;
+    if (boundary_) {  // sides may change where no surface is
+      if (!is_outside && !boundsSolid(corner.nearest)) best_.is_known = false;
+      bound = std::min(bound, way + corner.distance);
+      continue;
+    }
     bound = std::min(bound, way + (!is_outside ? corner.distance : corner.is_exact ? -corner.distance : 0.0));
   }
   if (bound <= limit()) return bound;
@@ -57,7 +62,7 @@ double DepthQuery::boundOf(const Part& part) {
   candidates_.clear();
   distances_.clear();
   const auto boundBy = [&](std::uint32_t triangle_a) {
-    if (std::ranges::find(candidates_, triangle_a) != candidates_.end()) return;
+    if (!boundsSolid(triangle_a) || std::ranges::find(candidates_, triangle_a) != candidates_.end()) return;
     candidates_.push_back(triangle_a);
     const Triangle triangle = a_->tree().mesh().triangle(triangle_a);
     double greatest = 0.0;
@@ -172,7 +177,9 @@ void DepthQuery::divide(const Part& part) {
         Side side = Side::unknown;
         for (const std::uint32_t corner : half.corner) {
           const Side known = corners_[corner].side;
-          if (known == Side::inside || known == Side::outside) side = known;
+          if (known != Side::inside && known != Side::outside) continue;
+          if (side != Side::unknown && side != known) best_.is_known = false;  // it passes through a hole
+          side = known;
         }
         if (side == Side::unknown) side = sideOf(corners_[middle]);
         if (side == Side::outside) continue;

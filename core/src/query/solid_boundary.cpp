@@ -1,0 +1,173 @@
+#include "octoblisk/solid_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "geometry/winding_number.h"
+#include "query/self_meetings.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// The one triangle beside `triangle` that uses the edge between two of its corners the other way; none where
+/// there are others, or none.
+std::uint32_t neighbourAt(const Surface& surface, std::uint32_t triangle, std::uint32_t from,
+                          std::uint32_t to) {
+  std::uint32_t found = kNone;
+  for (const std::uint32_t other : surface.star(from)) {
+    if (other == triangle) continue;
+    const auto& corners = surface.corners(other);
+    if (std::ranges::find(corners, to) == corners.end()) continue;
+    const auto at = static_cast<std::size_t>(std::ranges::find(corners, to) - corners.begin());
+    if (found != kNone || corners[(at + 1) % 3] != from) return kNone;
+    found = other;
+  }
+  return found;
+}
+
+Vec3 unitNormal(const Surface& surface, std::uint32_t triangle) {
+  return scaledNormal(surface.tree().mesh().triangle(triangle)).normalized();
+}
+
+double angleAt(const Triangle& triangle, std::size_t corner) {
+  const Vec3 to_next = triangle[(corner + 1) % 3] - triangle[corner];
+  const Vec3 to_last = triangle[(corner + 2) % 3] - triangle[corner];
+  return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
+}
+
+/// Which corners of a triangle the point of it lies between: a bit each.
+unsigned featureOf(const Triangle& triangle, const Vec3& point) {
+  constexpr double kSnap = 1e-9;  // part of the triangle's height
+  const Vec3 normal = scaledNormal(triangle);
+  const double squared = normal.squaredNorm();
+  unsigned corners = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &next = triangle[(i + 1) % 3], &last = triangle[(i + 2) % 3];
+    const double weight = normal.dot((next - point).cross(last - point)) / squared;
+    if (weight > kSnap) corners |= 1u << i;
+  }
+  return corners;
+}
+
+}  // namespace
+
+SolidBoundary::SolidBoundary(const Surface& surface, int threads)
+    : surface_(&surface), bounds_(surface.tree().mesh().triangleCount(), 1) {
+  findGoodEdges();
+  findMeetings();
+  whole_ = std::ranges::find(bounds_, 0) == bounds_.end();
+  if (whole_) {
+    bounds_ = {};
+  } else {
+    findRegions(threads);
+  }
+}
+
+void SolidBoundary::findGoodEdges() {
+  for (std::uint32_t t = 0; t < bounds_.size(); ++t) {
+    const auto& corners = surface_->corners(t);
+    if (scaledNormal(surface_->tree().mesh().triangle(t)).isZero()) bounds_[t] = 0;
+    for (std::size_t i = 0; i < 3 && bounds_[t] != 0; ++i) {
+      if (neighbourAt(*surface_, t, corners[i], corners[(i + 1) % 3]) == kNone) bounds_[t] = 0;
+    }
+  }
+}
+
+void SolidBoundary::findMeetings() {
+  std::vector<char> meets(bounds_.size(), 0);
+  findSelfMeetings(*surface_, meets);
+  for (std::size_t t = 0; t < bounds_.size(); ++t) {
+    if (meets[t] != 0) bounds_[t] = 0;
+  }
+}
+
+/// Regions hang together by edges. The winding number jumps by one across a region; asked on it, the region
+/// itself left out where it is asked, it is 1/2 more than outside.
+void SolidBoundary::findRegions(int threads) {
+  const TriangleMesh& mesh = surface_->tree().mesh();
+  std::vector<std::vector<std::uint32_t>> regions;
+  std::vector<char> seen(bounds_.size(), 0);
+  for (std::uint32_t first = 0; first < bounds_.size(); ++first) {
+    if (bounds_[first] == 0 || seen[first] != 0) continue;
+    std::vector<std::uint32_t> region = {first};
+    seen[first] = 1;
+    for (std::size_t next = 0; next < region.size(); ++next) {
+      const auto corners = surface_->corners(region[next]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t other = neighbourAt(*surface_, region[next], corners[i], corners[(i + 1) % 3]);
+        if (bounds_[other] == 0 || seen[other] != 0) continue;
+        seen[other] = 1;
+        region.push_back(other);
+      }
+    }
+    regions.push_back(std::move(region));
+  }
+  std::ranges::stable_sort(regions, std::ranges::greater(), &std::vector<std::uint32_t>::size);
+  parallelFor(regions.size(), threadCount(threads), [&](std::size_t r, std::size_t) {
+    bool is_boundary = false;
+    if (r < kMostRegions) {
+      const std::uint32_t largest = *std::ranges::max_element(
+          regions[r], {}, [&](std::uint32_t t) { return scaledNormal(mesh.triangle(t)).squaredNorm(); });
+      const Triangle triangle = mesh.triangle(largest);
+      const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+      const double outside = windingNumber(mesh, middle, largest) - 0.5;
+      // A sheet alone has -1/2; what faces inward, -1; what lies within another solid, 1.
+      constexpr double kLeast = -0.75, kMost = 0.5;
+      is_boundary = outside > kLeast && outside < kMost;
+    }
+    if (is_boundary) return;
+    for (const std::uint32_t t : regions[r]) bounds_[t] = 0;
+  });
+}
+
+PointLocation SolidBoundary::locate(const Vec3& point) const {
+  if (whole_) return octoblisk::locate(*surface_, point);
+  return locate(point, closestPoint(surface_->tree(), point).value());
+}
+
+PointLocation SolidBoundary::locate(const Vec3& point, const ClosestPoint& nearest) const {
+  if (whole_) return octoblisk::locate(*surface_, point);
+  if (nearest.distance == 0.0) return PointLocation::on_surface;
+  if (const std::optional<Vec3> normal = pseudonormal(nearest)) {
+    return normal->dot(point - nearest.point) < 0.0 ? PointLocation::inside : PointLocation::outside;
+  }
+  const double winding = windingNumber(surface_->tree().mesh(), point);
+  constexpr double kNear = 0.25;
+  if (std::abs(winding) < kNear) return PointLocation::outside;
+  return std::abs(winding - 1.0) < kNear ? PointLocation::inside : PointLocation::unknown;
+}
+
+std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
+  if (!has(at.triangle)) return std::nullopt;
+  const Triangle triangle = surface_->tree().mesh().triangle(at.triangle);
+  const auto& corners = surface_->corners(at.triangle);
+  const unsigned feature = featureOf(triangle, at.point);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    if (feature == (1u << i | 1u << next)) {
+      const std::uint32_t other = neighbourAt(*surface_, at.triangle, corners[i], corners[next]);
+      if (!has(other)) return std::nullopt;
+      return unitNormal(*surface_, at.triangle) + unitNormal(*surface_, other);
+    }
+    if (feature != 1u << i) continue;
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t t : surface_->star(corners[i])) {
+      if (!has(t)) return std::nullopt;
+      const auto& of_t = surface_->corners(t);
+      const auto corner = static_cast<std::size_t>(std::ranges::find(of_t, corners[i]) - of_t.begin());
+      sum += angleAt(surface_->tree().mesh().triangle(t), corner) * unitNormal(*surface_, t);
+    }
+    return sum;
+  }
+  return unitNormal(*surface_, at.triangle);
+}
+
+}  // namespace octoblisk
