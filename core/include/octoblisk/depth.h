@@ -29,8 +29,8 @@ struct GougeDepth {
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
   /// False: B meets A's surface, or lies nearest to it, where that bounds no solid (solid_boundary.h). Then B
-  /// may reach deeper than the upper bound, or may not be in A at all; where it meets such a triangle, nothing
-  /// is measured.
+  /// may reach deeper than the upper bound, or may not be in A at all; where it meets such a triangle,
+  /// nothing is measured.
   bool is_known = true;
 };
 
