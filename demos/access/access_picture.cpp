@@ -8,6 +8,7 @@
 
 #include "render/annotation.h"
 #include "render/picture.h"
+#include "render/side_map.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -31,24 +32,6 @@ Color widthColor(const AccessRow& row) {
   return std::ranges::find_if(kWidthSteps, [&](const WidthStep& step) { return row.widest <= step.most; })
       ->color;
 }
-
-Image::Pixel pixelOf(const Color& color) {
-  const auto byte = [](float value) { return static_cast<std::uint8_t>(std::lround(255.0f * value)); };
-  return {byte(color.r), byte(color.g), byte(color.b), 255};
-}
-
-/// The rectangle of the unrolled side that is seen.
-struct MapExtent {
-  double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
-  double height_min = arc_min, height_max = -arc_min;
-
-  void extend(const AccessRow& site) {
-    arc_min = std::min(arc_min, site.arc - site.half_width);
-    arc_max = std::max(arc_max, site.arc + site.half_width);
-    height_min = std::min(height_min, site.height - site.half_height);
-    height_max = std::max(height_max, site.height + site.half_height);
-  }
-};
 
 /// Points of a path have no cells: half of the way to the nearest other that is not at the same place.
 double halfSpacing(std::span<const AccessRow> sites) {
@@ -80,9 +63,6 @@ Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& quest
     const double half = halfSpacing(sites);
     for (AccessRow& site : sites) site.half_width = site.half_height = half;
   }
-  MapExtent extent;
-  for (const AccessRow& site : sites) extent.extend(site);
-
   Annotation annotation;
   annotation.title = "Accessibility of blade " + std::to_string(question.rules.ground_blade);
   std::ostringstream subtitle;
@@ -93,37 +73,11 @@ Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& quest
   for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});
   annotation.length_unit = "mm";
 
-  Image page(width, height, {255, 255, 255, 255});
-  const Layout layout(annotation, width, height);
-  constexpr double kUsed = 0.92;
-  double unit = 1.0;  // pixels of 1 mm
-  if (!sites.empty()) {
-    unit = kUsed * std::min(width / std::max(1e-9, extent.arc_max - extent.arc_min),
-                            layout.sceneHeight() / std::max(1e-9, extent.height_max - extent.height_min));
+  std::vector<MapCell> cells;
+  for (const AccessRow& site : sites) {
+    cells.push_back({site.arc, site.height, site.half_width, site.half_height, widthColor(site)});
   }
-  const double left = 0.5 * width - 0.5 * unit * (extent.arc_min + extent.arc_max);
-  const double bottom =
-      layout.sceneTop() + 0.5 * layout.sceneHeight() + 0.5 * unit * (extent.height_min + extent.height_max);
-  for (std::size_t s = 0; s < sites.size(); ++s) {
-    const AccessRow& site = sites[s];
-    const auto column = [&](double arc) {
-      return std::clamp(static_cast<int>(std::lround(left + unit * arc)), 0, width);
-    };
-    const auto row = [&](double above) {
-      return std::clamp(static_cast<int>(std::lround(bottom - unit * above)), layout.sceneTop(),
-                        layout.sceneTop() + layout.sceneHeight());
-    };
-    const Image::Pixel pixel = pixelOf(widthColor(site));
-    const int first = column(site.arc - site.half_width);
-    const int last = std::max(first + 1, column(site.arc + site.half_width));
-    const int top = row(site.height + site.half_height);
-    const int low = std::max(top + 1, row(site.height - site.half_height));
-    for (int y = top; y < low && y < height; ++y) {
-      for (int x = first; x < last && x < width; ++x) page.at(x, y) = pixel;
-    }
-  }
-  annotate(page, annotation, layout, unit, "");
-  return page;
+  return sideMap(cells, annotation, width, height);
 }
 
 }  // namespace octoblisk::demos

@@ -1,28 +1,41 @@
 #include "command_line/partition_option.h"
 
 #include <CLI/CLI.hpp>
-#include <regex>
+#include <charconv>
 #include <string>
 
 #include "io/quoted_text.h"
 
 namespace octoblisk::demos {
 
+namespace {
+
+/// Takes ":N" with N from 1 to `most` off the front of a text.
+bool takeNumber(std::string& text, int most, int& number) {
+  if (!text.starts_with(':')) return false;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
+  if (error != std::errc() || number < 1 || number > most) return false;
+  text.erase(0, static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+}  // namespace
+
 void addPartitionOption(CLI::App& command, BuildOptions& options) {
   const auto read = [&options](const std::string& text) {
-    static const std::regex form("paper(?::([1-8])(?::([1-9][0-9]{0,5}))?)?");
-    std::smatch found;
-    if (text == "clustered") {
-      options.partition = PartitionKind::clustering;
-      return;
-    }
-    if (!std::regex_match(text, found, form)) {
+    options.partition = text == "clustered" ? PartitionKind::clustering : PartitionKind::paper;
+    if (text == "clustered") return;
+    constexpr int kMostFnop = 999'999;
+    const bool is_read = text.starts_with("paper") && [&, rest = text.substr(5)]() mutable {
+      options.clusters = 0;
+      return rest.empty() ||
+             (takeNumber(rest, 8, options.clusters) &&
+              (rest.empty() || (takeNumber(rest, kMostFnop, options.leaf_capacity) && rest.empty())));
+    }();
+    if (!is_read) {
       throw CLI::ValidationError("--partition",
                                  inQuotes(text) + " is not clustered or paper[:K[:FNOP]], K 1 to 8");
     }
-    options.partition = PartitionKind::paper;
-    options.clusters = found[1].matched ? std::stoi(found[1]) : 0;
-    if (found[2].matched) options.leaf_capacity = std::stoi(found[2]);
   };
   command
       .add_option_function<std::string>("--partition", read,

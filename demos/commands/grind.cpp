@@ -16,12 +16,14 @@
 #include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
+#include "grinding/coverage.h"
 #include "grinding/grinding_run.h"
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "models/open_edges.h"
+#include "report/coverage_report.h"
 #include "report/grinding_frames.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_replay.h"
@@ -58,9 +60,16 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   }
 }
 
-void tell(const GrindingRun& run, const GrindRequest& request) {
+void tell(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::cout << inWords(run);
+  if (!coverage && run.rules.ground_blade != 0 && run.rules.grinding_part != kNoPart) {
+    std::cout << "Ground: nothing of blade " << run.rules.ground_blade << '\n';
+  }
+  if (coverage) {
+    const std::string left = leftInWords(*coverage);
+    std::cout << groundInWords(*coverage) << (left.empty() ? "" : "; ") << left << '\n';
+  }
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
   if (request.report) std::cout << tellReplayFiles(out);
@@ -74,6 +83,16 @@ void tell(const GrindingRun& run, const GrindRequest& request) {
   }
 }
 
+/// None, with a warning, of a blade whose side has no contours.
+std::optional<Coverage> coverageOrWarning(const GrindingRun& run, const GrinderFiles& files) {
+  try {
+    return coverageOf(run, files.threads);
+  } catch (const std::invalid_argument& error) {
+    warnOf(files.bliskName(), std::string("what is ground is not told: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 /// The job done, with a bar and Ctrl-C.
 GrindingRun runWatched(const GrindingJob& job) {
   TerminalWatch terminal(job.path.size());
@@ -82,7 +101,8 @@ GrindingRun runWatched(const GrindingJob& job) {
   return run;
 }
 
-void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const GrindRequest& request) {
+void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, const std::vector<Pose>& path,
+              const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::error_code ignored;  // mostly there is no such file
   WholeFiles files;
@@ -91,14 +111,20 @@ void writeAll(const GrindingRun& run, const std::vector<Pose>& path, const Grind
   }
   writePoseVerdicts(run, files.add(out / "poses.csv"));
   writeContacts(run, files.add(out / "contacts.csv"));
-  writeSummary(run, files.add(out / "summary.json"));
+  writeSummary(run, coverage, files.add(out / "summary.json"));
   if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
+  if (coverage) writeCoverage(*coverage, run, files.add(out / "coverage.csv"));
   if (!request.no_pictures) {
+    if (coverage) writePng(coveragePicture(*coverage, run), files.add(out / "coverage.png").string());
     writePngWatched(overviewOf(run), files.add(out / "overview.png").string());
     writePngWatched(closeupOf(run), files.add(out / "closeup.png").string());
   }
   if (request.frames > 0) writeFrames(run, request.frames, out, files, writePngWatched);
-  if (request.report) writeReplayFiles(grindingReplay(run), out, files);
+  if (request.report) {
+    Replay replay = grindingReplay(run);
+    if (coverage) replay.side = coverageOnBlade(*coverage, run);
+    writeReplayFiles(replay, out, files);
+  }
   files.finish();
 }
 
@@ -154,8 +180,9 @@ int grind(const GrindRequest& request) {
   run.tree_seconds = input.tree_seconds;
   run.convex_side = convexSideOf(request, input);
   warnOfParts(files, run);
-  writeAll(run, job.path, request);
-  tell(run, request);
+  const std::optional<Coverage> coverage = coverageOrWarning(run, files);
+  writeAll(run, coverage, job.path, request);
+  tell(run, coverage, request);
   if (run.isPartial()) {
     throw TerminalWatch::stopped("stopped: " + files.out + " has the poses that were done, marked partial");
   }

@@ -192,12 +192,13 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
 void writeForces(const GrindingRun& run, const std::filesystem::path& file) {
   std::ofstream stream = openForWriting(file);
   stream.precision(9);
-  stream << "pose,normal_force_n,friction_force_n,force_x_n,force_y_n,force_z_n,torque_n_m,"
+  stream << "pose,verdict,normal_force_n,friction_force_n,force_x_n,force_y_n,force_z_n,torque_n_m,"
             "acceleration_rad_s2\n";
   for (std::size_t p = 0; p < run.loads.size(); ++p) {
     if (!run.loads[p]) continue;
     const SpindleLoad& load = *run.loads[p];
-    stream << p << ',' << load.normal_force << ',' << load.friction_force;
+    stream << p << ',' << nameOf(run.poses[p].verdict) << ',' << load.normal_force << ','
+           << load.friction_force;
     for (const double value : load.force) stream << ',' << value;
     stream << ',' << load.torque << ',' << load.acceleration << '\n';
   }
@@ -209,11 +210,13 @@ namespace {
 /// Null where no forces were asked for.
 nlohmann::ordered_json forcesOf(const GrindingRun& run) {
   if (!run.spindle) return {};
-  std::size_t touching = 0, turning = 0;
+  std::size_t touching = 0, turning = 0, interfering = 0;
   double sum = 0.0, most = 0.0, torque = 0.0;
-  for (const std::optional<SpindleLoad>& load : run.loads) {
+  for (std::size_t p = 0; p < run.loads.size(); ++p) {
+    const std::optional<SpindleLoad>& load = run.loads[p];
     if (!load) continue;
     ++touching;
+    interfering += run.poses[p].verdict >= Verdict::unknown;
     sum += load->normal_force;
     most = std::max(most, load->normal_force);
     torque = std::max(torque, std::abs(load->torque));
@@ -225,15 +228,38 @@ nlohmann::ordered_json forcesOf(const GrindingRun& run) {
           {"hold_n_m", run.spindle->hold},
           {"density_kg_mm3", run.spindle->density},
           {"poses_that_touch", touching},
+          {"poses_of_them_that_interfere", interfering},
           {"mean_normal_force_n", touching > 0 ? sum / static_cast<double>(touching) : 0.0},
           {"greatest_normal_force_n", most},
           {"greatest_torque_n_m", torque},
           {"poses_at_which_the_spindle_turns", turning}};
 }
 
+/// Null where nothing is ground.
+nlohmann::ordered_json coverageJson(const std::optional<Coverage>& coverage) {
+  if (!coverage) return {};
+  const SideGrid& grid = coverage->grid;
+  const auto part = [](std::size_t line, std::size_t count) {
+    return static_cast<double>(line) / static_cast<double>(count);
+  };
+  nlohmann::ordered_json json = {
+      {"blade", coverage->blade},  {"side", coverage->side},   {"ground_share", coverage->groundShare()},
+      {"height_reached", nullptr}, {"chord_reached", nullptr}, {"left_between_passes_mm", nullptr}};
+  if (const auto rows = coverage->reachedRows()) {
+    json["height_reached"] = {part(rows->first, grid.rows()), part(rows->second + 1, grid.rows())};
+  }
+  if (const auto columns = coverage->reachedColumns()) {
+    json["chord_reached"] = {part(columns->first, grid.columns()), part(columns->second + 1, grid.columns())};
+  }
+  const double scallop = coverage->scallopHeight();
+  if (std::isfinite(scallop)) json["left_between_passes_mm"] = scallop;
+  return json;
+}
+
 }  // namespace
 
-void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
+void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverage,
+                  const std::filesystem::path& file) {
   const BuildStats& tree = run.blisk->stats();
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
@@ -281,6 +307,7 @@ void writeSummary(const GrindingRun& run, const std::filesystem::path& file) {
       {"interfering_poses", ranges},
       {"moves", moves},
       {"forces", forcesOf(run)},
+      {"coverage", coverageJson(coverage)},
       {"tree",
        {{"partition", partitionText(run.blisk->options())},
         {"build_s", run.tree_seconds},

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "grinding/coverage.h"
 #include "grinding/grinding_run.h"
 
 namespace octoblisk::demos {
@@ -36,6 +38,7 @@ void writeForces(const GrindingRun& run, const std::filesystem::path& file);
 /// summary.json: limits (ground_blade: null where no blade was ground), counts, the ranges of poses that
 /// interfere ("first" to "last", both included), the tree; "partial" where not all poses were done. Throws as
 /// above.
-void writeSummary(const GrindingRun& run, const std::filesystem::path& file);
+void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverage,
+                  const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -91,6 +92,18 @@ struct ReplayCount {
   Tone tone = Tone::clear;
 };
 
+/// Cells over a blade's side, drawn in colours.
+struct ReplaySide {
+  struct Color {
+    std::string color{}, name{};  ///< "#rrggbb"; what it stands for
+  };
+  std::string name{};           ///< of the tick box that shows them
+  std::size_t columns = 0;      ///< of cells
+  std::vector<Vec3> corners{};  ///< row by row, columns + 1 in each, a little off the blade
+  std::vector<std::uint8_t> color_of_cell{};
+  std::vector<Color> colors{};
+};
+
 struct Replay {
   std::string command{}, title{}, subtitle{};
   std::string one = "pose", many = "poses";  ///< what a track is made of
@@ -101,6 +114,7 @@ struct Replay {
   std::vector<int> blade_of_triangle{};
   int blade_count = 0, ground_blade = 0;
   std::vector<ToolPart> parts{};
+  std::optional<ReplaySide> side{};
   std::vector<ReplayChart> charts{};
   std::vector<ReplayTrack> tracks{};  ///< at least one
   std::size_t start_track = 0;

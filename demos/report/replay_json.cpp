@@ -56,6 +56,23 @@ PageJson meshJson(const DisplayMesh& mesh) {
   return {{"box", boxJson(box)}, {"vertices", base64Of(steps)}, {"triangles", base64Of(corners)}};
 }
 
+PageJson sideJson(const ReplaySide& side) {
+  Aabb box;
+  for (const Vec3& corner : side.corners) box.extend(corner);
+  std::vector<std::uint16_t> steps;
+  for (const Vec3& corner : side.corners) {
+    for (int axis = 0; axis < 3; ++axis) steps.push_back(stepOf(corner[axis], box.min[axis], box.max[axis]));
+  }
+  PageJson colors = PageJson::array();
+  for (const auto& [color, name] : side.colors) colors.push_back({{"color", color}, {"name", name}});
+  return {{"name", side.name},
+          {"columns", side.columns},
+          {"box", boxJson(box)},
+          {"vertices", base64Of(steps)},
+          {"color_of_cell", base64Of(side.color_of_cell)},
+          {"colors", colors}};
+}
+
 /// Points that the replay is about, a few hundred at most.
 std::vector<Vec3> placesOf(const Replay& replay) {
   constexpr std::size_t kMost = 256;
@@ -199,6 +216,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
                     " are shown near the touches alone: the tree has " +
                     withThousands(replay.blisk->stats().leaves) + " leaves.");
   }
+  if (replay.side) run["side"] = sideJson(*replay.side);
   run["boxes"] = boxesJson(boxes);
   run["facts"] = factsJson(replay.facts);
   run["notes"] = notes;

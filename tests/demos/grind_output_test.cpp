@@ -74,6 +74,7 @@ TEST_F(GrindCommand, beltSpeedAndForcesAreInTheTables) {
   ASSERT_EQ(forces.size(), 3u);
   for (const auto& row : forces) {
     const auto& pose = poses[std::stoul(row.at("pose"))];
+    EXPECT_EQ(row.at("verdict"), pose.at("verdict"));
     const double normal = std::stod(row.at("normal_force_n")),
                  friction = std::stod(row.at("friction_force_n"));
     EXPECT_NEAR(normal, 1000.0 * std::stod(pose.at("depth_mm")), 0.05 * normal);

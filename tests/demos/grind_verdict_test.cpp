@@ -99,6 +99,19 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_NEAR(summary["moves"]["depth_on_moves_at_most_mm"], depth_on_moves, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
+  double ground = 0.0, area = 0.0;
+  for (const auto& row : readTable(file("run/coverage.csv"))) {
+    const bool is_ground = row.at("state") == "ground" || row.at("state") == "too deep";
+    area += std::stod(row.at("area_mm2"));
+    if (!is_ground) continue;
+    ground += std::stod(row.at("area_mm2"));
+    EXPECT_GE(std::stod(row.at("depth_mm")), 0.0);
+    EXPECT_TRUE(touching[std::stoul(row.at("pose"))].contains("belt")) << "or the pose before or after";
+  }
+  EXPECT_NEAR(summary["coverage"]["ground_share"], ground / area, 1e-6);
+  EXPECT_THAT(outcome.out, HasSubstr("\nGround: " + std::to_string(std::lround(100.0 * ground / area)) +
+                                     " % of the convex side of blade 1; not reached: root below 0.4"));
+
   // The belt alone touches: a sample of its depths, and where pairs of triangles mislead.
   const TriangleMesh belt_mesh = embeddedBeltGrinder().front().mesh;
   const auto belt = treeOf(belt_mesh);

@@ -19,12 +19,11 @@ namespace octoblisk {
 /// meets itself, and those within a solid that another part bounds are none. Of degenerate triangles, none
 /// is.
 ///
-/// Built once, in O(n log n) for surfaces that bound a solid everywhere; else each region between other
-/// triangles needs a winding number, O(n). Only the kMostRegions largest are asked; the triangles of the rest
-/// bound nothing.
+/// Built once, in O(n log n) and a winding number, O(n), for each region that hangs together by edges of such
+/// triangles. Only the kMostRegions largest are asked; the triangles of the rest bound nothing.
 class SolidBoundary {
  public:
-  static constexpr std::size_t kMostRegions = 256;
+  static constexpr std::size_t kMostRegions = 128;
 
   /// The surface must outlive it. `threads`: 0 for as many as the machine has; the answers are the same.
   explicit SolidBoundary(const Surface& surface, int threads = 0);
@@ -32,18 +31,20 @@ class SolidBoundary {
 
   const Surface& surface() const { return *surface_; }
 
-  /// Whether every triangle meets 1 and 2. Then the surface is closed, and `locate` says where points lie.
+  /// Whether every triangle meets 1 and 2. Then the surface is closed, and octoblisk::locate says where points
+  /// lie, whichever way it faces.
   bool isWhole() const { return whole_; }
 
-  /// Whether the triangle bounds a solid.
+  /// Whether the triangle bounds a solid; of a whole surface every one does.
   bool has(std::uint32_t triangle) const { return whole_ || bounds_[triangle] != 0; }
 
-  /// Where a point lies. Of a whole surface as `locate` says. Else by the side of the pseudonormal (J. A.
+  /// Where a point lies. Of a whole surface as octoblisk::locate says. Else by the side of the pseudonormal (J. A.
   /// Bærentzen, H. Aanæs, Signed distance computation using the angle weighted pseudonormal, IEEE TVCG 11
   /// (3), 2005) of the nearest point, if that lies amid triangles that bound a solid. Where it does not, by
   /// the winding number, if that is within 1/4 of 0 or 1; else unknown.
   PointLocation locate(const Vec3& point) const;
-  /// The same; `nearest` is the surface's closest point to it.
+  /// The same, faster: `nearest` is the surface's closest point to it. Of a whole surface, too, by the
+  /// pseudonormal where 3 is met; within rounding of the surface that may differ from the exact answer.
   PointLocation locate(const Vec3& point, const ClosestPoint& nearest) const;
 
  private:
@@ -55,7 +56,7 @@ class SolidBoundary {
 
   const Surface* surface_;
   bool whole_ = false;
-  std::vector<char> bounds_;  // of each triangle; empty where whole
+  std::vector<char> bounds_;  // of each triangle: whether it meets 1, 2 and 3
 };
 
 }  // namespace octoblisk

@@ -64,11 +64,7 @@ SolidBoundary::SolidBoundary(const Surface& surface, int threads)
   findGoodEdges();
   findMeetings();
   whole_ = std::ranges::find(bounds_, 0) == bounds_.end();
-  if (whole_) {
-    bounds_ = {};
-  } else {
-    findRegions(threads);
-  }
+  findRegions(threads);
 }
 
 void SolidBoundary::findGoodEdges() {
@@ -134,11 +130,11 @@ PointLocation SolidBoundary::locate(const Vec3& point) const {
 }
 
 PointLocation SolidBoundary::locate(const Vec3& point, const ClosestPoint& nearest) const {
-  if (whole_) return octoblisk::locate(*surface_, point);
   if (nearest.distance == 0.0) return PointLocation::on_surface;
   if (const std::optional<Vec3> normal = pseudonormal(nearest)) {
     return normal->dot(point - nearest.point) < 0.0 ? PointLocation::inside : PointLocation::outside;
   }
+  if (whole_) return octoblisk::locate(*surface_, point);
   const double winding = windingNumber(surface_->tree().mesh(), point);
   constexpr double kNear = 0.25;
   if (std::abs(winding) < kNear) return PointLocation::outside;
@@ -146,7 +142,7 @@ PointLocation SolidBoundary::locate(const Vec3& point, const ClosestPoint& neare
 }
 
 std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
-  if (!has(at.triangle)) return std::nullopt;
+  if (bounds_[at.triangle] == 0) return std::nullopt;
   const Triangle triangle = surface_->tree().mesh().triangle(at.triangle);
   const auto& corners = surface_->corners(at.triangle);
   const unsigned feature = featureOf(triangle, at.point);
@@ -154,13 +150,13 @@ std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
     const std::size_t next = (i + 1) % 3;
     if (feature == (1u << i | 1u << next)) {
       const std::uint32_t other = neighbourAt(*surface_, at.triangle, corners[i], corners[next]);
-      if (!has(other)) return std::nullopt;
+      if (bounds_[other] == 0) return std::nullopt;
       return unitNormal(*surface_, at.triangle) + unitNormal(*surface_, other);
     }
     if (feature != 1u << i) continue;
     Vec3 sum = Vec3::Zero();
     for (const std::uint32_t t : surface_->star(corners[i])) {
-      if (!has(t)) return std::nullopt;
+      if (bounds_[t] == 0) return std::nullopt;
       const auto& of_t = surface_->corners(t);
       const auto corner = static_cast<std::size_t>(std::ranges::find(of_t, corners[i]) - of_t.begin());
       sum += angleAt(surface_->tree().mesh().triangle(t), corner) * unitNormal(*surface_, t);

@@ -81,6 +81,7 @@ function fillLegend() {
   for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
   for (const [color, names] of byColor) add(color, names.join(", "));
   add("#c9705e", "blade of the offence");
+  for (const { color, name } of run.side?.colors ?? []) add(color, name);
   const tones = new Set(["clear"]);
   for (const { name, tone } of run.verdicts) {
     if (tones.has(tone) || tone === "open") continue;
@@ -127,7 +128,8 @@ function fillTools(scene) {
   group.className = "group";
   group.append(boxes, " ", level, " ", flag("near the tool", "near"));
   $("tools").replaceChildren(...views, flag("tool", "tool"), flag("see-through", "glass"), flag("contacts", "contacts"),
-    flag("of all poses", "everywhere"), flag("numbers", "numbers"), group);
+    flag("of all poses", "everywhere"), flag("numbers", "numbers"),
+    ...(run.side ? [flag(run.side.name, "side")] : []), group);
 }
 
 function connectPlayer() {

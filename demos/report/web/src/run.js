@@ -14,13 +14,30 @@ const octets = (base64) => new Uint8Array(bytesOf(base64));
 
 /** A mesh: Float32 vertices (mm) of the 16-bit steps in its box, and Uint32 corners. */
 function meshOf({ box, vertices, triangles }) {
+  return { vertices: positionsOf(box, vertices), triangles: words(triangles) };
+}
+
+function positionsOf(box, vertices) {
   const steps = halves(vertices);
   const positions = new Float32Array(steps.length);
   for (let axis = 0; axis < 3; ++axis) {
     const low = box[axis], step = (box[axis + 3] - low) / 65535;
     for (let i = axis; i < steps.length; i += 3) positions[i] = low + steps[i] * step;
   }
-  return { vertices: positions, triangles: words(triangles) };
+  return positions;
+}
+
+/** The cells of a blade's side as a mesh, a colour for each. */
+function sideOf({ box, vertices, columns, color_of_cell, ...rest }) {
+  const rows = octets(color_of_cell).length / columns;
+  const corners = new Uint32Array(6 * rows * columns);
+  for (let row = 0, i = 0; row < rows; ++row) {
+    for (let column = 0; column < columns; ++column) {
+      const a = row * (columns + 1) + column, b = a + 1, d = a + columns + 1, c = d + 1;
+      for (const corner of [a, b, c, a, c, d]) corners[i++] = corner;
+    }
+  }
+  return { ...rest, mesh: { vertices: positionsOf(box, vertices), triangles: corners }, colorOfCell: octets(color_of_cell) };
 }
 
 function boxesOf({ depths, places, box, half, whole, deepest }) {
@@ -62,6 +79,7 @@ export function readRun() {
   run.blisk.mesh = meshOf(run.blisk.mesh);
   for (const part of run.parts) part.mesh = meshOf(part.mesh);
   run.boxes = boxesOf(run.boxes);
+  if (run.side) run.side = sideOf(run.side);
   run.tracks = run.tracks.map(trackOf);
   return run;
 }

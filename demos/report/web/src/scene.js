@@ -58,7 +58,7 @@ export class ReplayScene {
     this.canvas = canvas;
     this.run = run;
     this.player = player;
-    this.shown = { blisk: true, glass: false, tool: true, contacts: true, everywhere: run.everywhere, numbers: true, boxes: false, near: true, level: 3 };
+    this.shown = { blisk: true, glass: false, tool: true, contacts: true, side: true, everywhere: run.everywhere, numbers: true, boxes: false, near: true, level: 3 };
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
@@ -77,6 +77,7 @@ export class ReplayScene {
     canvas.addEventListener("keydown", (event) => this.turnByKey(event));
 
     this.addBlisk();
+    this.addSide();
     this.addTool();
     this.addContacts();
     this.addPath();
@@ -121,6 +122,20 @@ export class ReplayScene {
     this.scene.add(this.blisk, this.numbers);
     geometry.computeBoundingSphere();
     this.sphere = geometry.boundingSphere;
+  }
+
+  /** The cells of a blade's side, if the run has any. */
+  addSide() {
+    const { side } = this.run;
+    if (!side) return;
+    const geometry = geometryOf(side.mesh);
+    const colors = new Float32Array(geometry.getAttribute("position").count * 3);
+    const palette = side.colors.map(({ color }) => new Color(color));
+    for (let i = 0; i < colors.length / 3; ++i) palette[side.colorOfCell[(i / 6) | 0]].toArray(colors, 3 * i);
+    geometry.setAttribute("color", new BufferAttribute(colors, 3));
+    const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.8, metalness: 0, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
+    this.side = new Mesh(geometry, material);
+    this.scene.add(this.side);
   }
 
   addTool() {
@@ -289,6 +304,7 @@ export class ReplayScene {
     this.place();
     this.blisk.visible = this.shown.blisk;
     this.tool.visible = this.shown.tool;
+    if (this.side) this.side.visible = this.shown.side;
     this.numbers.visible = this.shown.numbers;
     this.updatePath();
     this.updateContacts();

@@ -1,0 +1,298 @@
+#include "grinding/coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "base/parallel.h"
+#include "grinding/pose_clearances.h"
+#include "models/belt_grinder.h"
+#include "models/blade_sides.h"
+#include "octoblisk/closest_point.h"
+#include "octoblisk/motion.h"
+#include "octoblisk/solid_boundary.h"
+#include "octoblisk/triangles_in_box.h"
+
+namespace octoblisk::demos {
+
+using namespace detail;
+
+namespace {
+
+/// Of the grid's cells, mm: a pass that is hardly pressed in grinds a line of a millimetre.
+constexpr double kCellHeight = 0.5, kCellWidth = 1.0;
+constexpr int kMostLines = 300;
+
+int linesOver(double length, double step) {
+  return std::clamp(static_cast<int>(std::lround(length / step)), 1, kMostLines);
+}
+
+double lengthOf(const std::vector<Vec3>& line) {
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k) length += (line[k] - line[k - 1]).norm();
+  return length;
+}
+
+SideGrid gridOver(const BladeContours& contours, BladeSide side) {
+  const SideGrid coarse(contours, side, 8, 8);
+  std::vector<Vec3> up, along;
+  for (std::size_t k = 0; k < 8; ++k) {
+    up.push_back(coarse.middleOf(8 * k + 4).position);
+    along.push_back(coarse.middleOf(8 * 4 + k).position);
+  }
+  constexpr double kWhole = 8.0 / 7.0;  // of the way between the first middle and the last
+  return SideGrid(contours, side, linesOver(kWhole * lengthOf(up), kCellHeight),
+                  linesOver(kWhole * lengthOf(along), kCellWidth));
+}
+
+/// A place of the part, and the pose that it is nearest to.
+struct Place {
+  Pose part_in_blisk;
+  std::size_t pose;
+};
+
+std::vector<Place> placesAlong(std::span<const Pose> poses) {
+  std::vector<Place> places;
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    if (p > 0) {
+      const Motion way = moveBetween(poses[p - 1], poses[p]);
+      const double length = way.advance().norm() + way.angle() * kNearGrinding;
+      const int steps = static_cast<int>(std::ceil(length / kCoverageStep));
+      for (int k = 1; k < steps; ++k) {
+        const double fraction = static_cast<double>(k) / steps;
+        places.push_back({way.at(fraction), fraction < 0.5 ? p - 1 : p});
+      }
+    }
+    places.push_back({poses[p], p});
+  }
+  return places;
+}
+
+/// Asks for one place after the other; each thread has its own.
+class GroundSearch {
+ public:
+  GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part)
+      : grid_(grid), cells_(cells), part_(part), asked_at_(grid.size(), 0), found_(grid.size()) {
+    constexpr int kBoxDepth = 3;
+    boxes_ = part.surface().tree().boxes(kBoxDepth);
+  }
+
+  void ask(const Place& place) {
+    ++time_;
+    const Pose blisk_in_part = place.part_in_blisk.inverse();
+    for (const Obb& box : boxes_) {
+      const Vec3 reach = box.half_extents.array() + kCoverageReach;
+      forEachTriangleIn(cells_, place.part_in_blisk * box, kCoverageReach, [&](std::uint32_t triangle) {
+        const std::size_t cell = triangle / 2;
+        if (asked_at_[cell] == time_) return false;
+        const Vec3 point = blisk_in_part * grid_.middleOf(cell).position;
+        if (((box.axes.transpose() * (point - box.center)).cwiseAbs().array() > reach.array()).any())
+          return false;
+        asked_at_[cell] = time_;
+        keepDeeper(found_[cell], {depthOf(point, found_[cell].depth), place.pose});
+        return false;
+      });
+    }
+  }
+
+  /// The deeper of two; of equal ones that of the earlier pose.
+  static void keepDeeper(GroundPoint& best, const GroundPoint& other) {
+    if (other.depth > best.depth || (other.depth == best.depth && other.pose < best.pose)) best = other;
+  }
+
+  const std::vector<GroundPoint>& found() const { return found_; }
+
+ private:
+  /// Minus infinity also where it is known to be no deeper than that.
+  double depthOf(const Vec3& point, double deepest) const {
+    constexpr double kNone = -std::numeric_limits<double>::infinity();
+    const ClusteredOctree& tree = part_.surface().tree();
+    const auto near = closestPoint(tree, point, kCoverageReach);
+    if (near && near->distance < deepest) return kNone;
+    const ClosestPoint nearest = near ? *near : closestPoint(tree, point).value();
+    if (part_.locate(point, nearest) == PointLocation::inside) return nearest.distance;
+    return near ? -nearest.distance : kNone;
+  }
+
+  const SideGrid& grid_;
+  const ClusteredOctree& cells_;
+  const SolidBoundary& part_;
+  std::vector<Obb> boxes_;
+  std::vector<std::size_t> asked_at_;
+  std::vector<GroundPoint> found_;
+  std::size_t time_ = 0;
+};
+
+/// Whether the part comes near half or more of the cells of a row or column, by area.
+bool isMostlyNear(const Coverage& coverage, std::span<const std::size_t> cells) {
+  double near = 0.0, all = 0.0;
+  for (const std::size_t cell : cells) {
+    all += coverage.grid.areaOf(cell);
+    if (coverage.points[cell].isNear()) near += coverage.grid.areaOf(cell);
+  }
+  return near >= 0.5 * all;
+}
+
+/// From the first to the last of the lines that are mostly reached.
+std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
+    const Coverage& coverage, std::size_t count,
+    const std::function<std::vector<std::size_t>(std::size_t)>& cellsOf) {
+  std::optional<std::pair<std::size_t, std::size_t>> lines;
+  for (std::size_t line = 0; line < count; ++line) {
+    if (!isMostlyNear(coverage, cellsOf(line))) continue;
+    if (!lines) lines = {line, line};
+    lines->second = line;
+  }
+  return lines;
+}
+
+/// Sides that the grinding part touches, by the poses.
+std::array<std::size_t, 2> touchesOfSides(const GrindingRun& run, const BladeSides& sides) {
+  std::array<std::size_t, 2> poses{};
+  for (const PoseReport& pose : run.poses) {
+    std::array<bool, 2> touched{};
+    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
+      const auto& [part, contact] = pose.contacts[c];
+      if (part != run.rules.grinding_part || pose.blades[c] != run.rules.ground_blade) continue;
+      if (contact.distance > 0.0) continue;
+      const BladePart of_blade = sides.part_of_triangle[contact.triangle_a];
+      touched[0] |= of_blade == BladePart::forward;
+      touched[1] |= of_blade == BladePart::backward;
+    }
+    for (std::size_t side = 0; side < 2; ++side) poses[side] += touched[side];
+  }
+  return poses;
+}
+
+}  // namespace
+
+double Coverage::groundShare() const {
+  double ground = 0.0, all = 0.0;
+  for (std::size_t cell = 0; cell < points.size(); ++cell) {
+    all += grid.areaOf(cell);
+    if (points[cell].isGround()) ground += grid.areaOf(cell);
+  }
+  return ground / all;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> Coverage::reachedRows() const {
+  return reachedLines(*this, grid.rows(), [&](std::size_t row) {
+    std::vector<std::size_t> cells;
+    for (std::size_t column = 0; column < grid.columns(); ++column)
+      cells.push_back(row * grid.columns() + column);
+    return cells;
+  });
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> Coverage::reachedColumns() const {
+  const auto rows = reachedRows();
+  if (!rows) return std::nullopt;
+  return reachedLines(*this, grid.columns(), [&](std::size_t column) {
+    std::vector<std::size_t> cells;
+    for (std::size_t row = rows->first; row <= rows->second; ++row)
+      cells.push_back(row * grid.columns() + column);
+    return cells;
+  });
+}
+
+double Coverage::scallopHeight() const {
+  double most = 0.0;
+  for (std::size_t column = 0; column < grid.columns(); ++column) {
+    const auto isGround = [&](std::size_t row) { return points[row * grid.columns() + column].isGround(); };
+    std::size_t first = 0, end = grid.rows();
+    while (first < end && !isGround(first)) ++first;
+    while (end > first && !isGround(end - 1)) --end;
+    for (std::size_t row = first; row < end; ++row) {
+      most = std::max(most, -points[row * grid.columns() + column].depth);
+    }
+  }
+  return most;
+}
+
+std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
+                                      std::span<const Pose> part_in_blisk, int threads) {
+  const std::vector<Place> places = placesAlong(part_in_blisk);
+  const ClusteredOctree cells = ClusteredOctree::build(std::make_shared<const TriangleMesh>(grid.mesh()));
+  const octoblisk::Surface surface(part);
+  const SolidBoundary boundary(surface, threads);
+  std::vector<GroundSearch> searches(static_cast<std::size_t>(threadCount(threads)),
+                                     GroundSearch(grid, cells, boundary));
+  constexpr std::size_t kAtOnce = 16;
+  parallelFor((places.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t block, std::size_t worker) {
+    const std::size_t end = std::min(places.size(), (block + 1) * kAtOnce);
+    for (std::size_t i = block * kAtOnce; i < end; ++i) searches[worker].ask(places[i]);
+  });
+  std::vector<GroundPoint> points(grid.size());
+  for (const GroundSearch& search : searches) {
+    for (std::size_t cell = 0; cell < points.size(); ++cell) {
+      GroundSearch::keepDeeper(points[cell], search.found()[cell]);
+    }
+  }
+  return points;
+}
+
+std::optional<Coverage> coverageOf(const GrindingRun& run, int threads) {
+  const int blade = run.rules.ground_blade;
+  if (blade == 0 || run.rules.grinding_part == kNoPart) return std::nullopt;
+  const TriangleMesh& mesh = run.blisk->mesh();
+  std::vector<Vec3> vertices;
+  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(run.mesh_in_blisk * vertex);
+  const TriangleMesh about_axis(std::move(vertices), mesh.triangles());
+  const BladeSides sides =
+      findBladeSides(about_axis, {.count = run.blade_count, .blade_of_triangle = run.blade_of_triangle});
+  const std::array<std::size_t, 2> touches = touchesOfSides(run, sides);
+  if (touches[0] + touches[1] == 0) return std::nullopt;
+  const BladeSide side = touches[0] >= touches[1] ? BladeSide::forward : BladeSide::backward;
+  Coverage coverage{.blade = blade,
+                    .grid = gridOver(BladeContours(about_axis, sides, blade), side),
+                    .side = side == BladeSide::forward ? "forward" : "backward",
+                    .points = {}};
+  if (run.convex_side) coverage.side = side == *run.convex_side ? "convex" : "concave";
+  std::vector<Pose> poses;
+  for (const PoseReport& pose : run.poses) poses.push_back(run.mesh_in_blisk * pose.tool_in_blisk);
+  coverage.points = groundPoints(coverage.grid, *run.parts[run.rules.grinding_part].tree, poses, threads);
+  return coverage;
+}
+
+std::string groundInWords(const Coverage& coverage) {
+  std::ostringstream text;
+  text << "Ground: " << std::round(100.0 * coverage.groundShare()) << " % of the " << coverage.side
+       << " side of blade " << coverage.blade;
+  return text.str();
+}
+
+std::string leftInWords(const Coverage& coverage) {
+  const auto rows = coverage.reachedRows(), columns = coverage.reachedColumns();
+  std::vector<std::string> left;
+  const auto add = [&](const std::string& what, std::size_t line, std::size_t count, const char* of) {
+    std::ostringstream entry;
+    entry.precision(2);
+    entry << what << ' ' << static_cast<double>(line) / static_cast<double>(count) << of;
+    left.push_back(entry.str());
+  };
+  const std::size_t row_count = coverage.grid.rows(), column_count = coverage.grid.columns();
+  if (rows && rows->first > 0) add("root below", rows->first, row_count, " of the height");
+  if (rows && rows->second + 1 < row_count) add("tip above", rows->second + 1, row_count, " of the height");
+  if (columns && columns->first > 0)
+    add("leading edge before", columns->first, column_count, " of the chord");
+  if (columns && columns->second + 1 < column_count) {
+    add("trailing edge beyond", columns->second + 1, column_count, " of the chord");
+  }
+  std::ostringstream text;
+  text.precision(2);
+  for (std::size_t i = 0; i < left.size(); ++i) text << (i == 0 ? "not reached: " : ", ") << left[i];
+  const double scallop = coverage.scallopHeight();
+  if (scallop > 0.0 && !left.empty()) text << "; ";
+  if (std::isinf(scallop)) {
+    text << "left between passes: more than " << kCoverageReach << " mm";
+  } else if (scallop > 0.0) {
+    text << "left between passes: scallops up to " << scallop << " mm";
+  }
+  return text.str();
+}
+
+}  // namespace octoblisk::demos

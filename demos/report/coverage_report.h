@@ -1,0 +1,22 @@
+// Tables and the picture of a coverage.
+#pragma once
+
+#include <filesystem>
+
+#include "grinding/coverage.h"
+#include "render/image.h"
+#include "report/replay.h"
+
+namespace octoblisk::demos {
+
+/// coverage.csv: a row for each cell of the grid; points are in the frame of the blisk's mesh. Throws
+/// std::runtime_error where it cannot be written.
+void writeCoverage(const Coverage& coverage, const GrindingRun& run, const std::filesystem::path& file);
+
+/// The blade's side unrolled, each cell in the colour of how deep it is ground.
+Image coveragePicture(const Coverage& coverage, const GrindingRun& run, int width = 1600, int height = 1200);
+
+/// The same on the blade, in the frame of the blisk's mesh.
+ReplaySide coverageOnBlade(const Coverage& coverage, const GrindingRun& run);
+
+}  // namespace octoblisk::demos

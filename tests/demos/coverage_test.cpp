@@ -1,0 +1,158 @@
+// How much of a blade's side is ground: against brute force at many more places of the same path.
+#include "grinding/coverage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "demos/default_blisk.h"
+#include "models/blade_anatomy.h"
+#include "models/embedded_assets.h"
+#include "models/shared_tree.h"
+#include "octoblisk/closest_point.h"
+#include "octoblisk/containment.h"
+#include "octoblisk/motion.h"
+#include "toolpath/grinding_path.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Side {
+  TriangleMesh mesh = embeddedBlisk();
+  BladesFound blades = findBlades(mesh);
+  BliskAnatomy anatomy = findAnatomy(mesh, blades);
+  BladeContours contours{mesh, anatomy.sides, 1};
+};
+const Side& side() {
+  static const Side result;
+  return result;
+}
+
+TEST(SideGrid, liesOnTheSideAndHasItsArea) {
+  const SideGrid grid(side().contours, BladeSide::forward, 40, 50);
+  ASSERT_EQ(grid.size(), 2000u);
+  const auto tree = treeOf(side().mesh);
+  const TriangleMesh cells = grid.mesh();
+  double area = 0.0;
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    const ContourPoint& middle = grid.middleOf(cell);
+    const ClosestPoint nearest = closestPoint(*tree, middle.position).value();
+    EXPECT_LT(nearest.distance, 1e-6);
+    EXPECT_EQ(side().blades.blade_of_triangle[nearest.triangle], 1);
+    EXPECT_GT(scaledNormal(cells.triangle(2 * cell)).dot(middle.normal), 0.0);
+    area += grid.areaOf(cell);
+    if (cell % 50 != 0) {
+      EXPECT_GT(grid.chordOf(cell), grid.chordOf(cell - 1));
+    }
+  }
+  EXPECT_NEAR(area, side().anatomy.blades[0].forward_area, 0.02 * area);
+  EXPECT_DOUBLE_EQ(grid.heightOf(0), 0.5 / 40);
+  EXPECT_DOUBLE_EQ(grid.heightOf(1999), 1.0 - 0.5 / 40);
+}
+
+TEST(Coverage, points_vs_bruteforce) {
+  const SideGrid grid(side().contours, BladeSide::forward, 40, 12);
+  const auto belt = treeOf(embeddedBeltGrinder().front().mesh);
+  const octoblisk::Surface surface(*belt);
+  const std::vector<Pose> path = makeGrindingPath(side().mesh, side().blades,
+                                                  {.passes = 3,
+                                                   .poses_per_pass = 12,
+                                                   .depth = 0.05,
+                                                   .span_from = 0.9,
+                                                   .span_to = 0.8,
+                                                   .retract_poses = 1});
+  const std::vector<GroundPoint> found = groundPoints(grid, *belt, path, 1);
+  const std::vector<GroundPoint> by_three = groundPoints(grid, *belt, path, 3);
+  int ground = 0, near = 0;
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    ASSERT_EQ(found[cell].depth, by_three[cell].depth);
+    ASSERT_EQ(found[cell].pose, by_three[cell].pose);
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (std::size_t p = 1; p < path.size(); ++p) {
+      const Motion way(path[p - 1], path[p]);
+      constexpr int kPlaces = 40;
+      for (int k = 0; k <= kPlaces; ++k) {
+        const Vec3 point = way.at(static_cast<double>(k) / kPlaces).inverse() * grid.middleOf(cell).position;
+        const double distance = closestPoint(*belt, point).value().distance;
+        deepest = std::max(deepest, locate(surface, point) == PointLocation::inside ? distance : -distance);
+      }
+    }
+    ground += deepest >= 0.0;
+    near += deepest < 0.0 && deepest >= -kCoverageReach;
+    if (deepest < -kCoverageReach) {
+      EXPECT_FALSE(found[cell].isNear()) << cell;
+      continue;
+    }
+    if (!found[cell].isNear()) {
+      EXPECT_LT(deepest, -kCoverageReach + 0.01) << cell;
+      continue;
+    }
+    // Of all places the deepest: no place in between is missed by more than a step allows.
+    EXPECT_NEAR(found[cell].depth, deepest, 0.01) << cell;
+    const double at_pose =
+        closestPoint(*belt, path[found[cell].pose].inverse() * grid.middleOf(cell).position).value().distance;
+    EXPECT_LT(at_pose, std::abs(found[cell].depth) + 5.0) << "a pose near there";
+  }
+  EXPECT_GT(ground, 10);
+  EXPECT_GT(near, 10);
+}
+
+Coverage coverageByHand(const std::function<double(double height, double chord)>& depth) {
+  Coverage coverage{.blade = 1,
+                    .grid = SideGrid(side().contours, BladeSide::forward, 10, 10),
+                    .side = "convex",
+                    .points = std::vector<GroundPoint>(100)};
+  for (std::size_t cell = 0; cell < 100; ++cell) {
+    coverage.points[cell].depth = depth(coverage.grid.heightOf(cell), coverage.grid.chordOf(cell));
+  }
+  return coverage;
+}
+
+TEST(Coverage, wordsByHand) {
+  const Coverage all = coverageByHand([](double, double) { return 0.01; });
+  EXPECT_DOUBLE_EQ(all.groundShare(), 1.0);
+  EXPECT_EQ(groundInWords(all), "Ground: 100 % of the convex side of blade 1");
+  EXPECT_EQ(leftInWords(all), "");
+  constexpr double kFar = -std::numeric_limits<double>::infinity();
+  const Coverage some = coverageByHand([](double height, double chord) {
+    if (height < 0.3 || chord > 0.8) return kFar;
+    return std::abs(height - 0.55) < 0.01 ? -0.02 : 0.01;  // a scallop
+  });
+  EXPECT_LT(some.groundShare(), 0.6);
+  EXPECT_GT(some.groundShare(), 0.3);
+  EXPECT_DOUBLE_EQ(some.scallopHeight(), 0.02);
+  EXPECT_EQ(leftInWords(some),
+            "not reached: root below 0.3 of the height, trailing edge beyond 0.8 of the chord; left between "
+            "passes: scallops up to 0.02 mm");
+  const Coverage gap =
+      coverageByHand([](double height, double) { return height > 0.4 && height < 0.6 ? kFar : 0.0; });
+  EXPECT_THAT(leftInWords(gap), HasSubstr("left between passes: more than 0.5 mm"));
+}
+
+TEST(Coverage, ofARunIsOfTheSideThatTheBeltTouches) {
+  GrindingJob job;
+  job.blisk = treeOf(side().mesh);
+  job.blades = side().blades;
+  for (EmbeddedPart& part : embeddedBeltGrinder()) job.parts.push_back({part.name, treeOf(part.mesh)});
+  job.rules.near_miss = 0.5;
+  job.continuous = false;
+  for (const bool forward : {true, false}) {
+    job.path =
+        makeGrindingPath(side().mesh, side().blades,
+                         {.passes = 2, .poses_per_pass = 10, .forward_side = forward, .retract_poses = 1});
+    const GrindingRun run = runGrinding(job);
+    const auto coverage = coverageOf(run);
+    ASSERT_TRUE(coverage);
+    EXPECT_EQ(coverage->side, forward ? "forward" : "backward");
+    EXPECT_GT(coverage->groundShare(), 0.01);
+    EXPECT_LT(coverage->groundShare(), 0.5);
+  }
+  for (Pose& pose : job.path) pose.translation += Vec3(0, 0, 500);
+  EXPECT_FALSE(coverageOf(runGrinding(job)));
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
