@@ -30,4 +30,14 @@ BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, con
                            ": the blades are too straight to tell their convex side: give --convex");
 }
 
+std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input) {
+  if (!convex.empty()) return convex == "forward" ? BladeSide::forward : BladeSide::backward;
+  if (input.blades.count == 0) return std::nullopt;
+  try {
+    return findAnatomy(moved(input.blisk->mesh(), input.mesh_in_blisk), input.blades).convex_side;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace octoblisk::demos

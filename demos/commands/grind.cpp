@@ -63,12 +63,8 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
 void tell(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::cout << inWords(run);
-  if (!coverage && run.rules.ground_blade != 0 && run.rules.grinding_part != kNoPart) {
-    std::cout << "Ground: nothing of blade " << run.rules.ground_blade << '\n';
-  }
-  if (coverage) {
-    const std::string left = leftInWords(*coverage);
-    std::cout << groundInWords(*coverage) << (left.empty() ? "" : "; ") << left << '\n';
+  if (run.rules.ground_blade != 0 && run.rules.grinding_part != kNoPart) {
+    std::cout << inWords(coverage, run.rules.ground_blade) << '\n';
   }
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
@@ -113,16 +109,16 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   writeContacts(run, files.add(out / "contacts.csv"));
   writeSummary(run, coverage, files.add(out / "summary.json"));
   if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
-  if (coverage) writeCoverage(*coverage, run, files.add(out / "coverage.csv"));
+  if (coverage) writeCoverage(*coverage, files.add(out / "coverage.csv"));
   if (!request.no_pictures) {
-    if (coverage) writePng(coveragePicture(*coverage, run), files.add(out / "coverage.png").string());
+    if (coverage) writePng(coveragePicture(*coverage), files.add(out / "coverage.png").string());
     writePngWatched(overviewOf(run), files.add(out / "overview.png").string());
     writePngWatched(closeupOf(run), files.add(out / "closeup.png").string());
   }
   if (request.frames > 0) writeFrames(run, request.frames, out, files, writePngWatched);
   if (request.report) {
     Replay replay = grindingReplay(run);
-    if (coverage) replay.side = coverageOnBlade(*coverage, run);
+    if (coverage) replay.side = coverageOnBlade(*coverage);
     writeReplayFiles(replay, out, files);
   }
   files.finish();
@@ -152,19 +148,6 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
   return job;
 }
 
-/// The side that is convex, as told or as the blades' camber tells it; none where it does not.
-std::optional<BladeSide> convexSideOf(const GrindRequest& request, const GrinderInput& input) {
-  if (!request.convex.empty()) {
-    return request.convex == "forward" ? BladeSide::forward : BladeSide::backward;
-  }
-  if (input.blades.count == 0) return std::nullopt;
-  try {
-    return findAnatomy(moved(input.blisk->mesh(), input.mesh_in_blisk), input.blades).convex_side;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
 int grind(const GrindRequest& request) {
   const GrinderFiles& files = request.files;
   requireNotRead(files, {"poses.csv", "contacts.csv", "forces.csv", "summary.json", "report.html", "run.glb",
@@ -178,7 +161,7 @@ int grind(const GrindRequest& request) {
   run.tool_name = files.toolName();
   run.path_name = files.path.empty() ? "generated" : files.path;
   run.tree_seconds = input.tree_seconds;
-  run.convex_side = convexSideOf(request, input);
+  run.convex_side = convexSideOf(request.convex, input);
   warnOfParts(files, run);
   const std::optional<Coverage> coverage = coverageOrWarning(run, files);
   writeAll(run, coverage, job.path, request);

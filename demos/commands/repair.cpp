@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "command_line/convex_option.h"
 #include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
@@ -18,12 +19,14 @@
 #include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
+#include "grinding/coverage.h"
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "repair/path_repair.h"
 #include "repair/repair_replay.h"
 #include "repair/repair_report.h"
+#include "report/coverage_report.h"
 #include "report/replay_files.h"
 #include "toolpath/pose_file.h"
 
@@ -34,21 +37,26 @@ struct RepairRequest {
   GrinderFiles files;
   double margin = 0.0;  // mm
   ChangeLimits limits;
+  bool keep_contact = true;
   bool report = true;
 };
 
 void tellChanges(const PathRepair& repair) {
   double tilt = 0.0, slide = 0.0, retract = 0.0;
-  std::size_t without = 0;
   for (const PoseRepair& pose : repair.poses) {
     tilt = std::max(tilt, std::abs(pose.change.tilt));
     slide = std::max(slide, std::abs(pose.change.slide));
     retract = std::max(retract, pose.change.retract);
-    without += !pose.change.isNone() && !pose.after.grinds && !pose.after.obstacle;
   }
   std::cout << "Changed: " << repair.changed() << (repair.changed() == 1 ? " pose" : " poses")
             << ", tilt up to " << tilt << " degrees, slide up to " << slide << " mm, retraction up to "
-            << retract << " mm; " << without << " of them free without touching the ground blade\n";
+            << retract << " mm\n";
+}
+
+void tellContact(const PathRepair& repair) {
+  if (repair.contactsLost() == 0) return;
+  std::cout << "Lost contact with the ground blade: " << repair.contactsLost() << " of " << repair.working()
+            << " working poses: " << describeLost(repair) << '\n';
 }
 
 /// Where the repaired path and the table of its changes are; those of an unfinished one are marked.
@@ -71,6 +79,7 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, 
             << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.movesLeft()
             << (repair.movesLeft() == 1 ? " move" : " moves") << " between free poses\n";
   if (repair.changed() > 0) tellChanges(repair);
+  tellContact(repair);
   constexpr std::size_t kMost = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts);
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
@@ -114,12 +123,36 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
   return run;
 }
 
+/// Of a path; none, with a warning, of a blade whose side has no contours.
+std::optional<Coverage> coverageOfPath(const GrinderFiles& files, const GrinderInput& input,
+                                       const VerdictRules& rules, const std::vector<Pose>& path) {
+  if (rules.ground_blade == 0 || rules.grinding_part == kNoPart) return std::nullopt;
+  try {
+    return coverageOf({.blisk = *input.blisk,
+                       .blade_of_triangle = input.blades.blade_of_triangle,
+                       .blade_count = input.blades.count,
+                       .mesh_in_blisk = input.mesh_in_blisk,
+                       .convex_side = convexSideOf("", input),
+                       .blade = rules.ground_blade,
+                       .part = *input.tool.parts[rules.grinding_part].tree,
+                       .max_depth = rules.maxDepth(rules.grinding_part),
+                       .path = path},
+                      files.threads);
+  } catch (const std::invalid_argument& error) {
+    warnOf(files.bliskName(), std::string("what is ground is not told: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
-                       const std::vector<Pose>& path, const PathRepair& repaired, TerminalWatch& terminal) {
+                       const std::vector<Pose>& path, const PathRepair& repaired,
+                       const std::optional<Coverage>& coverage, TerminalWatch& terminal) {
   const GrindingRun before = runOf(files, input, rules, path, terminal);
   const GrindingRun after = runOf(files, input, rules, repaired.path, terminal);
   WholeFiles shown;
-  writeReplayFiles(repairReplay(repaired, before, after), files.out, shown);
+  Replay replay = repairReplay(repaired, before, after);
+  if (coverage) replay.side = coverageOnBlade(*coverage);
+  writeReplayFiles(replay, files.out, shown);
   shown.finish();
   std::cout << tellReplayFiles(files.out);
 }
@@ -140,20 +173,27 @@ int repair(const RepairRequest& request) {
   makeFolder(files.out);
 
   Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
-  const PathRepair repaired =
-      repairPath(judge, path, directionsOffSurface(judge, path), request.limits, terminal.watch());
+  const PathRepair repaired = repairPath(judge, path, directionsOffSurface(judge, path), request.limits,
+                                         request.keep_contact, terminal.watch());
   terminal.endTask();
   const RepairFiles written(files.out, repaired.is_partial);
   WholeFiles whole;
   writePoses(whole.add(written.path), repaired.path);
   writeChanges(repaired, input.tool.parts, whole.add(written.changes));
+  const std::optional<Coverage> coverage = coverageOfPath(files, input, rules, repaired.path);
+  if (coverage) {
+    writeCoverage(*coverage, whole.add(std::filesystem::path(files.out) / "coverage.csv"));
+    writePng(coveragePicture(*coverage),
+             whole.add(std::filesystem::path(files.out) / "coverage.png").string());
+  }
   whole.finish();
   tellRepair(repaired, input, *blade, written);
+  if (*blade != 0) std::cout << inWords(coverage, *blade) << '\n';
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: what was repaired so far is in " + written.path.string());
   }
-  if (request.report) writeRepairReport(files, input, rules, path, repaired, terminal);
-  return repaired.isFree() ? 0 : 1;
+  if (request.report) writeRepairReport(files, input, rules, path, repaired, coverage, terminal);
+  return repaired.isFree() && repaired.contactsLost() == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -169,6 +209,12 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
           "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file; default: the "
           "path that grind makes")
       ->check(notEmpty());
+  command
+      .add_flag(
+          "--keep-contact,!--no-keep-contact", request->keep_contact,
+          "Keep working poses in contact with the ground blade where a change with a retraction of up to "
+          "1 mm can")
+      ->capture_default_str();
   ChangeLimits& limits = request->limits;
   const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {
     command.add_option(name, value, help)

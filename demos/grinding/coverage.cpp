@@ -12,8 +12,10 @@
 #include "grinding/pose_clearances.h"
 #include "models/belt_grinder.h"
 #include "models/blade_sides.h"
+#include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/motion.h"
+#include "octoblisk/path_query.h"
 #include "octoblisk/solid_boundary.h"
 #include "octoblisk/triangles_in_box.h"
 
@@ -150,20 +152,22 @@ std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
   return lines;
 }
 
-/// Sides that the grinding part touches, by the poses.
-std::array<std::size_t, 2> touchesOfSides(const GrindingRun& run, const BladeSides& sides) {
+/// At how many poses the part touches the blade's forward side, and its backward side.
+std::array<std::size_t, 2> touchesOfSides(const CoverageQuestion& question, const BladeSides& sides) {
+  const TriangleMesh& mesh = question.blisk.mesh();
   std::array<std::size_t, 2> poses{};
-  for (const PoseReport& pose : run.poses) {
-    std::array<bool, 2> touched{};
-    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      const auto& [part, contact] = pose.contacts[c];
-      if (part != run.rules.grinding_part || pose.blades[c] != run.rules.ground_blade) continue;
-      if (contact.distance > 0.0) continue;
-      const BladePart of_blade = sides.part_of_triangle[contact.triangle_a];
-      touched[0] |= of_blade == BladePart::forward;
-      touched[1] |= of_blade == BladePart::backward;
+  for (const BladePart side : {BladePart::forward, BladePart::backward}) {
+    std::vector<TriangleMesh::Indices> triangles;
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+      if (sides.blade_of_triangle[t] == question.blade && sides.part_of_triangle[t] == side) {
+        triangles.push_back(mesh.triangles()[t]);
+      }
     }
-    for (std::size_t side = 0; side < 2; ++side) poses[side] += touched[side];
+    if (triangles.empty()) continue;
+    const auto tree = treeOfTriangles(mesh, std::move(triangles));
+    PathQuery query(*tree, question.part);
+    for (const Pose& pose : question.path)
+      poses[side == BladePart::backward] += query.collide(pose).has_value();
   }
   return poses;
 }
@@ -235,27 +239,45 @@ std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctre
   return points;
 }
 
-std::optional<Coverage> coverageOf(const GrindingRun& run, int threads) {
-  const int blade = run.rules.ground_blade;
-  if (blade == 0 || run.rules.grinding_part == kNoPart) return std::nullopt;
-  const TriangleMesh& mesh = run.blisk->mesh();
+std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads) {
+  const TriangleMesh& mesh = question.blisk.mesh();
   std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(run.mesh_in_blisk * vertex);
+  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(question.mesh_in_blisk * vertex);
   const TriangleMesh about_axis(std::move(vertices), mesh.triangles());
-  const BladeSides sides =
-      findBladeSides(about_axis, {.count = run.blade_count, .blade_of_triangle = run.blade_of_triangle});
-  const std::array<std::size_t, 2> touches = touchesOfSides(run, sides);
+  BladesFound blades;
+  blades.count = question.blade_count;
+  blades.blade_of_triangle.assign(question.blade_of_triangle.begin(), question.blade_of_triangle.end());
+  const BladeSides sides = findBladeSides(about_axis, blades);
+  const std::array<std::size_t, 2> touches = touchesOfSides(question, sides);
   if (touches[0] + touches[1] == 0) return std::nullopt;
   const BladeSide side = touches[0] >= touches[1] ? BladeSide::forward : BladeSide::backward;
-  Coverage coverage{.blade = blade,
-                    .grid = gridOver(BladeContours(about_axis, sides, blade), side),
+  Coverage coverage{.blade = question.blade,
+                    .grid = gridOver(BladeContours(about_axis, sides, question.blade), side),
                     .side = side == BladeSide::forward ? "forward" : "backward",
+                    .mesh_in_blisk = question.mesh_in_blisk,
+                    .max_depth = question.max_depth,
                     .points = {}};
-  if (run.convex_side) coverage.side = side == *run.convex_side ? "convex" : "concave";
+  if (question.convex_side) coverage.side = side == *question.convex_side ? "convex" : "concave";
   std::vector<Pose> poses;
-  for (const PoseReport& pose : run.poses) poses.push_back(run.mesh_in_blisk * pose.tool_in_blisk);
-  coverage.points = groundPoints(coverage.grid, *run.parts[run.rules.grinding_part].tree, poses, threads);
+  for (const Pose& pose : question.path) poses.push_back(question.mesh_in_blisk * pose);
+  coverage.points = groundPoints(coverage.grid, question.part, poses, threads);
   return coverage;
+}
+
+std::optional<Coverage> coverageOf(const GrindingRun& run, int threads) {
+  if (run.rules.ground_blade == 0 || run.rules.grinding_part == kNoPart) return std::nullopt;
+  std::vector<Pose> path;
+  for (const PoseReport& pose : run.poses) path.push_back(pose.tool_in_blisk);
+  return coverageOf({.blisk = *run.blisk,
+                     .blade_of_triangle = run.blade_of_triangle,
+                     .blade_count = run.blade_count,
+                     .mesh_in_blisk = run.mesh_in_blisk,
+                     .convex_side = run.convex_side,
+                     .blade = run.rules.ground_blade,
+                     .part = *run.parts[run.rules.grinding_part].tree,
+                     .max_depth = run.rules.maxDepth(run.rules.grinding_part),
+                     .path = std::move(path)},
+                    threads);
 }
 
 std::string groundInWords(const Coverage& coverage) {
@@ -293,6 +315,12 @@ std::string leftInWords(const Coverage& coverage) {
     text << "left between passes: scallops up to " << scallop << " mm";
   }
   return text.str();
+}
+
+std::string inWords(const std::optional<Coverage>& coverage, int blade) {
+  if (!coverage) return "Ground: nothing of blade " + std::to_string(blade);
+  const std::string left = leftInWords(*coverage);
+  return groundInWords(*coverage) + (left.empty() ? "" : "; ") + left;
 }
 
 }  // namespace octoblisk::demos

@@ -36,6 +36,8 @@ struct Coverage {
   int blade = 0;
   SideGrid grid;
   std::string side;                 ///< "convex", "concave", or where that is not known "forward", "backward"
+  Pose mesh_in_blisk;               ///< from the mesh's frame to the grid's
+  double max_depth = 0.0;           ///< that the part may be pressed in, mm
   std::vector<GroundPoint> points;  ///< of the middles of the grid's cells
 
   /// Of the side's area.
@@ -55,8 +57,23 @@ struct Coverage {
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
 
-/// Of the side of the ground blade that the grinding part touches at the most poses. None where it touches
-/// none, or where no part grinds. Throws std::invalid_argument where the blade's side has no contours.
+struct CoverageQuestion {
+  const ClusteredOctree& blisk;  ///< faces outward
+  std::span<const int> blade_of_triangle;
+  int blade_count;
+  Pose mesh_in_blisk;                    ///< from the mesh's frame to that with the blisk's axis Z
+  std::optional<BladeSide> convex_side;  ///< none: not known
+  int blade;                             ///< that is ground
+  const ClusteredOctree& part;           ///< that grinds
+  double max_depth;                      ///< that it may be pressed in, mm
+  std::vector<Pose> path;                ///< of the part, in the mesh's frame
+};
+
+/// Of the side that the part touches at the most poses. None where it touches neither. Throws
+/// std::invalid_argument where there is no such blade, or its side has no contours.
+std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads = 0);
+
+/// The same of a run; none where no blade is ground.
 std::optional<Coverage> coverageOf(const GrindingRun& run, int threads = 0);
 
 /// "Ground: 62 % of the convex side of blade 1".
@@ -64,5 +81,8 @@ std::string groundInWords(const Coverage& coverage);
 
 /// "not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
 std::string leftInWords(const Coverage& coverage);
+
+/// Both in one line; of none that nothing of the blade is ground.
+std::string inWords(const std::optional<Coverage>& coverage, int blade);
 
 }  // namespace octoblisk::demos

@@ -7,8 +7,9 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kBlocked = 1e9;  // beyond the cost of any free way
-constexpr double kAvoided = 1e5;  // beyond the cost of a pose and its neighbours
+constexpr double kBlocked = 1e10;  // beyond the cost of any free way
+constexpr double kAvoided = 1e7;   // beyond the cost of a pose and its neighbours
+constexpr double kLosing = 1e6;    // beyond the cost of any change
 
 }  // namespace
 
@@ -16,7 +17,7 @@ LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
     : grid_(&grid),
       poses_(poses),
       costs_(grid.size()),
-      blocked_(poses * grid.size(), 0),
+      states_(poses * grid.size(), State::free),
       least_retract_(poses, 0) {
   for (std::uint32_t node = 0; node < costs_.size(); ++node) costs_[node] = grid.cost(grid.change(node));
   // The cost of a step is a sum over the three values, so that each can be gone through by itself.
@@ -32,7 +33,8 @@ LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
 
 double LayeredSearch::nodeCost(std::size_t pose, std::uint32_t node) const {
   const bool is_avoided = node % grid_->retracts().size() < least_retract_[pose];
-  return costs_[node] + (blocked_[pose * costs_.size() + node] ? kBlocked : 0.0) +
+  constexpr double kOfState[] = {0.0, kLosing, kBlocked};
+  return costs_[node] + kOfState[static_cast<std::size_t>(states_[pose * costs_.size() + node])] +
          (is_avoided ? kAvoided : 0.0);
 }
 

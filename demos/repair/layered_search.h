@@ -1,6 +1,7 @@
 // The cheapest way through layers of nodes, one layer a pose, where little may change from layer to layer.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,13 +16,22 @@ namespace octoblisk::demos {
 
 /// Dynamic programming over the poses of a path. Every node counts as free until it is said to be blocked. A
 /// blocked node or step may still be gone where nothing else leads on, for more than all free ones together:
-/// so the way has as few of them as can be, and the least cost among those.
+/// so the way has as few of them as can be. Of such ways it has as few nodes that lose contact as can be, and
+/// the least cost among those.
 class LayeredSearch {
  public:
   /// The grid must outlive it. Of so many poses, at least one.
   LayeredSearch(const ChangeGrid& grid, std::size_t poses);
 
-  void blockNode(std::size_t pose, std::uint32_t node) { blocked_[pose * grid_->size() + node] = 1; }
+  void blockNode(std::size_t pose, std::uint32_t node) {
+    states_[pose * grid_->size() + node] = State::blocked;
+  }
+
+  /// Says that the tool loses its contact there.
+  void markLosing(std::size_t pose, std::uint32_t node) {
+    State& state = states_[pose * grid_->size() + node];
+    state = std::max(state, State::losing);
+  }
 
   /// The step from a node to another of the next pose, which is `pose`.
   void blockStep(std::size_t pose, std::uint32_t from, std::uint32_t to) {
@@ -39,6 +49,8 @@ class LayeredSearch {
   std::vector<std::uint32_t> cheapest() const;
 
  private:
+  enum class State : std::uint8_t { free, losing, blocked };
+
   /// Nodes of a layer with the cost of the way to each, and its node in the layer before.
   struct Layer {
     std::vector<double> cost;
@@ -67,7 +79,7 @@ class LayeredSearch {
   std::size_t poses_;
   std::vector<double> costs_;  // of each node, were it free
   std::vector<Axis> axes_;
-  std::vector<char> blocked_;               // of each pose and node
+  std::vector<State> states_;               // of each pose and node
   std::vector<std::size_t> least_retract_;  // of each pose: lesser ones are avoided
   std::map<std::size_t, std::map<std::uint32_t, std::set<std::uint32_t>>> blocked_steps_;  // pose, to, from
 };

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "models/require.h"
 #include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
+#include "octoblisk/path_query.h"
 #include "repair/layered_search.h"
 
 namespace octoblisk::demos {
@@ -22,11 +25,13 @@ constexpr std::size_t kMostDoublings = 4;
 /// The search for one path: what is known of its nodes and steps.
 class Repairer {
  public:
+  /// `contact_poses`: those that are to keep their contact.
   Repairer(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-           const ChangeLimits& limits)
+           const ChangeLimits& limits, std::vector<bool> contact_poses)
       : judge_(judge),
         path_(path),
         off_surface_(off_surface),
+        keeps_contact_(std::move(contact_poses)),
         grid_(limits),
         search_(grid_, path.size()),
         known_(path.size() * grid_.size(), 0),
@@ -38,6 +43,11 @@ class Repairer {
     std::iota(by_cost_.begin(), by_cost_.end(), 0u);
     std::ranges::stable_sort(by_cost_, {},
                              [&](std::uint32_t node) { return grid_.cost(grid_.change(node)); });
+    for (std::size_t p = 0; p < path.size(); ++p) {
+      for (std::uint32_t node = 0; keeps_contact_[p] && node < grid_.size(); ++node) {
+        if (grid_.change(node).retract > kLift) search_.markLosing(p, node);
+      }
+    }
   }
 
   /// The way found; where it was stopped, that so far.
@@ -73,19 +83,22 @@ class Repairer {
   }
 
  private:
-  static constexpr char kUnknown = 0, kFree = 1, kBlocked = 2;
+  static constexpr char kUnknown = 0, kFree = 1, kLosing = 2, kBlocked = 3;
   static constexpr const char* kTask = "poses that are free";
 
   char& known(std::size_t pose, std::uint32_t node) { return known_[pose * grid_.size() + node]; }
+  bool isFree(std::size_t pose, std::uint32_t node) {
+    return known(pose, node) == kFree || known(pose, node) == kLosing;
+  }
 
   std::size_t settled(const std::vector<std::uint32_t>& way) {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < way.size(); ++p) count += known(p, way[p]) == kFree;
+    for (std::size_t p = 0; p < way.size(); ++p) count += isFree(p, way[p]);
     return count;
   }
 
-  /// Judges what is not known of the way's nodes, and with those that turned out blocked before the next
-  /// cheapest ones. Whether a node of the way is blocked that was not known to be.
+  /// Judges what is not known of the way's nodes, and with those that turned out blocked or to lose contact
+  /// before the next cheapest ones. Whether a node of the way does that was not known to.
   bool judgePoses(const std::vector<std::uint32_t>& way) {
     std::vector<std::pair<std::size_t, std::uint32_t>> asked;
     std::vector<Pose> poses;
@@ -104,18 +117,24 @@ class Repairer {
       }
     }
     const std::vector<PoseState> states = judge_.statesOf(poses);
-    bool any_blocked = false;
+    bool any_worse = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const auto [p, node] = asked[k];
-      const bool is_free = !states[k].obstacle;
-      known(p, node) = is_free ? kFree : kBlocked;
-      if (is_free) continue;
-      search_.blockNode(p, node);
+      if (states[k].obstacle) {
+        known(p, node) = kBlocked;
+        search_.blockNode(p, node);
+      } else if (keeps_contact_[p] && !states[k].grinds) {
+        known(p, node) = kLosing;
+        search_.markLosing(p, node);
+      } else {
+        known(p, node) = kFree;
+        continue;
+      }
       if (node != way[p]) continue;
-      any_blocked = true;
+      any_worse = true;
       at_once_[p] = std::min(2 * at_once_[p], kMostAtOnce);
     }
-    return any_blocked;
+    return any_worse;
   }
 
   /// The same for the moves between free poses.
@@ -124,7 +143,7 @@ class Repairer {
     std::vector<Move> moves;
     for (std::size_t p = 1; p < way.size(); ++p) {
       if (tries_[p] > kMostTriesAMove) continue;
-      if (known(p - 1, way[p - 1]) != kFree || known(p, way[p]) != kFree) continue;
+      if (!isFree(p - 1, way[p - 1]) || !isFree(p, way[p])) continue;
       if (isFreeMove(p, way)) continue;
       asked.push_back(p);
       moves.push_back({pose(p - 1, way[p - 1]), pose(p, way[p])});
@@ -170,6 +189,7 @@ class Repairer {
   Judge& judge_;
   std::span<const Pose> path_;
   std::span<const Vec3> off_surface_;
+  std::vector<bool> keeps_contact_;
   ChangeGrid grid_;
   LayeredSearch search_;
   std::vector<char> known_;                 // of each pose and node
@@ -181,6 +201,27 @@ class Repairer {
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
   bool is_stopped_ = false;
 };
+
+/// The ground blade's triangles alone; null where no blade is ground.
+std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
+  const TriangleMesh& mesh = judge.blisk().mesh();
+  std::vector<TriangleMesh::Indices> ground;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const int blade = judge.bladeOfTriangle()[t];
+    if (blade != 0 && blade == judge.rules().ground_blade) ground.push_back(mesh.triangles()[t]);
+  }
+  return ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));
+}
+
+/// At which poses the grinding part touches the ground blade.
+std::vector<bool> workingPoses(const Judge& judge, std::span<const Pose> path) {
+  std::vector<bool> works(path.size(), false);
+  const auto blade = groundBladeOf(judge);
+  if (!blade || judge.rules().grinding_part == kNoPart) return works;
+  PathQuery query(*blade, *judge.parts()[judge.rules().grinding_part].tree);
+  for (std::size_t p = 0; p < path.size(); ++p) works[p] = query.collide(path[p]).has_value();
+  return works;
+}
 
 }  // namespace
 
@@ -204,11 +245,27 @@ std::size_t PathRepair::changed() const {
       std::ranges::count_if(poses, [](const PoseRepair& pose) { return !pose.change.isNone(); }));
 }
 
+std::size_t PathRepair::working() const {
+  return static_cast<std::size_t>(std::ranges::count_if(poses, &PoseRepair::works));
+}
+
+bool PathRepair::hasLostContact(std::size_t pose) const {
+  return poses[pose].works && !poses[pose].after.obstacle && !poses[pose].after.grinds;
+}
+
+std::size_t PathRepair::contactsLost() const {
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < poses.size(); ++p) count += hasLostContact(p);
+  return count;
+}
+
 PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
-                      const ChangeLimits& limits, const RunWatch& watch) {
+                      const ChangeLimits& limits, bool keep_contact, const RunWatch& watch) {
   require(!path.empty(), "a path of no poses cannot be repaired");
   require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
-  Repairer repairer(judge, path, off_surface, limits);
+  const std::vector<bool> works = workingPoses(judge, path);
+  Repairer repairer(judge, path, off_surface, limits,
+                    keep_contact ? works : std::vector<bool>(path.size(), false));
   const std::vector<std::uint32_t> way = repairer.run(watch);
 
   PathRepair repair;
@@ -218,6 +275,7 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
     repair.poses.push_back({});
     repair.poses.back().change = repairer.grid().change(way[p]);
     repair.poses.back().asked = repairer.asked(p);
+    repair.poses.back().works = works[p];
   }
   const std::vector<PoseState> before = judge.statesOf(path), after = judge.statesOf(repair.path);
   std::vector<Move> moves;
@@ -236,13 +294,7 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
 }
 
 std::vector<Vec3> directionsOffSurface(const Judge& judge, std::span<const Pose> path) {
-  const TriangleMesh& mesh = judge.blisk().mesh();
-  std::vector<TriangleMesh::Indices> ground;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const int blade = judge.bladeOfTriangle()[t];
-    if (blade != 0 && blade == judge.rules().ground_blade) ground.push_back(mesh.triangles()[t]);
-  }
-  const auto blade = ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));
+  const auto blade = groundBladeOf(judge);
   std::vector<Vec3> directions;
   for (const Pose& pose : path) {
     Vec3 direction = Vec3::Zero();

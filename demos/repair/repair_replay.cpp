@@ -26,9 +26,13 @@ void addChanges(const PathRepair& repair, ReplayTrack& track) {
 
 std::string titleOf(const PathRepair& repair) {
   if (repair.isFree()) {
-    return repair.interferedBefore() == 0
-               ? "The path is free"
-               : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none is left";
+    const std::string lost = repair.contactsLost() == 0 ? std::string()
+                                                        : "; " + countOfPoses(repair.contactsLost()) +
+                                                              " lost contact with the blade";
+    return (repair.interferedBefore() == 0
+                ? "The path is free"
+                : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none is left") +
+           lost;
   }
   const std::size_t moves = repair.movesLeft();
   return "Left interfering: " + countOfPoses(repair.posesLeft()) +
@@ -48,6 +52,7 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
       {"poses interfered", repair.interferedBefore(), Tone::near},
       {"poses changed", repair.changed(), Tone::clear},
       {"poses left interfering", repair.posesLeft(), Tone::interference},
+      {"working poses that lost contact", repair.contactsLost(), Tone::interference},
       {"moves left between free poses", repair.movesLeft(), Tone::interference},
   };
   replay.charts.push_back({.title = "Changes to the path", .unit = "degrees, mm"});

@@ -18,6 +18,13 @@ std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<con
   return obstacle ? describe(*obstacle, parts) : std::string();
 }
 
+/// Of a working pose; else empty.
+const char* contactText(const PathRepair& repair, std::size_t pose) {
+  if (!repair.poses[pose].works) return "";
+  if (repair.hasLostContact(pose)) return "lost";
+  return repair.poses[pose].after.grinds ? "kept" : "";
+}
+
 /// Runs of equal texts; empty ones are nothing.
 void addRuns(const std::vector<std::string>& texts, const std::string& one, const std::string& many,
              std::vector<std::string>& runs) {
@@ -42,13 +49,13 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
   stream.precision(9);
   stream << "pose,before,in_the_way_before,tilt_deg,slide_mm,retract_mm,after,in_the_way_after,"
-            "in_the_way_of_move_to_it\n";
+            "in_the_way_of_move_to_it,contact\n";
   for (std::size_t p = 0; p < repair.poses.size(); ++p) {
     const PoseRepair& pose = repair.poses[p];
     stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts) << ','
            << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
            << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts) << ','
-           << obstacleText(pose.move, parts) << '\n';
+           << obstacleText(pose.move, parts) << ',' << contactText(repair, p) << '\n';
   }
   stream.close();
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
@@ -63,6 +70,20 @@ std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const 
   addRuns(of_poses, "pose", "poses", runs);
   addRuns(of_moves, "move to pose", "moves to poses", runs);
   return runs;
+}
+
+std::string describeLost(const PathRepair& repair) {
+  std::string text;
+  for (std::size_t first = 0; first < repair.poses.size(); ++first) {
+    if (!repair.hasLostContact(first)) continue;
+    std::size_t last = first;
+    while (last + 1 < repair.poses.size() && repair.hasLostContact(last + 1)) ++last;
+    text += (text.empty() ? "" : ", ") +
+            (first == last ? "pose " + std::to_string(first)
+                           : "poses " + std::to_string(first) + '-' + std::to_string(last));
+    first = last;
+  }
+  return text;
 }
 
 }  // namespace octoblisk::demos

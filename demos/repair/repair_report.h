@@ -18,4 +18,7 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
 /// left with the same in their way.
 std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts);
 
+/// "poses 3-5, pose 9": the working poses that lost their contact.
+std::string describeLost(const PathRepair& repair);
+
 }  // namespace octoblisk::demos

@@ -54,21 +54,19 @@ const char* stateOf(const GroundPoint& point, double limit) {
   return point.depth <= limit ? "ground" : "too deep";
 }
 
-double limitOf(const GrindingRun& run) { return run.rules.maxDepth(run.rules.grinding_part); }
-
 }  // namespace
 
-void writeCoverage(const Coverage& coverage, const GrindingRun& run, const std::filesystem::path& file) {
+void writeCoverage(const Coverage& coverage, const std::filesystem::path& file) {
   std::ofstream stream(file);
   stream.precision(9);
   stream << "height,chord,x_mm,y_mm,z_mm,area_mm2,state,depth_mm,pose\n";
-  const Pose blisk_in_mesh = run.mesh_in_blisk.inverse();
+  const Pose blisk_in_mesh = coverage.mesh_in_blisk.inverse();
   for (std::size_t cell = 0; cell < coverage.points.size(); ++cell) {
     const GroundPoint& point = coverage.points[cell];
     const Vec3 place = blisk_in_mesh * coverage.grid.middleOf(cell).position;
     stream << coverage.grid.heightOf(cell) << ',' << coverage.grid.chordOf(cell) << ',' << place.x() << ','
            << place.y() << ',' << place.z() << ',' << coverage.grid.areaOf(cell) << ','
-           << stateOf(point, limitOf(run)) << ',';
+           << stateOf(point, coverage.max_depth) << ',';
     if (point.isNear()) stream << point.depth << ',' << point.pose;
     if (!point.isNear()) stream << ',';
     stream << '\n';
@@ -77,7 +75,7 @@ void writeCoverage(const Coverage& coverage, const GrindingRun& run, const std::
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-Image coveragePicture(const Coverage& coverage, const GrindingRun& run, int width, int height) {
+Image coveragePicture(const Coverage& coverage, int width, int height) {
   const SideGrid& grid = coverage.grid;
   const auto wayBetween = [&](std::size_t a, std::size_t b) {
     return (grid.middleOf(a).position - grid.middleOf(b).position).norm();
@@ -94,7 +92,7 @@ Image coveragePicture(const Coverage& coverage, const GrindingRun& run, int widt
     const double half_width = 0.5 * length / static_cast<double>(grid.columns() - 1);
     for (std::size_t k = 0; k < grid.columns(); ++k) {
       cells.push_back({(2.0 * static_cast<double>(k) + 1.0) * half_width, above + half_height, half_width,
-                       half_height, colorOf(colorIndexOf(coverage.points[begin + k], limitOf(run)))});
+                       half_height, colorOf(colorIndexOf(coverage.points[begin + k], coverage.max_depth))});
     }
     above += 2.0 * half_height;
   }
@@ -110,10 +108,10 @@ Image coveragePicture(const Coverage& coverage, const GrindingRun& run, int widt
   return sideMap(cells, annotation, width, height);
 }
 
-ReplaySide coverageOnBlade(const Coverage& coverage, const GrindingRun& run) {
+ReplaySide coverageOnBlade(const Coverage& coverage) {
   constexpr double kLift = 0.2;  // mm: the blade may be drawn thinned
   const SideGrid& grid = coverage.grid;
-  const Pose blisk_in_mesh = run.mesh_in_blisk.inverse();
+  const Pose blisk_in_mesh = coverage.mesh_in_blisk.inverse();
   ReplaySide side{.name = "what is ground", .columns = grid.columns()};
   for (std::size_t corner = 0; corner < grid.corners().size(); ++corner) {
     const std::size_t row = std::min(corner / (grid.columns() + 1), grid.rows() - 1);
@@ -122,7 +120,7 @@ ReplaySide coverageOnBlade(const Coverage& coverage, const GrindingRun& run) {
     side.corners.push_back(blisk_in_mesh * Vec3(grid.corners()[corner] + kLift * normal));
   }
   for (const GroundPoint& point : coverage.points) {
-    side.color_of_cell.push_back(static_cast<std::uint8_t>(colorIndexOf(point, limitOf(run))));
+    side.color_of_cell.push_back(static_cast<std::uint8_t>(colorIndexOf(point, coverage.max_depth)));
   }
   for (std::size_t index = 0; index < kColors; ++index) {
     side.colors.push_back({hexOf(colorOf(index)), nameOf(index)});

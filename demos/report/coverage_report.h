@@ -11,12 +11,12 @@ namespace octoblisk::demos {
 
 /// coverage.csv: a row for each cell of the grid; points are in the frame of the blisk's mesh. Throws
 /// std::runtime_error where it cannot be written.
-void writeCoverage(const Coverage& coverage, const GrindingRun& run, const std::filesystem::path& file);
+void writeCoverage(const Coverage& coverage, const std::filesystem::path& file);
 
 /// The blade's side unrolled, each cell in the colour of how deep it is ground.
-Image coveragePicture(const Coverage& coverage, const GrindingRun& run, int width = 1600, int height = 1200);
+Image coveragePicture(const Coverage& coverage, int width = 1600, int height = 1200);
 
 /// The same on the blade, in the frame of the blisk's mesh.
-ReplaySide coverageOnBlade(const Coverage& coverage, const GrindingRun& run);
+ReplaySide coverageOnBlade(const Coverage& coverage);
 
 }  // namespace octoblisk::demos

@@ -5,8 +5,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 void addKinematicBody(btDynamicsWorld& world, btRigidBody& body) {
   body.setCollisionFlags((body.getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
                          btCollisionObject::CF_KINEMATIC_OBJECT);

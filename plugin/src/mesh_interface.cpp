@@ -8,8 +8,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 namespace {
 
 /// One part, locked for reading as long as this lives.

@@ -7,8 +7,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 TriangleParts::TriangleParts(std::vector<std::uint32_t> begin, std::size_t triangle_count)
     : begin_(std::move(begin)) {
   if (begin_.empty() || begin_.front() != 0) {

@@ -104,6 +104,7 @@ Coverage coverageByHand(const std::function<double(double height, double chord)>
   Coverage coverage{.blade = 1,
                     .grid = SideGrid(side().contours, BladeSide::forward, 10, 10),
                     .side = "convex",
+                    .mesh_in_blisk = {},
                     .points = std::vector<GroundPoint>(100)};
   for (std::size_t cell = 0; cell < 100; ++cell) {
     coverage.points[cell].depth = depth(coverage.grid.heightOf(cell), coverage.grid.chordOf(cell));

@@ -4,8 +4,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 ConvexHull::ConvexHull(std::vector<Vec3> points, double radius)
     : points_(std::move(points)), radius_(radius) {
   if (points_.empty()) throw std::invalid_argument("a convex hull needs at least one point");

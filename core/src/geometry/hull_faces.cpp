@@ -10,8 +10,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 namespace {
 
 constexpr double kFlatHull = 1e-9;    // of the hull's size: thinner has no good faces

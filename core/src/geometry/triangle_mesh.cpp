@@ -6,8 +6,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
   if (triangles_.empty()) throw std::invalid_argument("the mesh has no triangles");

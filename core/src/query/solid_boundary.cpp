@@ -106,7 +106,9 @@ void SolidBoundary::findRegions(int threads) {
     }
     regions.push_back(std::move(region));
   }
-  std::ranges::stable_sort(regions, std::ranges::greater(), &std::vector<std::uint32_t>::size);
+  std::ranges::sort(regions, {}, [](const std::vector<std::uint32_t>& region) {
+    return std::pair(~region.size(), region.front());  // the largest first
+  });
   parallelFor(regions.size(), threadCount(threads), [&](std::size_t r, std::size_t) {
     bool is_boundary = false;
     if (r < kMostRegions) {

@@ -18,7 +18,7 @@ void checkDeformed(const TriangleMesh* deformed, const TriangleMesh& mesh);
 /// order, no deeper than Tree::kMaxDepth, over leaves that hold each of the mesh's triangles once, with boxes
 /// that are finite, orthonormal and no larger than the mesh makes them. On such arrays no query fails; only
 /// validate() shows that its answers are right.
-void checkTree(const TreeArrays& arrays, const TriangleMesh& mesh);
+void checkTree(const TreeArrays& tree, const TriangleMesh& mesh);
 
 /// ClusteredOctree::validate.
 void validate(const Tree& tree);
