@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kMostAtOnce = 256;  // changes of a pose
 constexpr std::size_t kMostTriesAMove = 32;
 constexpr std::size_t kTriesBeforeRetracting = 2;
+constexpr std::size_t kTriesToKeepContact = 16;  // before those
 constexpr std::size_t kMostDoublings = 4;
 
 /// The search for one path: what is known of its nodes and steps.
@@ -142,7 +143,7 @@ class Repairer {
     std::vector<std::size_t> asked;
     std::vector<Move> moves;
     for (std::size_t p = 1; p < way.size(); ++p) {
-      if (tries_[p] > kMostTriesAMove) continue;
+      if (hasGivenUp(p)) continue;
       if (!isFree(p - 1, way[p - 1]) || !isFree(p, way[p])) continue;
       if (isFreeMove(p, way)) continue;
       asked.push_back(p);
@@ -158,25 +159,32 @@ class Repairer {
       }
       any_blocked = true;
       search_.blockStep(p, way[p - 1], way[p]);
-      if (++tries_[p] > kMostTriesAMove) {
+      ++tries_[p];
+      const std::size_t patience = patienceFor(p);
+      if (hasGivenUp(p)) {
         giveUpMove(p);
-      } else if (tries_[p] % kTriesBeforeRetracting == 0) {
-        retractMove(p, way);
+      } else if (tries_[p] > patience && (tries_[p] - patience) % kTriesBeforeRetracting == 0) {
+        retractMove(p, way, (tries_[p] - patience) / kTriesBeforeRetracting);
       }
     }
     return any_blocked;
   }
 
   /// Both ends of a move that is blocked again and again have to retract, each time by twice as many steps.
-  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way) {
+  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way, std::size_t times) {
     const std::size_t retracts = grid_.retracts().size();
-    const std::size_t more = std::size_t{1}
-                             << std::min(tries_[pose] / kTriesBeforeRetracting - 1, kMostDoublings);
+    const std::size_t more = std::size_t{1} << std::min(times - 1, kMostDoublings);
     for (const std::size_t end : {pose - 1, pose}) {
       least_retract_[end] = std::min(retracts - 1, std::max(least_retract_[end], way[end] % retracts + more));
       search_.avoidBelow(end, least_retract_[end]);
     }
   }
+
+  /// Tries of a move before its ends have to retract.
+  std::size_t patienceFor(std::size_t pose) const {
+    return keeps_contact_[pose - 1] || keeps_contact_[pose] ? kTriesToKeepContact : 0;
+  }
+  bool hasGivenUp(std::size_t pose) const { return tries_[pose] > kMostTriesAMove + patienceFor(pose); }
 
   void giveUpMove(std::size_t pose) {
     search_.unblockSteps(pose);

@@ -116,6 +116,46 @@ TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   EXPECT_EQ(left[0], "move to pose 1: bit on hub or shroud");
 }
 
+/// A floor to be ground, whose top is z = 0, with a low step on it that must not be touched.
+struct FloorWithStep {
+  TriangleMesh floor = moved(block({40, 20, 5}, 4), {0, 0, -5});
+  TriangleMesh mesh = joined(floor, moved(block({0.5, 11.25, 0.04}, 2), {0, 8.75, 0.041}));
+  std::vector<int> blades = std::vector<int>(mesh.triangleCount(), 0);
+
+  FloorWithStep() { std::fill_n(blades.begin(), floor.triangleCount(), 1); }
+};
+
+TEST_F(PathRepairOver, keepsContactWhereAChangeCanAndNamesWhatLostIt) {
+  const FloorWithStep ground;
+  std::vector<Pose> path;
+  for (int x = -8; x <= 8; ++x) path.push_back(standing(x, 0, 0.95));
+  Judge judge(treeOf(ground.mesh), {{"bit", treeOf(bit_)}}, ground.blades,
+              {.ground_blade = 1, .max_depth = 0.1, .near_miss = 0.0});
+  const auto repaired = [&](const ChangeLimits& limits, bool keep_contact) {
+    return repairPath(judge, path, directionsOffSurface(judge, path), limits, keep_contact);
+  };
+  const ChangeLimits limits = {.tilt = 0, .slide = 6, .retract = 2};
+  const PathRepair keeping = repaired(limits, true), least = repaired(limits, false);
+  EXPECT_EQ(keeping.working(), path.size());
+  EXPECT_EQ(keeping.interferedBefore(), 3u);
+  EXPECT_TRUE(keeping.isFree());
+  EXPECT_EQ(keeping.contactsLost(), 0u) << describeLost(keeping);
+  EXPECT_TRUE(least.isFree());
+  EXPECT_EQ(least.contactsLost(), 5u) << "a lift is cheaper than a slide past the step";
+  EXPECT_EQ(describeLost(least), "poses 6-10");
+  for (std::size_t p = 0; p < path.size(); ++p) {
+    const bool touches = !testing::bruteForcePairs(ground.floor, bit_, keeping.path[p]).empty();
+    EXPECT_TRUE(touches) << p;
+    EXPECT_EQ(testing::bruteForcePairs(ground.floor, bit_, least.path[p]).empty(), least.hasLostContact(p));
+  }
+  EXPECT_LE(keeping.poses[8].change.slide, -4.0);
+  EXPECT_EQ(least.poses[8].change.slide, 0.0);
+  // Where no slide is left, the contact is lost, and the path is still repaired.
+  const PathRepair must_lose = repaired({.tilt = 0, .slide = 2, .retract = 2}, true);
+  EXPECT_TRUE(must_lose.isFree());
+  EXPECT_EQ(must_lose.contactsLost(), 3u) << "no more than must be";
+}
+
 TEST_F(PathRepairOver, refusesAnEmptyPath) { EXPECT_THROW(repaired(ridge(), {}, {}), std::invalid_argument); }
 
 }  // namespace
