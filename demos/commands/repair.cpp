@@ -23,6 +23,7 @@
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
 #include "models/length_limit.h"
+#include "render/annotation.h"
 #include "repair/path_repair.h"
 #include "repair/repair_replay.h"
 #include "repair/repair_report.h"
