@@ -52,6 +52,30 @@ void depthOfTouchingPoses(benchmark::State& state) {
   state.counters["deepest_um"] = 1e3 * deepest;
 }
 
+/// A pin in a hole that is 1 µm wider, pressed 1 µm into its wall: 5,760 triangles against as many.
+void depthOfPinInHole(benchmark::State& state) {
+  const double tolerance = static_cast<double>(state.range(0)) * 1e-6;
+  const auto solid = [](double inner, double outer, double height) {
+    return ClusteredOctree::build(testing::tube(inner, outer, height, 720));
+  };
+  const ClusteredOctree block = solid(5.001, 10.0, 5.0), pin = solid(2.0, 5.0, 10.0);
+  const Surface block_surface(block), pin_surface(pin);
+  const Pose pose{Eigen::AngleAxisd(1e-4, Vec3(3, 2, 1).normalized()).toRotationMatrix(),
+                  Vec3(0.002, 0.0, 0.3)};
+  DepthQuery query;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(query.deepest(block_surface, pin_surface, pose, tolerance).depth);
+  }
+}
+
+/// The blisk on itself.
+void depthOnItself(benchmark::State& state) {
+  DepthQuery query;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(query.deepest(scene().blisk_surface, scene().blisk_surface, Pose(), 1e-3).depth);
+  }
+}
+
 void containmentOfTouchingPoses(benchmark::State& state) {
   const std::vector<Pose> path = touchingPoses(0.02);
   std::size_t pose = 0;
@@ -99,6 +123,13 @@ BENCHMARK(depthOfTouchingPoses)
     ->Args({200, 1000})
     ->Args({2000, 1000})
     ->Unit(benchmark::kMicrosecond);
+BENCHMARK(depthOfPinInHole)
+    ->ArgName("tolerance_nm")
+    ->Arg(1000)
+    ->Arg(100)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(depthOnItself)->Unit(benchmark::kMillisecond);
 BENCHMARK(containmentOfTouchingPoses)->Unit(benchmark::kMicrosecond);
 BENCHMARK(locatePoint)->Unit(benchmark::kMicrosecond);
 BENCHMARK(closestPointOfBlisk)->Unit(benchmark::kMicrosecond);

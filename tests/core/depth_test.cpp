@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/solid.h"
 #include "shared/brute_force.h"
@@ -223,6 +224,81 @@ TEST(Depth, cellsOfAGrid) {
     ASSERT_LE(found.depth, std::max(sample.deepest, 0.0) + sample.spacing);
   }
   EXPECT_GE(inside, 4);
+}
+
+TEST(Depth, pinInAHoleOfOneMicrometreClearance) {
+  // Surfaces that run side by side, each facet over many triangles of the other: once 18 s a pose.
+  constexpr std::uint32_t kFacets = 720;
+  const Solid hole(testing::tube(5.001, 10.0, 5.0, kFacets)), pin(testing::tube(2.0, 5.0, 10.0, kFacets));
+  const double clearance = 0.001 * std::cos(std::numbers::pi / kFacets);  // of two facets side by side
+  DepthQuery query;
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+    for (const double depth : {1e-6, 1e-5, 2e-4, 4e-3}) {
+      const Pose pose = at(clearance + depth, 0.0, 0.3);
+      for (const bool pin_is_solid : {false, true}) {
+        const Solid &a = pin_is_solid ? pin : hole, &b = pin_is_solid ? hole : pin;
+        const Pose b_in_a = pin_is_solid ? pose.inverse() : pose;
+        const GougeDepth found = query.deepest(a.surface, b.surface, b_in_a, tolerance);
+        expectWitness(found, a, b, b_in_a, 1e-12);
+        EXPECT_LE(found.depth, depth + 1e-12);
+        EXPECT_GE(found.upper_bound, depth - 1e-12);
+        EXPECT_LE(found.upper_bound, found.depth + tolerance);
+      }
+    }
+    EXPECT_EQ(query.deepest(hole.surface, pin.surface, at(clearance - 1e-9, 0.0, 0.3), tolerance).gouging,
+              Gouging::none);
+  }
+}
+
+TEST(Depth, ofASurfaceOnItselfIsZero) {
+  std::mt19937_64 random(95);
+  const SharedMesh ring = testing::torus(2, 0.8, 32, 20), ball = testing::bumpySphere(random, 1.0, 0.5, 24);
+  DepthQuery query;
+  for (const SharedMesh& mesh : {ring, ball}) {
+    std::vector<std::array<std::uint32_t, 3>> shuffled(mesh->triangles().begin(), mesh->triangles().end());
+    std::ranges::shuffle(shuffled, random);
+    const Solid a(mesh), copy(mesh),
+        other(std::make_shared<const TriangleMesh>(
+            std::vector<Vec3>(mesh->vertices().begin(), mesh->vertices().end()), std::move(shuffled)));
+    for (const Solid* b : {&a, &copy, &other}) {
+      for (const double tolerance : {1e-3, 1e-6, 0.0}) {
+        const GougeDepth found = query.deepest(a.surface, b->surface, {}, tolerance);
+        expectWitness(found, a, *b, {}, 1e-12);
+        EXPECT_EQ(found.depth, 0.0);
+        EXPECT_LE(found.upper_bound, std::max(tolerance, 1e-11));
+      }
+    }
+  }
+  // By a segment's turn the ring comes to lie on itself, but for rounding.
+  const Solid a(ring);
+  const Pose turned{Eigen::AngleAxisd(2.0 * std::numbers::pi / 32, Vec3::UnitZ()).toRotationMatrix(),
+                    Vec3::Zero()};
+  const GougeDepth found = query.deepest(a.surface, a.surface, turned, 1e-9);
+  EXPECT_EQ(found.gouging, Gouging::found);
+  EXPECT_EQ(found.depth, 0.0);
+  EXPECT_LE(found.upper_bound, 1e-9);
+}
+
+TEST(Depth, flatTrianglesHideNothing) {
+  // B is a block whose bottom lies on A's top within the tolerance, or a part of it; a peg below goes in.
+  const Solid a(testing::boxMesh({5, 5, 5}));
+  const SharedMesh block = testing::boxMesh({2, 2, 1});
+  DepthQuery query;
+  constexpr double kTolerance = 1e-3;
+  for (const double height : {-0.5e-3, -1e-9, 0.0, 1e-9, 0.5e-3}) {
+    for (const double depth : {0.0, 0.4}) {
+      // The peg hangs together with nothing, or goes through the bottom.
+      const SharedMesh peg = testing::moved(*testing::boxMesh({0.5, 0.5, 0.2 + depth}), at(0.3, 0.2, -1.0));
+      const Solid b(depth > 0.0 ? testing::joined(*block, *peg) : block);
+      const Pose pose = at(0.1, 0.2, 6.0 + height);
+      const GougeDepth found = query.deepest(a.surface, b.surface, pose, kTolerance);
+      const double deepest = depth > 0.0 ? 0.2 + depth - height : std::max(0.0, -height);
+      ASSERT_EQ(found.gouging, depth == 0.0 && height > 0.0 ? Gouging::none : Gouging::found) << height;
+      EXPECT_LE(found.depth, deepest + 1e-12);
+      EXPECT_GE(found.upper_bound, deepest - 1e-12);
+      EXPECT_LE(found.upper_bound, found.depth + kTolerance);
+    }
+  }
 }
 
 TEST(Depth, answersDoNotDependOnWhatWasAskedBefore) {

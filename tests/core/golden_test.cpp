@@ -35,7 +35,7 @@ const std::vector<Golden> kGolden = {
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},
     {"sweeps", 0x78529b7a550b8faeu},
-    {"solids", 0x7f60464654bb3ca2u},
+    {"solids", 0x50a1275bcae39306u},
 };
 
 std::string written(const std::vector<Golden>& golden) {

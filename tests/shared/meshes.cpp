@@ -70,4 +70,23 @@ SharedMesh soup(std::mt19937_64& random, int triangles, double half_size, double
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(indices));
 }
 
+SharedMesh tube(double inner, double outer, double half_height, std::uint32_t facets) {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const Eigen::Matrix<double, 4, 2> section{
+      {outer, -half_height}, {outer, half_height}, {inner, half_height}, {inner, -half_height}};
+  for (std::uint32_t i = 0; i < facets; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / facets;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      vertices.emplace_back(section(k, 0) * std::cos(angle), section(k, 0) * std::sin(angle), section(k, 1));
+      const std::uint32_t here = 4 * i + k, above = 4 * i + (k + 1) % 4;
+      const std::uint32_t next = 4 * ((i + 1) % facets) + k,
+                          next_above = 4 * ((i + 1) % facets) + (k + 1) % 4;
+      triangles.push_back({here, next, next_above});
+      triangles.push_back({here, next_above, above});
+    }
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+}
+
 }  // namespace octoblisk::testing

@@ -34,6 +34,9 @@ Triangle randomTriangle(std::mt19937_64& random, double half_size);
 /// Thin twisted blades round the z axis, not joined: what a blisk is like to a tree.
 SharedMesh fan(int blades, int segments);
 
+/// A tube round z whose outer and inner walls are prisms of so many facets; a facet's middle is towards x.
+SharedMesh tube(double inner, double outer, double half_height, std::uint32_t facets);
+
 /// Random triangles, each of about the given size, within ±half_size; every eighth is degenerate or a
 /// duplicate.
 SharedMesh soup(std::mt19937_64& random, int triangles, double half_size, double triangle_size);

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "octoblisk/contact.h"
 #include "octoblisk/containment.h"
+#include "octoblisk/detail/candidate_pair.h"
 #include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
@@ -41,8 +43,9 @@ struct GougeDepth {
 ///
 /// Branch and bound: first the triangles of B that meet A's surface, and from their corners those that are
 /// wholly inside; these are divided until no part may be deeper than the deepest point found by more than the
-/// tolerance. A part is bounded by the boxes near it, and because the signed distance to A's surface grows by
-/// no more than the way.
+/// tolerance. Triangles of B that lie flat on one of A, within the tolerance, are left out. A part is bounded
+/// by its distance to triangles of A near it, because the signed distance grows by no more than the way, and
+/// by moving it out of A as a whole.
 ///
 /// Holds the working memory of the query: one object a thread. Warm queries allocate nothing.
 class DepthQuery {
@@ -62,7 +65,7 @@ class DepthQuery {
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   enum class Side : std::uint8_t { unknown, outside, inside, on_surface, undecided };
-  enum class Mark : std::uint8_t { none, crossing, inside };
+  enum class Mark : std::uint8_t { none, flat, crossing, inside };
 
   /// A corner of B's mesh, or of a part of one of its triangles.
   struct Corner {
@@ -94,6 +97,13 @@ class DepthQuery {
   PointLocation located(Corner& corner) const;
   bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }
   void findCrossings();
+  bool findCopy();
+  void findTouch();
+  bool meet(TrianglePair pair) const;
+  bool liesOn(TrianglePair pair);
+  void noteBarrier(std::uint32_t triangle_b);
+  bool isBarrier(std::uint32_t triangle_b) const;
+  bool hasOpenWay(std::uint32_t corner_of_b) const;
   void findInside();
   void spread(std::uint32_t from);
   void search();
@@ -110,6 +120,9 @@ class DepthQuery {
   void divide(const Part& part);
   Cut cutOf(const Part& part) const;
   double boundOf(const Part& part);
+  double boundByWayOut(const Part& part);
+  Vec3 outwards(std::uint32_t triangle_a) const;
+  bool isOutside(const Triangle& triangle) const;
   void gatherExtremes(const Part& part);
   double limit() const { return best_.depth + tolerance_; }
   Triangle triangleOf(const Part& part) const;
@@ -119,11 +132,15 @@ class DepthQuery {
   const SolidBoundary* boundary_ = nullptr;  // of A, where it does not bound a solid everywhere
   Pose b_in_a_;
   double tolerance_ = 0.0;
+  double flatness_ = 0.0;  // within it, a triangle of B lies flat on one of A; < 0: none does
   GougeDepth best_;
   double greatest_dropped_ = 0.0;  // of the bounds of parts that were let go
   std::uint32_t last_nearest_ = kNoTriangle;
 
+  std::vector<detail::CandidatePair> candidate_pairs_;
+  std::vector<TrianglePair> flat_;       // triangles of B, each with the one of A that it lies on
   std::vector<TrianglePair> crossings_;  // by ascending triangle of B
+  std::optional<TrianglePair> touch_;    // two that meet, if any do
   std::vector<Mark> mark_;               // of B's triangles
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint32_t> corner_of_b_;  // of B's corners: an index in corners_, or none

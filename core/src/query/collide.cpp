@@ -6,6 +6,7 @@
 #define HWY_TARGET_INCLUDE "query/collide.cpp"
 #include <hwy/foreach_target.h>
 
+#include "query/candidate_pairs.h"
 #include "query/collide_below.h"
 #include "query/collide_walk-inl.h"
 #include "query/self_meetings.h"
@@ -25,6 +26,14 @@ std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b
 void allPairs(const Tree& a, const Tree& b, const Pose& b_in_a, std::vector<TrianglePair>& found) {
   forEachMeetingPair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair) {
     found.push_back(pair);
+    return false;
+  });
+}
+
+void candidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a,
+                    void (*visit)(void* user, CandidatePair pair), void* user) {
+  forEachCandidatePair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
+    visit(user, {pair, meets});
     return false;
   });
 }
@@ -58,11 +67,17 @@ using namespace detail;
 
 HWY_EXPORT(firstPair);
 HWY_EXPORT(allPairs);
+HWY_EXPORT(candidatePairs);
 HWY_EXPORT(selfMeetings);
 
 std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a,
                                                 NodePair below) {
   return HWY_DYNAMIC_DISPATCH(firstPair)(a, b, b_in_a, below);
+}
+
+void detail::forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,
+                                  void (*visit)(void* user, CandidatePair pair), void* user) {
+  HWY_DYNAMIC_DISPATCH(candidatePairs)(a, b, b_in_a, visit, user);
 }
 
 void detail::findSelfMeetings(const Surface& surface, std::vector<char>& meets) {

@@ -19,12 +19,12 @@ struct AnyPair {
   bool operator()(TrianglePair) const { return true; }
 };
 
-/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet, and the two nodes whose
-/// leaves they are in: by the filter where it is sure, else by the exact test. Returns true as soon as visit
-/// does, else false. Pairs for which wanted(pair) is false are left out before they are tested exactly.
-template <typename Visit, typename Tally = NoTally, typename Wanted = AnyPair>
-bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
-                        Tally&& tally = {}, Wanted&& wanted = {}) {
+/// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not part,
+/// and the two nodes whose leaves they are in. `meets`: the filter is sure that they meet; else the exact test
+/// has to say. Returns true as soon as visit does, else false.
+template <typename Visit, typename Tally = NoTally>
+bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
+                          Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();
@@ -45,16 +45,27 @@ bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
           for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
             const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-            if (!wanted(pair)) continue;
-            if ((verdicts.open >> j & 1u) != 0) {
-              tally.exactTest();
-              if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) continue;
-            }
-            if (visit(pair, NodePair{slot_a.node, slot_b.node})) return true;
+            if (visit(pair, NodePair{slot_a.node, slot_b.node}, (verdicts.meet >> j & 1u) != 0)) return true;
           }
         }
         return false;
       });
+}
+
+/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet. Returns true as soon as
+/// visit does, else false. Pairs for which wanted(pair) is false are left out before they are tested exactly.
+template <typename Visit, typename Tally = NoTally, typename Wanted = AnyPair>
+bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
+                        Tally&& tally = {}, Wanted&& wanted = {}) {
+  const auto settle = [&](TrianglePair pair, NodePair nodes, bool meets) HWY_ATTR {
+    if (!wanted(pair)) return false;
+    if (!meets) {
+      tally.exactTest();
+      if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) return false;
+    }
+    return static_cast<bool>(visit(pair, nodes));
+  };
+  return forEachCandidatePair(a, b, b_in_a, below, settle, tally);
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

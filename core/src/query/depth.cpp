@@ -72,7 +72,10 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   for (const std::uint32_t corner : known_) corner_of_b_[corner] = kNone;
   marked_.clear();
   known_.clear();
+  candidate_pairs_.clear();
+  flat_.clear();
   crossings_.clear();
+  touch_.reset();
   open_.clear();
   corners_.clear();
   met_.clear();
@@ -82,6 +85,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   boundary_ = nullptr;
   b_in_a_ = b_in_a;
   tolerance_ = std::max(tolerance, 1e-12 * (treeOf(a.tree()).radius() + treeOf(b.tree()).radius()));
+  flatness_ = tolerance_;
   best_ = {};
   greatest_dropped_ = 0.0;
   last_nearest_ = kNoTriangle;
@@ -94,7 +98,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
 void DepthQuery::search() {
   if (marked_.empty()) return;
   best_.gouging = Gouging::found;
-  if (!crossings_.empty()) keepCrossing(crossings_.front());
+  if (touch_) keepCrossing(*touch_);
   const auto first_inside =
       std::ranges::find(marked_, Mark::inside, [&](std::uint32_t triangle) { return mark_[triangle]; });
   // The inside first: the deeper the best, the more of the rest need no closer look.

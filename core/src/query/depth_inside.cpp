@@ -1,8 +1,12 @@
 // Which triangles of B meet A's surface, and which are wholly inside A: where DepthQuery's search begins.
 #include <algorithm>
 
+#include "geometry/triangle_pair.h"
+#include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/depth.h"
+#include "query/candidate_pairs.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
 
@@ -11,24 +15,104 @@ using namespace detail;
 void DepthQuery::meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
                                  std::vector<std::uint32_t>& found) {
   prepare(a, b, b_in_a, 0.0);
+  flatness_ = -1.0;
   findCrossings();
   findInside();
   found = marked_;
 }
 
+/// Finds the triangles of B that cross A's surface, and those that lie flat on a triangle of A: no point of
+/// these is deeper than the tolerance, so they are not tested against the triangles around it.
 void DepthQuery::findCrossings() {
-  touchingPairs(a_->tree(), b_->tree(), b_in_a_, crossings_);
+  if (findCopy()) return;
+  forEachCandidatePair(treeOf(a_->tree()), treeOf(b_->tree()), b_in_a_, [this](CandidatePair pair) {
+    Mark& mark = mark_[pair.triangles.b];
+    if (mark == Mark::flat) return;
+    if (liesOn(pair.triangles)) {
+      mark = Mark::flat;
+      flat_.push_back(pair.triangles);
+    } else {
+      candidate_pairs_.push_back(pair);
+    }
+  });
+  for (const auto& [pair, meets] : candidate_pairs_) {
+    if (mark_[pair.b] != Mark::flat && (meets || meet(pair))) crossings_.push_back(pair);
+  }
   std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });
+  findTouch();
+  for (const TrianglePair& pair : flat_) noteBarrier(pair.b);
   for (const TrianglePair& pair : crossings_) {
     if (!boundsSolid(pair.a)) best_.is_known = false;
     if (mark_[pair.b] == Mark::crossing) continue;
     mark_[pair.b] = Mark::crossing;
-    marked_.push_back(pair.b);
-    for (const std::uint32_t corner : b_->corners(pair.b)) {
-      addCorner(corner);
-      part_crosses_[b_->part(corner)] = true;
+    noteBarrier(pair.b);
+  }
+  for (const std::uint32_t triangle : marked_) {
+    for (const std::uint32_t corner : b_->corners(triangle)) {
+      if (mark_[triangle] == Mark::crossing || hasOpenWay(corner)) addCorner(corner);
     }
   }
+}
+
+/// Whether B is laid on a copy of itself, and meets it: nothing else is to be found then.
+bool DepthQuery::findCopy() {
+  const std::size_t count = b_->tree().mesh().triangleCount();
+  if (a_->tree().mesh().triangleCount() != count) return false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!liesOn({i, i})) return false;
+  }
+  if (!meet({0, 0})) return false;
+  touch_ = {0, 0};
+  marked_.push_back(0);
+  part_crosses_.assign(part_crosses_.size(), true);
+  return true;
+}
+
+/// Finds a pair that meets. Where none does, B's flat triangles lie wholly on one side of A's surface, as its
+/// others do.
+void DepthQuery::findTouch() {
+  if (!crossings_.empty()) {
+    touch_ = crossings_.front();
+  } else if (!flat_.empty()) {
+    const auto touching = std::ranges::find_if(flat_, [this](TrianglePair pair) { return meet(pair); });
+    touch_ = touching != flat_.end() ? std::optional(*touching) : collide(a_->tree(), b_->tree(), b_in_a_);
+    if (touch_) return;
+    for (const TrianglePair& pair : flat_) mark_[pair.b] = Mark::none;
+    flat_.clear();
+  }
+}
+
+bool DepthQuery::meet(TrianglePair pair) const {
+  return intersects(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
+}
+
+/// Whether the triangle of B is within the flatness of the one of A. The distance to a triangle is convex: it
+/// is greatest at a corner.
+bool DepthQuery::liesOn(TrianglePair pair) {
+  if (flatness_ < 0.0 || !boundsSolid(pair.a)) return false;
+  const Triangle on = a_->tree().mesh().triangle(pair.a);
+  double greatest = 0.0;
+  for (const Vec3& corner : b_->tree().mesh().triangle(pair.b)) {
+    greatest = std::max(greatest, octoblisk::distance(on, b_in_a_ * corner));
+    if (greatest > flatness_) return false;
+  }
+  greatest_dropped_ = std::max(greatest_dropped_, greatest);
+  return true;
+}
+
+/// Notes a triangle that the search for what is inside does not pass.
+void DepthQuery::noteBarrier(std::uint32_t triangle) {
+  marked_.push_back(triangle);
+  for (const std::uint32_t corner : b_->corners(triangle)) part_crosses_[b_->part(corner)] = true;
+}
+
+bool DepthQuery::isBarrier(std::uint32_t triangle) const {
+  return mark_[triangle] == Mark::crossing || mark_[triangle] == Mark::flat;
+}
+
+/// Whether a triangle round the corner of B is no barrier.
+bool DepthQuery::hasOpenWay(std::uint32_t corner) const {
+  return !std::ranges::all_of(b_->star(corner), [this](std::uint32_t t) { return isBarrier(t); });
 }
 
 /// Marks the triangles of B that are wholly inside A: those that hang together with an inside corner by
@@ -57,13 +141,14 @@ void DepthQuery::findInside() {
 /// through one: each corner is asked.
 void DepthQuery::spread(std::uint32_t from) {
   const Side side = corners_[corner_of_b_[from]].side;
-  if (side == Side::on_surface || side == Side::undecided) return;  // all triangles round it cross, or may
+  if (side == Side::on_surface || side == Side::undecided)
+    return;  // all triangles round it are barriers, or may be
   open_.push_back(from);
   while (!open_.empty()) {
     const std::uint32_t corner = open_.back();
     open_.pop_back();
     for (const std::uint32_t triangle : b_->star(corner)) {
-      if (mark_[triangle] == Mark::crossing) continue;
+      if (isBarrier(triangle)) continue;
       if (side == Side::inside && mark_[triangle] == Mark::none) {
         mark_[triangle] = Mark::inside;
         marked_.push_back(triangle);

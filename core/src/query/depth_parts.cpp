@@ -5,6 +5,7 @@
 #include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/triangles_in_box.h"
 #include "query/depth_bounds.h"
 
 namespace octoblisk {
@@ -87,7 +88,50 @@ double DepthQuery::boundOf(const Part& part) {
   if (candidates_.size() >= 3 && count == 3 && bound > limit()) {
     bound = std::min(bound, levelMean(row(0), row(1), row(2)));
   }
+  if (bound > limit()) bound = std::min(bound, boundByWayOut(part));
   return bound;
+}
+
+/// Moves the part by the limit, the way that its deepest corner is nearest to A's surface. Where that takes
+/// all of it out of A, each of its points passes the surface on the way: none is deeper than the limit. So a
+/// part that lies along many triangles of A need not be divided at their edges.
+double DepthQuery::boundByWayOut(const Part& part) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  if (boundary_) return kUnbounded;  // the way may lead through a hole
+  Vec3 out = part.met_begin != part.met_end ? outwards(met_[part.met_begin]) : Vec3::Zero();
+  double greatest = 0.0;
+  for (const std::uint32_t index : part.corner) {
+    const Corner& corner = corners_[index];
+    if (corner.side == Side::outside || corner.distance < greatest) continue;
+    greatest = corner.distance;
+    out = greatest > tolerance_ ? ((corner.foot - corner.point) / greatest) : outwards(corner.nearest);
+  }
+  Triangle moved = triangleOf(part);
+  for (Vec3& point : moved) point += limit() * out;
+  return isOutside(moved) ? limit() : kUnbounded;
+}
+
+/// The unit normal of a triangle of A.
+Vec3 DepthQuery::outwards(std::uint32_t triangle_a) const {
+  return scaledNormal(a_->tree().mesh().triangle(triangle_a)).normalized();
+}
+
+/// Whether all of the triangle is outside A.
+bool DepthQuery::isOutside(const Triangle& triangle) const {
+  const Vec3 along = (triangle[1] - triangle[0]).normalized();
+  const Vec3 normal = along.cross(triangle[2] - triangle[0]).normalized();
+  Obb box;
+  box.axes << along, normal.cross(along), normal;
+  Aabb bounds;
+  for (const Vec3& corner : triangle) bounds.extend(box.axes.transpose() * corner);
+  box.center = box.axes * bounds.center();
+  box.half_extents = bounds.halfExtents();
+  if (!box.axes.allFinite()) return false;  // a needle
+  const bool meets = forEachTriangleIn(a_->tree(), box, 0.0, [&](std::uint32_t triangle_a) {
+    const Triangle other = a_->tree().mesh().triangle(triangle_a);
+    return !apart(triangle, other) && intersects(triangle, other);
+  });
+  return !meets && located(triangle[0]) == PointLocation::outside;
 }
 
 /// Points whose convex hull holds all of the part that is inside A: its corners, but where they are outside,
