@@ -37,6 +37,7 @@ struct CheckRequest {
 std::string columnsOf(const PoseCheckOptions& options) {
   return std::string("pose,colliding,triangle_fixed,triangle_moving") +
          (options.clearance ? ",clearance" : "") + (options.depth ? ",depth" : "") +
+         (options.signed_distance ? ",signed_distance,by_x,by_y,by_z,by_rx,by_ry,by_rz" : "") +
          (options.continuous ? ",fraction" : "");
 }
 
@@ -50,6 +51,13 @@ std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseChec
   if (answer.touching) row += std::to_string(answer.touching->b);
   if (options.clearance) row += poseField(answer.clearance);
   if (options.depth) row += poseField(answer.depth);
+  if (options.signed_distance) {
+    const SignedDistance& found = *answer.signed_distance;
+    row += poseField(found.distance);
+    for (const Vec3& by : {found.by_translation, found.by_rotation}) {
+      for (const double component : by) row += poseField(component);
+    }
+  }
   if (options.continuous) {
     const bool has_way = pose > 0;
     const double free = answer.on_the_way ? answer.on_the_way->fraction : 1.0;
@@ -157,6 +165,12 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "surfaces are apart or just touch, and where equal solids coincide. Above 0 with surfaces that do not "
       "meet, one mesh is wholly inside the other. The fixed mesh must be closed; in an open moving one "
       "nothing is inside");
+  command.add_flag(
+      "--signed", options.signed_distance,
+      "Columns signed_distance, the clearance where the meshes are apart, less the depth where they are not; "
+      "and its derivative by the pose: by_x,by_y,by_z where the moving mesh is displaced, by_rx,by_ry,by_rz "
+      "where it is turned about its own origin, by radians about the fixed mesh's axes. One mesh must be "
+      "closed");
   command.add_flag("--continuous", options.continuous,
                    "Column fraction: of the way from the pose before, straight and turning evenly, the part "
                    "that is proved to keep the tolerance; 1 where all of it does, empty at the first pose");

@@ -11,8 +11,9 @@
 namespace octoblisk::demos {
 namespace {
 
-const std::string kClearanceWord = "clearance", kDepthWord = "depth", kContinuousWord = "continuous",
-                  kToleranceWord = "tolerance", kLeastWord = "least", kGreatestWord = "greatest";
+const std::string kClearanceWord = "clearance", kDepthWord = "depth", kSignedWord = "signed",
+                  kContinuousWord = "continuous", kToleranceWord = "tolerance", kLeastWord = "least",
+                  kGreatestWord = "greatest", kLeastSignedWord = "least-signed";
 
 void keepLess(std::optional<Extreme>& kept, const std::optional<Extreme>& later) {
   if (later && (!kept || later->value < kept->value)) kept = later;
@@ -27,12 +28,14 @@ void keepGreater(std::optional<Extreme>& kept, const std::optional<Extreme>& lat
 void CheckSummary::count(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
   ++poses;
   colliding += answer.touching.has_value();
-  inside += !answer.touching && answer.depth.value_or(0.0) > 0.0;
+  inside += !answer.touching && (answer.depth.value_or(0.0) > 0.0 ||
+                                 (answer.signed_distance && answer.signed_distance->distance < 0.0));
   ways += options.continuous && pose > 0;
   met_on_the_way += answer.on_the_way.has_value();
   unsettled += answer.on_the_way && !answer.on_the_way->converged;
   if (answer.clearance) keepLess(least_clearance, Extreme{*answer.clearance, pose});
   if (answer.depth) keepGreater(greatest_depth, Extreme{*answer.depth, pose});
+  if (answer.signed_distance) keepLess(least_signed, Extreme{answer.signed_distance->distance, pose});
 }
 
 void CheckSummary::add(const CheckSummary& later) {
@@ -44,6 +47,7 @@ void CheckSummary::add(const CheckSummary& later) {
   unsettled += later.unsettled;
   keepLess(least_clearance, later.least_clearance);
   keepGreater(greatest_depth, later.greatest_depth);
+  keepLess(least_signed, later.least_signed);
 }
 
 std::string tallyOf(const CheckSummary& summary) {
@@ -58,6 +62,7 @@ std::string tallyOf(const CheckSummary& summary) {
   };
   append(kLeastWord, summary.least_clearance);
   append(kGreatestWord, summary.greatest_depth);
+  append(kLeastSignedWord, summary.least_signed);
   return line;
 }
 
@@ -69,8 +74,12 @@ CheckSummary summaryOfTally(const std::string& tally) {
   bool is_right = !words.fail();
   for (std::string name; is_right && words >> name;) {
     Extreme extreme;
-    is_right = (name == kLeastWord || name == kGreatestWord) && words >> extreme.value >> extreme.pose;
-    (name == kLeastWord ? summary.least_clearance : summary.greatest_depth) = extreme;
+    std::optional<Extreme>* kept = name == kLeastWord         ? &summary.least_clearance
+                                   : name == kGreatestWord    ? &summary.greatest_depth
+                                   : name == kLeastSignedWord ? &summary.least_signed
+                                                              : nullptr;
+    is_right = kept && words >> extreme.value >> extreme.pose;
+    if (is_right) *kept = extreme;
   }
   if (!is_right) throw std::invalid_argument("has a tally of no check: " + inQuotes(tally));
   return summary;
@@ -87,8 +96,10 @@ std::string optionsLine(const PoseCheckOptions& options) {
   const auto append = [&](const std::string& word) { line += (line.empty() ? "" : " ") + word; };
   if (options.clearance) append(kClearanceWord);
   if (options.depth) append(kDepthWord);
+  if (options.signed_distance) append(kSignedWord);
   if (options.continuous) append(kContinuousWord);
-  if (options.depth || options.continuous) append(kToleranceWord + ' ' + exactText(options.tolerance));
+  if (options.depth || options.signed_distance || options.continuous)
+    append(kToleranceWord + ' ' + exactText(options.tolerance));
   return line.empty() ? "none" : line;
 }
 
@@ -98,6 +109,7 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
   for (std::string word; words >> word;) {
     options.clearance |= word == kClearanceWord;
     options.depth |= word == kDepthWord;
+    options.signed_distance |= word == kSignedWord;
     options.continuous |= word == kContinuousWord;
     if (word == kToleranceWord) words >> options.tolerance;
   }
@@ -109,7 +121,8 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
 void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
           std::optional<std::chrono::duration<double, std::micro>> a_pose) {
   stream << countedText(summary.poses, "pose", "poses") << ": " << summary.colliding << " colliding, ";
-  if (options.depth) stream << summary.inside << " with one mesh wholly inside the other, ";
+  if (options.depth || options.signed_distance)
+    stream << summary.inside << " with one mesh wholly inside the other, ";
   stream << summary.poses - summary.colliding - summary.inside << " clear";
   if (a_pose) {
     stream << "; " << std::fixed << std::setprecision(2) << a_pose->count() << " us a pose"
@@ -121,6 +134,9 @@ void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOpti
   }
   if (const auto& greatest = summary.greatest_depth) {
     stream << "Greatest depth: " << greatest->value << " at pose " << greatest->pose << '\n';
+  }
+  if (const auto& least = summary.least_signed) {
+    stream << "Least signed distance: " << least->value << " at pose " << least->pose << '\n';
   }
   if (options.continuous) {
     stream << countedText(summary.ways, "way", "ways")

@@ -26,7 +26,7 @@ struct CheckSummary {
   std::size_t ways = 0;            ///< from a pose to the next
   std::size_t met_on_the_way = 0;  ///< ways that come within the tolerance
   std::size_t unsettled = 0;       ///< of these, not proved either way
-  std::optional<Extreme> least_clearance, greatest_depth;
+  std::optional<Extreme> least_clearance, greatest_depth, least_signed;
 
   bool isClean() const { return colliding + inside + met_on_the_way == 0; }
 

@@ -15,17 +15,23 @@ using namespace detail;
 PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving,
                      const PoseCheckOptions& options)
     : fixed_(fixed), moving_(moving), options_(options) {
-  if (!options.depth) return;
+  if (!options.depth && !options.signed_distance) return;
   fixed_surface_ = std::make_unique<const Surface>(fixed);
   moving_surface_ = std::make_unique<const Surface>(moving);
-  if (!fixed_surface_->isClosed()) {
-    std::string message = "depths need a closed mesh, and " + describe(openEdges(fixed.mesh()));
-    if (moving_surface_->isClosed()) {
-      message += "; the moving one is closed: swap the two, with each pose inverted";
-    }
-    throw std::invalid_argument(message);
-  }
+  requireClosed();
   depth_queries_.resize(static_cast<std::size_t>(threadCount(options.threads)));
+}
+
+void PoseCheck::requireClosed() const {
+  if (fixed_surface_->isClosed() || (!options_.depth && moving_surface_->isClosed())) return;
+  std::string message = options_.depth
+                            ? "depths need a closed mesh, and "
+                            : "signed distances need a closed mesh; the moving one is open, and here ";
+  message += describe(openEdges(fixed_.mesh()));
+  if (moving_surface_->isClosed()) {
+    message += "; the moving one is closed: swap the two, with each pose inverted";
+  }
+  throw std::invalid_argument(message);
 }
 
 PoseCheck::~PoseCheck() = default;
@@ -38,6 +44,11 @@ std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size
   if (options_.clearance) {
     const auto clearances = distanceAll(fixed_, moving_, asked, {}, options_.threads);
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i].clearance = clearances[i].distance;
+  }
+  if (options_.signed_distance) {
+    const auto found = signedDistanceAll(*fixed_surface_, *moving_surface_, asked,
+                                         {.tolerance = options_.tolerance}, options_.threads);
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i].signed_distance = found[i];
   }
   if (!options_.depth && !options_.continuous) return answers;
   parallelFor(answers.size(), options_.threads == 0 ? threadCount(0) : options_.threads,

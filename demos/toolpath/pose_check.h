@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "octoblisk/depth.h"
+#include "octoblisk/signed_distance.h"
 #include "octoblisk/sweep.h"
 
 namespace octoblisk::demos {
@@ -16,6 +17,7 @@ namespace octoblisk::demos {
 struct PoseCheckOptions {
   bool clearance = false;
   bool depth = false;
+  bool signed_distance = false;
   bool continuous = false;
   double tolerance = 1e-3;  ///< mesh units, > 0: of depths, and of the distance that a way must keep
   int threads = 0;          ///< 0: as many as the machine runs at once; the answers do not depend on it
@@ -25,6 +27,7 @@ struct PoseAnswer {
   std::optional<TrianglePair> touching;  ///< a pair of triangles that meet: of the fixed and the moving mesh
   std::optional<double> clearance;       ///< if asked for: the least distance, 0 where they touch
   std::optional<double> depth;           ///< if asked for: how deep the deepest point of one is in the other
+  std::optional<SignedDistance> signed_distance;  ///< if asked for, with its derivative
   std::optional<TimeOfImpact> on_the_way;  ///< if asked for, of the way from the pose before: where it is met
 };
 
@@ -32,7 +35,7 @@ struct PoseAnswer {
 class PoseCheck {
  public:
   /// The trees must outlive it. Throws std::invalid_argument where depths are asked for and the fixed mesh is
-  /// not closed.
+  /// not closed, or signed distances and neither is.
   PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
   ~PoseCheck();
 
@@ -40,6 +43,7 @@ class PoseCheck {
   std::vector<PoseAnswer> answer(std::span<const Pose> poses, std::size_t begin, std::size_t end);
 
  private:
+  void requireClosed() const;
   double depthAt(const Pose& moving_in_fixed, std::size_t worker);
 
   const ClusteredOctree &fixed_, &moving_;

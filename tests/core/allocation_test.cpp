@@ -113,6 +113,7 @@ TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.4, 0.6, 0.2}));
   const Surface ring_surface(ring), box_surface(box);
   DepthQuery query;
+  PathQuery path_query(ring_surface, box_surface);
   std::size_t hits = 0;
   const auto queryAll = [&] {
     std::mt19937_64 random(62);
@@ -121,6 +122,7 @@ TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {
       hits += query.deepest(ring_surface, box_surface, pose, 1e-4).gouging == Gouging::found;
       hits += containment(ring_surface, box_surface, pose) == Containment::touching;
       hits += closestPoint(ring, pose.translation, 0.3).has_value();
+      hits += path_query.signedDistance(pose, {.tolerance = 1e-4}).distance < 0.0;
     }
   };
   queryAll();

@@ -75,6 +75,43 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   }
 }
 
+TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
+  writeBoxes(folder_.path());
+  // Above a corner region of the large box's top, turned about z: apart by 0.25, in by 0.3, wholly inside.
+  folder_.write("poses.csv", kPoseHeader + "0.2,0.1,1.75,1,0,0,0\n0.2,0.1,1.2,1,0,0,0\n0,0,0.45,1,0,0,0\n");
+  const std::string arguments =
+      "check --fixed large.obj --moving small.obj --poses poses.csv --signed --tolerance 1e-6 --out ";
+  const Outcome one = run(arguments + "one.csv --threads 1");
+  EXPECT_EQ(one.exit_code, 1) << one.error;
+  EXPECT_THAT(one.out,
+              StartsWith("3 poses: 1 colliding, 1 with one mesh wholly inside the other, 1 clear; "));
+  EXPECT_THAT(one.out, HasSubstr("\nLeast signed distance: -0.95 at pose 2"));
+  EXPECT_EQ(run(arguments + "three.csv --threads 3").exit_code, 1);
+  EXPECT_EQ(contentOf(folder_.path() / "one.csv"), contentOf(folder_.path() / "three.csv"));
+  std::istringstream table(contentOf(folder_.path() / "one.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line,
+            "pose,colliding,triangle_fixed,triangle_moving,signed_distance,by_x,by_y,by_z,by_rx,by_ry,by_rz");
+  for (const double expected : {0.25, -0.3}) {
+    ASSERT_TRUE(std::getline(table, line));
+    std::vector<std::string> fields;
+    std::istringstream rest(line);
+    for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+    ASSERT_EQ(fields.size(), 11u) << line;
+    EXPECT_NEAR(std::stod(fields[4]), expected, 1e-6);
+    EXPECT_NEAR(std::stod(fields[7]), 1.0, 1e-6);
+    EXPECT_NEAR(std::stod(fields[10]), 0.0, 1e-6);  // turning about z changes nothing
+  }
+  writeMesh(folder_.path() / "sheet.obj", *octoblisk::testing::waveSheet(1, 0.1, 4));
+  EXPECT_EQ(
+      run("check --fixed sheet.obj --moving small.obj --poses poses.csv --signed --out out.csv").exit_code,
+      1);
+  expectRefusal(run("check --fixed sheet.obj --moving sheet.obj --poses poses.csv --signed --out two.csv"),
+                "sheet.obj: signed distances need a closed mesh; the moving one is open, and here 16 of its "
+                "edges are open");
+}
+
 TEST_F(CheckCommand, aMeshInsideAnotherIsFoundByItsDepthAlone) {
   writeBoxes(folder_.path());
   folder_.write("poses.csv", kPoseHeader + "0.1,0,0,1,0,0,0\n");

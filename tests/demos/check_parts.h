@@ -67,7 +67,7 @@ class CheckParts : public CheckCommand {
   }
 
   const std::string check_ = "check --fixed ring.obj --moving box.obj --poses poses.csv ";
-  const std::string all_columns_ = "--clearance --depth --continuous ";
+  const std::string all_columns_ = "--clearance --depth --signed --continuous ";
 };
 
 }  // namespace octoblisk::demos

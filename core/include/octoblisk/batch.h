@@ -7,6 +7,7 @@
 
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
+#include "octoblisk/signed_distance.h"
 
 namespace octoblisk {
 
@@ -24,5 +25,11 @@ std::vector<std::optional<TrianglePair>> collideAll(const ClusteredOctree& a, co
 std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctree& b,
                                    std::span<const Pose> poses_of_b_in_a, const DistanceOptions& options = {},
                                    int threads = 0);
+
+/// For each pose the signed distance; else as collideAll. Throws std::invalid_argument where neither surface
+/// is closed.
+std::vector<SignedDistance> signedDistanceAll(const Surface& a, const Surface& b,
+                                              std::span<const Pose> poses_of_b_in_a,
+                                              const SignedDistanceOptions& options = {}, int threads = 0);
 
 }  // namespace octoblisk

@@ -4,9 +4,11 @@
 #include <optional>
 
 #include "octoblisk/collide.h"
+#include "octoblisk/depth.h"
 #include "octoblisk/detail/node_pair.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/motion.h"
+#include "octoblisk/signed_distance.h"
 
 namespace octoblisk {
 
@@ -15,11 +17,14 @@ namespace octoblisk {
 /// Which of several pairs is named may depend on the poses before, and so may the distance within the
 /// options' tolerance.
 ///
-/// Refers to the trees, which must outlive it. Costs no more to make than a copy of a few corners: one for
-/// each thread and path; the trees may be shared. Allocates nothing.
+/// Refers to the trees or surfaces, which must outlive it. Costs no more to make than a copy of a few
+/// corners: one for each thread and path; the trees may be shared. Allocates nothing, but for signed
+/// distances until it is warm.
 class PathQuery {
  public:
   PathQuery(const ClusteredOctree& a, const ClusteredOctree& b);
+  /// For signed distances too. Throws std::invalid_argument where neither surface is closed.
+  PathQuery(const Surface& a, const Surface& b);
 
   /// A pair of triangles that meet, or none. The pair that met at the pose before is tested first, then the
   /// triangles around it.
@@ -31,11 +36,16 @@ class PathQuery {
   /// is looked at.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
+  /// The signed distance (signed_distance.h). Where the bodies are apart the last pair found is the hint.
+  /// Throws std::logic_error where the query was made of trees.
+  SignedDistance signedDistance(const Pose& b_in_a, const SignedDistanceOptions& options = {});
+
  private:
   bool meetBelow(const Pose& b_in_a, detail::NodePair below);
   bool provedBeyond(double distance, const Pose& b_in_a) const;
 
   const ClusteredOctree *a_, *b_;
+  const Surface *surface_a_ = nullptr, *surface_b_ = nullptr;
   Hold hold_of_b_;
   TrianglePair witness_;
   detail::NodePair nodes_;  // whose leaves the witness is in; the roots where that is not known
@@ -43,6 +53,7 @@ class PathQuery {
   // At this pose, the distance was proved to be no less than this.
   Pose proof_pose_;
   double proved_distance_ = 0.0;
+  DepthQuery depth_;
 };
 
 }  // namespace octoblisk

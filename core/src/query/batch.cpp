@@ -11,9 +11,9 @@ using namespace detail;
 
 namespace {
 
-template <typename Answer, typename Ask>
-std::vector<Answer> answersFor(const ClusteredOctree& a, const ClusteredOctree& b,
-                               std::span<const Pose> poses, int threads, const Ask& ask) {
+template <typename Answer, typename Body, typename Ask>
+std::vector<Answer> answersFor(const Body& a, const Body& b, std::span<const Pose> poses, int threads,
+                               const Ask& ask) {
   std::vector<Answer> answers(poses.size());
   const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
   parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
@@ -37,6 +37,14 @@ std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctr
                                    int threads) {
   return answersFor<Clearance>(a, b, poses_of_b_in_a, threads, [&](PathQuery& query, const Pose& pose) {
     return query.distance(pose, options);
+  });
+}
+
+std::vector<SignedDistance> signedDistanceAll(const Surface& a, const Surface& b,
+                                              std::span<const Pose> poses_of_b_in_a,
+                                              const SignedDistanceOptions& options, int threads) {
+  return answersFor<SignedDistance>(a, b, poses_of_b_in_a, threads, [&](PathQuery& query, const Pose& pose) {
+    return query.signedDistance(pose, options);
   });
 }
 

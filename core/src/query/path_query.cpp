@@ -2,16 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/triangle_pair.h"
 #include "query/collide_below.h"
 #include "query/local_pose.h"
+#include "query/signed_distance.h"
 
 namespace octoblisk {
 
 using namespace detail;
 
 PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), hold_of_b_(b) {}
+
+PathQuery::PathQuery(const Surface& a, const Surface& b) : PathQuery(a.tree(), b.tree()) {
+  if (!a.isClosed() && !b.isClosed()) {
+    throw std::invalid_argument("PathQuery: a signed distance needs a closed surface, and both are open");
+  }
+  surface_a_ = &a;
+  surface_b_ = &b;
+}
 
 std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
   if (met_) {
@@ -45,6 +55,24 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
   proof_pose_ = b_in_a;
   proved_distance_ = std::isfinite(found.distance) ? found.distance - options.tolerance : 0.0;
   return found;
+}
+
+SignedDistance PathQuery::signedDistance(const Pose& b_in_a, const SignedDistanceOptions& options) {
+  if (surface_a_ == nullptr) {
+    throw std::logic_error("PathQuery: a signed distance needs surfaces; it was made of trees");
+  }
+  const Surface &a = *surface_a_, &b = *surface_b_;
+  const double tolerance = depthTolerance(a, b, options);
+  const Clearance clearance = distance(b_in_a);
+  const Pose a_in_b = b_in_a.inverse();
+  const GougeDepth of_b = depth_.deepest(a, b, b_in_a, tolerance);
+  const GougeDepth of_a = depth_.deepest(b, a, a_in_b, tolerance);
+  const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
+  if (!b_goes_in && !a_goes_in) return signedDistanceOf(clearance, b_in_a);
+  if (b_goes_in && (!a_goes_in || of_b.depth >= of_a.depth)) {
+    return signedDistanceOf(of_b, a, b, b_in_a, tolerance);
+  }
+  return exchanged(signedDistanceOf(of_a, b, a, a_in_b, tolerance), b_in_a);
 }
 
 /// Whether the last distance proves that the bodies are farther apart than this, however distances and poses
