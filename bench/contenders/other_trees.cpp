@@ -20,10 +20,10 @@ ClusteredOctree fitted(const std::shared_ptr<const TriangleMesh>& mesh, OwnedArr
 /// Writes the nodes of a tree anew, depth first, with fewer children each.
 class Narrower {
  public:
-  Narrower(const ClusteredOctree& tree, std::size_t children) : tree_(tree), most_(children) {
-    arrays_.triangle_order.assign(treeOf(tree).triangleOrder().begin(), treeOf(tree).triangleOrder().end());
-    arrays_.leaf_vertices.assign(treeOf(tree).arrays().leaf_vertices.begin(),
-                                 treeOf(tree).arrays().leaf_vertices.end());
+  Narrower(const ClusteredOctree& tree, std::size_t children) : tree_(treeOf(tree)), most_(children) {
+    arrays_.triangle_order.assign(tree_.triangleOrder().begin(), tree_.triangleOrder().end());
+    arrays_.leaf_vertices.assign(tree_.arrays().leaf_vertices.begin(),
+                                 tree_.arrays().leaf_vertices.end());
     arrays_.nodes.emplace_back();
     write(Tree::kRoot, {0, 0});
   }
@@ -34,7 +34,7 @@ class Narrower {
   /// Puts a box of the tree, and all below it, into a slot.
   void write(Slot from, Slot to) {
     const Child child = tree_.child(from);
-    set(to, treeOf(tree_).arrays().box(from));
+    set(to, tree_.arrays().box(from));
     if (child.isLeaf()) {
       arrays_.nodes[to.node].children[to.lane] = child;
       return;
@@ -90,7 +90,7 @@ class Narrower {
     arrays_.nodes[slot.node].boxes.set(static_cast<int>(slot.lane), box);
   }
 
-  const ClusteredOctree& tree_;
+  const Tree& tree_;
   const std::size_t most_;
   OwnedArrays arrays_;
 };

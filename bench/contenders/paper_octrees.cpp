@@ -121,12 +121,13 @@ class OurBoxes final : public BoxQuery {
   /// As PaperBoxes::descend.
   template <typename Visit>
   bool descend(Slot slot, const Obb& belt, const Visit& visit) const {
-    const Obb box = blisk_.box(slot);
+    const Tree& tree = treeOf(blisk_);
+    const Obb box = tree.box(slot);
     if (!overlaps(belt, box)) return true;
-    const Child child = blisk_.child(slot);
+    const Child child = tree.child(slot);
     if (child.isLeaf()) return visit(box);
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      if (!blisk_.child({child.node(), lane}).isEmpty() && !descend({child.node(), lane}, belt, visit))
+      if (!tree.child({child.node(), lane}).isEmpty() && !descend({child.node(), lane}, belt, visit))
         return false;
     }
     return true;
