@@ -46,7 +46,7 @@ std::string siteText(const AccessMap& map, const SiteAccess& access) {
   }
   if (!access.in_the_way.empty()) {
     text += (text.empty() ? "most often in the way: " : "; else most often in the way: ") +
-            describe(access.in_the_way.front().obstacle, map.parts);
+            describe(access.in_the_way.front().obstacle, map.parts, BodyNames(map.blade_count, map.fixtures));
   }
   return text;
 }
@@ -157,6 +157,7 @@ Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree>
   }
   replay.blade_of_triangle = blades.blade_of_triangle;
   replay.blade_count = blades.count;
+  replay.fixtures = map.fixtures;
   replay.ground_blade = map.question.rules.ground_blade;
   replay.parts = map.parts;
   replay.charts = {

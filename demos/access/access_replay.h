@@ -17,6 +17,8 @@ struct AccessMap {
   std::vector<ContactSite> sites;
   std::vector<SiteAccess> access;  ///< of each site
   std::vector<ToolPart> parts;
+  int blade_count = 0;
+  std::vector<Fixture> fixtures = {};
 
   std::size_t nowhereFree() const;
   double freeFraction() const;  ///< of all tilts and leads of all sites

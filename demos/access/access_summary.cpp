@@ -9,20 +9,20 @@
 
 namespace octoblisk::demos {
 
-std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts) {
+std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts, const BodyNames& names) {
   const std::string& part = parts[obstacle.part].name;
-  const std::string blade = "blade " + std::to_string(obstacle.blade);
+  const std::string body = names.nameOf(obstacle.blade);
   if (obstacle.is_inside) return part + " wholly inside";
-  if (obstacle.too_deep) return part + " too deep in " + blade;
-  return part + " on " + (obstacle.blade == 0 ? "hub or shroud" : blade);
+  if (obstacle.too_deep) return part + " too deep in " + body;
+  return part + " on " + body;
 }
 
-void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> parts) {
+void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> parts, const BodyNames& names) {
   ++points;
   free_poses += access.free;
   if (access.free > 0) return;
   ++nowhere_free;
-  ++in_the_way[describe(access.in_the_way.front().obstacle, parts)];
+  ++in_the_way[describe(access.in_the_way.front().obstacle, parts, names)];
 }
 
 void AccessSummary::add(const AccessSummary& other) {

@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 
 /// "belt on blade 2", "arm on hub or shroud", "belt too deep in blade 1", "arm wholly inside".
-std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts);
+std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts, const BodyNames& names);
 
 /// What a summary counts.
 struct AccessSummary {
@@ -21,7 +21,7 @@ struct AccessSummary {
   /// Of these, what is in the way the most often, and of how many.
   std::map<std::string, std::size_t> in_the_way;
 
-  void count(const SiteAccess& access, std::span<const ToolPart> parts);
+  void count(const SiteAccess& access, std::span<const ToolPart> parts, const BodyNames& names);
   void add(const AccessSummary& other);
 };
 

@@ -101,7 +101,8 @@ AccessQuestion questionOfLine(const std::string& line) {
 std::string accessColumns() { return kAccessColumns; }
 
 std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAccess& access,
-                      const AccessQuestion& question, std::span<const ToolPart> parts) {
+                      const AccessQuestion& question, std::span<const ToolPart> parts,
+                      const BodyNames& names) {
   std::ostringstream stream;
   stream.precision(9);
   stream << index << ',';
@@ -122,7 +123,7 @@ std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAcce
     stream << ",,";
   } else {
     const Hindrance& most = access.in_the_way.front().obstacle;
-    stream << ',' << parts[most.part].name << ',' << most.blade;
+    stream << ',' << parts[most.part].name << ',' << names.cellOf(most.blade);
   }
   stream << ',' << site.half_width << ',' << site.half_height << ',';
   const char* between = "";

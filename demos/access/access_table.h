@@ -29,7 +29,8 @@ std::string accessColumns();
 
 /// A point's row, with its end. Numbers have nine digits.
 std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAccess& access,
-                      const AccessQuestion& question, std::span<const ToolPart> parts);
+                      const AccessQuestion& question, std::span<const ToolPart> parts,
+                      const BodyNames& names);
 
 /// What the picture and the table of ranges need of a row.
 struct AccessRow {

@@ -1,5 +1,6 @@
 #include "command_line/grinder_input.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <stdexcept>
@@ -9,6 +10,8 @@
 #include "command_line/option_checks.h"
 #include "grinding/ground_blade.h"
 #include "grinding/tool_file.h"
+#include "io/quoted_text.h"
+#include "io/table_name.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
@@ -43,6 +46,42 @@ TriangleMesh bliskOfFiles(const GrinderFiles& files) {
   TriangleMesh blisk = readOutward(files.blisk, notes);
   tellNotes(notes);
   return blisk;
+}
+
+/// "mesh" or "mesh,name"; the name is else the file's, without its extension.
+Fixture fixtureOf(const std::string& text, std::vector<std::string>& notes) {
+  std::filesystem::path file = text;
+  std::string name = file.stem().string();
+  if (const std::size_t comma = text.rfind(',');
+      comma != std::string::npos && !std::filesystem::exists(file)) {
+    file = text.substr(0, comma);
+    name = text.substr(comma + 1);
+  }
+  if (!isTableName(name) || (name.front() >= '0' && name.front() <= '9')) {
+    throw std::invalid_argument("--obstacle " + text + ": " + inQuotes(name) + ": " + kTableNameRule +
+                                ", and begin with no digit: say MESH,NAME");
+  }
+  return {name, treeOf(readOutward(file, notes))};
+}
+
+std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
+  std::vector<Fixture> fixtures;
+  std::vector<std::string> notes;
+  for (const std::string& text : files.obstacles) {
+    Fixture fixture = fixtureOf(text, notes);
+    if (std::ranges::find(fixtures, fixture.name, &Fixture::name) != fixtures.end()) {
+      throw std::invalid_argument("--obstacle " + text + ": there are two of the name " +
+                                  inQuotes(fixture.name));
+    }
+    const OpenEdges open = openEdges(fixture.tree->mesh());
+    if (open.count > 0) {
+      warnOf(text,
+             describe(open) + ": it bounds no solid, so that it is a surface, and nothing is inside it");
+    }
+    fixtures.push_back(std::move(fixture));
+  }
+  tellNotes(notes);
+  return fixtures;
 }
 
 void findBladesOf(const GrinderFiles& files, const TriangleMesh& mesh, GrinderInput& input) {
@@ -100,6 +139,14 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
                   "'octoblisk make grinder' writes one")
       ->check(notEmpty())
       ->excludes(belt);
+  command
+      .add_option(
+          "--obstacle", files.obstacles,
+          "MESH[,NAME]: mesh file (mm, in the blisk's frame) of a clamp, a table or the like, which does "
+          "not move and which the tool must not touch; may be repeated")
+      ->type_name("MESH[,NAME]")
+      ->allow_extra_args(false)
+      ->check(notEmpty());
   command.add_option("-o,--out", files.out, "Folder for what is written; made where missing")
       ->required()
       ->check(notEmpty());
@@ -132,6 +179,7 @@ void addMarginOption(CLI::App& command, double& margin) {
 GrinderInput readGrinder(const GrinderFiles& files) {
   GrinderInput input;
   input.tool = toolOfFiles(files);
+  input.fixtures = fixturesOf(files);
   const auto blisk = std::make_shared<const TriangleMesh>(bliskOfFiles(files));
   findBladesOf(files, *blisk, input);
   requireBladesThere(files, input);
@@ -151,7 +199,10 @@ GrinderInput readGrinder(const GrinderFiles& files) {
 
 GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks) {
   GrinderInput input;
-  ranks.together([&] { input.tool = toolOfFiles(files); });
+  ranks.together([&] {
+    input.tool = toolOfFiles(files);
+    input.fixtures = fixturesOf(files);
+  });
   input.blisk =
       std::make_shared<const ClusteredOctree>(treeOnceANode(ranks, [&] { return bliskOfFiles(files); }));
   ranks.together([&] {
@@ -219,7 +270,12 @@ VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, 
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables) {
   for (const std::string& table : tables) {
     const std::filesystem::path file = std::filesystem::path(files.out) / table;
-    for (const std::string& input : {files.path, files.blisk, files.belt, files.tool}) {
+    std::vector<std::string> inputs = {files.path, files.blisk, files.belt, files.tool};
+    for (const std::string& text : files.obstacles) {
+      inputs.push_back(text);
+      inputs.push_back(text.substr(0, text.rfind(',')));
+    }
+    for (const std::string& input : inputs) {
       std::error_code ignored;  // mostly there is no such file
       if (!input.empty() && std::filesystem::equivalent(input, file, ignored)) {
         throw std::runtime_error(file.string() + ": cannot be both read and written");
@@ -236,10 +292,11 @@ void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   }
   const OpenEdges open = openEdges(input.blisk->mesh());
   if (open.count > 0) {
-    warnOf(files.bliskName(),
-           describe(open) +
-               ". Near them the surface bounds no solid: where the tool touches it there, its depth, and so the "
-               "verdict, is unknown, which counts as interference");
+    warnOf(
+        files.bliskName(),
+        describe(open) +
+            ". Near them the surface bounds no solid: where the tool touches it there, its depth, and so the "
+            "verdict, is unknown, which counts as interference");
   }
 }
 

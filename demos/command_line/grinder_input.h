@@ -20,6 +20,7 @@ namespace octoblisk::demos {
 /// Options that the three have in common.
 struct GrinderFiles {
   std::string blisk, belt, tool, path;  ///< files; empty: the defaults
+  std::vector<std::string> obstacles;   ///< "mesh" or "mesh,name" of each
   std::string axis;                     ///< as axis_option.h reads it; empty: to be found
   std::string out;                      ///< a folder
   std::optional<int> ground_blade;
@@ -42,7 +43,10 @@ struct GrinderInput {
   Pose mesh_in_blisk;                            ///< from the file's frame to that with the axis Z
   BladesFound blades;                            ///< none: count 0
   ToolAssembly tool;
+  std::vector<Fixture> fixtures;
   double tree_seconds = 0.0;  ///< to build the blisk's tree
+
+  BodyNames names() const { return BodyNames(blades.count, fixtures); }
 };
 
 /// Reads blisk and tool; tells where triangles face inward, and are turned. The blades are those of findBlisk

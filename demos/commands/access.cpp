@@ -34,7 +34,8 @@ void writeReport(AccessTask& task, const GrinderFiles& files) {
     std::cout << "Report: none, as not all points were answered here\n";
     return;
   }
-  const AccessMap map{task.question, std::move(task.sites), std::move(task.answered), task.input.tool.parts};
+  const AccessMap map{task.question,         std::move(task.sites),   std::move(task.answered),
+                      task.input.tool.parts, task.input.blades.count, task.input.fixtures};
   WholeFiles shown;
   writeReplayFiles(accessReplay(map, task.input.blisk, task.input.blades, files.bliskName()), files.out,
                    shown);

@@ -111,7 +111,7 @@ void prepareTask(const AccessRequest& request, AccessTask& task) {
                                 std::to_string(blade));
   }
   task.judge = std::make_unique<Judge>(input.blisk, input.tool.parts, input.blades.blade_of_triangle,
-                                       question.rules, files.threads);
+                                       question.rules, files.threads, input.fixtures);
 }
 
 Study studyOf(const AccessTask& task) {
@@ -132,12 +132,18 @@ Study studyOf(const AccessTask& task) {
     std::ranges::replace(word, ' ', '_');
     study.inputs.push_back({word, fingerprintOf(part.tree->mesh())});
   }
+  for (const Fixture& fixture : task.input.fixtures) {
+    std::string word = "obstacle " + fixture.name;
+    std::ranges::replace(word, ' ', '_');
+    study.inputs.push_back({word, fingerprintOf(fixture.tree->mesh())});
+  }
   study.options = lineOf(task.question);
   return study;
 }
 
 std::vector<AnsweredGroup> answerSites(AccessTask& task, ItemRange items) {
   const std::vector<ToolPart>& parts = task.input.tool.parts;
+  const BodyNames names = task.input.names();
   const auto asked = std::span(task.sites).subspan(items.begin, items.size());
   const std::vector<SiteAccess> found = accessOf(*task.judge, asked, task.question.options);
   task.answered.resize(task.sites.size());
@@ -150,8 +156,8 @@ std::vector<AnsweredGroup> answerSites(AccessTask& task, ItemRange items) {
     AccessSummary summary;
     for (std::size_t s = begin; s < group.items.end; ++s) {
       const SiteAccess& access = found[s - items.begin];
-      group.rows += rowOfSite(s, task.sites[s], access, task.question, parts);
-      summary.count(access, parts);
+      group.rows += rowOfSite(s, task.sites[s], access, task.question, parts, names);
+      summary.count(access, parts, names);
     }
     group.tally = tallyOf(summary);
   }

@@ -131,6 +131,7 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
   job.mesh_in_blisk = input.mesh_in_blisk;
   job.blades = input.blades;
   job.parts = input.tool.parts;
+  job.fixtures = input.fixtures;
   job.rules = input.tool.rules;
   job.rules.near_miss = request.near_miss;
   job.rules.ground_blade = files.ground_blade.value_or(files.path.empty() ? 1 : 0);

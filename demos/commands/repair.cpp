@@ -82,7 +82,7 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, 
   if (repair.changed() > 0) tellChanges(repair);
   tellContact(repair);
   constexpr std::size_t kMost = 20;
-  const std::vector<std::string> left = describeLeft(repair, input.tool.parts);
+  const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
   if (left.size() > kMost) std::cout << "Left: " << left.size() - kMost << " more runs (changes.csv)\n";
   std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
@@ -110,6 +110,7 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
   job.mesh_in_blisk = input.mesh_in_blisk;
   job.blades = input.blades;
   job.parts = input.tool.parts;
+  job.fixtures = input.fixtures;
   job.rules = input.tool.rules;
   job.rules.ground_blade = rules.ground_blade;
   job.rules.near_miss = std::clamp(rules.near_miss, kLeastNearMiss, kMostNearMiss);
@@ -173,14 +174,15 @@ int repair(const RepairRequest& request) {
   warnOfInput(files, input);
   makeFolder(files.out);
 
-  Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads);
+  Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads,
+              input.fixtures);
   const PathRepair repaired = repairPath(judge, path, directionsOffSurface(judge, path), request.limits,
                                          request.keep_contact, terminal.watch());
   terminal.endTask();
   const RepairFiles written(files.out, repaired.is_partial);
   WholeFiles whole;
   writePoses(whole.add(written.path), repaired.path);
-  writeChanges(repaired, input.tool.parts, whole.add(written.changes));
+  writeChanges(repaired, input.tool.parts, input.names(), whole.add(written.changes));
   const std::optional<Coverage> coverage = coverageOfPath(files, input, rules, repaired.path);
   if (coverage) {
     writeCoverage(*coverage, whole.add(std::filesystem::path(files.out) / "coverage.csv"));

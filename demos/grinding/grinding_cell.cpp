@@ -39,11 +39,11 @@ class GrindingCell::World {
       parts_.back()->body.setUserIndex(static_cast<int>(part));
       touched_.push_back(kNone);
       forbidden_.push_back(kWholeBlisk);
-      if (!obstacles || !obstacles->mayTouchAny(part)) continue;
-      touched_[part] = kTouchedBlisk;
-      forbidden_[part] = kNone;
+      if (!obstacles) continue;
+      if (obstacles->mayTouchAny(part)) touched_[part] = kTouchedBlisk;
       const Obstacle* const obstacle = obstacles->of(part);
-      if (!obstacle) continue;
+      if (!obstacle) forbidden_[part] = kNone;
+      if (!obstacle || obstacle->sharedTree() == blisk) continue;
       const auto [known, is_new] = target_of.try_emplace(obstacle, targets_.size());
       if (is_new) targets_.push_back(std::make_unique<Body>(obstacle->sharedTree(), reach));
       forbidden_[part] = known->second;
@@ -211,10 +211,9 @@ std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   std::vector<PartContact> found;
   world_->detect(tool_in_blisk);
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    const bool may_touch = obstacles_ && obstacles_->mayTouchAny(part);
-    if (may_touch) addTouches(part, tool_in_blisk, found);
+    if (obstacles_ && obstacles_->mayTouchAny(part)) addTouches(part, tool_in_blisk, found);
     for (Contact contact : world_->forbidden(part)) {
-      if (may_touch) contact.triangle_a = obstacles_->of(part)->triangleOfBlisk(contact.triangle_a);
+      if (obstacles_) contact.triangle_a = obstacles_->of(part)->triangleOfAll(contact.triangle_a);
       found.push_back({part, contact});
     }
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/parallel.h"
+#include "grinding/blade_side.h"
 #include "grinding/ground_blade.h"
 #include "grinding/judge.h"
 #include "grinding/reduce_contacts.h"
@@ -40,8 +41,8 @@ class TimeAdded {
 std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules) {
   std::vector<double> reaches(job.parts.size(), 0.0);
   for (std::size_t part = 0; part < reaches.size(); ++part) {
-    for (int blade = 0; blade <= job.blades.count; ++blade) {
-      if (!rules.allows(part, blade)) reaches[part] = std::max(reaches[part], rules.margin(part, blade));
+    for (int body = 0; body <= job.blades.count + static_cast<int>(job.fixtures.size()); ++body) {
+      if (!rules.allows(part, body)) reaches[part] = std::max(reaches[part], rules.margin(part, body));
     }
   }
   return reaches;
@@ -53,7 +54,7 @@ class Grinding {
   Grinding(const GrindingJob& job, GrindingRun& run)
       : job_(job),
         run_(run),
-        judge_(job.blisk, job.parts, job.blades.blade_of_triangle, run.rules, job.threads) {
+        judge_(job.blisk, job.parts, job.blades.blade_of_triangle, run.rules, job.threads, job.fixtures) {
     const std::vector<double> reaches = reachesOf(job, run.rules);
     for (int thread = 0; thread < threadCount(job.threads); ++thread) {
       cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, judge_.obstacles()));
@@ -99,9 +100,9 @@ class Grinding {
       PoseReport& report = poses[i];
       report.tool_in_blisk = job_.path[begin + i];
       report.contacts =
-          reduceContacts(cells_[worker]->contactsAt(report.tool_in_blisk), run_.blade_of_triangle);
+          reduceContacts(cells_[worker]->contactsAt(report.tool_in_blisk), judge_.bladeOfTriangle());
       for (const PartContact& found : report.contacts) {
-        report.blades.push_back(run_.blade_of_triangle[found.contact.triangle_a]);
+        report.blades.push_back(judge_.bladeOfTriangle()[found.contact.triangle_a]);
       }
     });
   }
@@ -124,6 +125,11 @@ class Grinding {
 };
 
 }  // namespace
+
+std::string GrindingRun::sideOf(std::uint32_t triangle, int body) const {
+  if (names().isFixture(body)) return {};
+  return demos::sideOf(blisk->mesh(), mesh_in_blisk, triangle, body);
+}
 
 std::size_t GrindingRun::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
@@ -163,7 +169,9 @@ GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch) {
   run.blade_count = job.blades.count;
   run.blade_of_triangle = job.blades.blade_of_triangle;
   run.mesh_in_blisk = job.mesh_in_blisk;
+  run.fixtures = job.fixtures;
   run.rules = job.rules;
+  run.rules.blade_count = job.blades.count;
   run.continuous = job.continuous;
   run.spindle = job.spindle;
   run.path_poses = job.path.size();

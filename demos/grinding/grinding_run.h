@@ -22,7 +22,8 @@ struct GrindingRun {
   std::vector<ToolPart> parts;
   std::vector<DepthKind> depth_kinds;  ///< of each part
   int blade_count = 0;
-  std::vector<int> blade_of_triangle;    ///< of the blisk's mesh
+  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
+  std::vector<Fixture> fixtures;
   Pose mesh_in_blisk;                    ///< from the mesh's frame to that with the blisk's axis Z
   std::optional<BladeSide> convex_side;  ///< of the blades; none: not known
   VerdictRules rules;
@@ -38,6 +39,9 @@ struct GrindingRun {
   double clearance_seconds_a_pose = 0.0;  ///< how far they are from what they must not touch
   double move_seconds_a_pose = 0.0;       ///< what happens between the poses
 
+  /// "forward" or "backward" (blade_side.h) of a triangle of a blade; empty of hub, shroud and fixtures.
+  std::string sideOf(std::uint32_t triangle, int body) const;
+  BodyNames names() const { return BodyNames(blade_count, fixtures); }
   bool isPartial() const { return poses.size() < path_poses; }
   std::size_t count(Verdict verdict) const;              ///< poses
   std::size_t count(MoveReport::Outcome outcome) const;  ///< moves
@@ -54,6 +58,7 @@ struct GrindingJob {
   BladesFound blades;                            ///< of its mesh
   Pose mesh_in_blisk;                            ///< from the mesh's frame to that with the blisk's axis Z
   std::vector<ToolPart> parts;
+  std::vector<Fixture> fixtures = {};
   VerdictRules rules;  ///< its ground blade is found if `find_ground_blade`; near_miss must be finite
   /// As that which the grinding part touches at the most poses; there must be such a part.
   bool find_ground_blade = false;

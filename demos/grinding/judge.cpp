@@ -24,6 +24,11 @@ std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {
   return limits;
 }
 
+VerdictRules withBlades(VerdictRules rules, std::span<const int> blade_of_triangle) {
+  rules.blade_count = blade_of_triangle.empty() ? 0 : *std::ranges::max_element(blade_of_triangle);
+  return rules;
+}
+
 bool isSame(const Pose& a, const Pose& b) {
   return a.rotation == b.rotation && a.translation == b.translation;
 }
@@ -48,15 +53,15 @@ struct Judge::Trail {
 };
 
 Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
-             std::vector<int> blade_of_triangle, VerdictRules rules, int threads)
+             std::span<const int> blade_of_triangle, VerdictRules rules, int threads,
+             std::span<const Fixture> fixtures)
     : blisk_(std::move(blisk)),
       parts_(std::move(parts)),
-      blade_of_triangle_(std::move(blade_of_triangle)),
-      rules_(std::move(rules)),
+      rules_(withBlades(std::move(rules), blade_of_triangle)),
       threads_(threadCount(threads)),
-      obstacles_(blisk_, blade_of_triangle_, parts_.size(), rules_),
-      depths_(blisk_, parts_, depthLimits(rules_, parts_.size()), threads),
-      moves_(blisk_, parts_, blade_of_triangle_, rules_, obstacles_, depths_, threads) {}
+      obstacles_(blisk_, blade_of_triangle, parts_.size(), rules_, fixtures),
+      depths_(blisk_, parts_, depthLimits(rules_, parts_.size()), threads, fixtures),
+      moves_(blisk_, parts_, rules_, obstacles_, depths_, threads) {}
 
 Judge::~Judge() = default;
 
@@ -69,7 +74,7 @@ void Judge::measureDepths(std::span<PoseReport> poses) {
     pose.depths = std::move(found[i]);
     pose.depth_blades.clear();
     for (const PartDepth& deepest : pose.depths) {
-      pose.depth_blades.push_back(blade_of_triangle_[deepest.triangle_of_blisk]);
+      pose.depth_blades.push_back(bladeOfTriangle()[deepest.triangle_of_blisk]);
     }
   }
 }
@@ -77,7 +82,7 @@ void Judge::measureDepths(std::span<PoseReport> poses) {
 void Judge::setVerdicts(std::span<PoseReport> poses) const { demos::setVerdicts(poses, rules_); }
 
 void Judge::measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const {
-  demos::measureClearances(obstacles_, parts_, blade_of_triangle_, poses, before, after, threads_);
+  demos::measureClearances(obstacles_, parts_, poses, before, after, threads_);
 }
 
 void Judge::checkMoves(std::span<PoseReport> poses) {
@@ -115,7 +120,8 @@ PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
     const auto pair = trail.touched[part] ? trail.touched[part]->collide(pose) : std::nullopt;
     if (pair) {
       touches.emplace_back(part, *pair);
-    } else if (isInside(part, pose)) {
+    }
+    if ((!pair && isInside(part, pose)) || depths_.isInFixture(part, pose)) {
       state.obstacle = Hindrance{part, 0, false, true};
       return state;
     }
@@ -123,7 +129,7 @@ PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
   for (const auto& [part, pair] : touches) {
     state.grinds = true;
     if (!depths_.isBeyond(part, pose, pair, trail.deep_corners[part], thread)) continue;
-    state.obstacle = Hindrance{part, blade_of_triangle_[pair.a], true, false};
+    state.obstacle = Hindrance{part, bladeOfTriangle()[pair.a], true, false};
     return state;
   }
   return state;
@@ -140,7 +146,7 @@ std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail&
     triangle = pair->a;
   }
   if (triangle == kNoTriangle) return std::nullopt;
-  return Hindrance{part, blade_of_triangle_[obstacles_.of(part)->triangleOfBlisk(triangle)], false, false};
+  return Hindrance{part, bladeOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
 }
 
 /// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse,

@@ -18,9 +18,9 @@ namespace octoblisk::demos {
 /// What is in the way of a pose or a move.
 struct Hindrance {
   std::size_t part = 0;    ///< of the tool
-  int blade = 0;           ///< 0: hub or shroud
+  int blade = 0;           ///< 0: hub or shroud; beyond the blades: a fixture (BodyNames)
   bool too_deep = false;   ///< in a blade that the part may touch
-  bool is_inside = false;  ///< the part is wholly in the blisk, or the blisk in the part
+  bool is_inside = false;  ///< the part is wholly in the blisk or a fixture, or that in the part
 };
 
 struct PoseState {
@@ -38,7 +38,8 @@ class Judge {
   /// `threads` as in parallelFor's threadCount; no answer depends on their number. Throws
   /// std::invalid_argument if the blades' numbers are not those of the blisk's mesh.
   Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
-        std::vector<int> blade_of_triangle, VerdictRules rules, int threads = 0);
+        std::span<const int> blade_of_triangle, VerdictRules rules, int threads = 0,
+        std::span<const Fixture> fixtures = {});
   ~Judge();
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
@@ -47,7 +48,8 @@ class Judge {
   const std::vector<ToolPart>& parts() const { return parts_; }
   const VerdictRules& rules() const { return rules_; }
   const Obstacles& obstacles() const { return obstacles_; }
-  std::span<const int> bladeOfTriangle() const { return blade_of_triangle_; }
+  /// Of the surroundings' triangles, of which the blisk's are the first.
+  std::span<const int> bladeOfTriangle() const { return obstacles_.bodyOfTriangle(); }
   DepthKind depthKind(std::size_t part) const { return depths_.kindOf(part); }
 
   /// Sets the depths of poses that have their contacts.
@@ -79,7 +81,6 @@ class Judge {
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
-  std::vector<int> blade_of_triangle_;
   VerdictRules rules_;
   int threads_;
   Obstacles obstacles_;

@@ -64,11 +64,9 @@ struct MoveCheck::Stretch {
 };
 
 MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
-                     std::span<const int> blade_of_triangle, const VerdictRules& rules,
-                     const Obstacles& obstacles, PartDepths& depths, int threads)
+                     const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads)
     : blisk_(std::move(blisk)),
       parts_(parts),
-      blade_of_triangle_(blade_of_triangle),
       rules_(rules),
       obstacles_(obstacles),
       depths_(depths),
@@ -148,11 +146,11 @@ void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double c
     }
     auto met = sweep(obstacle->tree(), *parts_[part].tree, way, clearance);
     if (!met) continue;
-    met->clearance.triangle_a = obstacle->triangleOfBlisk(met->clearance.triangle_a);
+    met->clearance.triangle_a = obstacle->triangleOfAll(met->clearance.triangle_a);
     MoveReport report;
     report.outcome = met->converged ? MoveReport::Outcome::hit : MoveReport::Outcome::not_proved;
     report.fraction = met->fraction;
-    report.at = {part, blade_of_triangle_[met->clearance.triangle_a], met->clearance};
+    report.at = {part, obstacles_.bodyOfTriangle()[met->clearance.triangle_a], met->clearance};
     keepFirst(move, report);
   }
 }
@@ -201,7 +199,7 @@ void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& 
   const bool is_proved = depth.is_known || depth.depth > rules_.maxDepth(part);
   too_deep.outcome = is_proved ? MoveReport::Outcome::too_deep : MoveReport::Outcome::not_proved;
   too_deep.fraction = fraction;
-  too_deep.at = {part, blade_of_triangle_[depth.triangle_of_blisk], {}};
+  too_deep.at = {part, obstacles_.bodyOfTriangle()[depth.triangle_of_blisk], {}};
   too_deep.at.clearance.distance = -depth.depth;
   too_deep.at.clearance.point_on_a = depth.point_on_blisk;
   too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;

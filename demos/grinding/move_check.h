@@ -26,8 +26,7 @@ class MoveCheck {
  public:
   /// All must outlive it. `depths`: of the same parts.
   MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
-            std::span<const int> blade_of_triangle, const VerdictRules& rules, const Obstacles& obstacles,
-            PartDepths& depths, int threads);
+            const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
 
   /// What happens on the moves to some poses (`led_to`, ascending, above 0) from the pose before each. The
   /// poses need their depths of the parts that may touch; their clearances (pose_clearances.h) save work.
@@ -59,7 +58,6 @@ class MoveCheck {
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::span<const ToolPart> parts_;
-  std::span<const int> blade_of_triangle_;
   const VerdictRules& rules_;
   const Obstacles& obstacles_;
   PartDepths& depths_;

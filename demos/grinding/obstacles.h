@@ -1,4 +1,5 @@
-// What each part of the tool must not touch: the blisk, less the blades that the part may touch.
+// What each part of the tool must not touch: the blisk, less the blades that the part may touch, and the
+// fixtures.
 #pragma once
 
 #include <cstdint>
@@ -8,50 +9,53 @@
 #include <span>
 #include <vector>
 
+#include "grinding/fixture.h"
 #include "grinding/verdict.h"
 #include "octoblisk/clustered_octree.h"
 
 namespace octoblisk::demos {
 
-/// Some of the blisk's triangles, with a tree of their own.
+/// Some of the surroundings' triangles (fixture.h), with a tree of their own.
 class Obstacle {
  public:
-  /// All of them, in the blisk's own tree.
+  /// All of the blisk's, in its own tree.
   explicit Obstacle(std::shared_ptr<const ClusteredOctree> blisk) : tree_(std::move(blisk)) {}
-  /// `triangles` of it, ascending; at least one.
-  Obstacle(const ClusteredOctree& blisk, std::vector<std::uint32_t> triangles);
+  /// `triangles` of them, ascending; at least one.
+  Obstacle(const TriangleMesh& surroundings, std::vector<std::uint32_t> triangles);
 
   const ClusteredOctree& tree() const { return *tree_; }
   std::shared_ptr<const ClusteredOctree> sharedTree() const { return tree_; }
-  /// The number in the blisk's mesh of a triangle of the tree's.
-  std::uint32_t triangleOfBlisk(std::uint32_t triangle) const {
-    return triangle_of_blisk_.empty() ? triangle : triangle_of_blisk_[triangle];
+  /// The number in the surroundings of a triangle of the tree's: in the blisk's mesh, if it is of the blisk.
+  std::uint32_t triangleOfAll(std::uint32_t triangle) const {
+    return triangle_of_all_.empty() ? triangle : triangle_of_all_[triangle];
   }
 
  private:
   std::shared_ptr<const ClusteredOctree> tree_;
-  std::vector<std::uint32_t> triangle_of_blisk_;
+  std::vector<std::uint32_t> triangle_of_all_;
 };
 
 class Obstacles {
  public:
   Obstacles(std::shared_ptr<const ClusteredOctree> blisk, std::span<const int> blade_of_triangle,
-            std::size_t parts, const VerdictRules& rules);
+            std::size_t parts, const VerdictRules& rules, std::span<const Fixture> fixtures = {});
 
   /// Null where the part may touch everything.
   const Obstacle* of(std::size_t part) const { return of_part_[part]; }
   bool mayTouchAny(std::size_t part) const { return may_touch_any_[part]; }
+  /// Of each triangle of the surroundings the body that it is of (BodyNames).
+  std::span<const int> bodyOfTriangle() const { return surroundings_.body_of_triangle; }
   /// A triangle of the blisk.
   bool mayTouch(std::size_t part, std::uint32_t triangle) const {
-    return may_touch_[part][static_cast<std::size_t>(blade_of_triangle_[triangle])];
+    return may_touch_[part][static_cast<std::size_t>(bodyOfTriangle()[triangle])];
   }
 
  private:
+  Surroundings surroundings_;
   std::map<std::vector<bool>, std::unique_ptr<const Obstacle>> by_blades_;  // that may be touched
   std::vector<const Obstacle*> of_part_;
   std::vector<bool> may_touch_any_;
-  std::vector<std::vector<bool>> may_touch_;  // of each part the blades
-  std::vector<int> blade_of_triangle_;
+  std::vector<std::vector<bool>> may_touch_;  // of each part the bodies
 };
 
 }  // namespace octoblisk::demos

@@ -40,7 +40,7 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
     : PartDepths(std::move(blisk), parts, std::vector<double>(parts.size(), limit), threads) {}
 
 PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
-                       std::vector<double> limits, int threads)
+                       std::vector<double> limits, int threads, std::span<const Fixture> fixtures)
     : blisk_(std::move(blisk)),
       parts_(std::move(parts)),
       limits_(std::move(limits)),
@@ -48,6 +48,9 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
       blisk_boundary_(blisk_surface_, threads),
       queries_(static_cast<std::size_t>(threadCount(threads))) {
   for (const ToolPart& part : parts_) part_surfaces_.emplace_back(*part.tree);
+  for (const Fixture& fixture : fixtures) {
+    fixtures_.push_back(std::make_unique<const FixedSolid>(*fixture.tree, threads));
+  }
   for (const double limit : limits_) {
     const auto [known, is_new] = fine_.try_emplace(limit);
     if (!is_new) continue;
@@ -196,7 +199,34 @@ std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQue
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (const auto depth = ofPart(part, tool_in_blisk, query)) found.push_back(*depth);
   }
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    auto first = static_cast<std::uint32_t>(blisk_->mesh().triangleCount());
+    for (const auto& fixture : fixtures_) {
+      const ClusteredOctree& tree = fixture->surface.tree();
+      if (isNested(part, *fixture, tool_in_blisk)) {
+        const Clearance nearest = distance(tree, *parts_[part].tree, tool_in_blisk);
+        found.push_back({part, 0.0, first + nearest.triangle_a, nearest.point_on_a, true});
+      }
+      first += static_cast<std::uint32_t>(tree.mesh().triangleCount());
+    }
+  }
   return found;
+}
+
+bool PartDepths::isInFixture(std::size_t part, const Pose& tool_in_blisk) const {
+  return std::ranges::any_of(fixtures_,
+                             [&](const auto& fixture) { return isNested(part, *fixture, tool_in_blisk); });
+}
+
+bool PartDepths::isNested(std::size_t part, const FixedSolid& fixture, const Pose& tool_in_blisk) const {
+  const octoblisk::Surface &surface = part_surfaces_[part], &fixed = fixture.surface;
+  if (collide(fixed.tree(), surface.tree(), tool_in_blisk)) return false;
+  if (fixed.isClosed()) return mayBeNested(fixture.boundary, surface, tool_in_blisk);
+  for (std::size_t k = 0; surface.isClosed() && k < fixed.partCount(); ++k) {
+    const Vec3& corner = fixed.position(fixed.cornerOfPart(k));
+    if (locate(surface, corner, tool_in_blisk) == PointLocation::inside) return true;
+  }
+  return false;
 }
 
 }  // namespace octoblisk::demos

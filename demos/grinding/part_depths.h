@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grinding/fine_features.h"
+#include "grinding/fixture.h"
 #include "grinding/grinding_cell.h"
 #include "octoblisk/depth.h"
 #include "octoblisk/solid_boundary.h"
@@ -48,14 +49,17 @@ class PartDepths {
              int threads = 0);
 
   /// The same with a limit for each part.
+  /// The fixtures must outlive it.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
-             std::vector<double> limits, int threads = 0);
+             std::vector<double> limits, int threads = 0, std::span<const Fixture> fixtures = {});
 
   DepthKind kindOf(std::size_t part) const;
   const SolidBoundary& blisk() const { return blisk_boundary_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
-  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order.
+  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; then those
+  /// that lie in a fixture that they do not touch, or it in them, where no depth is told, and the triangle is
+  /// of the surroundings (fixture.h).
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
   /// The same of one part each: part and pose of the same index.
@@ -69,7 +73,20 @@ class PartDepths {
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
+  /// Whether a part lies wholly in a fixture that it does not touch, or the fixture in it, or that is not
+  /// known. An open fixture holds nothing.
+  bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
+
  private:
+  /// A fixture as a solid.
+  struct FixedSolid {
+    explicit FixedSolid(const ClusteredOctree& tree, int threads)
+        : surface(tree), boundary(surface, threads) {}
+    octoblisk::Surface surface;
+    SolidBoundary boundary;
+  };
+
+  bool isNested(std::size_t part, const FixedSolid& fixture, const Pose& tool_in_blisk) const;
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
@@ -84,6 +101,7 @@ class PartDepths {
   std::vector<double> limits_;  // of each part
   octoblisk::Surface blisk_surface_;
   SolidBoundary blisk_boundary_;
+  std::vector<std::unique_ptr<const FixedSolid>> fixtures_;
   std::vector<octoblisk::Surface> part_surfaces_;
   std::map<double, std::vector<char>> fine_;  // by limit: which triangles of the blisk are
   std::vector<DepthQuery> queries_;           // one a thread

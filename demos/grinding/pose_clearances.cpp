@@ -19,9 +19,8 @@ constexpr double kOfMove = 1.001;
 /// One after the other, each near the last.
 class ClearanceQuery {
  public:
-  ClearanceQuery(const Obstacles& obstacles, std::span<const ToolPart> parts,
-                 std::span<const int> blade_of_triangle)
-      : obstacles_(obstacles), parts_(parts), blade_of_triangle_(blade_of_triangle) {
+  ClearanceQuery(const Obstacles& obstacles, std::span<const ToolPart> parts)
+      : obstacles_(obstacles), parts_(parts) {
     for (std::size_t part = 0; part < parts.size(); ++part) {
       const Obstacle* const obstacle = obstacles.of(part);
       queries_.push_back(obstacle
@@ -46,15 +45,14 @@ class ClearanceQuery {
       pose.part_clearances[part] = found.distance;
       if (!found.found() || found.distance >= least) continue;
       least = found.distance;
-      found.triangle_a = obstacles_.of(part)->triangleOfBlisk(found.triangle_a);
-      pose.clearance = PartClearance{part, blade_of_triangle_[found.triangle_a], found};
+      found.triangle_a = obstacles_.of(part)->triangleOfAll(found.triangle_a);
+      pose.clearance = PartClearance{part, obstacles_.bodyOfTriangle()[found.triangle_a], found};
     }
   }
 
  private:
   const Obstacles& obstacles_;
   std::span<const ToolPart> parts_;
-  std::span<const int> blade_of_triangle_;
   std::vector<std::optional<PathQuery>> queries_;  // of each part
 };
 
@@ -63,11 +61,10 @@ class ClearanceQuery {
 Motion moveBetween(const Pose& from, const Pose& to) { return Motion(from, to); }
 
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
-                       std::span<const int> blade_of_triangle, std::span<PoseReport> poses,
-                       const Pose* before, const Pose* after, int threads) {
+                       std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads) {
   const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
   parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
-    ClearanceQuery query(obstacles, parts, blade_of_triangle);
+    ClearanceQuery query(obstacles, parts);
     const std::size_t end = std::min(poses.size(), (group + 1) * kPosesAtOnce);
     for (std::size_t i = group * kPosesAtOnce; i < end; ++i) {
       const Pose& here = poses[i].tool_in_blisk;

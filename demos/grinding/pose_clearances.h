@@ -16,7 +16,6 @@ Motion moveBetween(const Pose& from, const Pose& to);
 /// threads; the answers do not depend on their number. The neighbours are the poses before the first and
 /// after the last, null where there are none.
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
-                       std::span<const int> blade_of_triangle, std::span<PoseReport> poses,
-                       const Pose* before, const Pose* after, int threads);
+                       std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads);
 
 }  // namespace octoblisk::demos

@@ -13,6 +13,7 @@
 
 #include "io/input_file.h"
 #include "io/quoted_text.h"
+#include "io/table_name.h"
 #include "models/length_limit.h"
 
 namespace octoblisk::demos {
@@ -80,15 +81,9 @@ class Item {
   std::string key_;
 };
 
-/// Names go to tables and messages as they are.
 std::string nameOfPart(const Item& item) {
   const std::string name = item.text();
-  const auto is_bad = [](char letter) {
-    return letter < ' ' || letter > '~' || letter == ',' || letter == '"';
-  };
-  if (name.empty() || std::ranges::any_of(name, is_bad)) {
-    item.refuse("a name must be of printable ASCII letters, without comma and double quote");
-  }
+  if (!isTableName(name)) item.refuse(kTableNameRule);
   if (name == kAny) item.refuse("this name means every part");
   return name;
 }

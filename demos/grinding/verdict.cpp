@@ -23,6 +23,7 @@ std::string nameOf(Verdict verdict) {
 }
 
 bool VerdictRules::allows(std::size_t part, int blade) const {
+  if (blade > blade_count) return false;
   if (part == grinding_part && blade == ground_blade && blade != 0) return true;
   return std::ranges::any_of(allowed, [&](const AllowedPair& pair) {
     return pair.part.value_or(part) == part && pair.blade.includes(blade, ground_blade);

@@ -33,6 +33,8 @@ struct VerdictRules {
   double near_miss = std::numeric_limits<double>::infinity();
   std::vector<PairMargin> margins = {};  ///< of some pairs; of several rows for a pair the last counts
 
+  int blade_count = std::numeric_limits<int>::max();  ///< what is beyond is a fixture: nothing may touch it
+
   bool allows(std::size_t part, int blade) const;
   double maxDepth(std::size_t part) const { return max_depths.empty() ? max_depth : max_depths[part]; }
   double margin(std::size_t part, int blade) const;

@@ -36,7 +36,7 @@ struct Release {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
   void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
-using Surface = std::unique_ptr<cairo_surface_t, Release>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, Release>;
 
 /// A canvas of Cairo's, in points: thin verbs over its calls.
 class Canvas {
@@ -93,7 +93,7 @@ class Canvas {
   }
 
  private:
-  Surface surface_;
+  CairoSurface surface_;
   std::unique_ptr<cairo_t, Release> context_;
 };
 

@@ -14,8 +14,9 @@ std::string stateText(const PoseState& state) {
   return state.grinds ? "grinds" : "free";
 }
 
-std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<const ToolPart> parts) {
-  return obstacle ? describe(*obstacle, parts) : std::string();
+std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<const ToolPart> parts,
+                         const BodyNames& names) {
+  return obstacle ? describe(*obstacle, parts, names) : std::string();
 }
 
 /// Of a working pose; else empty.
@@ -43,7 +44,7 @@ void addRuns(const std::vector<std::string>& texts, const std::string& one, cons
 
 }  // namespace
 
-void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
+void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, const BodyNames& names,
                   const std::filesystem::path& file) {
   std::ofstream stream(file);
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
@@ -52,20 +53,21 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
             "in_the_way_of_move_to_it,contact\n";
   for (std::size_t p = 0; p < repair.poses.size(); ++p) {
     const PoseRepair& pose = repair.poses[p];
-    stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts) << ','
-           << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
-           << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts) << ','
-           << obstacleText(pose.move, parts) << ',' << contactText(repair, p) << '\n';
+    stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts, names)
+           << ',' << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
+           << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts, names) << ','
+           << obstacleText(pose.move, parts, names) << ',' << contactText(repair, p) << '\n';
   }
   stream.close();
   if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts) {
+std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts,
+                                      const BodyNames& names) {
   std::vector<std::string> of_poses, of_moves, runs;
   for (const PoseRepair& pose : repair.poses) {
-    of_poses.push_back(obstacleText(pose.after.obstacle, parts));
-    of_moves.push_back(obstacleText(pose.move, parts));
+    of_poses.push_back(obstacleText(pose.after.obstacle, parts, names));
+    of_moves.push_back(obstacleText(pose.move, parts, names));
   }
   addRuns(of_poses, "pose", "poses", runs);
   addRuns(of_moves, "move to pose", "moves to poses", runs);

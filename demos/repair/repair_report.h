@@ -11,12 +11,13 @@
 namespace octoblisk::demos {
 
 /// changes.csv: a row for each pose. Throws std::runtime_error naming a file that can't be written.
-void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts,
+void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, const BodyNames& names,
                   const std::filesystem::path& file);
 
 /// "poses 3-5: arm on hub or shroud", "moves to poses 7-8: belt on blade 2": runs of poses, and of moves,
 /// left with the same in their way.
-std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts);
+std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts,
+                                      const BodyNames& names);
 
 /// "poses 3-5, pose 9": the working poses that lost their contact.
 std::string describeLost(const PathRepair& repair);

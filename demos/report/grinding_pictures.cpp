@@ -46,6 +46,14 @@ void addBlisk(const GrindingRun& run, Picture& picture) {
   }
 }
 
+void addFixtures(const GrindingRun& run, Picture& picture) {
+  constexpr Color kFixture{0.63f, 0.55f, 0.45f};
+  for (const Fixture& fixture : run.fixtures) {
+    picture.scene.addMesh(fixture.tree->mesh(), {}, kFixture);
+    picture.annotation.legend.push_back({kFixture, fixture.name});
+  }
+}
+
 void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
   for (const ToolPart& part : run.parts) {
     picture.scene.addMesh(part.tree->mesh(), pose.tool_in_blisk, colorOf(part.name));
@@ -141,16 +149,16 @@ Vec3 outwardOf(const GrindingRun& run, const PoseReport& pose) {
 }  // namespace
 
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
-  const auto named = [](int blade) {
-    return blade == 0 ? std::string("hub or shroud") : "blade " + std::to_string(blade);
-  };
+  const BodyNames names = run.names();
   const WorstTouch worst = worstTouch(pose).value();
   std::ostringstream text;
   text << run.parts[worst.part].name
-       << (worst.is_inside ? " wholly inside the blisk, or round it, near " : " on ") << named(worst.blade)
-       << ", " << std::fixed << std::setprecision(2) << std::abs(worst.depth) << " mm "
-       << (worst.depth < 0.0 ? "away" : "deep");
-  if (worst.deepest_blade != worst.blade) text << " on " << named(worst.deepest_blade);
+       << (!worst.is_inside               ? " on "
+           : names.isFixture(worst.blade) ? " wholly inside, or round, "
+                                          : " wholly inside the blisk, or round it, near ")
+       << names.nameOf(worst.blade) << ", " << std::fixed << std::setprecision(2) << std::abs(worst.depth)
+       << " mm " << (worst.depth < 0.0 ? "away" : "deep");
+  if (worst.deepest_blade != worst.blade) text << " on " << names.nameOf(worst.deepest_blade);
   return text.str();
 }
 
@@ -176,6 +184,7 @@ Picture overviewOf(const GrindingRun& run, std::size_t shown) {
   Picture overview;
   overview.annotation = {.title = title(run, shown), .subtitle = counts(run), .length_unit = "mm"};
   addBlisk(run, overview);
+  addFixtures(run, overview);
   addTool(run, pose, overview);
   addPath(run, overview);
   addContacts(pose, 11.0f, overview);
@@ -191,6 +200,7 @@ Picture closeupOf(const GrindingRun& run) {
   Picture closeup;
   closeup.annotation = {.title = title(run, shown), .subtitle = text, .length_unit = "mm"};
   addBlisk(run, closeup);
+  addFixtures(run, closeup);
   addTool(run, pose, closeup);
   if (const std::vector<Obb> boxes = boxesNear(*run.blisk, center); !boxes.empty()) {
     closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});

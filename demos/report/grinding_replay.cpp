@@ -5,7 +5,6 @@
 #include <limits>
 #include <sstream>
 
-#include "grinding/blade_side.h"
 #include "grinding/move_check.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_words.h"
@@ -39,7 +38,7 @@ std::optional<ReplayNearest> worstOf(const GrindingRun& run, const PoseReport& p
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
   if (!worst) return std::nullopt;
   return ReplayNearest{worst->part, worst->blade, worst->depth,
-                       sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade)};
+                       run.sideOf(worst->triangle_of_blisk, worst->blade)};
 }
 
 ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
@@ -64,8 +63,7 @@ void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFindin
   if (pose.move && pose.move->outcome != MoveReport::Outcome::free) {
     const PartClearance& at = pose.move->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
-                        at.part, at.blade,
-                        sideOf(run.blisk->mesh(), run.mesh_in_blisk, at.clearance.triangle_a, at.blade),
+                        at.part, at.blade, run.sideOf(at.clearance.triangle_a, at.blade),
                         0.0 - at.clearance.distance, p});
   }
   if (pose.verdict < Verdict::near_miss) return;
@@ -255,6 +253,7 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.blade_of_triangle = run.blade_of_triangle;
   replay.blade_count = run.blade_count;
   replay.ground_blade = run.rules.ground_blade;
+  replay.fixtures = run.fixtures;
   replay.parts = run.parts;
   replay.charts = {clearanceChart(run)};
   replay.tracks.push_back(grindingTrack(run, "path"));

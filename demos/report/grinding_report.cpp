@@ -63,8 +63,8 @@ void writeTouch(const GrindingRun& run, const PoseReport& pose, std::ostream& st
     stream << ",,,,,,,,,,";
     return;
   }
-  stream << run.parts[worst->part].name << ',' << worst->blade << ',' << worst->depth << ','
-         << sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade);
+  stream << run.parts[worst->part].name << ',' << run.names().cellOf(worst->blade) << ',' << worst->depth
+         << ',' << run.sideOf(worst->triangle_of_blisk, worst->blade);
   for (const double value : worst->point_on_blisk) stream << ',' << value;
   for (const double value : worst->normal) {
     stream << ',';
@@ -75,8 +75,8 @@ void writeTouch(const GrindingRun& run, const PoseReport& pose, std::ostream& st
 
 void writeClearance(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
   if (const auto& nearest = pose.clearance) {
-    stream << nearest->clearance.distance << ',' << run.parts[nearest->part].name << ',' << nearest->blade
-           << ',';
+    stream << nearest->clearance.distance << ',' << run.parts[nearest->part].name << ','
+           << run.names().cellOf(nearest->blade) << ',';
   } else {
     stream << ",,,";
   }
@@ -91,15 +91,14 @@ void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   if (pose.move->outcome == MoveReport::Outcome::free) {
     stream << ",,";
   } else {
-    stream << run.parts[pose.move->at.part].name << ',' << pose.move->at.blade << ',';
+    stream << run.parts[pose.move->at.part].name << ',' << run.names().cellOf(pose.move->at.blade) << ',';
   }
 }
 
 /// The blade's side by its shape, where that is known, and the channel that it bounds.
 void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
-  const std::string side =
-      worst ? sideOf(run.blisk->mesh(), run.mesh_in_blisk, worst->triangle_of_blisk, worst->blade) : "";
+  const std::string side = worst ? run.sideOf(worst->triangle_of_blisk, worst->blade) : "";
   if (!side.empty() && run.convex_side) {
     stream << ((side == "forward") == (*run.convex_side == BladeSide::forward) ? "convex" : "concave");
   }
@@ -172,12 +171,13 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
             "blisk_x_mm,blisk_y_mm,blisk_z_mm,part_x_mm,part_y_mm,part_z_mm,"
             "normal_x,normal_y,normal_z,depth_mm,velocity_x_m_s,velocity_y_m_s,velocity_z_m_s\n";
   const auto loops = loopsOf(run);
+  const BodyNames names = run.names();
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
       const auto& [part, contact] = pose.contacts[c];
-      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ',' << pose.blades[c]
-             << ',' << contact.triangle_a << ',' << contact.triangle_b;
+      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ','
+             << names.cellOf(pose.blades[c]) << ',' << contact.triangle_a << ',' << contact.triangle_b;
       for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
         stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
       }
@@ -286,11 +286,14 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
              {"depth_proved", run.depthsProved()},
              {"depth_on_moves_at_most_mm", run.depthBound()}};
   }
+  auto obstacles = nlohmann::ordered_json::array();
+  for (const Fixture& fixture : run.fixtures) obstacles.push_back(fixture.name);
   const nlohmann::ordered_json summary = {
       {"partial", run.isPartial()},
       {"poses_of_path", run.path_poses},
       {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.blade_count}}},
       {"tool", run.tool_name},
+      {"obstacles", obstacles},
       {"path", run.path_name},
       {"parts", parts},
       {"limits",

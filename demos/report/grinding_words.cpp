@@ -25,9 +25,6 @@ std::string listOf(const std::vector<PoseRange>& ranges) {
   return text.str();
 }
 
-/// "blade 3", "hub or shroud".
-std::string nameOfBlade(int blade) { return blade == 0 ? "hub or shroud" : "blade " + std::to_string(blade); }
-
 void tellMoves(const GrindingRun& run, std::ostream& text) {
   using Outcome = MoveReport::Outcome;
   const std::size_t hits = run.count(Outcome::hit), deep = run.count(Outcome::too_deep),
@@ -42,7 +39,7 @@ void tellMoves(const GrindingRun& run, std::ostream& text) {
   const auto first = std::ranges::find_if(
       run.poses, [](const PoseReport& pose) { return pose.move && pose.move->outcome != Outcome::free; });
   text << "First: after " << first->move->fraction << " of the move to pose " << first - run.poses.begin()
-       << ", " << run.parts[first->move->at.part].name << " on " << nameOfBlade(first->move->at.blade)
+       << ", " << run.parts[first->move->at.part].name << " on " << run.names().nameOf(first->move->at.blade)
        << '\n';
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grinding/fixture.h"
 #include "grinding/grinding_cell.h"
 #include "render/document.h"
 
@@ -26,7 +27,7 @@ struct ReplayVerdict {
 struct ReplayContact {
   std::size_t verdict = 0;
   std::size_t part = 0;
-  int blade = 0;  ///< 0: hub or shroud
+  int blade = 0;  ///< 0: hub or shroud; beyond the blades: a fixture
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, from the part into the blisk
   double depth = 0.0;          ///< mm; a clearance is negative
@@ -113,6 +114,7 @@ struct Replay {
   std::shared_ptr<const ClusteredOctree> blisk{};
   std::vector<int> blade_of_triangle{};
   int blade_count = 0, ground_blade = 0;
+  std::vector<Fixture> fixtures{};
   std::vector<ToolPart> parts{};
   std::optional<ReplaySide> side{};
   std::vector<ReplayChart> charts{};

@@ -191,6 +191,8 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
     notes.push_back("The picture leaves out " + withThousands(left_out) +
                     " contacts, the least deep of each pose; contacts.csv has all.");
   }
+  PageJson obstacles = PageJson::array();
+  for (const Fixture& fixture : replay.fixtures) obstacles.push_back(fixture.name);
   PageJson run = {{"format", 1},
                   {"command", replay.command},
                   {"title", replay.title},
@@ -205,6 +207,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
                   {"counts", counts},
                   {"blade_count", replay.blade_count},
                   {"ground_blade", replay.ground_blade},
+                  {"obstacles", obstacles},
                   {"start", {{"track", replay.start_track}, {"at", replay.start_at}}},
                   {"everywhere", replay.contacts_of_all_poses},
                   {"charts", charts},

@@ -149,8 +149,12 @@ std::size_t addBliskNode(GltfFile& file, const Replay& replay, const DisplayMesh
                              addMaterial(file, "blades, odd", "#94a6ba")};
   std::size_t ground = hub;
   if (replay.ground_blade != 0) ground = addMaterial(file, "ground blade", "#e3a9c4");
+  std::size_t fixture = hub;
+  if (!replay.fixtures.empty()) fixture = addMaterial(file, "obstacles", "#a08c72");
+  const BodyNames names(replay.blade_count, replay.fixtures);
   const std::size_t mesh = addDisplayMesh(file, "blisk", drawn, [&](int blade) {
     if (blade == 0) return hub;
+    if (names.isFixture(blade)) return fixture;
     return blade == replay.ground_blade ? ground : blades[static_cast<std::size_t>(blade % 2)];
   });
   GltfJson node = {{"name", "blisk"}, {"mesh", mesh}};

@@ -22,7 +22,7 @@
 namespace octoblisk::demos {
 namespace {
 
-using Outcome = MoveReport::Outcome;
+using MoveOutcome = MoveReport::Outcome;
 
 /// One part against a mesh that is blade `blade`; no blade is ground.
 GrindingJob jobOf(const TriangleMesh& blisk, int blade, const TriangleMesh& part, std::vector<Pose> path) {
@@ -45,11 +45,11 @@ TEST(GrindingRun, aMoveThroughAThinWallHitsItWhereItStands) {
   ASSERT_EQ(run.poses.size(), 4u);
   EXPECT_EQ(run.count(Verdict::clear), 4u);
   EXPECT_FALSE(run.poses[0].move.has_value());
-  EXPECT_EQ(run.poses[1].move->outcome, Outcome::free);
+  EXPECT_EQ(run.poses[1].move->outcome, MoveOutcome::free);
   EXPECT_EQ(run.poses[1].move->fraction, 1.0);
-  EXPECT_EQ(run.poses[3].move->outcome, Outcome::free);
+  EXPECT_EQ(run.poses[3].move->outcome, MoveOutcome::free);
   const MoveReport& hit = *run.poses[2].move;
-  EXPECT_EQ(hit.outcome, Outcome::hit);
+  EXPECT_EQ(hit.outcome, MoveOutcome::hit);
   const double touches_at = (-kWall - kPart - kFrom) / (kTo - kFrom);
   EXPECT_LE(hit.fraction, touches_at);
   EXPECT_GE(hit.fraction, touches_at - 1.2 * kMoveTolerance / (kTo - kFrom));
@@ -72,7 +72,7 @@ TEST(GrindingRun, aTurnHitsWhereTheBarMeetsThePostsCorner) {
   // The corner (half, far - half) is as far from the bar's axis as the bar is thick.
   const double x = kHalf, y = kFar - kHalf;
   const double angle = std::acos(kHalf / std::hypot(x, y)) - std::atan2(x, y);
-  ASSERT_EQ(run.poses[1].move->outcome, Outcome::hit);
+  ASSERT_EQ(run.poses[1].move->outcome, MoveOutcome::hit);
   EXPECT_NEAR(run.poses[1].move->fraction, angle / turn, 1e-3);
   EXPECT_LE(run.poses[1].move->fraction, angle / turn);
 }
@@ -81,7 +81,7 @@ TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
   GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-3, 0, 0), at(3, 0, 0)});
   job.rules.ground_blade = 1;
   const GrindingRun run = runGrinding(job);
-  EXPECT_EQ(run.poses[1].move->outcome, Outcome::too_deep);
+  EXPECT_EQ(run.poses[1].move->outcome, MoveOutcome::too_deep);
   EXPECT_GT(run.poses[1].move->fraction, 0.25);
   EXPECT_LT(run.poses[1].move->fraction, 0.75);
   EXPECT_TRUE(run.interferes());
@@ -119,7 +119,7 @@ TEST(GrindingRun, aMoveThatIsNotProvedFreeCountsAsInterference) {
   run.poses.resize(2);
   run.poses[1].move = MoveReport{};
   EXPECT_FALSE(run.interferes());
-  run.poses[1].move->outcome = Outcome::not_proved;
+  run.poses[1].move->outcome = MoveOutcome::not_proved;
   EXPECT_TRUE(run.interferes());
 }
 
@@ -131,7 +131,7 @@ TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
   const GrindingRun run = runGrinding(job);
   EXPECT_EQ(run.count(Verdict::intended_contact), 2u);
   const MoveReport& move = *run.poses[1].move;
-  EXPECT_EQ(move.outcome, Outcome::free);
+  EXPECT_EQ(move.outcome, MoveOutcome::free);
   EXPECT_GE(move.depth_bound, kDepth - 1e-3);
   EXPECT_LE(move.depth_bound, kDepth + 0.5 * kDepthStep + 1e-3);
   EXPECT_FALSE(run.interferes());
@@ -171,7 +171,7 @@ TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
     ASSERT_EQ(one.move->outcome, other.move->outcome);
     ASSERT_EQ(one.move->fraction, other.move->fraction);
     ASSERT_EQ(one.move->depth_bound, other.move->depth_bound);
-    hit += one.move->outcome == Outcome::hit;
+    hit += one.move->outcome == MoveOutcome::hit;
   }
   EXPECT_GT(hit, 10u);
 }
@@ -217,8 +217,8 @@ TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
                             run.poses[i].clearance->clearance.distance == 0.0;
     const MoveReport& move = *run.poses[i].move;
     if (ends_touch) continue;
-    (move.outcome == Outcome::free ? free : hit) += 1;
-    ASSERT_NE(move.outcome == Outcome::free && touchesSomewhere(1.0), true) << "pose " << i;
+    (move.outcome == MoveOutcome::free ? free : hit) += 1;
+    ASSERT_NE(move.outcome == MoveOutcome::free && touchesSomewhere(1.0), true) << "pose " << i;
     ASSERT_FALSE(touchesSomewhere(move.fraction)) << "pose " << i;
   }
   EXPECT_GT(hit, (hit + free) * 3 / 10);

@@ -55,7 +55,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   EXPECT_EQ(repair.posesLeft() + repair.movesLeft(), 0u);
   EXPECT_GT(repair.changed(), 9u) << "a way up and down";
   EXPECT_LT(repair.changed(), 29u) << "no more than needs be";
-  EXPECT_TRUE(describeLeft(repair, judge_->parts()).empty());
+  EXPECT_TRUE(describeLeft(repair, judge_->parts(), BodyNames(1)).empty());
   for (std::size_t p = 0; p < path.size(); ++p) {
     EXPECT_TRUE(testing::bruteForcePairs(solid, bit_, repair.path[p]).empty()) << "pose " << p;
     const bool touched = !testing::bruteForcePairs(solid, bit_, path[p]).empty();
@@ -97,7 +97,7 @@ TEST_F(PathRepairOver, whatCannotBeRepairedIsLeftAndNamed) {
   const PathRepair repair = repaired(solid, path, limits);
   EXPECT_FALSE(repair.isFree());
   EXPECT_EQ(repair.posesLeft(), 1u);
-  const auto left = describeLeft(repair, judge_->parts());
+  const auto left = describeLeft(repair, judge_->parts(), BodyNames(1));
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0], "pose 1: bit wholly inside");
   EXPECT_EQ(repair.poses[1].asked, ChangeGrid(limits).size()) << "all was tried";
@@ -111,7 +111,7 @@ TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   EXPECT_EQ(repair.posesLeft(), 0u);
   EXPECT_EQ(repair.movesLeft(), 1u);
   EXPECT_FALSE(repair.isFree());
-  const auto left = describeLeft(repair, judge_->parts());
+  const auto left = describeLeft(repair, judge_->parts(), BodyNames(1));
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0], "move to pose 1: bit on hub or shroud");
 }

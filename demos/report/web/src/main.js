@@ -1,7 +1,7 @@
 // Puts the page together: header, replay, chart, table, facts.
 import { Chart } from "./chart.js";
 import { Player } from "./player.js";
-import { readRun, sentenceOf } from "./run.js";
+import { bladeText, readRun, sentenceOf } from "./run.js";
 import { kBladeColors, ReplayScene } from "./scene.js";
 import { kSigns, signSpan } from "./signs.js";
 import { FindingsTable } from "./table.js";
@@ -77,6 +77,7 @@ function fillLegend() {
   };
   if (run.ground_blade > 0) add(kBladeColors.ground, `ground blade ${run.ground_blade}`);
   add(`linear-gradient(90deg, ${kBladeColors.blades[0]} 50%, ${kBladeColors.blades[1]} 50%)`, run.ground_blade > 0 ? "other blades, hub" : run.blade_count ? "blades, hub" : "blisk");
+  if (run.obstacles.length > 0) add(kBladeColors.obstacle, run.obstacles.join(", "));
   const byColor = new Map();
   for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
   for (const [color, names] of byColor) add(color, names.join(", "));
@@ -173,7 +174,7 @@ function tellStatus() {
   const text = document.createElement("span");
   const where = `${run.step.one[0].toUpperCase()}${run.step.one.slice(1)} ${index}`;
   if (finding) {
-    const part = finding[2] < 0 ? "" : `: ${run.parts[finding[2]].name} on ${finding[3] === 0 ? "hub or shroud" : `blade ${finding[3]}`}`;
+    const part = finding[2] < 0 ? "" : `: ${run.parts[finding[2]].name} on ${bladeText(run, finding[3])}`;
     text.textContent = `Between ${run.step.many} ${Math.floor(at)} and ${Math.floor(at) + 1}, after ${(100 * (at - Math.floor(at))).toFixed(0)} % of the way: ${verdict.name}${part}`;
   } else {
     text.textContent = `${where} of 0–${last}: ${sentenceOf(run, track, index)}`;

@@ -87,7 +87,13 @@ export function readRun() {
 const kNone = 255;
 const kSides = ["", "forward", "backward"];
 
-export const bladeText = (blade) => (blade === 0 ? "hub or shroud" : `blade ${blade}`);
+/** Beyond the blades are obstacles. */
+export const isObstacle = (run, blade) => run.obstacles.length > 0 && blade > run.blade_count;
+
+export const bladeText = (run, blade) => {
+  if (isObstacle(run, blade)) return run.obstacles[blade - run.blade_count - 1];
+  return blade === 0 ? "hub or shroud" : `blade ${blade}`;
+};
 
 export const millimetres = (value) => {
   if (value === 0) return "0";
@@ -103,11 +109,11 @@ export function sentenceOf(run, track, index) {
   const pieces = [];
   if (part[index] !== kNone && depth[index] >= 0) {
     const where = kSides[side[index]] ? `, ${kSides[side[index]]} side` : "";
-    pieces.push(`${run.parts[part[index]].name} on ${bladeText(blade[index])}${where}, ${millimetres(depth[index])} mm deep`);
+    pieces.push(`${run.parts[part[index]].name} on ${bladeText(run, blade[index])}${where}, ${millimetres(depth[index])} mm deep`);
   }
   if (clearancePart[index] !== kNone && clearance[index] > 0) {
     pieces.push(`clearance from the rest ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
-      + `from ${bladeText(clearanceBlade[index])}`);
+      + `from ${bladeText(run, clearanceBlade[index])}`);
   }
   const changes = track.series.filter((series) => series.told && series.values[index] !== 0)
     .map((series) => `${series.name} ${Number(series.values[index].toFixed(3))} ${series.unit}`);

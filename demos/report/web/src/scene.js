@@ -8,12 +8,13 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Boxes } from "./boxes.js";
 import { drawSign, kColors } from "./signs.js";
 import { geometryOf } from "./surface.js";
+import { bladeText, isObstacle } from "./run.js";
 
-const kHub = "#aeb7c2", kBlades = ["#c3ccd6", "#94a6ba"], kGround = "#e3a9c4", kHit = "#c9370c";
+const kHub = "#aeb7c2", kBlades = ["#c3ccd6", "#94a6ba"], kGround = "#e3a9c4", kObstacle = "#a08c72", kHit = "#c9370c";
 const kNormal = 8; // mm
 
 /** The colours of the picture's legend. */
-export const kBladeColors = { hub: kHub, blades: kBlades, ground: kGround };
+export const kBladeColors = { hub: kHub, blades: kBlades, ground: kGround, obstacle: kObstacle };
 
 function signTexture(tone) {
   const canvas = document.createElement("canvas");
@@ -100,7 +101,8 @@ export class ReplayScene {
     const materials = [];
     this.numbers = new Group();
     for (const [blade, first, count] of blisk.groups) {
-      const color = blade === 0 ? kHub : blade === ground ? kGround : kBlades[blade % 2];
+      const fixed = isObstacle(this.run, blade);
+      const color = fixed ? kObstacle : blade === 0 ? kHub : blade === ground ? kGround : kBlades[blade % 2];
       const material = new MeshStandardMaterial({ color, roughness: 0.55, metalness: 0.15, side: DoubleSide });
       geometry.addGroup(3 * first, 3 * count, materials.length);
       materials.push(material);
@@ -113,7 +115,8 @@ export class ReplayScene {
         const radius = Math.hypot(vertices[3 * triangles[i]], vertices[3 * triangles[i] + 1]);
         if (radius > farthest) { farthest = radius; tip = triangles[i]; }
       }
-      const sprite = label(blade === ground ? `${blade} ground` : String(blade), blade === ground);
+      const name = fixed ? bladeText(this.run, blade) : blade === ground ? `${blade} ground` : String(blade);
+      const sprite = label(name, blade === ground);
       sprite.position.set(vertices[3 * tip] * 1.05, vertices[3 * tip + 1] * 1.05, vertices[3 * tip + 2]);
       this.numbers.add(sprite);
     }

@@ -13,7 +13,7 @@ export class FindingsTable {
     this.page = 0;
     this.sort = { column: 0, descending: false };
     this.wanted = { verdict: "", part: "", blade: "" };
-    const bladeOf = ([, , , blade]) => (blade < 0 ? "–" : bladeText(blade));
+    const bladeOf = ([, , , blade]) => (blade < 0 ? "–" : bladeText(run, blade));
     this.columns = [
       { name: run.findings.where, key: (row) => row[0], text: (row) => this.whereOf(row), button: true },
       { name: "Verdict", key: (row) => row[1], text: (row) => run.verdicts[row[1]].name, sign: true },
@@ -65,7 +65,7 @@ export class FindingsTable {
     const filters = [
       ["verdict", "Verdict", (row) => this.run.verdicts[row[1]].name, (row) => row[1]],
       ["part", "Part", (row) => this.partOf(row), (row) => row[2]],
-      ["blade", "Blade", (row) => (row[3] < 0 ? "–" : bladeText(row[3])), (row) => row[3]],
+      ["blade", "Blade", (row) => (row[3] < 0 ? "–" : bladeText(this.run, row[3])), (row) => row[3]],
     ];
     this.filters = filters;
     document.getElementById("filters").replaceChildren(...filters.map(([name, title, text, key]) => {

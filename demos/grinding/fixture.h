@@ -1,0 +1,48 @@
+// Bodies beside the blisk that the tool must not touch: a clamp, the table, another part.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "octoblisk/clustered_octree.h"
+
+namespace octoblisk::demos {
+
+/// Its mesh is in the blisk's frame, mm, and does not move in it.
+struct Fixture {
+  std::string name;
+  std::shared_ptr<const ClusteredOctree> tree;
+};
+
+/// What the numbers of bodies stand for: 0 hub or shroud, then the blades from 1, then the fixtures.
+class BodyNames {
+ public:
+  explicit BodyNames(int blade_count, std::span<const Fixture> fixtures = {});
+
+  /// "hub or shroud", "blade 3", or the fixture's name.
+  std::string nameOf(int body) const;
+  /// For a column of a table: "0", "3", or the fixture's name.
+  std::string cellOf(int body) const;
+  bool isFixture(int body) const { return body > blade_count_; }
+
+ private:
+  int blade_count_;
+  std::vector<std::string> fixtures_;
+};
+
+/// The blisk and the fixtures as one mesh: first the blisk's triangles in their order, then those of each
+/// fixture.
+struct Surroundings {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::vector<int> body_of_triangle;
+};
+
+/// The blisk's own mesh where there are no fixtures. `blade_of_triangle`: of the blisk's mesh. Throws
+/// std::invalid_argument where they have too many triangles together.
+Surroundings surroundingsOf(const std::shared_ptr<const TriangleMesh>& blisk,
+                            std::span<const int> blade_of_triangle, int blade_count,
+                            std::span<const Fixture> fixtures);
+
+}  // namespace octoblisk::demos
