@@ -42,7 +42,9 @@ class OursOnFloor {
 
 class OurPile final : public ConcavePileQuery {
  public:
-  explicit OurPile(const Scene&) { start(gallery::makeOurShape); }
+  explicit OurPile(const Scene&) {
+    start([](const std::shared_ptr<const TriangleMesh>& mesh) { return gallery::makeOurShape(mesh); });
+  }
 };
 
 const bool kRegistered =
