@@ -20,7 +20,6 @@
 #include "models/shared_tree.h"
 #include "study/node_inputs.h"
 #include "toolpath/grinding_path.h"
-#include "toolpath/path_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -229,14 +228,12 @@ std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& inp
   return path;
 }
 
-std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk) {
-  const PathFile path = readPathFile(file, blisk);
+PathFile readPath(const std::string& file, const ClusteredOctree& blisk) {
+  PathFile path = readPathFile(file, blisk);
   for (const ClSkipped& skipped : path.unknown) {
     warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is passed over");
   }
-  std::vector<Pose> poses;
-  for (const ToolMove& move : path.moves) poses.push_back(move.tool_in_blisk);
-  return poses;
+  return path;
 }
 
 std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,

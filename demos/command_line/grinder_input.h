@@ -14,6 +14,7 @@
 #include "models/blade_finder.h"
 #include "octoblisk/build_options.h"
 #include "study/ranks.h"
+#include "toolpath/path_file.h"
 
 namespace octoblisk::demos {
 
@@ -61,8 +62,8 @@ GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks);
 /// blades.
 std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input);
 
-/// Poses of the user's file, a table or a CL file; warns of words of it that are passed over.
-std::vector<Pose> readPath(const std::string& file, const ClusteredOctree& blisk);
+/// The user's file, a table or a CL file; warns of words of it that are passed over.
+PathFile readPath(const std::string& file, const ClusteredOctree& blisk);
 
 /// The blade asked for; else of a path of one's own the blade that the grinding part touches at the most of
 /// its poses, 0 where it touches none, nothing where the watch stopped it; else 1.

@@ -98,7 +98,8 @@ void prepareTask(const AccessRequest& request, AccessTask& task) {
   const GrinderInput& input = task.input;
   AccessQuestion& question = task.question;
   question.of_path = !files.path.empty();
-  const std::vector<Pose> path = question.of_path ? readPath(files.path, *input.blisk) : std::vector<Pose>{};
+  const std::vector<Pose> path =
+      question.of_path ? readPath(files.path, *input.blisk).poses() : std::vector<Pose>{};
   question.rules = reachRulesOf(files, input, groundBladeOf(files, input, path).value(), request.margin);
   const int blade = question.rules.ground_blade;
   if (question.of_path && blade == 0) {

@@ -97,13 +97,19 @@ GrindingRun runWatched(const GrindingJob& job) {
   return run;
 }
 
-void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, const std::vector<Pose>& path,
+void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, const PathFile& path,
               const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::error_code ignored;  // mostly there is no such file
   WholeFiles files;
   if (!std::filesystem::equivalent(request.files.path, out / "path.csv", ignored)) {
-    writePoses(files.add(out / "path.csv"), path);
+    const bool has_feeds =
+        std::ranges::any_of(path.moves, [](const ToolMove& move) { return move.feed > 0.0; });
+    if (has_feeds) {
+      writeMoves(files.add(out / "path.csv"), path.moves);
+    } else {
+      writePoses(files.add(out / "path.csv"), path.poses());
+    }
   }
   writePoseVerdicts(run, files.add(out / "poses.csv"));
   writeContacts(run, files.add(out / "contacts.csv"));
@@ -124,7 +130,14 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   files.finish();
 }
 
-GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
+PathFile pathOf(const GrinderFiles& files, const GrinderInput& input) {
+  if (!files.path.empty()) return readPath(files.path, *input.blisk);
+  PathFile path;
+  for (const Pose& pose : builtInPath(files, input)) path.moves.push_back({pose});
+  return path;
+}
+
+GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input, const PathFile& path) {
   const GrinderFiles& files = request.files;
   GrindingJob job;
   job.blisk = input.blisk;
@@ -143,7 +156,7 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input) {
     job.parts[job.rules.grinding_part].belt_speed = request.belt_speed;
   }
   if (request.spindle) job.spindle = request.spindle_options;
-  job.path = files.path.empty() ? builtInPath(files, input) : readPath(files.path, *input.blisk);
+  job.path = path.poses();
   job.continuous = request.continuous;
   job.threads = files.threads;
   return job;
@@ -154,7 +167,8 @@ int grind(const GrindRequest& request) {
   requireNotRead(files, {"poses.csv", "contacts.csv", "forces.csv", "summary.json", "report.html", "run.glb",
                          "contacts.vtk", "path.vtk"});
   const GrinderInput input = readGrinder(files);
-  const GrindingJob job = jobOf(request, input);
+  const PathFile path = pathOf(files, input);
+  const GrindingJob job = jobOf(request, input, path);
   makeFolder(files.out);
   warnOfInput(files, input);
   GrindingRun run = runWatched(job);
@@ -165,7 +179,7 @@ int grind(const GrindRequest& request) {
   run.convex_side = convexSideOf(request.convex, input);
   warnOfParts(files, run);
   const std::optional<Coverage> coverage = coverageOrWarning(run, files);
-  writeAll(run, coverage, job.path, request);
+  writeAll(run, coverage, path, request);
   tell(run, coverage, request);
   if (run.isPartial()) {
     throw TerminalWatch::stopped("stopped: " + files.out + " has the poses that were done, marked partial");

@@ -60,11 +60,20 @@ void tellContact(const PathRepair& repair) {
             << " working poses: " << describeLost(repair) << '\n';
 }
 
+/// What the repaired path's file is called: in a CL file's own format its extension stays.
+std::string nameOfPath(const GrinderFiles& files) {
+  const bool is_cl = !files.path.empty() && isClFile(files.path);
+  return "path" + (is_cl ? std::filesystem::path(files.path).extension().string() : std::string(".csv"));
+}
+
 /// Where the repaired path and the table of its changes are; those of an unfinished one are marked.
 struct RepairFiles {
-  RepairFiles(const std::filesystem::path& out, bool is_partial)
-      : path(out / (is_partial ? "path.csv.partial" : "path.csv")),
-        changes(out / (is_partial ? "changes.csv.partial" : "changes.csv")) {}
+  RepairFiles(const GrinderFiles& files, bool is_partial) {
+    const std::filesystem::path out = files.out;
+    const std::string partial = is_partial ? ".partial" : "";
+    path = out / (nameOfPath(files) + partial);
+    changes = out / ("changes.csv" + partial);
+  }
 
   std::filesystem::path path, changes;
 };
@@ -161,12 +170,14 @@ void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, con
 
 int repair(const RepairRequest& request) {
   const GrinderFiles& files = request.files;
-  requireNotRead(files, {"path.csv", "changes.csv", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
+  requireNotRead(files,
+                 {nameOfPath(files), "changes.csv", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
   requireBridged(request.limits);
   const ChangeGrid usable(request.limits);  // refuses what is no use before anything is read
   const bool own_path = !files.path.empty();
   const GrinderInput input = readGrinder(files);
-  const std::vector<Pose> path = own_path ? readPath(files.path, *input.blisk) : builtInPath(files, input);
+  const PathFile read = own_path ? readPath(files.path, *input.blisk) : PathFile();
+  const std::vector<Pose> path = own_path ? read.poses() : builtInPath(files, input);
   TerminalWatch terminal(path.size());
   const std::optional<int> blade = groundBladeOf(files, input, path, terminal.watch());
   if (!blade) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
@@ -179,9 +190,13 @@ int repair(const RepairRequest& request) {
   const PathRepair repaired = repairPath(judge, path, directionsOffSurface(judge, path), request.limits,
                                          request.keep_contact, terminal.watch());
   terminal.endTask();
-  const RepairFiles written(files.out, repaired.is_partial);
+  const RepairFiles written(files, repaired.is_partial);
   WholeFiles whole;
-  writePoses(whole.add(written.path), repaired.path);
+  if (own_path) {
+    writeChangedPath(read, files.path, *input.blisk, repaired.path, whole.add(written.path));
+  } else {
+    writePoses(whole.add(written.path), repaired.path);
+  }
   writeChanges(repaired, input.tool.parts, input.names(), whole.add(written.changes));
   const std::optional<Coverage> coverage = coverageOfPath(files, input, rules, repaired.path);
   if (coverage) {

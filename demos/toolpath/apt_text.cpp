@@ -67,7 +67,7 @@ bool AptText::next(AptStatement& statement) {
   bool goes_on = false;
   while (readLine(text)) {
     if (!goes_on) {
-      statement = {line_, wordBeforeFreeText(text), {}};
+      statement = {line_, line_, wordBeforeFreeText(text), {}};
       if (!statement.word.empty()) return true;
     }
     const std::size_t dollar = text.find('$');
@@ -81,6 +81,7 @@ bool AptText::next(AptStatement& statement) {
   }
   if (goes_on) fail(statement.line, "the statement goes on ($) beyond the end of the file");
   if (whole.empty()) return false;
+  statement.last_line = line_;
 
   const std::size_t slash = whole.find('/');
   statement.word = whole.substr(0, slash);

@@ -12,6 +12,7 @@ namespace octoblisk::demos {
 /// "GOTO/1,2,3": a word and what follows it.
 struct AptStatement {
   std::size_t line = 0;                ///< where it begins, counted from 1
+  std::size_t last_line = 0;           ///< where it ends
   std::string word;                    ///< in capitals, without blanks
   std::vector<std::string> arguments;  ///< in capitals, without blanks; of free text (PARTNO) none
 };

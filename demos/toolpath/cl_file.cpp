@@ -163,7 +163,8 @@ class ClReader {
     const bool is_start = statement.word == "FROM";
     const double feed = is_rapid_ || is_start ? 0.0 : feed_;
     if (!is_start) is_rapid_ = false;
-    result_.moves.push_back({position, tool_axis_, second_axis_, feed, statement.line});
+    result_.moves.push_back(
+        {position, tool_axis_, second_axis_, feed, statement.line, statement.last_line, unit_});
   }
 
   void setToolAxis(const AptStatement& statement) {

@@ -14,10 +14,11 @@ namespace octoblisk::demos {
 /// One motion statement. Lengths in mm, whatever the file's units.
 struct ClMove {
   Vec3 position = Vec3::Zero();
-  Vec3 tool_axis = Vec3::UnitZ();   ///< of length 1, from the tool's tip to where it is held
-  std::optional<Vec3> second_axis;  ///< of length 1, square to the tool axis: GOTO with nine numbers
-  double feed = 0.0;                ///< mm/min; 0: rapid, or not told
-  std::size_t line = 0;
+  Vec3 tool_axis = Vec3::UnitZ();       ///< of length 1, from the tool's tip to where it is held
+  std::optional<Vec3> second_axis;      ///< of length 1, square to the tool axis: GOTO with nine numbers
+  double feed = 0.0;                    ///< mm/min; 0: rapid, or not told
+  std::size_t line = 0, last_line = 0;  ///< of its statement
+  double unit = 1.0;                    ///< mm, of the lengths in it
 };
 
 /// A statement that has no meaning here, and where it is first met.

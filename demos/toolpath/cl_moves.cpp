@@ -74,6 +74,16 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& bli
   return moves;
 }
 
+void writeGoto(std::ostream& stream, const char* word, const Pose& tool_in_blisk, double unit) {
+  const auto write = [&](const char* before, const Vec3& v) {
+    stream << before << v.x() << ',' << v.y() << ',' << v.z();
+  };
+  stream << word;
+  write("/", tool_in_blisk.translation / unit);
+  write(", $\n     ", tool_in_blisk.rotation.col(0));
+  write(", $\n     ", tool_in_blisk.rotation.col(2));
+}
+
 void writeClFile(const std::filesystem::path& file, std::span<const ToolMove> moves) {
   std::ofstream stream(file);
   stream.precision(std::numeric_limits<double>::max_digits10);
@@ -88,13 +98,7 @@ void writeClFile(const std::filesystem::path& file, std::span<const ToolMove> mo
       feed = move.feed;
       stream << "FEDRAT/" << feed << ",MMPM\n";
     }
-    const Mat3& rotation = move.tool_in_blisk.rotation;
-    const auto write = [&](const char* before, const Vec3& v) {
-      stream << before << v.x() << ',' << v.y() << ',' << v.z();
-    };
-    write("GOTO/", move.tool_in_blisk.translation);
-    write(", $\n     ", rotation.col(0));
-    write(", $\n     ", rotation.col(2));
+    writeGoto(stream, "GOTO", move.tool_in_blisk, 1.0);
     stream << '\n';
   }
   stream << "FINI\n";

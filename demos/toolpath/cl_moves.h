@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,10 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file);
 /// pose's on the side of the move that comes nearest to the blisk, where z = x × n with n away from the
 /// surface. The belt grinder is the same either way round.
 std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& blisk);
+
+/// Writes the statement of a pose, without an end of line: `word` (GOTO or FROM) with nine numbers, lengths
+/// in units of `unit` mm.
+void writeGoto(std::ostream& stream, const char* word, const Pose& tool_in_blisk, double unit);
 
 /// Writes moves as GOTO with nine numbers, in mm, with FEDRAT in mm/min where the feed changes and RAPID
 /// where it is 0. readClFile and toolMovesOf give the moves back: positions and feeds bit by bit, rotations

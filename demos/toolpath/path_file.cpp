@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,7 +42,53 @@ bool beginsAsTable(const std::filesystem::path& file) {
   return true;  // an empty file: the table's complaint is the plainer one
 }
 
+/// Without their ends, but for a carriage return.
+std::vector<std::string> linesOf(const std::filesystem::path& file) {
+  std::ifstream stream = openForReading(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+constexpr double kSamePose = 1e-9;  // mm, and of a rotation's entries
+
+bool isSame(const Pose& a, const Pose& b, double within) {
+  return (a.rotation - b.rotation).cwiseAbs().maxCoeff() <= within &&
+         (a.translation - b.translation).cwiseAbs().maxCoeff() <= within;
+}
+
+/// "FROM" or "GOTO": what a changed statement is written as.
+const char* wordOf(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string::npos && std::toupper(static_cast<unsigned char>(line[first])) == 'F' ? "FROM"
+                                                                                                    : "GOTO";
+}
+
+std::string withoutReturn(std::string text) {
+  if (text.ends_with('\r')) text.pop_back();
+  return text;
+}
+
+/// " $$ ..." behind a statement, if there is any.
+std::string commentOf(const std::string& line) {
+  const std::size_t dollars = line.find("$$");
+  return dollars == std::string::npos ? std::string() : ' ' + withoutReturn(line.substr(dollars));
+}
+
+/// The rest of a table's row: ",feed", if there is any.
+std::string behindPose(const std::string& row) {
+  std::size_t comma = row.find(',');
+  for (int i = 1; i < 7 && comma != std::string::npos; ++i) comma = row.find(',', comma + 1);
+  return comma == std::string::npos ? std::string() : withoutReturn(row.substr(comma));
+}
+
 }  // namespace
+
+std::vector<Pose> PathFile::poses() const {
+  std::vector<Pose> found;
+  for (const ToolMove& move : moves) found.push_back(move.tool_in_blisk);
+  return found;
+}
 
 bool isClFile(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
@@ -50,9 +98,60 @@ bool isClFile(const std::filesystem::path& file) {
 }
 
 PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& blisk) {
-  if (!isClFile(file)) return {readMoves(file), {}};
+  PathFile path;
+  if (!isClFile(file)) {
+    for (const auto& [move, line] : readMoveRows(file)) {
+      path.moves.push_back(move);
+      path.lines.push_back({line, line});
+    }
+    return path;
+  }
   ClFile read = readClFile(file);
-  return {toolMovesOf(read, blisk), std::move(read.unknown)};
+  path.moves = toolMovesOf(read, blisk);
+  for (const ClMove& move : read.moves) path.lines.push_back({move.line, move.last_line, move.unit});
+  path.unknown = std::move(read.unknown);
+  return path;
+}
+
+void writeChangedPath(const PathFile& read, const std::filesystem::path& source, const ClusteredOctree& blisk,
+                      std::span<const Pose> poses, const std::filesystem::path& target) {
+  const bool is_cl = isClFile(source);
+  const std::vector<std::string> lines = linesOf(source);
+  std::vector<bool> is_changed;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    is_changed.push_back(!isSame(poses[i], read.moves[i].tool_in_blisk, 0.0));
+  }
+  for (bool is_settled = false; !is_settled;) {
+    std::ofstream stream(target, std::ios::binary);
+    stream.precision(std::numeric_limits<double>::max_digits10);
+    std::size_t next = 0;  // of the lines
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (!is_changed[i]) continue;
+      const auto& [first, last, unit] = read.lines[i];
+      for (; next < first - 1; ++next) stream << lines[next] << '\n';
+      const std::string& text = lines[last - 1];
+      if (is_cl) {
+        writeGoto(stream, wordOf(lines[first - 1]), poses[i], unit);
+        stream << commentOf(text);
+      } else {
+        writePose(stream, poses[i]);
+        stream << behindPose(text);
+      }
+      stream << (text.ends_with('\r') ? "\r\n" : "\n");
+      next = last;
+    }
+    for (; next < lines.size(); ++next) stream << lines[next] << '\n';
+    stream.close();
+    if (!stream) throw std::runtime_error(target.string() + ": cannot be written");
+    is_settled = true;
+    if (!is_cl) continue;
+    const std::vector<ToolMove> again = toolMovesOf(readClFile(target), blisk);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (is_changed[i] || isSame(poses[i], again[i].tool_in_blisk, kSamePose)) continue;
+      is_changed[i] = true;  // it hangs on one that was changed
+      is_settled = false;
+    }
+  }
 }
 
 }  // namespace octoblisk::demos

@@ -40,13 +40,6 @@ std::vector<CsvRow> readRows(const std::filesystem::path& file) {
   return rows;
 }
 
-void write(std::ostream& stream, const Pose& pose) {
-  const Vec3& t = pose.translation;
-  const Eigen::Quaterniond q = Quaternion(pose.rotation.cast<long double>()).normalized().cast<double>();
-  stream << t.x() << ',' << t.y() << ',' << t.z() << ',' << q.w() << ',' << q.x() << ',' << q.y() << ','
-         << q.z();
-}
-
 std::ofstream openForWriting(const std::filesystem::path& file) {
   std::ofstream stream(file);
   stream.precision(std::numeric_limits<double>::max_digits10);
@@ -60,19 +53,32 @@ void closeWritten(std::ofstream& stream, const std::filesystem::path& file) {
 
 }  // namespace
 
+void writePose(std::ostream& stream, const Pose& pose) {
+  const Vec3& t = pose.translation;
+  const Eigen::Quaterniond q = Quaternion(pose.rotation.cast<long double>()).normalized().cast<double>();
+  stream << t.x() << ',' << t.y() << ',' << t.z() << ',' << q.w() << ',' << q.x() << ',' << q.y() << ','
+         << q.z();
+}
+
 std::vector<Pose> readPoses(const std::filesystem::path& file) {
   std::vector<Pose> poses;
   for (const CsvRow& row : readRows(file)) poses.push_back(poseOf(row, file));
   return poses;
 }
 
-std::vector<ToolMove> readMoves(const std::filesystem::path& file) {
-  std::vector<ToolMove> moves;
+std::vector<MoveRow> readMoveRows(const std::filesystem::path& file) {
+  std::vector<MoveRow> moves;
   for (const CsvRow& row : readRows(file)) {
     const double feed = row.values.size() > 7 ? row.values[7] : 0.0;
     if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed is below 0"));
-    moves.push_back({poseOf(row, file), feed});
+    moves.push_back({{poseOf(row, file), feed}, row.line});
   }
+  return moves;
+}
+
+std::vector<ToolMove> readMoves(const std::filesystem::path& file) {
+  std::vector<ToolMove> moves;
+  for (const MoveRow& row : readMoveRows(file)) moves.push_back(row.move);
   return moves;
 }
 
@@ -80,7 +86,7 @@ void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) 
   std::ofstream stream = openForWriting(file);
   stream << kHeader << '\n';
   for (const Pose& pose : poses) {
-    write(stream, pose);
+    writePose(stream, pose);
     stream << '\n';
   }
   closeWritten(stream, file);
@@ -90,7 +96,7 @@ void writeMoves(const std::filesystem::path& file, std::span<const ToolMove> mov
   std::ofstream stream = openForWriting(file);
   stream << kHeaderWithFeed << '\n';
   for (const ToolMove& move : moves) {
-    write(stream, move.tool_in_blisk);
+    writePose(stream, move.tool_in_blisk);
     stream << ',' << move.feed << '\n';
   }
   closeWritten(stream, file);

@@ -1,7 +1,9 @@
 // Toolpaths as CSV files: one rigid pose a line.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <ostream>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,18 @@ std::vector<Pose> readPoses(const std::filesystem::path& file);
 /// The same with the feeds (mm/min; 0: rapid): a last column "feed"; without it they are 0.
 /// Throws as readPoses, and for a feed below 0.
 std::vector<ToolMove> readMoves(const std::filesystem::path& file);
+
+/// A move and the line that it stands in, counted from 1.
+struct MoveRow {
+  ToolMove move;
+  std::size_t line = 0;
+};
+
+/// The same with their lines.
+std::vector<MoveRow> readMoveRows(const std::filesystem::path& file);
+
+/// Writes "x,y,z,qw,qx,qy,qz" of a pose.
+void writePose(std::ostream& stream, const Pose& pose);
 
 /// Writes moves as readMoves reads them, with their feeds; as writePoses otherwise.
 void writeMoves(const std::filesystem::path& file, std::span<const ToolMove> moves);
