@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -78,6 +79,36 @@ std::string inWords(const AccessSummary& summary, const AccessQuestion& question
   for (const auto& [what, times] : summary.in_the_way) {
     text << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
   }
+  return text.str();
+}
+
+std::string reachInWords(std::span<const AccessRow> rows) {
+  double all = 0.0, free = 0.0;
+  double lowest_free = std::numeric_limits<double>::infinity(), highest_free = -lowest_free;
+  double highest_below = -lowest_free, lowest_above = lowest_free;
+  const bool has_areas =
+      std::ranges::all_of(rows, [](const AccessRow& row) { return row.half_width * row.half_height > 0.0; });
+  for (const AccessRow& row : rows) {
+    const double area = has_areas ? row.half_width * row.half_height : 1.0;
+    all += area;
+    if (row.widest < 0.0) continue;
+    free += area;
+    lowest_free = std::min(lowest_free, row.height);
+    highest_free = std::max(highest_free, row.height);
+  }
+  for (const AccessRow& row : rows) {
+    if (row.height < lowest_free) highest_below = std::max(highest_below, row.height);
+    if (row.height > highest_free) lowest_above = std::min(lowest_above, row.height);
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "Can be ground: " << std::round(100.0 * free / std::max(all, 1e-300)) << " % of the "
+       << (has_areas ? "area round the points" : "points");
+  if (free == 0.0) return text.str();
+  if (std::isfinite(highest_below))
+    text << "; of those up to " << highest_below << " mm above the root, none";
+  if (std::isfinite(lowest_above))
+    text << "; of those from " << lowest_above << " mm above the root on, none";
   return text.str();
 }
 

@@ -32,4 +32,8 @@ AccessSummary accessSummaryOfTally(const std::string& tally);
 /// Lines with their ends.
 std::string inWords(const AccessSummary& summary, const AccessQuestion& question);
 
+/// "Can be ground: 67 % of the area round the points; of those up to 12.5 mm above the root, none". The
+/// points of a path, which have no area, count alike.
+std::string reachInWords(std::span<const AccessRow> rows);
+
 }  // namespace octoblisk::demos

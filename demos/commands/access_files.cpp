@@ -17,6 +17,7 @@ void finishAccess(const std::filesystem::path& points, const AccessQuestion& que
   writeRanges(rows, files.add(out / "ranges.csv"));
   if (picture) writePng(accessPicture(rows, question), files.add(out / "map.png").string());
   files.finish();
+  std::cout << reachInWords(rows) << '\n';
   std::cout << "Tables: " << points.string() << ", " << (out / "ranges.csv").string() << '\n';
   if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
 }

@@ -25,7 +25,9 @@ class BodyNames {
   std::string nameOf(int body) const;
   /// For a column of a table: "0", "3", or the fixture's name.
   std::string cellOf(int body) const;
-  bool isFixture(int body) const { return body > blade_count_; }
+  bool isFixture(int body) const {
+    return body > blade_count_ && body <= blade_count_ + static_cast<int>(fixtures_.size());
+  }
 
  private:
   int blade_count_;

@@ -34,6 +34,16 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
   EXPECT_GT(std::filesystem::file_size(file("map/map.png")), 1'000u);
   const auto points = readTable(file("map/points.csv"));
   ASSERT_EQ(points.size(), 6u);
+  double area = 0.0, free_area = 0.0;
+  for (const auto& row : points) {
+    const double of_cell = std::stod(row.at("half_width_mm")) * std::stod(row.at("half_height_mm"));
+    area += of_cell;
+    if (std::stod(row.at("free_fraction")) > 0.0) free_area += of_cell;
+  }
+  EXPECT_GT(free_area, 0.0);
+  EXPECT_THAT(outcome.out,
+              HasSubstr("Can be ground: " + std::to_string(std::lround(100.0 * free_area / area)) +
+                        " % of the area"));
 
   SiteGridOptions options;
   options.forward_side = true;
