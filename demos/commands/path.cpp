@@ -90,7 +90,8 @@ int makePath(PathRequest request) {
   std::cout << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
             << (passes == 1 ? " pass " : " passes ") << (is_edge ? "round the leading edge" : "on the ")
             << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
-            << found.blades.count << ", at most " << options.step_over << " mm apart\n";
+            << found.blades.count << ", at most " << options.step_over << " mm apart, from "
+            << options.height_from << " to " << options.height_to << " of its height\n";
   return 0;
 }
 
