@@ -94,7 +94,7 @@ class DepthQuery {
   void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
   GougeDepth searched();
   PointLocation located(const Vec3& point) const;
-  PointLocation located(Corner& corner) const;
+  PointLocation located(Corner& corner);
   bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }
   void findCrossings();
   bool findCopy();

@@ -200,9 +200,13 @@ PointLocation DepthQuery::located(const Vec3& point) const {
   return boundary_ ? boundary_->locate(point) : locate(*a_, point);
 }
 
-PointLocation DepthQuery::located(Corner& corner) const {
+PointLocation DepthQuery::located(Corner& corner) {
   if (!boundary_) return locate(*a_, corner.point);
-  if (!corner.is_exact) findNearest(corner);
+  if (!corner.is_exact) {
+    considerNear(corner, last_nearest_);
+    findNearest(corner);
+    last_nearest_ = corner.nearest;
+  }
   return boundary_->locate(corner.point, {corner.foot, corner.distance, corner.nearest});
 }
 
