@@ -11,6 +11,7 @@
 #include "io/csv_table.h"
 #include "io/exact_number.h"
 #include "io/input_file.h"
+#include "io/new_file.h"
 #include "io/quoted_text.h"
 
 namespace octoblisk::demos {
@@ -163,13 +164,12 @@ std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
 }
 
 void writeRanges(std::span<const AccessRow> rows, const std::filesystem::path& file) {
-  std::ofstream stream(file);
+  std::ostringstream stream;
   stream << "point,lead_deg,tilt_from_deg,tilt_to_deg\n";
   for (std::size_t point = 0; point < rows.size(); ++point) {
     for (const std::string& range : rows[point].ranges) stream << point << ',' << range << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 }  // namespace octoblisk::demos

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -18,6 +17,7 @@
 #include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/mesh_file.h"
+#include "io/new_file.h"
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
@@ -42,7 +42,7 @@ std::string textOf(const Vec3& v) {
 void writeBlades(const BliskFound& found, const BliskAnatomy& anatomy, BladeSide convex_side,
                  const std::filesystem::path& file) {
   const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
-  std::ofstream stream(file);
+  std::ostringstream stream;
   stream.precision(9);
   stream << "blade,angle_deg,triangles,convex_area_mm2,concave_area_mm2,tip_area_mm2,camber_chords";
   for (const char* edge : {"leading", "trailing"}) {
@@ -68,8 +68,7 @@ void writeBlades(const BliskFound& found, const BliskAnatomy& anatomy, BladeSide
     stream << ',' << (forward_convex ? "convex" : "concave") << ',' << (k + 1) % anatomy.blades.size() + 1
            << ',' << (forward_convex ? "concave" : "convex") << ',' << blade.channel_width << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 void tell(const BladesRequest& request, const BliskFound& found, const BliskAnatomy& anatomy,

@@ -13,6 +13,7 @@
 #include "command_line/subcommand_help.h"
 #include "commands/commands.h"
 #include "io/mesh_file.h"
+#include "io/new_file.h"
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
@@ -87,11 +88,12 @@ int makePath(PathRequest request) {
   whole.finish();
   const int passes = *std::ranges::max_element(path.pass_of_move) + 1;
   const bool is_edge = request.side == "leading";
-  std::cout << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
-            << (passes == 1 ? " pass " : " passes ") << (is_edge ? "round the leading edge" : "on the ")
-            << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
-            << found.blades.count << ", at most " << options.step_over << " mm apart, from "
-            << options.height_from << " to " << options.height_to << " of its height\n";
+  std::ostream& words = isStandardOutput(request.out) ? std::cerr : std::cout;
+  words << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
+        << (passes == 1 ? " pass " : " passes ") << (is_edge ? "round the leading edge" : "on the ")
+        << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
+        << found.blades.count << ", at most " << options.step_over << " mm apart, from "
+        << options.height_from << " to " << options.height_to << " of its height\n";
   return 0;
 }
 
@@ -127,7 +129,9 @@ void addPathCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"longitudinal", "transversal"}));
   command.add_option("--format", request->format, "csv: a table of poses with feeds; apt: a CL file")
       ->check(CLI::IsMember({"csv", "apt"}));
-  command.add_option("-o,--out", request->out, "File to write")->required()->check(notEmpty());
+  command.add_option("-o,--out", request->out, "File to write; -: standard output")
+      ->required()
+      ->check(notEmpty());
   const auto addLength = [&](const std::string& option, double& value, const std::string& help, bool above) {
     command.add_option(option, value, help)->check(numberFrom(0.0, kMaxLength, above));
   };

@@ -6,7 +6,7 @@
 
 #include "gallery/belt_on_blade.h"
 #include "gallery/scenes.h"
-#include "io/text_file.h"
+#include "io/new_file.h"
 #include "io/whole_files.h"
 #include "render/contact_sheet.h"
 
@@ -110,7 +110,7 @@ std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& fo
     scene->step();
   }
   demos::WholeFiles files;
-  demos::writeText(files.add(folder / (exhibit.name + ".csv")), table.str());
+  demos::writeFile(files.add(folder / (exhibit.name + ".csv")), table.str());
   demos::writePng(demos::contactSheet(frames, exhibit.title, exhibit.caption, exhibit.columns,
                                       exhibit.frame_width, exhibit.frame_height),
                   files.add(folder / (exhibit.name + ".png")).string());

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "io/input_file.h"
+#include "io/new_file.h"
 #include "io/quoted_text.h"
 #include "io/table_name.h"
 #include "models/length_limit.h"
@@ -217,10 +218,9 @@ void writeToolFile(const std::filesystem::path& file, const ToolFile& tool) {
         {{"part", nameOf(row.part)}, {"blade", choice(row.blade)}, {"near_miss_mm", row.near_miss}});
   }
   const Json json = {{"parts", parts}, {"allowed", allowed}, {"margins", margins}};
-  std::ofstream stream(file);
+  std::ostringstream stream;
   stream << json.dump(2) << '\n';
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 }  // namespace octoblisk::demos

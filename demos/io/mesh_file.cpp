@@ -22,6 +22,7 @@
 
 #include "io/input_file.h"
 #include "io/mesh_file_check.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -231,13 +232,12 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
 
 void writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh) {
   const Format& format = formatOf(file);
-  // assimp's own complaint would name the file again.
-  if (!std::ofstream(file, std::ios::app)) throw std::runtime_error(file.string() + ": cannot be written");
   const std::unique_ptr<aiScene> scene = sceneOf(mesh);
   Assimp::Exporter exporter;
-  if (exporter.Export(scene.get(), format.exporter, file.string()) != aiReturn_SUCCESS) {
+  const aiExportDataBlob* const blob = exporter.ExportToBlob(scene.get(), format.exporter);
+  if (!blob)
     throw std::runtime_error(file.string() + ": cannot be written: " + oneLine(exporter.GetErrorString()));
-  }
+  writeFile(file, {static_cast<const char*>(blob->data), blob->size});
 }
 
 }  // namespace octoblisk::demos

@@ -1,20 +1,56 @@
 #include "io/new_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 
 namespace octoblisk::demos {
+namespace {
+
+constexpr std::string_view kUnfinished = "unfinished-";
+
+bool isUnfinished(const std::filesystem::path& file) {
+  return file.filename().string().starts_with(kUnfinished);
+}
+
+/// The open stream of this process that a name stands for: 1 or 2; 0: none.
+int streamOf(const std::filesystem::path& file) {
+  if (file == "-") return STDOUT_FILENO;
+  struct stat named {
+  }, opened{};
+  if (::stat(file.c_str(), &named) != 0) return 0;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_it =
+        ::fstat(stream, &opened) == 0 && opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+    if (is_it) return stream;
+  }
+  return 0;
+}
+
+std::FILE* openFor(const std::filesystem::path& file) {
+  if (const int stream = streamOf(file); stream != 0) return ::fdopen(::dup(stream), "wb");
+  return std::fopen(file.c_str(), "wb");
+}
+
+}  // namespace
 
 bool isDevice(const std::filesystem::path& file) {
+  if (streamOf(file) != 0) return true;
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);
   return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
          !std::filesystem::is_directory(status);
 }
+
+bool isStandardOutput(const std::filesystem::path& file) { return streamOf(file) == STDOUT_FILENO; }
 
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
   for (const std::filesystem::path& input : files_read) {
@@ -28,24 +64,55 @@ void requireNotRead(const std::string& out, const std::vector<std::filesystem::p
   }
 }
 
-std::string cannotBeWritten(const std::filesystem::path& file) {
-  const std::string refusal = "cannot be written";
-  const std::filesystem::path folder = file.parent_path();
-  if (folder.empty() || std::filesystem::is_directory(folder)) return refusal;
-  return refusal + ", as there is no folder " + folder.string();
+std::filesystem::path behindLinks(const std::filesystem::path& file) {
+  constexpr int kMostLinks = 40;
+  std::filesystem::path place = file;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(place, error); ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(place, error);
+    if (error) break;
+    place = next.is_absolute() ? next : place.parent_path() / next;
+  }
+  return place;
 }
 
-NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), written_(file_) {
+std::filesystem::path unfinishedName(const std::filesystem::path& file) {
+  return file.parent_path() / (std::string(kUnfinished) + file.filename().string());
+}
+
+void refuseToWrite(const std::filesystem::path& file, int error) {
+  std::filesystem::path told = file;
+  if (isUnfinished(file)) {
+    told = file.parent_path() / file.filename().string().substr(kUnfinished.size());
+  }
+  std::string message = told.string() + ": cannot be written";
+  const std::filesystem::path folder = behindLinks(file).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    message += ", as there is no folder " + folder.string();
+  } else if (error != 0) {
+    message += std::string(": ") + std::strerror(error);
+  }
+  throw std::runtime_error(message);
+}
+
+void requireOnDisk(const std::filesystem::path& file) {
+  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_on_disk = opened >= 0 && ::fsync(opened) == 0;
+  const int error = errno;
+  if (opened >= 0) ::close(opened);
+  if (!is_on_disk) refuseToWrite(file, error);
+}
+
+NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(file_), written_(file_) {
   if (std::filesystem::is_directory(file_)) {
     throw std::runtime_error(file_.string() + ": this is a folder, not a file");
   }
-  if (!isDevice(file_)) {
-    if (std::filesystem::is_symlink(file_)) file_ = std::filesystem::weakly_canonical(file_);
-    written_ = file_;
-    written_ += ".new" + std::to_string(::getpid());
+  if (!isDevice(file_) && !isUnfinished(file_)) {
+    place_ = behindLinks(file_);
+    written_ = unfinishedName(place_);
   }
-  open_.reset(std::fopen(written_.c_str(), "wb"));
-  if (!open_) throw std::runtime_error(file_.string() + ": " + cannotBeWritten(file_));
+  open_.reset(openFor(written_));
+  if (!open_) refuseToWrite(file_, errno);
 }
 
 NewFile::~NewFile() {
@@ -54,20 +121,24 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), open_.get()) != bytes.size()) refuse();
+  if (std::fwrite(bytes.data(), 1, bytes.size(), open_.get()) != bytes.size()) refuseToWrite(file_, errno);
 }
 
 void NewFile::keep() {
-  if (std::fflush(open_.get()) != 0) refuse();
+  if (std::fflush(open_.get()) != 0) refuseToWrite(file_, errno);
   if (written_ != file_) {
+    if (::fsync(::fileno(open_.get())) != 0) refuseToWrite(file_, errno);
     std::error_code error;
-    if (::fsync(::fileno(open_.get())) != 0) refuse();
-    std::filesystem::rename(written_, file_, error);
-    if (error) refuse();
+    std::filesystem::rename(written_, place_, error);
+    if (error) refuseToWrite(file_, error.value());
   }
   open_.reset();
 }
 
-void NewFile::refuse() const { throw std::runtime_error(file_.string() + ": cannot be written to its end"); }
+void writeFile(const std::filesystem::path& file, std::string_view bytes) {
+  NewFile whole(file);
+  whole.write(bytes);
+  whole.keep();
+}
 
 }  // namespace octoblisk::demos

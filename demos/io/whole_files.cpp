@@ -6,38 +6,33 @@
 #include "io/new_file.h"
 
 namespace octoblisk::demos {
-namespace {
-
-std::filesystem::path unfinished(const std::filesystem::path& file) {
-  return file.parent_path() / ("unfinished-" + file.filename().string());
-}
-
-}  // namespace
 
 WholeFiles::~WholeFiles() {
   for (const std::filesystem::path& file : files_) {
     std::error_code ignored;
-    std::filesystem::remove(unfinished(file), ignored);
+    std::filesystem::remove(unfinishedName(behindLinks(file)), ignored);
   }
 }
 
 std::filesystem::path WholeFiles::add(const std::filesystem::path& file) {
   if (isDevice(file)) return file;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (std::filesystem::is_directory(file) || !std::filesystem::is_directory(folder)) {
-    throw std::runtime_error(file.string() + ": cannot be written");
+  const std::filesystem::path place = behindLinks(file);
+  const std::filesystem::path folder = place.has_parent_path() ? place.parent_path() : ".";
+  if (std::filesystem::is_directory(file)) {
+    throw std::runtime_error(file.string() + ": this is a folder, not a file");
   }
+  if (!std::filesystem::is_directory(folder)) refuseToWrite(file, 0);
   files_.push_back(file);
-  return unfinished(file);
+  return unfinishedName(place);
 }
 
 void WholeFiles::finish() {
+  for (const std::filesystem::path& file : files_) requireOnDisk(unfinishedName(behindLinks(file)));
   while (!files_.empty()) {
+    const std::filesystem::path place = behindLinks(files_.back());
     std::error_code error;
-    std::filesystem::rename(unfinished(files_.back()), files_.back(), error);
-    if (error) {
-      throw std::runtime_error(files_.back().string() + ": cannot be written: " + error.message());
-    }
+    std::filesystem::rename(unfinishedName(place), place, error);
+    if (error) refuseToWrite(files_.back(), error.value());
     files_.pop_back();
   }
 }

@@ -15,11 +15,12 @@ class WholeFiles {
   WholeFiles(const WholeFiles&) = delete;
   WholeFiles& operator=(const WholeFiles&) = delete;
 
-  /// The name to write a file under, beside it and with its extension; a device's own.
+  /// The name to write a file under: beside it, where links lead, and with its extension; a device's own.
   /// Throws std::runtime_error naming a file that is a folder, or in none.
   std::filesystem::path add(const std::filesystem::path& file);
 
-  /// Gives all files their names. Throws std::runtime_error naming a file that cannot be written.
+  /// Gives all files their names, once all are on the disk. Throws std::runtime_error naming a file that
+  /// cannot be written, and the cause.
   void finish();
 
  private:

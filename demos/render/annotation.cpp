@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "io/new_file.h"
+
 namespace octoblisk::demos {
 namespace {
 
@@ -265,10 +267,16 @@ void annotate(Image& page, const Annotation& annotation, const Layout& layout, d
 void writePng(const Image& image, const std::string& path) {
   Canvas canvas(image.width, image.height, 1.0);
   copyToCanvas(image, canvas.surface());
-  const cairo_status_t status = cairo_surface_write_to_png(canvas.surface(), path.c_str());
+  std::string bytes;
+  const auto append = [](void* to, const unsigned char* data, unsigned size) {
+    static_cast<std::string*>(to)->append(data, data + size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(canvas.surface(), append, &bytes);
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error("cannot write the picture " + path + ": " + cairo_status_to_string(status));
+    throw std::runtime_error(path + ": cannot be drawn: " + cairo_status_to_string(status));
   }
+  writeFile(path, bytes);
 }
 
 }  // namespace octoblisk::demos

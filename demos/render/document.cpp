@@ -12,7 +12,7 @@
 #include "io/base64.h"
 #include "io/input_file.h"
 #include "io/markup_text.h"
-#include "io/text_file.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -178,7 +178,7 @@ void writeCsv(const Table& table, const std::filesystem::path& folder) {
   requireRectangular(table);
   std::string text = csvLine(table.columns);
   for (const auto& row : table.rows) text += csvLine(row);
-  writeText(folder / (table.name + ".csv"), text);
+  writeFile(folder / (table.name + ".csv"), text);
 }
 
 std::string markdownOf(const Document& document) {
@@ -214,8 +214,8 @@ void writeReport(const Document& document, const std::filesystem::path& folder) 
   for (const Section& section : document.sections) {
     for (const Table& table : section.tables) writeCsv(table, folder);
   }
-  writeText(folder / "report.md", markdownOf(document));
-  writeText(folder / "report.html", htmlOf(document, folder));
+  writeFile(folder / "report.md", markdownOf(document));
+  writeFile(folder / "report.html", htmlOf(document, folder));
 }
 
 }  // namespace octoblisk::demos

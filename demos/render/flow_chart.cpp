@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "io/markup_text.h"
-#include "io/text_file.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -112,6 +112,6 @@ std::string svgOf(const FlowChart& chart) {
   return svg.str();
 }
 
-void writeSvg(const FlowChart& chart, const std::filesystem::path& file) { writeText(file, svgOf(chart)); }
+void writeSvg(const FlowChart& chart, const std::filesystem::path& file) { writeFile(file, svgOf(chart)); }
 
 }  // namespace octoblisk::demos

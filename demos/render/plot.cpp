@@ -15,6 +15,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "io/new_file.h"
+#include "io/whole_files.h"
+
 extern char** environ;
 
 namespace octoblisk::demos {
@@ -177,14 +180,21 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file) {
 void requireGnuplot() { runGnuplot(""); }
 
 void writeSvg(const Plot& plot, const std::filesystem::path& file) {
-  const std::string script = gnuplotScript(plot, file);
-  {
-    std::ofstream writable(file);  // gnuplot's own words on this are less clear
-    if (!writable) throw std::runtime_error(file.string() + ": cannot be written");
-  }
+  WholeFiles whole;
+  const std::filesystem::path drawn = whole.add(file);
+  const std::string script = gnuplotScript(plot, drawn);
+  writeFile(drawn, "");  // gnuplot's own words on what cannot be written are less clear
   const Answer answer = runGnuplot(script);
-  if (answer.exit_code == 0) return;
-  throw std::runtime_error(file.string() + ": gnuplot could not draw it: " + lastLine(answer.text));
+  if (answer.exit_code != 0) {
+    throw std::runtime_error(file.string() + ": gnuplot could not draw it: " + lastLine(answer.text));
+  }
+  std::ifstream stream(drawn, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text.find("</svg>") == std::string::npos) {
+    throw std::runtime_error(file.string() +
+                             ": cannot be written: gnuplot came to no end, as on a full disk");
+  }
+  whole.finish();
 }
 
 }  // namespace octoblisk::demos

@@ -1,10 +1,11 @@
 #include "repair/repair_report.h"
 
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "access/access_summary.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -46,8 +47,7 @@ void addRuns(const std::vector<std::string>& texts, const std::string& one, cons
 
 void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, const BodyNames& names,
                   const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  std::ostringstream stream;
   stream.precision(9);
   stream << "pose,before,in_the_way_before,tilt_deg,slide_mm,retract_mm,after,in_the_way_after,"
             "in_the_way_of_move_to_it,contact\n";
@@ -58,8 +58,7 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, con
            << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts, names) << ','
            << obstacleText(pose.move, parts, names) << ',' << contactText(repair, p) << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts,

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "io/new_file.h"
 #include "render/picture.h"
 #include "render/side_map.h"
 
@@ -57,7 +57,7 @@ const char* stateOf(const GroundPoint& point, double limit) {
 }  // namespace
 
 void writeCoverage(const Coverage& coverage, const std::filesystem::path& file) {
-  std::ofstream stream(file);
+  std::ostringstream stream;
   stream.precision(9);
   stream << "height,chord,x_mm,y_mm,z_mm,area_mm2,state,depth_mm,pose\n";
   const Pose blisk_in_mesh = coverage.mesh_in_blisk.inverse();
@@ -71,8 +71,7 @@ void writeCoverage(const Coverage& coverage, const std::filesystem::path& file) 
     if (!point.isNear()) stream << ',';
     stream << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 Image coveragePicture(const Coverage& coverage, int width, int height) {

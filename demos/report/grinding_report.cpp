@@ -2,31 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #include "grinding/belt_loop.h"
 #include "grinding/blade_side.h"
 #include "grinding/move_check.h"
+#include "io/new_file.h"
 #include "report/grinding_words.h"
 
 namespace octoblisk::demos {
 namespace {
-
-std::ofstream openForWriting(const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
-  return stream;
-}
-
-void finish(std::ofstream& stream, const std::filesystem::path& file) {
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
-}
 
 double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, where they just touch
 
@@ -145,7 +135,7 @@ std::vector<PoseRange> interferingRanges(const GrindingRun& run) {
 }
 
 void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file) {
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
   stream.precision(9);
   stream
       << "pose,verdict,part,blade,depth_mm,side,blisk_x_mm,blisk_y_mm,blisk_z_mm,normal_x,normal_y,normal_z,"
@@ -161,11 +151,11 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
     writeDepthOfMove(pose, stream);
     stream << '\n';
   }
-  finish(stream, file);
+  writeFile(file, stream.str());
 }
 
 void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
   stream.precision(9);
   stream << "pose,contact_verdict,part,blade,triangle_blisk,triangle_part,"
             "blisk_x_mm,blisk_y_mm,blisk_z_mm,part_x_mm,part_y_mm,part_z_mm,"
@@ -186,11 +176,11 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
       stream << '\n';
     }
   }
-  finish(stream, file);
+  writeFile(file, stream.str());
 }
 
 void writeForces(const GrindingRun& run, const std::filesystem::path& file) {
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
   stream.precision(9);
   stream << "pose,verdict,normal_force_n,friction_force_n,force_x_n,force_y_n,force_z_n,torque_n_m,"
             "acceleration_rad_s2\n";
@@ -202,7 +192,7 @@ void writeForces(const GrindingRun& run, const std::filesystem::path& file) {
     for (const double value : load.force) stream << ',' << value;
     stream << ',' << load.torque << ',' << load.acceleration << '\n';
   }
-  finish(stream, file);
+  writeFile(file, stream.str());
 }
 
 namespace {
@@ -323,9 +313,9 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
         {"depths", run.depth_seconds_a_pose * 1e6},
         {"clearances", run.clearance_seconds_a_pose * 1e6},
         {"moves", run.move_seconds_a_pose * 1e6}}}};
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
   stream << summary.dump(2) << '\n';
-  finish(stream, file);
+  writeFile(file, stream.str());
 }
 
 }  // namespace octoblisk::demos

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "io/embedded_file.h"
-#include "io/text_file.h"
+#include "io/new_file.h"
 
 // The page, made by report/web (./dev web), with a place for the run.
 OCTOBLISK_EMBED(octoblisk_replay_page, OCTOBLISK_REPLAY_PAGE);
@@ -25,7 +25,7 @@ void writeReplayPage(const Replay& replay, const ReplayMeshes& meshes, const std
   std::string text(page.substr(0, place));
   text += replayJson(replay, meshes, limits);
   text += page.substr(place + kPlaceOfRun.size());
-  writeText(file, text);
+  writeFile(file, text);
 }
 
 }  // namespace octoblisk::demos

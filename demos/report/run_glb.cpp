@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "io/text_file.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -267,7 +267,7 @@ std::string glbOf(const Replay& replay, const ReplayMeshes& meshes, const GlbOpt
 
 void writeGlb(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
               const GlbOptions& options) {
-  writeText(file, glbOf(replay, meshes, options));
+  writeFile(file, glbOf(replay, meshes, options));
 }
 
 }  // namespace octoblisk::demos

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/text_file.h"
+#include "io/new_file.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -133,8 +133,8 @@ std::string pathVtk(const Replay& replay, std::size_t track) {
 
 void writeVtk(const Replay& replay, const std::filesystem::path& contacts,
               const std::filesystem::path& path) {
-  writeText(contacts, contactsVtk(replay));
-  writeText(path, pathVtk(replay));
+  writeFile(contacts, contactsVtk(replay));
+  writeFile(path, pathVtk(replay));
 }
 
 }  // namespace octoblisk::demos

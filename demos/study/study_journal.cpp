@@ -31,10 +31,6 @@ bool isStillNamed(const std::filesystem::path& name, std::FILE* file) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-std::filesystem::path behindLinks(const std::filesystem::path& file) {
-  return std::filesystem::is_symlink(file) ? std::filesystem::weakly_canonical(file) : file;
-}
-
 }  // namespace
 
 StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path out, Form form, bool resume)
@@ -54,7 +50,7 @@ StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path ou
   if (part_.groups.empty() && resume_ && form_ == Form::part && isDoneAlready()) return;
   if (!goesToItsEnd()) {
     removeIfEmpty();
-    refuse(out_, "cannot be written");
+    refuseToWrite(out_, errno);
   }
 }
 
@@ -83,7 +79,7 @@ void StudyJournal::open() {
   } else {
     file_.reset(std::tmpfile());
   }
-  if (!file_) refuse(out_, cannotBeWritten(out_));
+  if (!file_) refuseToWrite(out_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   // File systems without locks do without.
   const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -144,7 +140,8 @@ void StudyJournal::add(std::span<const AnsweredGroup> groups) {
     added.push_back({group.items, begin, group.rows.size(), group.tally});
   }
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
-    refuse(out_, "cannot be written to its end; what was answered is in " + unfinished().string());
+    refuse(out_, std::string("cannot be written: ") + std::strerror(errno) + "; what was answered is in " +
+                     unfinished().string());
   }
   part_.sound_bytes += text.size();
   part_.groups.insert(part_.groups.end(), added.begin(), added.end());

@@ -1,11 +1,12 @@
 #include "toolpath/cl_moves.h"
 
 #include <cstddef>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "io/new_file.h"
 #include "octoblisk/closest_point.h"
 
 namespace octoblisk::demos {
@@ -85,7 +86,7 @@ void writeGoto(std::ostream& stream, const char* word, const Pose& tool_in_blisk
 }
 
 void writeClFile(const std::filesystem::path& file, std::span<const ToolMove> moves) {
-  std::ofstream stream(file);
+  std::ostringstream stream;
   stream.precision(std::numeric_limits<double>::max_digits10);
   stream << "PARTNO OCTOBLISK\n"
             "$$ GOTO/x,y,z, tool axis i,j,k, axis of the contact wheel u,v,w\n"
@@ -102,8 +103,7 @@ void writeClFile(const std::filesystem::path& file, std::span<const ToolMove> mo
     stream << '\n';
   }
   stream << "FINI\n";
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  writeFile(file, stream.str());
 }
 
 }  // namespace octoblisk::demos

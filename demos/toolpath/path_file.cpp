@@ -5,12 +5,14 @@
 #include <cctype>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "io/input_file.h"
+#include "io/new_file.h"
 #include "toolpath/cl_moves.h"
 #include "toolpath/pose_file.h"
 
@@ -122,7 +124,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
     is_changed.push_back(!isSame(poses[i], read.moves[i].tool_in_blisk, 0.0));
   }
   for (bool is_settled = false; !is_settled;) {
-    std::ofstream stream(target, std::ios::binary);
+    std::ostringstream stream;
     stream.precision(std::numeric_limits<double>::max_digits10);
     std::size_t next = 0;  // of the lines
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -141,8 +143,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
       next = last;
     }
     for (; next < lines.size(); ++next) stream << lines[next] << '\n';
-    stream.close();
-    if (!stream) throw std::runtime_error(target.string() + ": cannot be written");
+    writeFile(target, stream.str());
     is_settled = true;
     if (!is_cl) continue;
     const std::vector<ToolMove> again = toolMovesOf(readClFile(target), blisk);

@@ -1,12 +1,13 @@
 #include "toolpath/pose_file.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "io/csv_table.h"
+#include "io/new_file.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::demos {
@@ -38,17 +39,6 @@ std::vector<CsvRow> readRows(const std::filesystem::path& file) {
   std::vector<CsvRow> rows = readCsv(file, kHeader, kHeaderWithFeed);
   if (rows.empty()) throw std::runtime_error(file.string() + ": no poses below the header");
   return rows;
-}
-
-std::ofstream openForWriting(const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream.precision(std::numeric_limits<double>::max_digits10);
-  return stream;
-}
-
-void closeWritten(std::ofstream& stream, const std::filesystem::path& file) {
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 }  // namespace
@@ -83,23 +73,25 @@ std::vector<ToolMove> readMoves(const std::filesystem::path& file) {
 }
 
 void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) {
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
+  stream.precision(std::numeric_limits<double>::max_digits10);
   stream << kHeader << '\n';
   for (const Pose& pose : poses) {
     writePose(stream, pose);
     stream << '\n';
   }
-  closeWritten(stream, file);
+  writeFile(file, stream.str());
 }
 
 void writeMoves(const std::filesystem::path& file, std::span<const ToolMove> moves) {
-  std::ofstream stream = openForWriting(file);
+  std::ostringstream stream;
+  stream.precision(std::numeric_limits<double>::max_digits10);
   stream << kHeaderWithFeed << '\n';
   for (const ToolMove& move : moves) {
     writePose(stream, move.tool_in_blisk);
     stream << ',' << move.feed << '\n';
   }
-  closeWritten(stream, file);
+  writeFile(file, stream.str());
 }
 
 }  // namespace octoblisk::demos

@@ -92,7 +92,7 @@ TEST_F(CommandLine, tellsItsVersion) {
 }
 
 TEST_F(CommandLine, aFileThatCannotBeMadeIsNamedOnce) {
-  EXPECT_EQ(run("make arm --out nowhere/arm.stl").error, "octoblisk: nowhere/arm.stl: cannot be written\n");
+  EXPECT_EQ(run("make arm --out nowhere/arm.stl").error, "octoblisk: nowhere/arm.stl: cannot be written, as there is no folder nowhere\n");
 }
 
 }  // namespace

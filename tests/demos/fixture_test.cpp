@@ -10,6 +10,7 @@
 #include "demos/refusal.h"
 #include "grinding/grinding_run.h"
 #include "grinding/judge.h"
+#include "io/mesh_file.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"

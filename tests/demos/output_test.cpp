@@ -1,0 +1,138 @@
+// What the command writes where it cannot: no room, links, devices. What was there stays.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "demos/block.h"
+#include "demos/command.h"
+#include "demos/scratch_folder.h"
+#include "io/mesh_file.h"
+#include "toolpath/pose_file.h"
+
+namespace octoblisk::demos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Output : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) const { return runOctoblisk(folder_.path(), arguments); }
+
+  /// Where no file can be longer than 512 bytes: writing fails as on a full disk.
+  Outcome runWithoutRoom(const std::string& arguments) const {
+    const std::string command = octobliskIn(folder_.path(), arguments);
+    return outcomeOf(std::system(("trap '' XFSZ; ulimit -f 1; " + command).c_str()), folder_.path());
+  }
+
+  std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+
+  /// The names of all files in the folder and below.
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
+      if (entry.is_regular_file()) found.push_back(entry.path().lexically_relative(folder_.path()).string());
+    }
+    return found;
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Output, whereThereIsNoRoomTheOldFileStaysAndTheCauseIsTold) {
+  struct Case {
+    std::string arguments;
+    std::vector<std::string> outputs;
+  };
+  std::vector<Pose> poses;
+  for (int i = 0; i < 200; ++i) poses.push_back(at(0.02 * i, 0.2, 0.3));
+  writePoses(file("poses.csv"), poses);
+  writeMesh(file("a.obj"), block({5, 5, 5}, 2));
+  ASSERT_EQ(run("grind --poses-only --no-pictures --no-report --out first").exit_code, 1);
+  std::vector<Pose> path = readPoses(file("first/path.csv"));
+  path.resize(12);
+  writePoses(file("path.csv"), path);
+  ASSERT_LE(run("check --fixed a.obj --moving a.obj --poses poses.csv --shard 1/1 --out part").exit_code, 1);
+  const std::vector<Case> cases = {
+      {"make blisk --triangles 10000 --out b.stl", {"b.stl"}},
+      {"make blisk --triangles 10000 --out b.obj", {"b.obj"}},
+      {"make blisk --triangles 10000 --out b.ply", {"b.ply"}},
+      {"make arm --out arm.stl", {"arm.stl"}},
+      {"make grinder --out tool", {"tool/arm.ply", "tool/tool.json"}},
+      {"path --out p.csv", {"p.csv"}},
+      {"path --format apt --out p.cl", {"p.cl"}},
+      {"blades --out blades", {"blades/blades.csv", "blades/blades.png"}},
+      {"grind --path path.csv --ground-blade 1 --out run",
+       {"run/poses.csv", "run/contacts.csv", "run/summary.json", "run/path.csv", "run/report.html",
+        "run/run.glb", "run/contacts.vtk", "run/path.vtk", "run/overview.png", "run/coverage.csv"}},
+      {"repair --path path.csv --ground-blade 1 --out mended", {"mended/path.csv", "mended/changes.csv"}},
+      {"access --rows 4 --columns 5 --tilt-step 60 --out map",
+       {"map/points.csv", "map/ranges.csv", "map/map.png"}},
+      {"check --fixed a.obj --moving a.obj --poses poses.csv --out table.csv", {"table.csv"}},
+      {"merge part --out merged.csv", {"merged.csv"}},
+      {"gallery hello-shape --out shown", {"shown/hello-shape.csv", "shown/hello-shape.png"}},
+      {"paper figures --out paper", {"paper/fig7.svg", "paper/report.md", "paper/report.html"}}};
+  for (const auto& [arguments, outputs] : cases) {
+    for (const std::string& output : outputs) {
+      std::filesystem::create_directories(file(output).parent_path());
+      folder_.write(output, "of an earlier run");
+    }
+    const Outcome outcome = runWithoutRoom(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_THAT(outcome.error, ::testing::AnyOf(HasSubstr(": cannot be written: File too large"),
+                                                HasSubstr("cannot be written: gnuplot came to no end")))
+        << arguments;
+    EXPECT_THAT(outcome.error, ::testing::Not(HasSubstr("unfinished-"))) << arguments;
+    for (const std::string& output : outputs) {
+      EXPECT_EQ(contentOf(file(output)), "of an earlier run") << arguments << ": " << output;
+    }
+  }
+  for (const std::string& name : names()) EXPECT_THAT(name, ::testing::Not(HasSubstr("unfinished-")));
+}
+
+TEST_F(Output, goesThroughLinks) {
+  std::filesystem::create_directories(file("elsewhere"));
+  folder_.write("elsewhere/path.csv", "old");
+  std::filesystem::create_symlink("elsewhere/path.csv", file("link.csv"));
+  std::filesystem::create_symlink("elsewhere/new.stl", file("new.stl"));  // there is nothing yet
+  std::filesystem::create_symlink("nowhere/path.csv", file("lost.csv"));
+  ASSERT_EQ(run("path --out link.csv").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link.csv")));
+  EXPECT_THAT(contentOf(file("elsewhere/path.csv")), StartsWith("x,y,z,"));
+  ASSERT_EQ(run("make arm --out new.stl").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("new.stl")));
+  EXPECT_GT(std::filesystem::file_size(file("elsewhere/new.stl")), 84u);
+  const Outcome lost = run("path --out lost.csv");
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written, as there is no folder "));
+  // The table of a study, too.
+  writePoses(file("poses.csv"), std::vector<Pose>{at(0, 0, 0)});
+  writeMesh(file("a.obj"), block({5, 5, 5}, 2));
+  ASSERT_EQ(run("check --fixed a.obj --moving a.obj --poses poses.csv --out link.csv").exit_code, 1);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link.csv")));
+  EXPECT_THAT(contentOf(file("elsewhere/path.csv")), StartsWith("pose,colliding,"));
+}
+
+TEST_F(Output, goesToDevicesDirectly) {
+  ASSERT_EQ(run("path --out p.csv").exit_code, 0);
+  const std::string expected = contentOf(file("p.csv"));
+  for (const std::string out : {"-", "/dev/stdout"}) {
+    const Outcome outcome = run("path --out " + out);  // which is a file here
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(outcome.out, expected);
+    EXPECT_THAT(outcome.error, StartsWith(out + ": 793 poses, ")) << "the words are not among the poses";
+    EXPECT_EQ(run("path --out " + out + " | cat >piped.csv; true").exit_code, 0);
+    EXPECT_EQ(contentOf(file("piped.csv")), expected);
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink("/dev/stdout"));
+  if (!std::filesystem::exists("/dev/full")) return;
+  const Outcome full = run("path --out /dev/full");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(full.error, "octoblisk: /dev/full: cannot be written: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace octoblisk::demos
