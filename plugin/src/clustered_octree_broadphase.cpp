@@ -1,13 +1,16 @@
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "near_bodies.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "octoblisk_bullet/register.h"
 #include "pair_stages.h"
 
 namespace octoblisk {
@@ -57,7 +60,16 @@ BroadphaseStatistics ClusteredOctreeBroadphase::statistics() const {
   return statistics;
 }
 
+/// Whether our shapes meet; asked once there is one.
+bool ClusteredOctreeBroadphase::isAnswered(btDispatcher* dispatcher) {
+  auto* const known = dynamic_cast<btCollisionDispatcher*>(dispatcher);
+  if (!has_our_shape_ || is_answered_ || !known) return true;
+  is_answered_ = isRegistered(known);
+  return is_answered_;
+}
+
 void ClusteredOctreeBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
+  assert(isAnswered(dispatcher) && "registerAlgorithm was not called: bodies fall through");
   stages_->boxes.calculateOverlappingPairs(dispatcher);
   stages_->coarse.refine(depth_, dispatcher);
 }
@@ -66,6 +78,8 @@ btBroadphaseProxy* ClusteredOctreeBroadphase::createProxy(const btVector3& aabb_
                                                           const btVector3& aabb_max, int shape_type,
                                                           void* client, int group, int mask,
                                                           btDispatcher* dispatcher) {
+  const auto* const body = static_cast<const btCollisionObject*>(client);
+  has_our_shape_ |= body && dynamic_cast<const ClusteredOctreeShape*>(body->getCollisionShape());
   return stages_->boxes.createProxy(aabb_min, aabb_max, shape_type, client, group, mask, dispatcher);
 }
 

@@ -11,7 +11,9 @@
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 
+#include <memory>
 #include <new>
+#include <vector>
 
 #include "mesh_concave_algorithm.h"
 #include "mesh_convex_algorithm.h"
@@ -121,6 +123,22 @@ void registerAlgorithm(btCollisionDispatcher* dispatcher) {
   registerBothOrders(GIMPACT_SHAPE_PROXYTYPE, &mesh_gimpact, &gimpact_mesh);
   registerBothOrders(STATIC_PLANE_PROXYTYPE, &mesh_plane, &plane_mesh);
   registerPair(FAST_CONCAVE_MESH_PROXYTYPE, FAST_CONCAVE_MESH_PROXYTYPE, &mesh_mesh);
+}
+
+bool isRegistered(btCollisionDispatcher* dispatcher) {
+  const auto mesh =
+      std::make_shared<const TriangleMesh>(std::vector<Vec3>{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()},
+                                           std::vector<TriangleMesh::Indices>{{0, 1, 2}});
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  btCollisionObject body;
+  body.setCollisionShape(&shape);
+  const Wrapper wrapper(nullptr, &shape, &body, body.getWorldTransform(), -1, -1);
+  btCollisionAlgorithm* const algorithm =
+      dispatcher->findAlgorithm(&wrapper, &wrapper, nullptr, BT_CLOSEST_POINT_ALGORITHMS);
+  const bool is_ours = dynamic_cast<MeshMeshAlgorithm*>(algorithm) != nullptr;
+  algorithm->~btCollisionAlgorithm();
+  dispatcher->freeCollisionAlgorithm(algorithm);
+  return is_ours;
 }
 
 }  // namespace octoblisk

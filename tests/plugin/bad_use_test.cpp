@@ -1,4 +1,5 @@
 // Bad use ends in a clear exception at construction, or in no contact: never in worse.
+#include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "octoblisk_bullet/clustered_octree_broadphase.h"
+#include "octoblisk_bullet/register.h"
 #include "plugin/bullet_world.h"
 #include "plugin/message_of.h"
 #include "shared/meshes.h"
@@ -51,6 +54,36 @@ TEST(BadUse, tooManyPartsInAnInterface) {
   for (int part = 0; part < 1025; ++part) many.addIndexedMesh(triangle.view()->getIndexedMeshArray()[0]);
   EXPECT_EQ(messageOf([&] { const ClusteredOctreeShape shape(&many); }),
             "the mesh has 1025 parts; Bullet numbers at most 1024");
+}
+
+TEST(BadUse, aMissingRegistrationIsTold) {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  EXPECT_FALSE(isRegistered(&dispatcher));
+  btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
+  EXPECT_FALSE(isRegistered(&dispatcher));
+  {  // what then happens: bodies of our shape do not meet
+    ClusteredOctreeShape torus(
+        std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+    ClusteredOctreeBroadphase broadphase;
+    btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+    btCollisionObject one, other;
+    one.setCollisionShape(&torus);
+    other.setCollisionShape(&torus);
+    world.addCollisionObject(&one);
+    world.addCollisionObject(&other);
+    EXPECT_DEBUG_DEATH(world.performDiscreteCollisionDetection(), "registerAlgorithm was not called");
+#ifdef NDEBUG
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+#endif
+    registerAlgorithm(&dispatcher);
+    EXPECT_TRUE(isRegistered(&dispatcher));
+    world.getPairCache()->cleanProxyFromPairs(one.getBroadphaseHandle(), &dispatcher);
+    world.performDiscreteCollisionDetection();
+    EXPECT_GT(dispatcher.getNumManifolds(), 0);
+    world.removeCollisionObject(&one);
+    world.removeCollisionObject(&other);
+  }
 }
 
 TEST(BadUse, posesThatAreNoneTouchNothing) {

@@ -31,8 +31,9 @@ struct BroadphaseStatistics {
 /// Pairs with our shape are found anew, at the transforms that the bodies have, in each
 /// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs; before, a new pair is not
 /// there yet. A pair of two bodies that sleep, and that the dispatcher leaves alone (needsCollision), stays
-/// as it is until one wakes, as all that Bullet knows of it. Clients must be btCollisionObject, as in every
-/// world, or null.
+/// as it is until one wakes, as all that Bullet knows of it. Built with assertions, the first step with our
+/// shape asserts that its algorithms are registered (register.h). Clients must be btCollisionObject, as in
+/// every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// Some thousands of boxes at most, of which few are ever looked at.
@@ -72,7 +73,11 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   void printStats() override;
 
  private:
+  bool isAnswered(btDispatcher* dispatcher);
+
   int depth_;
+  bool has_our_shape_ = false;  // a body of it was added
+  bool is_answered_ = false;    // by the dispatcher
   std::unique_ptr<detail::PairStages> stages_;
 };
 
