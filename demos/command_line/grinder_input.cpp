@@ -17,6 +17,7 @@
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
 #include "models/open_edges.h"
+#include "models/outward_mesh.h"
 #include "models/shared_tree.h"
 #include "study/node_inputs.h"
 #include "toolpath/grinding_path.h"
@@ -28,7 +29,7 @@ constexpr int kMostBladesOfBlisk = 10'000;
 constexpr double kMostMargin = 100.0;  // mm
 
 void tellNotes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) std::cout << note << '\n';
+  for (const std::string& note : notes) complain("warning: " + note);
 }
 
 ToolAssembly toolOfFiles(const GrinderFiles& files) {
@@ -40,15 +41,11 @@ ToolAssembly toolOfFiles(const GrinderFiles& files) {
 }
 
 TriangleMesh bliskOfFiles(const GrinderFiles& files) {
-  if (files.blisk.empty()) return embeddedBlisk();
-  std::vector<std::string> notes;
-  TriangleMesh blisk = readOutward(files.blisk, notes);
-  tellNotes(notes);
-  return blisk;
+  return files.blisk.empty() ? embeddedBlisk() : readUsersMesh(files.blisk);
 }
 
 /// "mesh" or "mesh,name"; the name is else the file's, without its extension.
-Fixture fixtureOf(const std::string& text, std::vector<std::string>& notes) {
+Fixture fixtureOf(const std::string& text) {
   std::filesystem::path file = text;
   std::string name = file.stem().string();
   if (const std::size_t comma = text.rfind(',');
@@ -60,14 +57,13 @@ Fixture fixtureOf(const std::string& text, std::vector<std::string>& notes) {
     throw std::invalid_argument("--obstacle " + text + ": " + inQuotes(name) + ": " + kTableNameRule +
                                 ", and begin with no digit: say MESH,NAME");
   }
-  return {name, treeOf(readOutward(file, notes))};
+  return {name, treeOf(readUsersMesh(file))};
 }
 
 std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
   std::vector<Fixture> fixtures;
-  std::vector<std::string> notes;
   for (const std::string& text : files.obstacles) {
-    Fixture fixture = fixtureOf(text, notes);
+    Fixture fixture = fixtureOf(text);
     if (std::ranges::find(fixtures, fixture.name, &Fixture::name) != fixtures.end()) {
       throw std::invalid_argument("--obstacle " + text + ": there are two of the name " +
                                   inQuotes(fixture.name));
@@ -79,7 +75,6 @@ std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
     }
     fixtures.push_back(std::move(fixture));
   }
-  tellNotes(notes);
   return fixtures;
 }
 
@@ -118,6 +113,13 @@ void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
 }
 
 }  // namespace
+
+TriangleMesh readUsersMesh(const std::filesystem::path& file) {
+  std::vector<std::string> notes;
+  TriangleMesh mesh = readOutward(file, notes);
+  tellNotes(notes);
+  return mesh;
+}
 
 void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
   command

@@ -33,6 +33,9 @@ struct GrinderFiles {
   std::string toolName() const { return !tool.empty() ? tool : belt.empty() ? "default" : belt; }
 };
 
+/// As readOutward (models/outward_mesh.h), with its notes as warnings on standard error.
+TriangleMesh readUsersMesh(const std::filesystem::path& file);
+
 /// Adds them but for --path, whose default differs.
 void addGrinderOptions(CLI::App& command, GrinderFiles& files);
 

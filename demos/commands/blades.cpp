@@ -11,12 +11,12 @@
 
 #include "command_line/axis_option.h"
 #include "command_line/convex_option.h"
+#include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
 #include "command_line/picture_bar.h"
 #include "command_line/subcommand_help.h"
 #include "commands/commands.h"
-#include "io/mesh_file.h"
 #include "io/new_file.h"
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
@@ -96,7 +96,7 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
 
 int findAndTell(const BladesRequest& request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
-  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk);
+  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
   const BliskAnatomy anatomy = anatomyOf(blisk, found, name);

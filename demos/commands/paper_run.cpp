@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "build/paper/principal_box.h"
+#include "command_line/grinder_input.h"
 #include "io/mesh_file.h"
 #include "io/progress_bar.h"
 #include "models/embedded_assets.h"
@@ -225,7 +226,7 @@ class PaperRun {
 
 PaperModel modelOf(const PaperRequest& request) {
   return request.blade.empty() ? paperModel("the built-in blisk", embeddedBlisk())
-                               : paperModel(request.blade, readMesh(request.blade));
+                               : paperModel(request.blade, readUsersMesh(request.blade));
 }
 
 Document titlePage(const std::string& blade, std::uint64_t seed) {

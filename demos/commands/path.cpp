@@ -9,10 +9,10 @@
 
 #include "command_line/axis_option.h"
 #include "command_line/convex_option.h"
+#include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/subcommand_help.h"
 #include "commands/commands.h"
-#include "io/mesh_file.h"
 #include "io/new_file.h"
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
@@ -60,7 +60,7 @@ int makePath(PathRequest request) {
   if (std::filesystem::equivalent(request.out, request.blisk, ignored)) {
     throw std::runtime_error(request.out + ": cannot be both read and written");
   }
-  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readMesh(request.blisk);
+  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   if (request.blade > found.blades.count) {
     throw std::invalid_argument("--blade " + std::to_string(request.blade) + ": " + name + " has " +

@@ -4,19 +4,11 @@
 #include <stdexcept>
 
 #include "grinding/tool_file.h"
-#include "io/mesh_file.h"
 #include "models/embedded_assets.h"
-#include "models/orientation.h"
+#include "models/outward_mesh.h"
 #include "models/shared_tree.h"
 
 namespace octoblisk::demos {
-
-TriangleMesh readOutward(const std::filesystem::path& file, std::vector<std::string>& notes) {
-  TriangleMesh mesh = readMesh(file);
-  if (enclosedVolume(mesh) >= 0.0) return mesh;
-  notes.push_back(file.string() + ": its triangles face inward; they are taken turned round");
-  return turned(mesh);
-}
 
 ToolAssembly builtInTool(double max_depth) {
   ToolAssembly tool;

@@ -16,10 +16,6 @@ struct ToolAssembly {
   std::vector<std::string> notes;  ///< what was mended in the files, a line each
 };
 
-/// A mesh of the user's, facing outward, for depths and normals are measured along the triangles' outward
-/// normals; a note where it had to be turned. Throws as readMesh.
-TriangleMesh readOutward(const std::filesystem::path& file, std::vector<std::string>& notes);
-
 /// The built-in belt grinder: the belt may touch the ground blade.
 ToolAssembly builtInTool(double max_depth);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "demos/grind_command.h"
 #include "demos/moved_blisk.h"
 #include "demos/read_table.h"
+#include "demos/refusal.h"
 #include "io/mesh_file.h"
 #include "models/embedded_assets.h"
 #include "models/orientation.h"
@@ -130,6 +133,73 @@ TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {
   const std::string outward = contentOf(file("outward/contacts.csv"));
   EXPECT_GT(outward.size(), 10'000u);
   EXPECT_EQ(outward, contentOf(file("inward/contacts.csv")));
+}
+
+TEST_F(GrindCommand, aBliskOfBothWindingsGivesTheSameTablesAndIsTold) {
+  const TriangleMesh blisk = embeddedBlisk();
+  std::vector<TriangleMesh::Indices> mixed = blisk.triangles();
+  for (std::size_t t = 0; t < mixed.size(); t += 2) std::swap(mixed[t][1], mixed[t][2]);
+  writeMesh(file("sound.ply"), blisk);
+  writeMesh(file("mixed.ply"), TriangleMesh(blisk.vertices(), std::move(mixed)));
+  for (const std::string way : {"sound", "mixed"}) {
+    const Outcome outcome =
+        run("--blisk " + way + ".ply --no-pictures --no-report --poses-only --out " + way);
+    ASSERT_EQ(outcome.exit_code, 1);
+    const Outcome blades =
+        runOctoblisk(folder_.path(), "blades --blisk " + way + ".ply --no-picture --out of_" + way);
+    ASSERT_EQ(blades.exit_code, 0);
+    const bool is_told = outcome.error.find(
+                             "mixed.ply: 25056 of its 50112 triangles face the other way than "
+                             "those beside; turned round") != std::string::npos;
+    EXPECT_EQ(is_told, way == "mixed") << outcome.error;
+    EXPECT_EQ(blades.error, outcome.error);
+  }
+  for (const char* table : {"poses.csv", "contacts.csv", "coverage.csv"}) {
+    EXPECT_EQ(contentOf(file("sound/" + std::string(table))), contentOf(file("mixed/" + std::string(table))));
+  }
+  EXPECT_EQ(contentOf(file("of_sound/blades.csv")), contentOf(file("of_mixed/blades.csv")));
+}
+
+TEST_F(GrindCommand, aSurfaceOfOneSideIsRefused) {
+  // A Möbius strip of eight squares.
+  std::vector<Vec3> vertices;
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const double turn = std::numbers::pi * i / 8.0;
+    for (const double w : {-1.0, 1.0}) {
+      const double radius = 5.0 + w * std::cos(turn);
+      vertices.emplace_back(radius * std::cos(2.0 * turn), radius * std::sin(2.0 * turn), w * std::sin(turn));
+    }
+    const std::uint32_t a = 2 * i, b = a + 1, c = i == 7 ? 1 : a + 2, d = i == 7 ? 0 : a + 3;
+    triangles.push_back({a, c, b});
+    triangles.push_back({b, c, d});
+  }
+  writeMesh(file("strip.ply"), TriangleMesh(std::move(vertices), std::move(triangles)));
+  expectRefusal(run("--blisk strip.ply --out run"),
+                "strip.ply: its triangles cannot face one way: the surface has one side alone");
+}
+
+TEST(Orientation, whatWasTurnedIsTurnedBack) {
+  std::mt19937_64 random(130);
+  const auto ring = octoblisk::testing::torus(2, 0.8, 16, 10);
+  // A block with a hollow, and apart from it a ring: three parts, each as it was or the other way as a whole.
+  const TriangleMesh hollow = joined(block({5, 5, 5}, 3), turned(block({2, 2, 2}, 2)));
+  const TriangleMesh all = joined(hollow, moved(*ring, Vec3(20, 0, 0)));
+  for (int i = 0; i < 20; ++i) {
+    std::vector<TriangleMesh::Indices> mixed = all.triangles();
+    std::size_t expected = 0;
+    for (TriangleMesh::Indices& corners : mixed) {
+      if (octoblisk::testing::uniform(random, 0.0, 1.0) > 0.3) continue;
+      std::swap(corners[1], corners[2]);
+      ++expected;
+    }
+    std::size_t found = 0;
+    const TriangleMesh back = withOneWinding(TriangleMesh(all.vertices(), mixed), found);
+    EXPECT_EQ(found, expected);
+    for (std::size_t t = 0; t < all.triangleCount(); ++t) {
+      EXPECT_GT(scaledNormal(back.triangle(t)).dot(scaledNormal(all.triangle(t))), 0.0);
+    }
+  }
 }
 
 TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
