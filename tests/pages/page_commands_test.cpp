@@ -109,6 +109,30 @@ TEST(Pages, synopsesHold) {
   }
 }
 
+/// From a path to one that is clean; the words below say what comes of it.
+TEST(Pages, theStoryEndsClean) {
+  const ScratchFolder folder;
+  ASSERT_EQ(blocksOf(Kind::story).size(), 1u);
+  std::istringstream lines(blocksOf(Kind::story).front().text);
+  std::vector<Outcome> outcomes;
+  for (std::string line; std::getline(lines, line);) {
+    const bool has_report = line.starts_with("octoblisk grind") || line.starts_with("octoblisk repair");
+    outcomes.push_back(runScript(folder, withoutPictures(line) + (has_report ? " --no-report" : "")));
+  }
+  ASSERT_EQ(outcomes.size(), 4u);
+  EXPECT_EQ(outcomes[0].exit_code, 0);
+  EXPECT_THAT(outcomes[0].out, HasSubstr("793 poses, 13 transversal passes on the convex side"));
+  EXPECT_EQ(outcomes[1].exit_code, 1);
+  EXPECT_THAT(outcomes[1].out, HasSubstr(" 46 interference\n"));
+  EXPECT_THAT(outcomes[1].out, HasSubstr(", belt on blade 1, 0.58 mm deep\n"));
+  EXPECT_EQ(outcomes[2].exit_code, 0);
+  EXPECT_THAT(
+      outcomes[2].out,
+      HasSubstr("Changed: 46 poses, tilt up to 2 degrees, slide up to 2 mm, retraction up to 0.05 mm\n"));
+  EXPECT_EQ(outcomes[3].exit_code, 0);
+  EXPECT_THAT(outcomes[3].out, HasSubstr(" 0 interference\n"));
+}
+
 /// An example of a whole blade, in larger steps.
 TEST(Pages, examplesRun) {
   const ScratchFolder folder;

@@ -21,13 +21,26 @@ namespace octoblisk::pages {
 
 inline const std::filesystem::path kProject = OCTOBLISK_SOURCE_DIR;
 
-enum class Kind { cpp, cmake, flow_chart, dev_verbs, presets, benchmark, row, octoblisk, example, study };
+enum class Kind {
+  cpp,
+  cmake,
+  flow_chart,
+  dev_verbs,
+  presets,
+  benchmark,
+  row,
+  octoblisk,
+  story,
+  example,
+  study
+};
 
 /// How a block that no fence names begins.
 inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
-    {"./dev ", Kind::dev_verbs},    {"cmake --preset ", Kind::presets}, {"build/bench/bin/", Kind::benchmark},
-    {"{\"task\", ", Kind::row},     {"octoblisk check …", Kind::study}, {"octoblisk ", Kind::octoblisk},
-    {"for side in ", Kind::example}};
+    {"./dev ", Kind::dev_verbs},           {"cmake --preset ", Kind::presets},
+    {"build/bench/bin/", Kind::benchmark}, {"{\"task\", ", Kind::row},
+    {"octoblisk check …", Kind::study},    {"octoblisk path --out path.csv", Kind::story},
+    {"octoblisk ", Kind::octoblisk},       {"for side in ", Kind::example}};
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 

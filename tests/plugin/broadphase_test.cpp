@@ -1,6 +1,7 @@
 // Which pairs ClusteredOctreeBroadphase makes, and what it tells of them.
 #include <gtest/gtest.h>
 
+#include "octoblisk_bullet/register.h"
 #include "plugin/broadphase_worlds.h"
 
 namespace octoblisk {
@@ -108,6 +109,7 @@ TEST(Broadphase, statisticsAreThoseOfTheBoxes) {
     EXPECT_EQ(broadphase.depth(), depth);
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
+    registerAlgorithm(&dispatcher);
     btCollisionWorld world(&dispatcher, &broadphase, &configuration);
     btCollisionObject ring, two_rings, ball;
     ring.setCollisionShape(torus.get());
