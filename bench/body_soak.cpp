@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "models/blisk.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk/containment.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

@@ -1,31 +1,64 @@
-# Bullet's libraries as targets, one for each precision where it is there: OctoBlisk::bullet_physics and
-# OctoBlisk::bullet_physics_float64. Read by the build and, installed, by find_package(OctoBlisk).
+# Bullet's libraries as targets, one for each precision that is found: OctoBlisk::bullet_physics (single) and
+# OctoBlisk::bullet_physics_float64. Read by the build and, once installed, by find_package(OctoBlisk).
+#
+# A project that defines these targets itself keeps them. Otherwise they are made of, in this order:
+#   1. Bullet's own targets (BulletCollision, …), made by FetchContent, add_subdirectory or find_package(Bullet);
+#   2. the libraries of find_package(Bullet CONFIG), whose precision Bullet's package tells;
+#   3. libraries with Debian's names: with -float64 for double precision.
 find_path(OCTOBLISK_BULLET_INCLUDE_DIR BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h
   PATH_SUFFIXES bullet)
 mark_as_advanced(OCTOBLISK_BULLET_INCLUDE_DIR)
 
-function(octoblisk_bullet_physics target bullet_suffix)
-  if(TARGET ${target} OR NOT OCTOBLISK_BULLET_INCLUDE_DIR)
+function(octoblisk_bullet_physics target precision)
+  if(TARGET ${target})
     return()
   endif()
-  set(files)
-  foreach(library BulletSoftBody BulletDynamics BulletCollision LinearMath)
-    set(file OCTOBLISK_${library}${bullet_suffix})
-    find_library(${file} ${library}${bullet_suffix})
-    mark_as_advanced(${file})
-    if(NOT ${file})
-      return()
+  if(NOT TARGET BulletCollision)
+    find_package(Bullet CONFIG QUIET)
+  endif()
+  # Bullet gives its targets and libraries the same names in both precisions.
+  set(precision_of_bullet single)
+  if(USE_DOUBLE_PRECISION OR BULLET_DEFINITIONS MATCHES BT_USE_DOUBLE_PRECISION)
+    set(precision_of_bullet float64)
+  endif()
+
+  set(libraries BulletSoftBody BulletDynamics BulletCollision LinearMath)
+  set(include_dirs ${OCTOBLISK_BULLET_INCLUDE_DIR})
+  if(TARGET BulletCollision AND precision STREQUAL precision_of_bullet)
+    get_target_property(include_dirs BulletCollision INTERFACE_INCLUDE_DIRECTORIES)
+    if(NOT include_dirs)  # Bullet's own CMake files leave it to the caller
+      get_target_property(source_dir BulletCollision SOURCE_DIR)
+      get_filename_component(include_dirs ${source_dir} DIRECTORY)
     endif()
-    list(APPEND files ${${file}})
-  endforeach()
+  else()
+    set(names ${libraries})
+    set(libraries)
+    foreach(name ${names})
+      set(file OCTOBLISK_${name}_${precision})
+      set(suffixed ${name}-${precision})
+      if(precision STREQUAL precision_of_bullet)
+        find_library(${file} NAMES ${name} ${suffixed} HINTS ${BULLET_ROOT_DIR} PATH_SUFFIXES lib)
+      else()
+        find_library(${file} ${suffixed})
+      endif()
+      mark_as_advanced(${file})
+      if(NOT ${file})
+        return()
+      endif()
+      list(APPEND libraries ${${file}})
+    endforeach()
+  endif()
+  if(NOT include_dirs)
+    return()
+  endif()
   add_library(${target} INTERFACE IMPORTED)
   set_target_properties(${target} PROPERTIES
-    INTERFACE_INCLUDE_DIRECTORIES ${OCTOBLISK_BULLET_INCLUDE_DIR}
-    INTERFACE_LINK_LIBRARIES "${files}")
-  if(bullet_suffix STREQUAL "-float64")
+    INTERFACE_INCLUDE_DIRECTORIES "${include_dirs}"
+    INTERFACE_LINK_LIBRARIES "${libraries}")
+  if(precision STREQUAL float64)
     target_compile_definitions(${target} INTERFACE BT_USE_DOUBLE_PRECISION)
   endif()
 endfunction()
 
-octoblisk_bullet_physics(OctoBlisk::bullet_physics "")
-octoblisk_bullet_physics(OctoBlisk::bullet_physics_float64 "-float64")
+octoblisk_bullet_physics(OctoBlisk::bullet_physics single)
+octoblisk_bullet_physics(OctoBlisk::bullet_physics_float64 float64)

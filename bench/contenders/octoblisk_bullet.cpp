@@ -3,6 +3,7 @@
 #include "concave_pile.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/register.h"
 

@@ -12,6 +12,7 @@
 #include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
 #include "gallery/scenes.h"
+#include "octoblisk/clustered_octree.h"
 #include "shapes/bodies.h"
 
 namespace octoblisk::gallery {

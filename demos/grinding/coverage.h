@@ -14,18 +14,18 @@
 
 namespace octoblisk::demos {
 
-/// How near the grinding part has to come to a point for its distance to be told, mm.
+/// Distances of the grinding part beyond this are not measured, mm.
 inline constexpr double kCoverageReach = 0.5;
 
-/// Between poses the part is asked for at places no farther apart than this, mm: the way of the contact.
+/// The greatest distance between two sampled places of the part between poses, mm, along the contact's path.
 inline constexpr double kCoverageStep = 0.5;
 
 /// What the grinding part does to a point of the blade's side.
 struct GroundPoint {
-  /// How deep the point is in the part, at most, mm; below 0, how near the part comes; minus infinity where
-  /// that is farther than kCoverageReach.
+  /// The point's greatest depth in the part, mm. If negative, the least distance to the part; minus infinity
+  /// beyond kCoverageReach.
   double depth = -std::numeric_limits<double>::infinity();
-  std::size_t pose = 0;  ///< of the path: there, or nearest to there
+  std::size_t pose = 0;  ///< the path's pose at which that happens, or the one nearest to it
 
   bool isGround() const { return depth >= 0.0; }
   bool isNear() const { return depth >= -kCoverageReach; }
@@ -35,25 +35,24 @@ struct GroundPoint {
 struct Coverage {
   int blade = 0;
   SideGrid grid;
-  std::string side;                 ///< "convex", "concave", or where that is not known "forward", "backward"
+  std::string side;                 ///< "convex" or "concave"; "forward" or "backward" if that is unknown
   Pose mesh_in_blisk;               ///< from the mesh's frame to the grid's
-  double max_depth = 0.0;           ///< that the part may be pressed in, mm
-  std::vector<GroundPoint> points;  ///< of the middles of the grid's cells
+  double max_depth = 0.0;           ///< the depth that the part may be pressed in, mm
+  std::vector<GroundPoint> points;  ///< at the centres of the grid's cells
 
-  /// Of the side's area.
+  /// The ground share of the side's area.
   double groundShare() const;
-  /// The rows, from the first to the last, half or more of which the part comes near; none where there are
-  /// none.
+  /// The first and the last row that the part comes near to over at least half of their length, if any.
   std::optional<std::pair<std::size_t, std::size_t>> reachedRows() const;
-  /// The same of columns, within these rows.
+  /// The same for the columns, within these rows.
   std::optional<std::pair<std::size_t, std::size_t>> reachedColumns() const;
-  /// What is left standing between passes, mm: the most of the points that are not ground, but have ground
-  /// ones above and below. Infinite where the part comes to none nearer than kCoverageReach.
+  /// The greatest height left between passes, mm: over the points that are not ground but have ground points
+  /// above and below. Infinite if the part stays farther than kCoverageReach from one of them.
   double scallopHeight() const;
 };
 
-/// Every pose and move of the path counts, whatever its verdict. `threads` as in parallelFor's threadCount;
-/// the answer does not depend on their number.
+/// Every pose and every move of the path counts, whatever its verdict. `threads` as in parallelFor's
+/// threadCount; the result does not depend on it.
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
 
@@ -61,19 +60,19 @@ struct CoverageQuestion {
   const ClusteredOctree& blisk;  ///< faces outward
   std::span<const int> blade_of_triangle;
   int blade_count;
-  Pose mesh_in_blisk;                    ///< from the mesh's frame to that with the blisk's axis Z
-  std::optional<BladeSide> convex_side;  ///< none: not known
-  int blade;                             ///< that is ground
-  const ClusteredOctree& part;           ///< that grinds
-  double max_depth;                      ///< that it may be pressed in, mm
-  std::vector<Pose> path;                ///< of the part, in the mesh's frame
+  Pose mesh_in_blisk;                    ///< from the mesh's frame to the frame whose Z is the blisk's axis
+  std::optional<BladeSide> convex_side;  ///< empty if unknown
+  int blade;                             ///< the ground blade
+  const ClusteredOctree& part;           ///< the grinding part
+  double max_depth;                      ///< the depth that it may be pressed in, mm
+  std::vector<Pose> path;                ///< the part's poses in the mesh's frame
 };
 
-/// Of the side that the part touches at the most poses. None where it touches neither. Throws
-/// std::invalid_argument where there is no such blade, or its side has no contours.
+/// The coverage of the side that the part touches at more poses. Empty if it touches neither side. Throws
+/// std::invalid_argument if the blade does not exist or its side has no contours.
 std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads = 0);
 
-/// The same of a run; none where no blade is ground.
+/// The same for a run. Empty if the run grinds no blade.
 std::optional<Coverage> coverageOf(const GrindingRun& run, int threads = 0);
 
 /// "Ground: 62 % of the convex side of blade 1".
@@ -82,7 +81,7 @@ std::string groundInWords(const Coverage& coverage);
 /// "not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
 std::string leftInWords(const Coverage& coverage);
 
-/// Both in one line; of none that nothing of the blade is ground.
+/// Both in one line. Without a coverage, the line says that the path grinds nothing of the blade.
 std::string inWords(const std::optional<Coverage>& coverage, int blade);
 
 }  // namespace octoblisk::demos

@@ -1,5 +1,5 @@
 // The judge: decides whether a pose or a move of the tool is clear, intended, near, gouging or unknown. grind
-// asks it in full; access and repair ask only whether the tool may be there.
+// asks for the full verdict; access and repair only ask whether the pose is free.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@
 
 namespace octoblisk::demos {
 
-/// What is in the way of a pose or a move.
+/// What blocks a pose or a move.
 struct Hindrance {
-  std::size_t part = 0;    ///< of the tool
-  int blade = 0;           ///< 0: hub or shroud; beyond the blades: a fixture (BodyNames)
-  bool too_deep = false;   ///< in a blade that the part may touch
-  bool is_inside = false;  ///< the part is wholly in the blisk or a fixture, or that in the part
+  std::size_t part = 0;    ///< the tool's part
+  int blade = 0;           ///< 0: hub or shroud; above the number of blades: a fixture (BodyNames)
+  bool too_deep = false;   ///< the part is too deep in a blade that it may touch
+  bool is_inside = false;  ///< one lies wholly inside the other
 };
 
 struct PoseState {
-  std::optional<Hindrance> obstacle;  ///< none: the pose is free
+  std::optional<Hindrance> obstacle;  ///< empty: the pose is free
   bool grinds = false;                ///< a part touches what it may touch, and nothing else
 };
 
@@ -48,31 +48,33 @@ class Judge {
   const std::vector<ToolPart>& parts() const { return parts_; }
   const VerdictRules& rules() const { return rules_; }
   const Obstacles& obstacles() const { return obstacles_; }
-  /// Of the surroundings' triangles, of which the blisk's are the first.
+  /// The body of each triangle of the surroundings. The blisk's triangles come first.
   std::span<const int> bladeOfTriangle() const { return obstacles_.bodyOfTriangle(); }
   DepthKind depthKind(std::size_t part) const { return depths_.kindOf(part); }
 
-  /// Sets the depths of poses that have their contacts.
+  /// Sets the depths. The poses must have their contacts.
   void measureDepths(std::span<PoseReport> poses);
-  /// Sets the verdicts of poses that have their contacts and depths.
+  /// Sets the verdicts. The poses must have their contacts and depths.
   void setVerdicts(std::span<PoseReport> poses) const;
   /// Sets the clearances, as measureClearances (pose_clearances.h) does.
   void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
-  /// Sets `move` of all poses but the first: that from the pose before. The poses must have all of the above.
+  /// Sets `move` of all poses but the first: the move from the previous pose. The poses must have all of the
+  /// above.
   void checkMoves(std::span<PoseReport> poses);
 
-  /// Which poses are free: those with the verdict clear or intended contact by rules with the same near_miss
-  /// for all pairs, which is the margin that the tool must keep. Ended by the first hit; soonest where each
-  /// pose is near the one before. The obstacle that is named, of several, may depend on the poses before.
+  /// Tells which poses are free: their verdict is clear or intended contact under rules whose near_miss, the
+  /// tool's margin, is the same for all pairs. Each pose ends at its first hit; this is fastest if successive
+  /// poses are near each other. If several obstacles block a pose, the one named may depend on the poses
+  /// before.
   std::vector<PoseState> statesOf(std::span<const Pose> tool_in_blisk);
 
-  /// For each move between free poses the first obstacle that is in its way, if any. A move is free if it
-  /// keeps half of the margin, and kMoveTolerance at least, from all that must not be touched, and no part is
-  /// found deeper than it may be: as MoveCheck says.
+  /// For each move between free poses, the first obstacle that blocks it, if any. A move is free if the tool
+  /// keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
+  /// MoveCheck finds no part deeper than allowed.
   std::vector<std::optional<Hindrance>> obstaclesOf(std::span<const Move> moves);
 
  private:
-  struct Trail;  // what is remembered from pose to pose
+  struct Trail;  // the memory from pose to pose
 
   PoseState stateAt(const Pose& pose, Trail& trail, std::size_t thread);
   std::optional<Hindrance> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;

@@ -57,12 +57,12 @@ class PartDepths {
   const SolidBoundary& blisk() const { return blisk_boundary_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
-  /// For each pose the parts that touch the blisk or lie in it, or it in them, in their order; then those
-  /// that lie in a fixture that they do not touch, or it in them, where no depth is told, and the triangle is
-  /// of the surroundings (fixture.h).
+  /// For each pose, in the order of the parts: the parts that touch the blisk, contain
+  /// it or lie inside it. After these, the parts that contain a fixture, or lie inside it, without touching
+  /// it: their depth is 0, and the triangle is one of the surroundings (fixture.h).
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
-  /// The same of one part each: part and pose of the same index.
+  /// The same for single parts: parts[i] at tool_in_blisk[i].
   std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
                                                 std::span<const Pose> tool_in_blisk);
 
@@ -73,8 +73,8 @@ class PartDepths {
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
-  /// Whether a part lies wholly in a fixture that it does not touch, or the fixture in it, or that is not
-  /// known. An open fixture holds nothing.
+  /// Whether a part that does not touch a fixture lies wholly inside it, or contains it, or whether that is
+  /// unknown. An open fixture contains nothing.
   bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
 
  private:

@@ -11,6 +11,7 @@
 #include "models/blisk_axis.h"
 #include "models/orientation.h"
 #include "models/shared_tree.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

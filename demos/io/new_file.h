@@ -1,4 +1,4 @@
-// A file that is there whole or not at all: the one way in which the command writes files.
+// A file that is written completely or not at all. The command writes every file this way.
 #pragma once
 
 #include <cstdio>
@@ -15,36 +15,36 @@ struct FileCloser {
 };
 using OpenFile = std::unique_ptr<std::FILE, FileCloser>;
 
-/// Whether there is something of this name that is no file on a disk, e.g. a pipe, or that is this process'
-/// standard output or error, or "-", which means standard output: it can be written to, but not be replaced.
+/// Whether the name stands for something that can be written to but not replaced: a device or a pipe, this
+/// process's standard output or error, or "-", which means standard output.
 bool isDevice(const std::filesystem::path& file);
 
-/// Whether it is standard output, by "-" or a name of it.
+/// Whether the name stands for standard output: "-", or a path of it.
 bool isStandardOutput(const std::filesystem::path& file);
 
-/// Throws std::runtime_error naming the file where it is one of those read, or "-".
+/// Throws std::runtime_error naming the file if it is "-" or one of the files read.
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
 
-/// Where links lead to; the file itself where it is none, or there is nothing yet.
+/// The file that a symbolic link leads to. Returns the argument itself if it is not a link.
 std::filesystem::path behindLinks(const std::filesystem::path& file);
 
-/// The name that a file has until it is finished: beside it, and with its extension.
+/// The name of a file until it is finished: in the same folder, with the same extension.
 std::filesystem::path unfinishedName(const std::filesystem::path& file);
 
-/// "FILE: cannot be written: No space left on device". `error`: of errno, 0 where there is none. A file under
-/// its unfinished name is told by its own.
+/// Throws std::runtime_error: "FILE: cannot be written: No space left on device". `error` is an errno value,
+/// or 0 if the cause is unknown. The message names the final file, not its unfinished name.
 [[noreturn]] void refuseToWrite(const std::filesystem::path& file, int error);
 
-/// Makes sure that what was written to a file is on its disk. Throws as refuseToWrite.
+/// Flushes a written file to its disk. Throws as refuseToWrite does.
 void requireOnDisk(const std::filesystem::path& file);
 
-/// Writes to a new file in the same folder, which takes the name when all is written and on the disk; through
-/// links; to a device directly, and so to a file under its unfinished name.
+/// Writes to a new file in the same folder and renames it when it is complete and on the disk. Follows
+/// symbolic links. Writes directly to devices and to files that already have an unfinished name.
 class NewFile {
  public:
-  /// Throws std::runtime_error naming the file, where it is a folder, or with the cause.
+  /// Throws std::runtime_error naming the file and the cause, for instance if it is a folder.
   explicit NewFile(std::filesystem::path file);
-  /// Leaves what was there, unless it has been kept.
+  /// Leaves the old file in place unless keep() was called.
   ~NewFile();
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
@@ -58,7 +58,7 @@ class NewFile {
   OpenFile open_;
 };
 
-/// Writes a whole file so. Throws std::runtime_error naming the file and the cause.
+/// Writes a whole file this way. Throws std::runtime_error naming the file and the cause.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace octoblisk::demos

@@ -23,14 +23,8 @@ void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) 
   const Vec3 from = fromBullet(ray.m_from), way = fromBullet(ray.m_to) - from;
   const double rounding =
       kRounding * (largest(from) + largest(way) + largest(hand_over.tree().mesh().bounds().center()));
-  MovingBox segment;
-  segment.motion = way;
+  MovingBox segment = movingPoint(from, way, rounding);
   segment.rim = kRim;
-  segment.start = {from, Mat3::Identity(), Vec3::Constant(rounding)};
-  const double length = way.norm();
-  if (length > 0.0) {  // one axis along the ray: its boxes are narrow across it
-    segment.start.axes = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), way).toRotationMatrix();
-  }
   forEachTriangleAlong(hand_over.tree(), segment, double(ray.m_hitFraction),
                        [&](std::uint32_t triangle, double) {
                          hand_over(ray, triangle);

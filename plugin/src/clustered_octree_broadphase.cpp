@@ -8,6 +8,7 @@
 #include <cassert>
 
 #include "near_bodies.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/register.h"

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "cast_callbacks.h"
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
@@ -68,7 +70,7 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 }
 
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
-  mass_properties_ = octoblisk::massProperties(tree->mesh());
+  mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   tree_ = std::move(tree);
   ++revision_;
 }
@@ -119,12 +121,12 @@ void ClusteredOctreeShape::setLocalScaling(const btVector3& scaling) {
 }
 
 void ClusteredOctreeShape::calculateLocalInertia(btScalar mass, btVector3& inertia) const {
-  inertia = toBullet(double(mass) * mass_properties_.inertiaAbout(Vec3::Zero()).diagonal());
+  inertia = toBullet(double(mass) * mass_properties_->inertiaAbout(Vec3::Zero()).diagonal());
 }
 
 void ClusteredOctreeShape::calculatePrincipalAxisTransform(btScalar mass, btTransform& principal,
                                                            btVector3& inertia) const {
-  const PrincipalFrame frame = principalFrame(mass_properties_);
+  const PrincipalFrame frame = principalFrame(*mass_properties_);
   principal = toBullet(frame.in_mesh);
   inertia = toBullet(double(mass) * frame.moments);
 }

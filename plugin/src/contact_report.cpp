@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 
 namespace octoblisk {

@@ -2,6 +2,7 @@
 
 #include <LinearMath/btIDebugDraw.h>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 

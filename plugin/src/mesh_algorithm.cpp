@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "contact/corner_contacts.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

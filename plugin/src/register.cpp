@@ -19,6 +19,7 @@
 #include "mesh_convex_algorithm.h"
 #include "mesh_mesh_algorithm.h"
 #include "mesh_plane_algorithm.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 
 namespace octoblisk {

@@ -16,6 +16,14 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
+/// The fields of a row of a table without quotes.
+std::vector<std::string> fieldsOf(const std::string& row) {
+  std::vector<std::string> fields;
+  std::istringstream rest(row + ",");
+  for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+  return fields;
+}
+
 /// Two boxes of edges 2 and 1, as OBJ files, and a way of the small one along x past and into the large one.
 void writeBoxes(const std::filesystem::path& folder) {
   for (const auto& [name, half] : {std::pair("large", 1.0), std::pair("small", 0.5)}) {
@@ -60,9 +68,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
                                      {false, 1.0, 0.0, nothing},     {false, 1.0, 0.0, 0.999 / 5.0}};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ASSERT_TRUE(std::getline(table, line));
-    std::vector<std::string> fields;
-    std::istringstream rest(line + ",");
-    for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+    const std::vector<std::string> fields = fieldsOf(line);
     ASSERT_EQ(fields.size(), 7u) << line;
     EXPECT_EQ(fields[1] == "1", expected[i].colliding) << line;
     EXPECT_NEAR(std::stod(fields[4]), expected[i].clearance, 1e-9) << line;
@@ -95,9 +101,7 @@ TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
             "pose,colliding,triangle_fixed,triangle_moving,signed_distance,by_x,by_y,by_z,by_rx,by_ry,by_rz");
   for (const double expected : {0.25, -0.3}) {
     ASSERT_TRUE(std::getline(table, line));
-    std::vector<std::string> fields;
-    std::istringstream rest(line);
-    for (std::string each; std::getline(rest, each, ',');) fields.push_back(each);
+    const std::vector<std::string> fields = fieldsOf(line);
     ASSERT_EQ(fields.size(), 11u) << line;
     EXPECT_NEAR(std::stod(fields[4]), expected, 1e-6);
     EXPECT_NEAR(std::stod(fields[7]), 1.0, 1e-6);

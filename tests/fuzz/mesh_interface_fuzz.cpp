@@ -8,6 +8,7 @@
 
 #include "fuzz/bytes.h"
 #include "fuzz/fuzz_input.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/register.h"
 

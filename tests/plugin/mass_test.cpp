@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "octoblisk/mass_properties.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/solids.h"

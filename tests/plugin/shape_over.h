@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "shared/meshes.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"

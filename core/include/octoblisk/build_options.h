@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "octoblisk/cpp20.h"
+
 namespace octoblisk {
 
 /// How the triangles of a node become its children.

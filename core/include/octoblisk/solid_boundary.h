@@ -1,4 +1,4 @@
-// Where a surface bounds a solid: what inside and outside mean near a surface that has holes or meets itself.
+// Where a surface bounds a solid: defines inside and outside near a surface with holes or self-intersections.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace octoblisk {
 
-/// Knows of each triangle of a surface whether it bounds a solid:
+/// Knows which triangles of a surface bound a solid. A triangle bounds a solid if
 ///   1. each of its edges belongs to one other triangle, which uses it the other way;
 ///   2. it meets no triangle that shares no corner with it;
 ///   3. just outside of it the winding number is about 0: it lies within no other part of the surface.
-/// So the triangles at open edges, at edges of more than two triangles (doubled surfaces), where the surface
-/// meets itself, and those within a solid that another part bounds are none. Of degenerate triangles, none
-/// is.
+/// Triangles at open edges, at edges of more than two triangles (doubled surfaces), where the surface meets
+/// itself, and within a solid that another part bounds therefore bound nothing. Degenerate triangles bound
+/// nothing.
 ///
-/// Built once, in O(n log n) and a winding number, O(n), for each region that hangs together by edges of such
-/// triangles. Only the kMostRegions largest are asked; the triangles of the rest bound nothing.
+/// Built once in O(n log n), plus one winding number, O(n), for each region of such triangles connected by
+/// edges. Only the kMostRegions largest regions are asked; the triangles of the rest bound nothing.
 class SolidBoundary {
  public:
   static constexpr std::size_t kMostRegions = 128;
@@ -31,20 +31,20 @@ class SolidBoundary {
 
   const Surface& surface() const { return *surface_; }
 
-  /// Whether every triangle meets 1 and 2. Then the surface is closed, and octoblisk::locate says where points
-  /// lie, whichever way it faces.
+  /// Whether 1 and 2 hold for every triangle. Then the surface is closed, and octoblisk::locate tells where
+  /// points lie, whichever way the surface faces.
   bool isWhole() const { return whole_; }
 
-  /// Whether the triangle bounds a solid; of a whole surface every one does.
+  /// Whether the triangle bounds a solid. Every triangle of a whole surface does.
   bool has(std::uint32_t triangle) const { return whole_ || bounds_[triangle] != 0; }
 
-  /// Where a point lies. Of a whole surface as octoblisk::locate says. Else by the side of the pseudonormal (J. A.
-  /// Bærentzen, H. Aanæs, Signed distance computation using the angle weighted pseudonormal, IEEE TVCG 11
-  /// (3), 2005) of the nearest point, if that lies amid triangles that bound a solid. Where it does not, by
-  /// the winding number, if that is within 1/4 of 0 or 1; else unknown.
+  /// Where a point lies. A whole surface answers as octoblisk::locate does. Otherwise the pseudonormal of the
+  /// nearest point decides (J. A. Bærentzen, H. Aanæs, Signed distance computation using the angle weighted
+  /// pseudonormal, IEEE TVCG 11 (3), 2005) if all triangles at that point bound a solid. If they do not, the
+  /// winding number decides if it is within 1/4 of 0 or 1; otherwise the location is unknown.
   PointLocation locate(const Vec3& point) const;
-  /// The same, faster: `nearest` is the surface's closest point to it. Of a whole surface, too, by the
-  /// pseudonormal where 3 is met; within rounding of the surface that may differ from the exact answer.
+  /// The same, faster: `nearest` is the surface's point closest to `point`. On a whole surface, too, the
+  /// pseudonormal decides where 3 holds; within rounding of the surface it may differ from the exact answer.
   PointLocation locate(const Vec3& point, const ClosestPoint& nearest) const;
 
  private:

@@ -8,6 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "octoblisk/cpp20.h"
+
 namespace octoblisk {
 
 using Vec3 = Eigen::Vector3d;

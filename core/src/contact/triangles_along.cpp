@@ -9,6 +9,7 @@
 #define HWY_TARGET_INCLUDE "contact/triangles_along.cpp"
 #include <hwy/foreach_target.h>
 
+#include "geometry/frame_along.h"
 #include "query/traversal-inl.h"
 
 #ifndef OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
@@ -170,6 +171,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace octoblisk::detail {
+
+MovingBox movingPoint(const Vec3& start, const Vec3& motion, double tolerance) {
+  const double length = motion.norm();
+  const Mat3 axes = length > 0.0 ? frameAlong(motion / length) : Mat3::Identity();
+  return {{start, axes, Vec3::Constant(tolerance)}, motion};
+}
 
 HWY_EXPORT(trianglesAlong);
 

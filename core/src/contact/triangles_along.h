@@ -18,6 +18,10 @@ struct MovingBox {
   double rim = 0.0;
 };
 
+/// A point that moves, in a cube of half extents `tolerance`. One axis lies along the motion: the box of the
+/// whole motion is narrow.
+MovingBox movingPoint(const Vec3& start, const Vec3& motion, double tolerance);
+
 /// Visits a triangle with a fraction before which the box does not meet it, and returns the greatest fraction
 /// that is still of interest; below 0: none.
 using AlongVisitor = double (*)(void* user, std::uint32_t triangle, double first_fraction);

@@ -14,7 +14,7 @@ constexpr double kFlat = 1e-10;              // of the polytope's size: thinner 
 constexpr double kCoplanar = 1e-12;          // of its size: a vertex this near to a face's plane is in it
 
 /// A triangle of the polytope, its normal pointing away from the origin.
-struct Face {
+struct PolytopeFace {
   std::array<int, 3> vertex;
   Vec3 normal;
   double distance;
@@ -48,8 +48,9 @@ class Polytope {
   CorePenetration expand() {
     while (true) {
       const auto faces_end = faces_.begin() + face_count_;
-      Face& nearest = *std::min_element(faces_.begin(), faces_end,
-                                        [](const Face& a, const Face& b) { return a.distance < b.distance; });
+      PolytopeFace& nearest = *std::min_element(
+          faces_.begin(), faces_end,
+          [](const PolytopeFace& a, const PolytopeFace& b) { return a.distance < b.distance; });
       const SupportPoint next = supportOfDifference(triangle_, convex_, nearest.normal);
       const double reach = next.difference.dot(nearest.normal);
       if (reach - nearest.distance <= tolerance()) return penetration(nearest);
@@ -114,16 +115,16 @@ class Polytope {
   }
 
   /// None where it would have no area.
-  std::optional<Face> faceOf(int i, int j, int k) const {
+  std::optional<PolytopeFace> faceOf(int i, int j, int k) const {
     const Vec3 scaled = areaOf(i, j, k);
     const double length = scaled.norm();
     if (!(length > 0.0)) return std::nullopt;
     const Vec3 normal = scaled / length;
-    return Face{{i, j, k}, normal, normal.dot(point(i))};
+    return PolytopeFace{{i, j, k}, normal, normal.dot(point(i))};
   }
 
   bool addFace(int i, int j, int k) {
-    const std::optional<Face> face = faceOf(i, j, k);
+    const std::optional<PolytopeFace> face = faceOf(i, j, k);
     if (face) faces_[static_cast<std::size_t>(face_count_++)] = *face;
     return face.has_value();
   }
@@ -139,13 +140,13 @@ class Polytope {
           edge.begin(), end, [&](const Edge& other) { return other.from == of.to && other.to == of.from; });
       return found == end ? nullptr : &*found;
     }
-    bool touches(const Face& face) {
+    bool touches(const PolytopeFace& face) {
       for (std::size_t e = 0; e < 3; ++e) {
         if (twin({face.vertex[e], face.vertex[(e + 1) % 3]})) return true;
       }
       return false;
     }
-    void take(const Face& face) {
+    void take(const PolytopeFace& face) {
       for (std::size_t e = 0; e < 3; ++e) {
         const Edge added{face.vertex[e], face.vertex[(e + 1) % 3]};
         if (Edge* const same = twin(added)) {
@@ -171,7 +172,7 @@ class Polytope {
     for (bool spreads = true; spreads;) {
       spreads = false;
       for (int f = 0; f < face_count_; ++f) {
-        const Face& face = faces_[static_cast<std::size_t>(f)];
+        const PolytopeFace& face = faces_[static_cast<std::size_t>(f)];
         const bool sees = face.normal.dot(vertex.difference) >= face.distance - kCoplanar * size_;
         if (seen[static_cast<std::size_t>(f)] || !sees || !rim.touches(face)) continue;
         take(f);
@@ -181,10 +182,10 @@ class Polytope {
     const auto seen_count = static_cast<int>(std::ranges::count(seen, true));
     if (face_count_ - seen_count + rim.count > kMaxFaces || rim.count < 3) return false;
     vertices_[static_cast<std::size_t>(count_)] = vertex;
-    std::array<Face, kMaxFaces> added;
+    std::array<PolytopeFace, kMaxFaces> added;
     for (int e = 0; e < rim.count; ++e) {
       const Edge& edge = rim.edge[static_cast<std::size_t>(e)];
-      const std::optional<Face> face = faceOf(edge.from, edge.to, count_);
+      const std::optional<PolytopeFace> face = faceOf(edge.from, edge.to, count_);
       if (!face) return false;
       added[static_cast<std::size_t>(e)] = *face;
     }
@@ -200,7 +201,7 @@ class Polytope {
 
   /// Weights of a face's corners for the point of it near to `foot`, a point in its plane; all 0 for a face
   /// that is no more than an edge, whose neighbours hold the point as well.
-  Vec3 weightsOf(const Face& face, const Vec3& foot) const {
+  Vec3 weightsOf(const PolytopeFace& face, const Vec3& foot) const {
     const auto& [i, j, k] = face.vertex;
     const Vec3 a = point(i) - foot, b = point(j) - foot, c = point(k) - foot;
     const Vec3 areas(b.cross(c).dot(face.normal), c.cross(a).dot(face.normal), a.cross(b).dot(face.normal));
@@ -211,13 +212,13 @@ class Polytope {
 
   /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference is
   /// made of several faces in one plane: the foot is on one of them.
-  CorePenetration penetration(const Face& nearest) const {
+  CorePenetration penetration(const PolytopeFace& nearest) const {
     const Vec3 foot = nearest.normal * nearest.distance;
-    const Face* face = &nearest;
+    const PolytopeFace* face = &nearest;
     Vec3 weights = Vec3(1.0, 0.0, 0.0);
     double least = std::numeric_limits<double>::infinity();
     for (int f = 0; f < face_count_; ++f) {
-      const Face& candidate = faces_[static_cast<std::size_t>(f)];
+      const PolytopeFace& candidate = faces_[static_cast<std::size_t>(f)];
       if (candidate.distance > nearest.distance + tolerance()) continue;
       const Vec3 found = weightsOf(candidate, foot);
       if (!(found.sum() > 0.0)) continue;
@@ -245,7 +246,7 @@ class Polytope {
   const Triangle& triangle_;
   const Convex& convex_;
   std::array<SupportPoint, kMaxVertices + 1> vertices_;
-  std::array<Face, kMaxFaces> faces_;
+  std::array<PolytopeFace, kMaxFaces> faces_;
   int count_ = 0;
   int face_count_ = 0;
   double size_ = 0.0;

@@ -21,4 +21,7 @@ void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Visi
       &visit);
 }
 
+/// Whether the two triangles meet, by the exact test if the filter could not tell.
+bool meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair);
+
 }  // namespace octoblisk::detail

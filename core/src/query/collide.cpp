@@ -9,7 +9,6 @@
 #include "query/candidate_pairs.h"
 #include "query/collide_below.h"
 #include "query/collide_walk-inl.h"
-#include "query/self_meetings.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -23,35 +22,12 @@ std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b
   return hit;
 }
 
-void allPairs(const Tree& a, const Tree& b, const Pose& b_in_a, std::vector<TrianglePair>& found) {
-  forEachMeetingPair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair) {
-    found.push_back(pair);
-    return false;
-  });
-}
-
 void candidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a,
                     void (*visit)(void* user, CandidatePair pair), void* user) {
   forEachCandidatePair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
     visit(user, {pair, meets});
     return false;
   });
-}
-
-void selfMeetings(const Surface& surface, std::vector<char>& meets) {
-  const Tree& tree = treeOf(surface.tree());
-  const auto sharesNoCorner = [&](TrianglePair pair) {
-    if (pair.a >= pair.b) return false;
-    for (const std::uint32_t corner : surface.corners(pair.a)) {
-      if (std::ranges::find(surface.corners(pair.b), corner) != surface.corners(pair.b).end()) return false;
-    }
-    return true;
-  };
-  const auto note = [&](TrianglePair pair, NodePair) {
-    meets[pair.a] = meets[pair.b] = 1;
-    return false;
-  };
-  forEachMeetingPair(tree, tree, Pose(), NodePair(), note, NoTally(), sharesNoCorner);
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -66,9 +42,7 @@ namespace octoblisk {
 using namespace detail;
 
 HWY_EXPORT(firstPair);
-HWY_EXPORT(allPairs);
 HWY_EXPORT(candidatePairs);
-HWY_EXPORT(selfMeetings);
 
 std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a,
                                                 NodePair below) {
@@ -80,8 +54,9 @@ void detail::forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in
   HWY_DYNAMIC_DISPATCH(candidatePairs)(a, b, b_in_a, visit, user);
 }
 
-void detail::findSelfMeetings(const Surface& surface, std::vector<char>& meets) {
-  HWY_DYNAMIC_DISPATCH(selfMeetings)(surface, meets);
+bool detail::meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair) {
+  return pair.meets ||
+         intersects(a.mesh().triangle(pair.triangles.a), b_in_a * b.mesh().triangle(pair.triangles.b));
 }
 
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
@@ -92,7 +67,9 @@ std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOct
 void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    std::vector<TrianglePair>& found) {
   found.clear();
-  HWY_DYNAMIC_DISPATCH(allPairs)(treeOf(a), treeOf(b), b_in_a, found);
+  forEachCandidatePair(treeOf(a), treeOf(b), b_in_a, [&](const CandidatePair& pair) {
+    if (meet(treeOf(a), treeOf(b), b_in_a, pair)) found.push_back(pair.triangles);
+  });
   std::ranges::sort(found);
 }
 

@@ -15,13 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-struct AnyPair {
-  bool operator()(TrianglePair) const { return true; }
-};
-
 /// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not part,
-/// and the two nodes whose leaves they are in. `meets`: the filter is sure that they meet; else the exact test
-/// has to say. Returns true as soon as visit does, else false.
+/// and the two nodes whose leaves they are in. `meets`: the filter is sure that they meet; else the exact
+/// test has to say. Returns true as soon as visit does, else false.
 template <typename Visit, typename Tally = NoTally>
 bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
                           Tally&& tally = {}) {
@@ -53,12 +49,11 @@ bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Node
 }
 
 /// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet. Returns true as soon as
-/// visit does, else false. Pairs for which wanted(pair) is false are left out before they are tested exactly.
-template <typename Visit, typename Tally = NoTally, typename Wanted = AnyPair>
+/// visit does, else false.
+template <typename Visit, typename Tally = NoTally>
 bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
-                        Tally&& tally = {}, Wanted&& wanted = {}) {
+                        Tally&& tally = {}) {
   const auto settle = [&](TrianglePair pair, NodePair nodes, bool meets) HWY_ATTR {
-    if (!wanted(pair)) return false;
     if (!meets) {
       tally.exactTest();
       if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) return false;

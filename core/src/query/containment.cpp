@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/rounding.h"
+#include "geometry/frame_along.h"
 #include "geometry/half_line_crossing.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/triangles_in_box.h"
@@ -33,9 +34,7 @@ std::optional<Obb> clipToSphere(const Tree& tree, const Vec3& point, const Pose&
   if (end < begin || middle.norm() > reach) return std::nullopt;
   Obb line;
   line.center = tree.origin() + middle + (0.5 * (begin + end) - nearest) * direction;
-  line.axes.col(0) = direction;
-  line.axes.col(1) = direction.unitOrthogonal();
-  line.axes.col(2) = direction.cross(line.axes.col(1));
+  line.axes = frameAlong(direction);
   line.half_extents = {0.5 * (end - begin), 0.0, 0.0};
   return line;
 }

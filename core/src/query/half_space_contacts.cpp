@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/frame_along.h"
 #include "octoblisk/triangles_in_box.h"
 #include "tree/tree.h"
 
@@ -20,10 +21,9 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
   const double lowest = height - tree.radius(), highest = std::min(threshold, height + tree.radius());
   if (!(lowest <= highest + 1e-12 * (tree.origin().norm() + tree.radius()))) return;
   Obb below;
-  const Vec3 side = normal.unitOrthogonal();
-  below.axes << side, normal.cross(side), normal;
+  below.axes = frameAlong(normal);
   below.center = tree.origin() + (0.5 * (lowest + highest) - height) * normal;
-  below.half_extents = Vec3(tree.radius(), tree.radius(), std::max(0.5 * (highest - lowest), 0.0));
+  below.half_extents = Vec3(std::max(0.5 * (highest - lowest), 0.0), tree.radius(), tree.radius());
 
   // The corner of a triangle is kept in triangle_b until the end.
   forEachTriangleIn(a, below, 0.0, [&](std::uint32_t triangle) {

@@ -74,7 +74,7 @@ class Feet {
 /// along an edge, none at a corner.
 class StraightOn {
  public:
-  /// Directions are told in another frame, to which `rotation` takes those of the surface.
+  /// `rotation` takes directions from the surface's frame to the result's.
   StraightOn(const ClusteredOctree& surface, const Vec3& point, double reach, const Mat3& rotation) {
     Obb at;
     at.center = point;
@@ -100,13 +100,19 @@ class StraightOn {
   int normals_ = 0;
 };
 
-/// The weights of a triangle's corners at a point of it.
+/// The barycentric coordinates of a point of a triangle. The triangle may be degenerate.
 Vec3 barycentric(const Triangle& triangle, const Vec3& point) {
-  const Vec3 first = triangle[1] - triangle[0], second = triangle[2] - triangle[0];
-  Eigen::Matrix<double, 3, 2> edges;
-  edges << first, second;
-  const Eigen::Vector2d weights = edges.completeOrthogonalDecomposition().solve(point - triangle[0]);
-  return {1.0 - weights.sum(), weights[0], weights[1]};
+  const Vec3 first = triangle[1] - triangle[0], second = triangle[2] - triangle[0], to = point - triangle[0];
+  const Vec3 normal = first.cross(second);
+  const double a = first.squaredNorm(), b = second.squaredNorm(), squared = normal.squaredNorm();
+  if (squared > 1e-24 * a * b) {
+    const double at_first = to.cross(second).dot(normal) / squared;
+    const double at_second = first.cross(to).dot(normal) / squared;
+    return {1.0 - at_first - at_second, at_first, at_second};
+  }
+  if (a == 0.0 && b == 0.0) return Vec3::UnitX();
+  if (a >= b) return {1.0 - to.dot(first) / a, to.dot(first) / a, 0.0};
+  return {1.0 - to.dot(second) / b, 0.0, to.dot(second) / b};
 }
 
 /// The weighted mean of the directions to the feet that is orthogonal to the surface of the deepest point, or
@@ -137,7 +143,7 @@ Vec3 meanWayOut(const Feet& feet, const StraightOn& straight_on) {
   return mean;
 }
 
-/// Fills in the derivative, of which the part by translation is known, at a point of B.
+/// Sets the derivative and the normal from the derivative by translation, which acts at the point `at` of B.
 void setDerivative(SignedDistance& found, const Vec3& by_translation, const Vec3& at, const Pose& b_in_a) {
   found.by_translation = by_translation;
   found.by_rotation = (at - b_in_a.translation).cross(by_translation);

@@ -1,4 +1,4 @@
-// The two halves of the signed distance: of solids apart, and of one in the other.
+// The two cases of the signed distance: solids that are apart, and solids that penetrate each other.
 #pragma once
 
 #include "octoblisk/depth.h"
@@ -7,17 +7,17 @@
 
 namespace octoblisk::detail {
 
-/// The tolerance that depths are found to.
+/// The tolerance of penetration depths.
 double depthTolerance(const Surface& a, const Surface& b, const SignedDistanceOptions& options);
 
-/// Of surfaces that do not meet.
+/// The signed distance of surfaces that do not meet.
 SignedDistance signedDistanceOf(const Clearance& clearance, const Pose& b_in_a);
 
-/// Of B's deepest point in A, found to the tolerance.
+/// The signed distance given by B's deepest point in A, which is known to within the tolerance.
 SignedDistance signedDistanceOf(const GougeDepth& of_b, const Surface& a, const Surface& b,
                                 const Pose& b_in_a, double tolerance);
 
-/// The same with the names of the two exchanged: of A in B's frame, told of B in A's.
+/// The same distance with A and B exchanged: the argument is expressed in B's frame, the result in A's.
 SignedDistance exchanged(const SignedDistance& of_a_in_b, const Pose& b_in_a);
 
 }  // namespace octoblisk::detail

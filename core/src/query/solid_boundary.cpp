@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "geometry/winding_number.h"
-#include "query/self_meetings.h"
+#include "query/candidate_pairs.h"
 
 namespace octoblisk {
 
@@ -31,6 +31,12 @@ std::uint32_t neighbourAt(const Surface& surface, std::uint32_t triangle, std::u
     found = other;
   }
   return found;
+}
+
+bool shareCorner(const Surface& surface, std::uint32_t a, std::uint32_t b) {
+  return std::ranges::any_of(surface.corners(a), [&](std::uint32_t corner) {
+    return std::ranges::find(surface.corners(b), corner) != surface.corners(b).end();
+  });
 }
 
 Vec3 unitNormal(const Surface& surface, std::uint32_t triangle) {
@@ -78,11 +84,11 @@ void SolidBoundary::findGoodEdges() {
 }
 
 void SolidBoundary::findMeetings() {
-  std::vector<char> meets(bounds_.size(), 0);
-  findSelfMeetings(*surface_, meets);
-  for (std::size_t t = 0; t < bounds_.size(); ++t) {
-    if (meets[t] != 0) bounds_[t] = 0;
-  }
+  const Tree& tree = treeOf(surface_->tree());
+  forEachCandidatePair(tree, tree, Pose(), [&](const CandidatePair& pair) {
+    const auto [a, b] = pair.triangles;
+    if (a < b && !shareCorner(*surface_, a, b) && meet(tree, tree, Pose(), pair)) bounds_[a] = bounds_[b] = 0;
+  });
 }
 
 /// Regions hang together by edges. The winding number jumps by one across a region; asked on it, the region

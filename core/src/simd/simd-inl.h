@@ -15,6 +15,14 @@
 
 #include <cstdint>
 
+// One lane at a time, inlined operations would make functions of tens of thousands of instructions.
+#undef OCTOBLISK_EIGHT
+#if HWY_TARGET == HWY_SCALAR
+#define OCTOBLISK_EIGHT HWY_NOINLINE
+#else
+#define OCTOBLISK_EIGHT HWY_INLINE
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
@@ -24,11 +32,11 @@ class Float8 {
   static constexpr std::size_t kSize = 8;
 
   Float8() = default;
-  HWY_INLINE explicit Float8(float all) {
+  OCTOBLISK_EIGHT explicit Float8(float all) {
     for (auto& part : part_) part = hwy::HWY_NAMESPACE::Set(Tag(), all);
   }
   /// Eight floats from memory, aligned or not.
-  static HWY_INLINE Float8 load(const float* from) {
+  static OCTOBLISK_EIGHT Float8 load(const float* from) {
     Float8 result;
     for (std::size_t p = 0; p < kParts; ++p) {
       result.part_[p] = hwy::HWY_NAMESPACE::LoadU(Tag(), from + p * kWidth);
@@ -36,38 +44,39 @@ class Float8 {
     return result;
   }
   /// Eight integers from memory.
-  static HWY_INLINE Float8 load(const std::int16_t* from) { return converted(from); }
-  static HWY_INLINE Float8 load(const std::uint16_t* from) { return converted(from); }
-  HWY_INLINE void store(float* to) const {
+  static OCTOBLISK_EIGHT Float8 load(const std::int16_t* from) { return converted(from); }
+  static OCTOBLISK_EIGHT Float8 load(const std::uint16_t* from) { return converted(from); }
+  OCTOBLISK_EIGHT void store(float* to) const {
     for (std::size_t p = 0; p < kParts; ++p) hwy::HWY_NAMESPACE::StoreU(part_[p], Tag(), to + p * kWidth);
   }
 
-  friend HWY_INLINE Float8 operator+(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 operator+(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Add(x, y); });
   }
-  friend HWY_INLINE Float8 operator-(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 operator-(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Sub(x, y); });
   }
-  friend HWY_INLINE Float8 operator*(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 operator*(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Mul(x, y); });
   }
-  friend HWY_INLINE Float8 operator/(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 operator/(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Div(x, y); });
   }
-  friend HWY_INLINE Float8 min(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 min(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
   }
-  friend HWY_INLINE Float8 max(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT Float8 max(const Float8& a, const Float8& b) {
     return combined(a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
   }
-  friend HWY_INLINE Float8 abs(const Float8& a) {
+  friend OCTOBLISK_EIGHT Float8 abs(const Float8& a) {
     return combined(a, a, [](auto x, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Abs(x); });
   }
-  friend HWY_INLINE Float8 sqrt(const Float8& a) {
+  friend OCTOBLISK_EIGHT Float8 sqrt(const Float8& a) {
     return combined(a, a, [](auto x, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(x); });
   }
   /// Where a < b `yes`, else `no`.
-  friend HWY_INLINE Float8 select(const Float8& a, const Float8& b, const Float8& yes, const Float8& no) {
+  friend OCTOBLISK_EIGHT Float8 select(const Float8& a, const Float8& b, const Float8& yes,
+                                       const Float8& no) {
     Float8 result;
     for (std::size_t p = 0; p < kParts; ++p) {
       result.part_[p] = hwy::HWY_NAMESPACE::IfThenElse(hwy::HWY_NAMESPACE::Lt(a.part_[p], b.part_[p]),
@@ -77,14 +86,14 @@ class Float8 {
   }
 
   /// Of all eight: ((0+4) + (1+5)) + ((2+6) + (3+7)), on every target.
-  friend HWY_INLINE float sum(const Float8& a) {
+  friend OCTOBLISK_EIGHT float sum(const Float8& a) {
     float of[kSize];
     a.store(of);
     return ((of[0] + of[4]) + (of[1] + of[5])) + ((of[2] + of[6]) + (of[3] + of[7]));
   }
 
   /// Bit i: a[i] < b[i]; bits beyond the eighth are 0.
-  friend HWY_INLINE unsigned less(const Float8& a, const Float8& b) {
+  friend OCTOBLISK_EIGHT unsigned less(const Float8& a, const Float8& b) {
     unsigned bits = 0;
     for (std::size_t p = 0; p < kParts; ++p) {
       std::uint8_t part_bits[8] = {};

@@ -1,5 +1,7 @@
-// The concave collision shape: stands where btBvhTriangleMeshShape or btGImpactMeshShape stands, and may
-// move.
+// The concave collision shape. It replaces btBvhTriangleMeshShape and btGImpactMeshShape, and may move.
+//
+// This header includes Bullet and no Eigen, to compile fast. Include octoblisk/clustered_octree.h and
+// octoblisk/mass_properties.h to use what tree() and massProperties() return.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
@@ -7,15 +9,17 @@
 #include <memory>
 #include <vector>
 
-#include "octoblisk/clustered_octree.h"
-#include "octoblisk/mass_properties.h"
+#include "octoblisk/build_options.h"
 #include "octoblisk_bullet/triangle_parts.h"
 
 class btStridingMeshInterface;
 
 namespace octoblisk {
 
+class ClusteredOctree;
+class TriangleMesh;
 struct InterfaceMesh;
+struct MassProperties;
 
 /// A concave mesh that may be static, kinematic or dynamic. Needs registerAlgorithm (register.h) once for
 /// each dispatcher. The tree is immutable: shapes, bodies, worlds and threads may share it; setLocalScaling
@@ -58,7 +62,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// The same of a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
-  /// Grows whenever triangles move in the shape's frame: contacts kept from before are no more worth.
+  /// Grows whenever triangles move in the shape's frame: cached contacts are invalid.
   std::uint32_t revision() const { return revision_; }
 
   /// Contacts are made, and kept, up to this distance, in world units; Bullet takes the smaller of two
@@ -89,7 +93,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   void calculatePrincipalAxisTransform(btScalar mass, btTransform & principal, btVector3 & inertia) const;
 
   /// In the shape's frame, scaled as it is.
-  const MassProperties& massProperties() const { return mass_properties_; }
+  const MassProperties& massProperties() const { return *mass_properties_; }
 
   /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame. The
   /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone.
@@ -114,7 +118,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   btVector3 scaling_ = btVector3(1, 1, 1);
   btScalar contact_breaking_threshold_ = -1;  // below 0: the default
   std::shared_ptr<const ClusteredOctree> tree_;
-  MassProperties mass_properties_;
+  std::shared_ptr<const MassProperties> mass_properties_;
   std::uint32_t revision_ = 0;
 };
 

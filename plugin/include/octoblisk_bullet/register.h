@@ -22,9 +22,9 @@ namespace octoblisk {
 /// only once setMargin was called on the shape. GImpact compounds are left to GImpact's algorithm.
 void registerAlgorithm(btCollisionDispatcher* dispatcher);
 
-/// Whether two of our shapes meet in the worlds of this dispatcher: registerAlgorithm was called on it, and
-/// none has taken the pair since. Where it was not, our moving bodies fall through concave ones, and Bullet
-/// gives no sign of it. Asked by making the algorithm of two small meshes: some microseconds.
+/// Whether registerAlgorithm was called on this dispatcher, and no later registration replaced its
+/// algorithms. Without it our moving bodies fall through concave ones, and Bullet reports nothing. Creates
+/// and deletes the algorithm of two small meshes to find out.
 bool isRegistered(btCollisionDispatcher* dispatcher);
 
 }  // namespace octoblisk
