@@ -1,7 +1,6 @@
 #include "grinding/part_depths.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "base/parallel.h"
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double kPartOfLimit = 0.01;
 constexpr double kLeastTolerance = 1e-4;  // mm
-constexpr double kLeastFine = 0.01;       // mm
 constexpr double kFiner = 0.1;            // where the limit is between the bounds
 constexpr double kCoarse = 0.5;           // part of the limit, of a first question
 
@@ -51,14 +49,6 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
   for (const Fixture& fixture : fixtures) {
     fixtures_.push_back(std::make_unique<const FixedSolid>(*fixture.tree, threads));
   }
-  for (const double limit : limits_) {
-    const auto [known, is_new] = fine_.try_emplace(limit);
-    if (!is_new) continue;
-    known->second.resize(blisk_->mesh().triangleCount(), 0);
-    for (const std::uint32_t triangle : fineFeatures(blisk_boundary_, std::max(limit, kLeastFine), threads)) {
-      known->second[triangle] = 1;
-    }
-  }
 }
 
 DepthKind PartDepths::kindOf(std::size_t part) const {
@@ -82,24 +72,6 @@ std::vector<std::optional<PartDepth>> PartDepths::measure(std::span<const std::s
   return found;
 }
 
-/// The blisk's fine features that have a point in the part, and maybe some that have none.
-std::vector<std::uint32_t> PartDepths::fineInside(std::size_t part, const Pose& tool_in_blisk,
-                                                  DepthQuery& query) const {
-  std::vector<std::uint32_t> triangles;
-  query.meetingOrInside(part_surfaces_[part], blisk_surface_, tool_in_blisk.inverse(), triangles);
-  const std::vector<char>& fine = fine_.at(limits_[part]);
-  std::erase_if(triangles, [&](std::uint32_t triangle) { return !fine[triangle]; });
-  std::ranges::sort(triangles);
-  return triangles;
-}
-
-/// The deepest point of these in the part, if it is beyond the limit.
-std::optional<DeepPoint> PartDepths::fineBeyond(std::size_t part, const Pose& tool_in_blisk,
-                                                DepthQuery& query) const {
-  return deepestBeyond(blisk_->mesh(), fineInside(part, tool_in_blisk, query), part_surfaces_[part],
-                       tool_in_blisk.inverse(), std::max(limits_[part], kLeastFine));
-}
-
 /// Proved by a lift off a triangle of the blisk; false: not proved.
 bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
                              std::uint32_t triangle_of_blisk) const {
@@ -113,25 +85,22 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
                                             DepthQuery& query) const {
   const octoblisk::Surface& surface = part_surfaces_[part];
   const double limit = limits_[part];
-  const bool has_inside = kindOf(part) == DepthKind::of_solids;
   const GougeDepth of_part = settled(query, blisk_boundary_, surface, tool_in_blisk, limit);
-  if (of_part.gouging != Gouging::found) {  // no surfaces meet: the blisk may be inside the part
-    if (!of_part.is_known) {
-      const Clearance nearest = distance(*blisk_, *parts_[part].tree, tool_in_blisk);
-      return PartDepth{part, 0.0, nearest.triangle_a, nearest.point_on_a, true, false};
-    }
-    if (!has_inside) return std::nullopt;
-    const GougeDepth of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit);
-    if (of_blisk.gouging != Gouging::found) return std::nullopt;
-    return PartDepth{part, of_blisk.depth, of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b, true};
+  if (of_part.gouging != Gouging::found && !of_part.is_known) {
+    const Clearance nearest = distance(*blisk_, *parts_[part].tree, tool_in_blisk);
+    return PartDepth{part, 0.0, nearest.triangle_a, nearest.point_on_a, true, false};
   }
-  const bool touches = collide(*blisk_, *parts_[part].tree, tool_in_blisk).has_value();
-  const bool may_be_deeper = touches && has_inside && of_part.depth <= limit;
-  if (may_be_deeper && !staysWithin(part, tool_in_blisk, of_part.triangle_a)) {
-    const auto of_blisk = fineBeyond(part, tool_in_blisk, query);
-    if (of_blisk) return PartDepth{part, of_blisk->depth, of_blisk->triangle, of_blisk->point, false};
+  GougeDepth of_blisk;
+  if (kindOf(part) == DepthKind::of_solids) {
+    of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit);
   }
-  return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, !touches, of_part.is_known};
+  if (of_part.gouging != Gouging::found && of_blisk.gouging != Gouging::found) return std::nullopt;
+  const bool is_inside = !collide(*blisk_, *parts_[part].tree, tool_in_blisk);
+  if (of_part.gouging != Gouging::found || of_blisk.depth > of_part.depth) {
+    return PartDepth{part,      of_blisk.depth,  of_blisk.triangle_b, tool_in_blisk * of_blisk.point_on_b,
+                     is_inside, of_part.is_known};
+  }
+  return PartDepth{part, of_part.depth, of_part.triangle_a, of_part.point_on_a, is_inside, of_part.is_known};
 }
 
 bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
@@ -156,10 +125,11 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
     if (found.depth > limit || !found.is_known) return true;
   }
   if (kindOf(part) != DepthKind::of_solids) return false;
-  // No fine feature is deeper than the blisk's deepest point.
-  const GougeDepth of_blisk = query.deepest(surface, blisk_surface_, tool_in_blisk.inverse(), coarse);
-  return of_blisk.upper_bound > std::max(limit, kLeastFine) &&
-         fineBeyond(part, tool_in_blisk, query).has_value();
+  const Pose blisk_in_tool = tool_in_blisk.inverse();
+  const GougeDepth of_blisk = query.deepest(surface, blisk_surface_, blisk_in_tool, coarse);
+  if (of_blisk.depth > beyond) return true;
+  return of_blisk.upper_bound > limit &&
+         settled(query, surface, blisk_surface_, blisk_in_tool, limit).depth > limit;
 }
 
 double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "grinding/fine_features.h"
 #include "grinding/fixture.h"
 #include "grinding/grinding_cell.h"
 #include "octoblisk/depth.h"
@@ -20,7 +18,7 @@ namespace octoblisk::demos {
 struct PartDepth {
   std::size_t part = 0;
   double depth = 0.0;                   ///< mm
-  std::uint32_t triangle_of_blisk = 0;  ///< the deepest point's own, or the nearest to it
+  std::uint32_t triangle_of_blisk = 0;  ///< of the deepest point if it is the blisk's, else the nearest to it
   Vec3 point_on_blisk = Vec3::Zero();   ///< on that triangle
   bool is_inside = false;               ///< no surfaces meet: one lies wholly in the other
   /// False: the part is where the blisk's surface bounds no solid (octoblisk/solid_boundary.h), at a hole,
@@ -30,21 +28,17 @@ struct PartDepth {
 
 /// What a part's depth is.
 enum class DepthKind {
-  of_solids,  ///< how deep the deepest point of the part lies inside the blisk; see PartDepths
-  of_part,    ///< the same of a part that is open: how deep the blisk lies inside it is not asked
+  of_solids,  ///< the greater of both ways; see PartDepths
+  of_part,    ///< the part is open: only its own points inside the blisk count
 };
 
 /// Measures depths by DepthQuery (octoblisk/depth.h), pose by pose over threads; the answers do not depend on
 /// their number.
 class PartDepths {
  public:
-  /// `limit` (mm): the depth that is judged by. A part's deepest point inside the blisk is measured to 1 % of
-  /// it (but to 0.1 µm at most), and where that does not tell on which side of the limit it is, to 0.1 %.
-  ///
-  /// Where it is within the limit, a sharp edge or a thin wall of the blisk may still be deeper inside the
-  /// part: a point of the blisk's fine features (fine_features.h) that is deeper than the limit, but 10 µm at
-  /// least, then counts, to a tenth of its depth; it may be missed where it is so by no more than a
-  /// twentieth. Where no surfaces meet, any point of the blisk counts.
+  /// `limit` (mm): the depth that the verdict compares with. The depth is the greater of two: of the part's
+  /// deepest point in the blisk, and of the blisk's deepest point in the part. Each is measured to within 1 %
+  /// of the limit, or 0.1 µm if that is more; if it may lie on either side of the limit, to 0.1 %.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 
@@ -90,11 +84,9 @@ class PartDepths {
   std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
-  std::optional<DeepPoint> fineBeyond(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   double depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const;
   std::optional<std::uint32_t> cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
                                             std::uint32_t touching_triangle, double depth) const;
-  std::vector<std::uint32_t> fineInside(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
@@ -103,8 +95,7 @@ class PartDepths {
   SolidBoundary blisk_boundary_;
   std::vector<std::unique_ptr<const FixedSolid>> fixtures_;
   std::vector<octoblisk::Surface> part_surfaces_;
-  std::map<double, std::vector<char>> fine_;  // by limit: which triangles of the blisk are
-  std::vector<DepthQuery> queries_;           // one a thread
+  std::vector<DepthQuery> queries_;  // one a thread
 };
 
 }  // namespace octoblisk::demos

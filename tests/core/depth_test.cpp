@@ -168,39 +168,6 @@ TEST(Depth, randomSolids_vs_denseSamples) {
   EXPECT_GE(shallow, 5);
 }
 
-TEST(Depth, meetingOrInside_vs_bruteforce) {
-  std::mt19937_64 random(92);
-  const Solid ring(testing::torus(2, 0.8, 16, 10)), ball(testing::bumpySphere(random, 1.0, 0.5, 12)),
-      block(testing::boxMesh({0.4, 0.9, 1.6}));
-  DepthQuery query;
-  std::vector<std::uint32_t> found;
-  std::size_t members = 0, inside = 0, triangles = 0;
-  for (const auto& [a, b] : {std::pair(&ring, &ball), std::pair(&ball, &ring), std::pair(&ball, &block),
-                             std::pair(&block, &ball)}) {
-    for (int i = 0; i < 12; ++i) {
-      const Pose pose = testing::randomPose(random, 1.5);
-      std::vector<std::uint32_t> expected;
-      for (const TrianglePair& pair : testing::bruteForcePairs(*a->mesh, *b->mesh, pose))
-        expected.push_back(pair.b);
-      for (std::uint32_t t = 0; t < b->mesh->triangleCount(); ++t) {
-        const Vec3 corner = pose * b->mesh->triangle(t)[0];
-        if (testing::windingNumber(*a->mesh, corner) > 0.5) expected.push_back(t);
-        inside += !expected.empty() && expected.back() == t;
-      }
-      std::ranges::sort(expected);
-      expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-      query.meetingOrInside(a->surface, b->surface, pose, found);
-      std::ranges::sort(found);
-      ASSERT_EQ(found, expected) << "pose " << i;
-      members += found.size();
-      triangles += b->mesh->triangleCount();
-    }
-  }
-  EXPECT_GT(inside, 100u);
-  EXPECT_GT(members, triangles / 10);
-  EXPECT_LT(members, triangles * 7 / 10);
-}
-
 TEST(Depth, cellsOfAGrid) {
   // Everything at integers and halves: coplanar faces, shared edges, corners on faces.
   std::mt19937_64 random(92);

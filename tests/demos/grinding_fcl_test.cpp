@@ -98,8 +98,8 @@ TEST(GrindingRun, depths_vs_fcl) {
   const std::vector<Pose> whole = makeGrindingPath(job.blisk->mesh(), job.blades);
   for (std::size_t pose = 0; pose < whole.size(); pose += 3) job.path.push_back(whole[pose]);
   const GrindingRun run = runGrinding(job);
-  const DepthsByFcl depths(job.blisk->mesh());
   const TriangleMesh& belt = job.parts.front().tree->mesh();
+  const DepthsByFcl in_blisk(job.blisk->mesh()), in_belt(belt);
   constexpr double kLimit = 0.1, kTolerance = 0.02 * kLimit, kNear = 3.0;
   int within = 0, beyond = 0, seen = 0;
   for (const PoseReport& pose : run.poses) {
@@ -108,18 +108,24 @@ TEST(GrindingRun, depths_vs_fcl) {
     int& asked = too_deep ? beyond : within;
     if (!by_depth_alone || asked == 8) continue;
     ++asked;
-    // Corners and middles of the belt's triangles near where it is said to be deepest: none is deeper, and
-    // one is about as deep.
+    // Corners and middles of triangles near the deepest point, the belt's in the blisk and the blisk's in the
+    // belt: none is deeper, and one is about as deep.
+    const Pose blisk_in_tool = pose.tool_in_blisk.inverse();
     double deepest = 0.0;
-    for (std::size_t t = 0; t < belt.triangleCount(); ++t) {
-      const Triangle corners = pose.tool_in_blisk * belt.triangle(t);
-      const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-      if ((middle - pose.depths.front().point_on_blisk).norm() > kNear) continue;
-      for (const Vec3& point : {middle, corners[0], Vec3(0.5 * (corners[0] + corners[1]))}) {
-        deepest = std::max(deepest, depths.at(point));
-        ++seen;
+    const auto sample = [&](const TriangleMesh& mesh, const Pose& placed, const DepthsByFcl& depths,
+                            const Pose& mesh_in_solid) {
+      for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+        const Triangle corners = mesh.triangle(t);
+        const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        if ((placed * middle - pose.depths.front().point_on_blisk).norm() > kNear) continue;
+        for (const Vec3& point : {middle, corners[0], Vec3(0.5 * (corners[0] + corners[1]))}) {
+          deepest = std::max(deepest, depths.at(mesh_in_solid * point));
+          ++seen;
+        }
       }
-    }
+    };
+    sample(belt, pose.tool_in_blisk, in_blisk, pose.tool_in_blisk);
+    sample(job.blisk->mesh(), Pose(), in_belt, blisk_in_tool);
     EXPECT_LE(deepest, pose.depths.front().depth + kTolerance);
     EXPECT_GE(deepest, 0.9 * pose.depths.front().depth - kTolerance);
     if (deepest > kLimit + kTolerance) {

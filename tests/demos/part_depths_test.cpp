@@ -52,7 +52,7 @@ TEST(PartDepths, ofAPartWhollyInsideOrRoundTheBlisk) {
     EXPECT_TRUE(inside[0].is_inside);
     EXPECT_NEAR(inside[0].depth, 9.0, 1e-3) << "of its lower face";
     const auto round = depthsOf(*testing::torus(10, 2, 64, 32), block({50, 50, 20}, 1), at(0, 0, 0), limit);
-    ASSERT_EQ(round.size(), 1u) << "although the torus has no fine features";
+    ASSERT_EQ(round.size(), 1u);
     EXPECT_TRUE(round[0].is_inside);
     EXPECT_GT(round[0].depth, 19.0);
     EXPECT_TRUE(depthsOf(block({50, 50, 20}, 8), block({2, 2, 2}, 2), at(80, 0, 0), limit).empty());
@@ -81,9 +81,10 @@ TEST(PartDepths, ofOpenMeshes) {
   EXPECT_LT(found[0].depth, 0.3);
 }
 
+constexpr double kSpacing = 0.02;
+
 /// The greatest depth in the tool of a grid of points on the blisk's surface.
 double deepestSample(const TriangleMesh& blisk, const octoblisk::Surface& tool, const Pose& blisk_in_tool) {
-  constexpr double kSpacing = 0.02;
   double deepest = 0.0;
   for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
     const auto [a, b, c] = blisk_in_tool * blisk.triangle(t);
@@ -101,7 +102,7 @@ double deepestSample(const TriangleMesh& blisk, const octoblisk::Surface& tool, 
   return deepest;
 }
 
-TEST(PartDepths, verdicts_vs_depths_of_a_grid_of_points) {
+TEST(PartDepths, isTheGreaterOfBothWays_vs_depths_of_a_grid_of_points) {
   constexpr double kLimit = 0.05;
   constexpr int kPoses = 60;
   const std::shared_ptr<const TriangleMesh> blisks[] = {
@@ -111,7 +112,7 @@ TEST(PartDepths, verdicts_vs_depths_of_a_grid_of_points) {
   const auto tool = treeOf(block({0.3, 0.2, 0.1}, 3));
   const octoblisk::Surface tool_surface(*tool);
   std::mt19937_64 random(61);
-  int deep = 0, by_fine_features = 0;
+  int deep = 0, of_blisks = 0;
   for (const auto& blisk : blisks) {
     const auto tree = treeOf(*blisk);
     const octoblisk::Surface surface(*tree);
@@ -133,13 +134,12 @@ TEST(PartDepths, verdicts_vs_depths_of_a_grid_of_points) {
       const Pose blisk_in_tool = poses[i].inverse();
       const double of_tool = deepestSample(tool->mesh(), surface, poses[i]);
       const double of_blisk = deepestSample(*blisk, tool_surface, blisk_in_tool);
-      if (of_tool > 1.01 * kLimit || of_blisk > 1.05 * kLimit) {
-        EXPECT_GT(found[i][0].depth, kLimit) << "pose " << i;
-      }
-      EXPECT_GE(found[i][0].depth, of_tool - 0.01 * kLimit) << "pose " << i;
+      const double greater = std::max(of_tool, of_blisk);
+      EXPECT_GE(found[i][0].depth, greater - 0.01 * kLimit) << "pose " << i;
+      EXPECT_LE(found[i][0].depth, greater + kSpacing) << "pose " << i;
       deep += found[i][0].depth > kLimit;
-      if (found[i][0].depth <= kLimit || of_tool > 0.9 * kLimit) continue;
-      ++by_fine_features;  // then its point is that deep
+      if (of_blisk < of_tool + kSpacing) continue;
+      ++of_blisks;  // then its point is that deep
       const Vec3 point = blisk_in_tool * found[i][0].point_on_blisk;
       EXPECT_EQ(locate(tool_surface, point), PointLocation::inside);
       EXPECT_NEAR(closestPoint(*tool, point)->distance, found[i][0].depth, 1e-12);
@@ -147,24 +147,7 @@ TEST(PartDepths, verdicts_vs_depths_of_a_grid_of_points) {
   }
   EXPECT_GT(deep, std::ssize(blisks) * kPoses * 3 / 10);
   EXPECT_LT(deep, std::ssize(blisks) * kPoses * 7 / 10);
-  EXPECT_GT(by_fine_features, kPoses / 10);
-}
-
-TEST(FineFeatures, areSharpEdgesThinWallsAndWhatIsRounder) {
-  const auto countOf = [](const TriangleMesh& mesh, double depth) {
-    const auto tree = treeOf(mesh);
-    const octoblisk::Surface surface(*tree);
-    return fineFeatures(SolidBoundary(surface), depth, 1).size();
-  };
-  const auto smooth = testing::torus(1.0, 0.3, 96, 64);
-  EXPECT_EQ(countOf(*smooth, 0.1), 0u);
-  EXPECT_EQ(countOf(*smooth, 0.4), smooth->triangleCount()) << "thinner than twice the depth";
-  constexpr int kSteps = 10;
-  const TriangleMesh cube = block({1, 1, 1}, kSteps);
-  const std::size_t found = countOf(cube, 0.1);
-  EXPECT_GE(found, 6u * 4u * kSteps) << "two triangles and more of each square at an edge";
-  EXPECT_LE(found, 6u * 2u * (kSteps * kSteps - (kSteps - 4) * (kSteps - 4)));
-  EXPECT_EQ(countOf(block({1, 1, 0.05}, kSteps), 0.1), cube.triangleCount());
+  EXPECT_GT(of_blisks, kPoses / 10);
 }
 
 }  // namespace

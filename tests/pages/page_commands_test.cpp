@@ -124,7 +124,7 @@ TEST(Pages, theStoryEndsClean) {
   EXPECT_THAT(outcomes[0].out, HasSubstr("793 poses, 13 transversal passes on the convex side"));
   EXPECT_EQ(outcomes[1].exit_code, 1);
   EXPECT_THAT(outcomes[1].out, HasSubstr(" 46 interference\n"));
-  EXPECT_THAT(outcomes[1].out, HasSubstr(", belt on blade 1, 0.58 mm deep\n"));
+  EXPECT_THAT(outcomes[1].out, HasSubstr(", belt on blade 1, 0.75 mm deep\n"));
   EXPECT_EQ(outcomes[2].exit_code, 0);
   EXPECT_THAT(
       outcomes[2].out,

@@ -57,11 +57,6 @@ class DepthQuery {
   /// The same where A's surface may have holes, be doubled, or meet itself: holes elsewhere change nothing.
   GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
-  /// Replaces `found` by the triangles of B that meet A's surface or lie inside A, in no particular order:
-  /// no others have a point in A. A must be closed.
-  void meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
-                       std::vector<std::uint32_t>& found);
-
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   enum class Side : std::uint8_t { unknown, outside, inside, on_surface, undecided };
@@ -132,7 +127,7 @@ class DepthQuery {
   const SolidBoundary* boundary_ = nullptr;  // of A, where it does not bound a solid everywhere
   Pose b_in_a_;
   double tolerance_ = 0.0;
-  double flatness_ = 0.0;  // within it, a triangle of B lies flat on one of A; < 0: none does
+  double flatness_ = 0.0;  // within it, a triangle of B lies flat on one of A
   GougeDepth best_;
   double greatest_dropped_ = 0.0;  // of the bounds of parts that were let go
   std::uint32_t last_nearest_ = kNoTriangle;

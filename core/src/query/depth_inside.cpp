@@ -12,15 +12,6 @@ namespace octoblisk {
 
 using namespace detail;
 
-void DepthQuery::meetingOrInside(const Surface& a, const Surface& b, const Pose& b_in_a,
-                                 std::vector<std::uint32_t>& found) {
-  prepare(a, b, b_in_a, 0.0);
-  flatness_ = -1.0;
-  findCrossings();
-  findInside();
-  found = marked_;
-}
-
 /// Finds the triangles of B that cross A's surface, and those that lie flat on a triangle of A: no point of
 /// these is deeper than the tolerance, so they are not tested against the triangles around it.
 void DepthQuery::findCrossings() {
@@ -89,7 +80,7 @@ bool DepthQuery::meet(TrianglePair pair) const {
 /// Whether the triangle of B is within the flatness of the one of A. The distance to a triangle is convex: it
 /// is greatest at a corner.
 bool DepthQuery::liesOn(TrianglePair pair) {
-  if (flatness_ < 0.0 || !boundsSolid(pair.a)) return false;
+  if (!boundsSolid(pair.a)) return false;
   const Triangle on = a_->tree().mesh().triangle(pair.a);
   double greatest = 0.0;
   for (const Vec3& corner : b_->tree().mesh().triangle(pair.b)) {
