@@ -101,6 +101,7 @@ TEST(GrindingRun, depths_vs_fcl) {
   const TriangleMesh& belt = job.parts.front().tree->mesh();
   const DepthsByFcl in_blisk(job.blisk->mesh()), in_belt(belt);
   constexpr double kLimit = 0.1, kTolerance = 0.02 * kLimit, kNear = 3.0;
+  constexpr int kSteps = 3;
   int within = 0, beyond = 0, seen = 0;
   for (const PoseReport& pose : run.poses) {
     const bool by_depth_alone = pose.clearance->clearance.distance > 0.0 && !pose.depths.empty();
@@ -108,8 +109,8 @@ TEST(GrindingRun, depths_vs_fcl) {
     int& asked = too_deep ? beyond : within;
     if (!by_depth_alone || asked == 8) continue;
     ++asked;
-    // Corners and middles of triangles near the deepest point, the belt's in the blisk and the blisk's in the
-    // belt: none is deeper, and one is about as deep.
+    // A grid of points on the triangles near the deepest point, the belt's in the blisk and the blisk's in
+    // the belt: none is deeper, and one is about as deep.
     const Pose blisk_in_tool = pose.tool_in_blisk.inverse();
     double deepest = 0.0;
     const auto sample = [&](const TriangleMesh& mesh, const Pose& placed, const DepthsByFcl& depths,
@@ -118,9 +119,13 @@ TEST(GrindingRun, depths_vs_fcl) {
         const Triangle corners = mesh.triangle(t);
         const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
         if ((placed * middle - pose.depths.front().point_on_blisk).norm() > kNear) continue;
-        for (const Vec3& point : {middle, corners[0], Vec3(0.5 * (corners[0] + corners[1]))}) {
-          deepest = std::max(deepest, depths.at(mesh_in_solid * point));
-          ++seen;
+        for (int i = 0; i <= kSteps; ++i) {
+          for (int j = 0; i + j <= kSteps; ++j) {
+            const Vec3 point =
+                corners[0] + (corners[1] - corners[0]) * i / kSteps + (corners[2] - corners[0]) * j / kSteps;
+            deepest = std::max(deepest, depths.at(mesh_in_solid * point));
+            ++seen;
+          }
         }
       }
     };
