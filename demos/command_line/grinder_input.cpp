@@ -8,17 +8,19 @@
 #include "command_line/axis_option.h"
 #include "command_line/complain.h"
 #include "command_line/option_checks.h"
+#include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
 #include "grinding/tool_file.h"
+#include "io/number_text.h"
 #include "io/quoted_text.h"
 #include "io/table_name.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
-#include "models/open_edges.h"
 #include "models/outward_mesh.h"
 #include "models/shared_tree.h"
+#include "models/surface_defects.h"
 #include "study/node_inputs.h"
 #include "toolpath/grinding_path.h"
 
@@ -41,11 +43,11 @@ ToolAssembly toolOfFiles(const GrinderFiles& files) {
 }
 
 TriangleMesh bliskOfFiles(const GrinderFiles& files) {
-  return files.blisk.empty() ? embeddedBlisk() : readUsersMesh(files.blisk);
+  return files.blisk.empty() ? embeddedBlisk() : readUsersMesh(files.blisk, files.units);
 }
 
 /// "mesh" or "mesh,name"; the name is else the file's, without its extension.
-Fixture fixtureOf(const std::string& text) {
+Fixture fixtureOf(const std::string& text, const std::string& units) {
   std::filesystem::path file = text;
   std::string name = file.stem().string();
   if (const std::size_t comma = text.rfind(',');
@@ -57,21 +59,20 @@ Fixture fixtureOf(const std::string& text) {
     throw std::invalid_argument("--obstacle " + text + ": " + inQuotes(name) + ": " + kTableNameRule +
                                 ", and begin with no digit: say MESH,NAME");
   }
-  return {name, treeOf(readUsersMesh(file))};
+  return {name, treeOf(readUsersMesh(file, units))};
 }
 
 std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
   std::vector<Fixture> fixtures;
   for (const std::string& text : files.obstacles) {
-    Fixture fixture = fixtureOf(text);
+    Fixture fixture = fixtureOf(text, files.units);
     if (std::ranges::find(fixtures, fixture.name, &Fixture::name) != fixtures.end()) {
       throw std::invalid_argument("--obstacle " + text + ": there are two of the name " +
                                   inQuotes(fixture.name));
     }
-    const OpenEdges open = openEdges(fixture.tree->mesh());
-    if (open.count > 0) {
-      warnOf(text,
-             describe(open) + ": it bounds no solid, so that it is a surface, and nothing is inside it");
+    const SurfaceDefects defects = defectsOf(fixture.tree->mesh());
+    if (!defects.is_closed) {
+      warnOf(text, describe(defects) + ": it is a surface that bounds no solid, and nothing is inside it");
     }
     fixtures.push_back(std::move(fixture));
   }
@@ -97,6 +98,13 @@ void leaveDownstream(GrindingPathOptions& options) {
   options.span_to = 0.35;
 }
 
+void requireUnitsFit(const GrinderFiles& files, const TriangleMesh& blisk, const ToolAssembly& tool) {
+  if (!files.units.empty()) return;
+  const std::size_t part = tool.rules.grinding_part == kNoPart ? 0 : tool.rules.grinding_part;
+  requireSizesFit(files.bliskName(), sizeOf(blisk), tool.parts[part].name,
+                  sizeOf(tool.parts[part].tree->mesh()));
+}
+
 void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
   const int blades = input.blades.count;
   const std::string there = ": the blisk has " + std::to_string(blades) + " blades, numbered from 1";
@@ -114,19 +122,19 @@ void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
 
 }  // namespace
 
-TriangleMesh readUsersMesh(const std::filesystem::path& file) {
+TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string& units) {
   std::vector<std::string> notes;
   TriangleMesh mesh = readOutward(file, notes);
   tellNotes(notes);
-  return mesh;
+  return inMillimetres(std::move(mesh), units, file);
 }
 
 void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
   command
-      .add_option("--blisk", files.blisk,
-                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+      .add_option("--blisk", files.blisk, "Mesh file, wherever it lies in space; default: the built-in blisk")
       ->check(notEmpty());
   addAxisOption(command, files.axis);
+  addUnitsOption(command, files.units);
   CLI::Option* const belt =
       command
           .add_option(
@@ -182,6 +190,7 @@ GrinderInput readGrinder(const GrinderFiles& files) {
   input.tool = toolOfFiles(files);
   input.fixtures = fixturesOf(files);
   const auto blisk = std::make_shared<const TriangleMesh>(bliskOfFiles(files));
+  requireUnitsFit(files, *blisk, input.tool);
   findBladesOf(files, *blisk, input);
   requireBladesThere(files, input);
   const auto start = std::chrono::steady_clock::now();
@@ -207,6 +216,7 @@ GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks) {
   input.blisk =
       std::make_shared<const ClusteredOctree>(treeOnceANode(ranks, [&] { return bliskOfFiles(files); }));
   ranks.together([&] {
+    requireUnitsFit(files, input.blisk->mesh(), input.tool);
     findBladesOf(files, input.blisk->mesh(), input);
     requireBladesThere(files, input);
   });
@@ -251,6 +261,7 @@ std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& 
 VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
                           double margin) {
   const VerdictRules& rules = input.tool.rules;
+  requireMarginFits(input, "--margin", margin);
   if (rules.grinding_part == kNoPart) {
     throw std::runtime_error(files.tool + ": allowed: there is no row with \"ground\"");
   }
@@ -283,17 +294,26 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
   }
 }
 
+void requireMarginFits(const GrinderInput& input, const std::string& option, double margin) {
+  constexpr double kGreatestPart = 0.02;
+  const double greatest = kGreatestPart * sizeOf(input.blisk->mesh());
+  if (margin <= greatest) return;
+  throw std::invalid_argument(option + " " + shortText(margin) + ": for a blisk of " +
+                              shortText(sizeOf(input.blisk->mesh())) + " mm it may be at most " +
+                              shortText(greatest));
+}
+
 void warnOf(const std::string& of, const std::string& what) { complain("warning: " + of + ": " + what); }
 
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {
     warnOf(files.bliskName(), "no blades were found: every touch counts as interference with hub or shroud");
   }
-  const OpenEdges open = openEdges(input.blisk->mesh());
-  if (open.count > 0) {
+  const SurfaceDefects defects = defectsOf(input.blisk->mesh());
+  if (!defects.none()) {
     warnOf(
         files.bliskName(),
-        describe(open) +
+        describe(defects) +
             ". Near them the surface bounds no solid: where the tool touches it there, its depth, and so the "
             "verdict, is unknown, which counts as interference");
   }

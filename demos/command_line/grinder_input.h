@@ -23,6 +23,7 @@ struct GrinderFiles {
   std::string blisk, belt, tool, path;  ///< files; empty: the defaults
   std::vector<std::string> obstacles;   ///< "mesh" or "mesh,name" of each
   std::string axis;                     ///< as axis_option.h reads it; empty: to be found
+  std::string units;                    ///< of blisk and obstacles, as units_option.h reads it; empty: mm
   std::string out;                      ///< a folder
   std::optional<int> ground_blade;
   double max_depth = 0.1;  ///< mm
@@ -33,8 +34,9 @@ struct GrinderFiles {
   std::string toolName() const { return !tool.empty() ? tool : belt.empty() ? "default" : belt; }
 };
 
-/// As readOutward (models/outward_mesh.h), with its notes as warnings on standard error.
-TriangleMesh readUsersMesh(const std::filesystem::path& file);
+/// A user's mesh in mm, facing outward: readOutward (models/outward_mesh.h), with its notes as warnings on
+/// standard error, then inMillimetres (units_option.h).
+TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string& units);
 
 /// Adds them but for --path, whose default differs.
 void addGrinderOptions(CLI::App& command, GrinderFiles& files);
@@ -55,7 +57,8 @@ struct GrinderInput {
 
 /// Reads blisk and tool; tells where triangles face inward, and are turned. The blades are those of findBlisk
 /// (models/blisk_axis.h) or, where it proves none, of findBlades round the Z axis; about --axis if it is
-/// given. Throws naming the file, or the blade that there is not.
+/// given. Throws naming the file, or the blade that there is not, and if --units is not given and the sizes
+/// of blisk and tool do not fit (units_option.h).
 GrinderInput readGrinder(const GrinderFiles& files);
 
 /// The same at all of several ranks, with the blisk's tree built once a node (study/node_inputs.h).
@@ -83,6 +86,10 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
 
 /// On standard error, a line.
 void warnOf(const std::string& of, const std::string& what);
+
+/// Throws std::invalid_argument naming the option if a margin (mm) is more than a fiftieth of the blisk's
+/// size: nearly all triangles would then be near at every pose.
+void requireMarginFits(const GrinderInput& input, const std::string& option, double margin);
 
 /// Warns of what is judged otherwise than one may think: an open blisk, no blades.
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input);

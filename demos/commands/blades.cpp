@@ -16,6 +16,7 @@
 #include "command_line/out_folder.h"
 #include "command_line/picture_bar.h"
 #include "command_line/subcommand_help.h"
+#include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "io/new_file.h"
 #include "io/whole_files.h"
@@ -28,7 +29,7 @@ namespace octoblisk::demos {
 namespace {
 
 struct BladesRequest {
-  std::string blisk, axis, convex;  // empty: the built-in blisk, found, found
+  std::string blisk, axis, convex, units;  // empty: the built-in blisk, found, found, mm
   std::string out;
   bool no_picture = false;
 };
@@ -96,7 +97,8 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
 
 int findAndTell(const BladesRequest& request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
-  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk);
+  const TriangleMesh mesh =
+      request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
   const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
@@ -123,9 +125,10 @@ void addBladesCommand(CLI::App& app, int& exit_code) {
   const auto request = std::make_shared<BladesRequest>();
   command
       .add_option("--blisk", request->blisk,
-                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+                  "Mesh file, wherever it lies in space; default: the built-in blisk")
       ->check(notEmpty());
   addAxisOption(command, request->axis);
+  addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
   command.add_option("-o,--out", request->out, "Folder for blades.csv and blades.png; made where missing")
       ->required()

@@ -22,7 +22,7 @@
 #include "io/whole_files.h"
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
-#include "models/open_edges.h"
+#include "models/surface_defects.h"
 #include "report/coverage_report.h"
 #include "report/grinding_frames.h"
 #include "report/grinding_pictures.h"
@@ -55,7 +55,7 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
     warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
-           describe(openEdges(run.parts[part].tree->mesh())) +
+           describe(defectsOf(run.parts[part].tree->mesh())) +
                ": its depth is that of its surface in the blisk");
   }
 }
@@ -167,6 +167,9 @@ int grind(const GrindRequest& request) {
   requireNotRead(files, {"poses.csv", "contacts.csv", "forces.csv", "summary.json", "report.html", "run.glb",
                          "contacts.vtk", "path.vtk"});
   const GrinderInput input = readGrinder(files);
+  requireMarginFits(input, "--near-miss", request.near_miss);
+  for (const PairMargin& row : input.tool.rules.margins)
+    requireMarginFits(input, files.tool + ": margin", row.near_miss);
   const PathFile path = pathOf(files, input);
   const GrindingJob job = jobOf(request, input, path);
   makeFolder(files.out);

@@ -6,6 +6,7 @@
 
 #include "command_line/option_checks.h"
 #include "command_line/subcommand_help.h"
+#include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "commands/paper_run.h"
 
@@ -35,9 +36,10 @@ constexpr PaperSubcommand kPaperSubcommands[] = {
 void addOptions(CLI::App& command, PaperRequest& request) {
   command
       .add_option("--blade", request.blade,
-                  "Mesh file (mm): a blisk round the axis Z, of which blade 1 is taken, or a blade alone; "
+                  "Mesh file: a blisk round the axis Z, of which blade 1 is taken, or a blade alone; "
                   "default: the built-in blisk")
       ->check(notEmpty());
+  addUnitsOption(command, request.units);
   command.add_option("--points", request.points, "Points of a blade; the paper does not say how many it has")
       ->check(wholeNumberFrom(kLeastPoints, kMostPoints))
       ->capture_default_str();

@@ -226,7 +226,7 @@ class PaperRun {
 
 PaperModel modelOf(const PaperRequest& request) {
   return request.blade.empty() ? paperModel("the built-in blisk", embeddedBlisk())
-                               : paperModel(request.blade, readUsersMesh(request.blade));
+                               : paperModel(request.blade, readUsersMesh(request.blade, request.units));
 }
 
 Document titlePage(const std::string& blade, std::uint64_t seed) {

@@ -19,7 +19,8 @@ enum PaperPart : unsigned {
 };
 
 struct PaperRequest {
-  std::string blade;          ///< mesh file, mm; empty: the built-in blisk
+  std::string blade;          ///< mesh file; empty: the built-in blisk
+  std::string units;          ///< of the mesh file, as units_option.h reads it; empty: mm
   std::string out;            ///< folder; made where missing
   std::size_t points = 1900;  ///< of a blade
   std::uint64_t seed = 1;     ///< of clouds, clusters, poses, stock and noise

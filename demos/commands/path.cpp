@@ -12,6 +12,7 @@
 #include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/subcommand_help.h"
+#include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "io/new_file.h"
 #include "io/whole_files.h"
@@ -27,7 +28,7 @@ namespace octoblisk::demos {
 namespace {
 
 struct PathRequest {
-  std::string blisk, axis, convex;  // empty: the built-in blisk, found, found
+  std::string blisk, axis, convex, units;  // empty: the built-in blisk, found, found, mm
   int blade = 1;
   std::string side = "convex";
   std::string pattern = "transversal";
@@ -60,7 +61,10 @@ int makePath(PathRequest request) {
   if (std::filesystem::equivalent(request.out, request.blisk, ignored)) {
     throw std::runtime_error(request.out + ": cannot be both read and written");
   }
-  const TriangleMesh mesh = request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk);
+  const TriangleMesh mesh =
+      request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
+  if (request.units.empty())
+    requireSizesFit(name, sizeOf(mesh), "contact wheel", 2.0 * request.options.wheel_radius);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   if (request.blade > found.blades.count) {
     throw std::invalid_argument("--blade " + std::to_string(request.blade) + ": " + name + " has " +
@@ -105,9 +109,10 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   SurfacePathOptions& options = request->options;
   command
       .add_option("--blisk", request->blisk,
-                  "Mesh file (mm), wherever it lies in space; default: the built-in blisk")
+                  "Mesh file, wherever it lies in space; default: the built-in blisk")
       ->check(notEmpty());
   addAxisOption(command, request->axis);
+  addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
   command
       .add_option(

@@ -15,6 +15,13 @@ inline std::string fixedText(double value, int digits) {
   return text.str();
 }
 
+/// With four significant digits.
+inline std::string shortText(double value) {
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
+}
+
 /// "+3.2 %": how much more the second is than the first, which is not 0.
 inline std::string changeText(double from, double to, int digits = 1) {
   const std::string text = fixedText(100.0 * (to / from - 1.0), digits);

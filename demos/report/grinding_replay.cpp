@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "grinding/move_check.h"
+#include "io/number_text.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_words.h"
 #include "report/versions.h"
@@ -14,12 +15,6 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
-std::string shortText(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 /// Of Replay::verdicts.
 std::size_t verdictOfMove(MoveReport::Outcome outcome) {

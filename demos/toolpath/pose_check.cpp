@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "models/open_edges.h"
+#include "models/surface_defects.h"
 #include "octoblisk/batch.h"
 
 namespace octoblisk::demos {
@@ -27,7 +27,7 @@ void PoseCheck::requireClosed() const {
   std::string message = options_.depth
                             ? "depths need a closed mesh, and "
                             : "signed distances need a closed mesh; the moving one is open, and here ";
-  message += describe(openEdges(fixed_.mesh()));
+  message += describe(defectsOf(fixed_.mesh()));
   if (moving_surface_->isClosed()) {
     message += "; the moving one is closed: swap the two, with each pose inverted";
   }

@@ -81,6 +81,19 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   }
 }
 
+TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
+  writeBoxes(folder_.path());
+  const auto box = octoblisk::testing::boxMesh({1, 1, 1});
+  std::vector<TriangleMesh::Indices> triangles = box->triangles();
+  for (std::size_t t = 0; t < triangles.size(); t += 2) std::swap(triangles[t][1], triangles[t][2]);
+  writeMesh(folder_.path() / "mixed.obj", {box->vertices(), std::move(triangles)});
+  folder_.write("poses.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n1.2,0.1,0.2,1,0,0,0\n0.1,0,0,1,0,0,0\n");
+  const std::string measures = " --moving small.obj --poses poses.csv --clearance --depth --signed --out ";
+  EXPECT_EQ(run("check --fixed large.obj" + measures + "large.csv").exit_code, 1);
+  EXPECT_EQ(run("check --fixed mixed.obj" + measures + "mixed.csv").exit_code, 1);
+  EXPECT_EQ(contentOf(folder_.path() / "large.csv"), contentOf(folder_.path() / "mixed.csv"));
+}
+
 TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
   writeBoxes(folder_.path());
   // Above a corner region of the large box's top, turned about z: apart by 0.25, in by 0.3, wholly inside.

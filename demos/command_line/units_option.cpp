@@ -1,0 +1,73 @@
+#include "command_line/units_option.h"
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+
+#include "command_line/complain.h"
+#include "io/number_text.h"
+
+namespace octoblisk::demos {
+namespace {
+
+struct LengthUnit {
+  const char* name;
+  double millimetres;
+};
+constexpr LengthUnit kMillimetre = {"mm", 1.0}, kMetre = {"m", 1000.0}, kInch = {"in", 25.4};
+
+LengthUnit unitBySize(double size) {
+  constexpr double kLargestInMetres = 2.5, kLargestInInches = 80.0;
+  if (size < kLargestInMetres) return kMetre;
+  return size < kLargestInInches ? kInch : kMillimetre;
+}
+
+LengthUnit unitOf(const std::string& units, const TriangleMesh& mesh, const std::filesystem::path& file) {
+  if (units == kMetre.name) return kMetre;
+  if (units == kInch.name) return kInch;
+  if (units != "auto") return kMillimetre;
+  const LengthUnit unit = unitBySize(sizeOf(mesh));
+  complain("note: " + file.string() + ": read in " + unit.name + ": its bounding box has a diagonal of " +
+           shortText(sizeOf(mesh)));
+  return unit;
+}
+
+}  // namespace
+
+void addUnitsOption(CLI::App& command, std::string& units) {
+  command
+      .add_option("--units", units,
+                  "The length unit of the mesh: mm, m, in, or auto, which selects the unit by the mesh's "
+                  "size; default: mm. Results are in mm")
+      ->check(CLI::IsMember({"mm", "m", "in", "auto"}))
+      ->type_name("UNIT");
+}
+
+TriangleMesh inMillimetres(TriangleMesh mesh, const std::string& units, const std::filesystem::path& file) {
+  const LengthUnit unit = unitOf(units, mesh, file);
+  if (unit.millimetres == 1.0) return mesh;
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& vertex : vertices) vertex *= unit.millimetres;
+  return {std::move(vertices), mesh.triangles()};
+}
+
+void requireSizesFit(const std::string& blisk_file, double blisk_size, const std::string& part_name,
+                     double part_size) {
+  constexpr double kLeastRatio = 0.1, kGreatestRatio = 300.0;
+  const double ratio = blisk_size / part_size;
+  if (ratio >= kLeastRatio && ratio <= kGreatestRatio) return;
+  const bool is_blisk_small = ratio < kLeastRatio;
+  const LengthUnit unit = unitBySize(is_blisk_small ? blisk_size : part_size);
+  const std::string sizes = blisk_file + ": the blisk is " + shortText(blisk_size) + " mm across, the " +
+                            part_name + " " + shortText(part_size) + " mm: one of the two is not in mm. ";
+  const std::string factor = " (a factor of " + shortText(unit.millimetres) + ")";
+  throw std::runtime_error(
+      sizes +
+      (is_blisk_small ? std::string("--units ") + unit.name + factor + " would make the blisk " +
+                            shortText(blisk_size * unit.millimetres) + " mm"
+                      : "The tool would fit if its mesh were in " + std::string(unit.name) + factor) +
+      "; --units mm takes the sizes as they are");
+}
+
+double sizeOf(const TriangleMesh& mesh) { return 2.0 * mesh.bounds().halfExtents().norm(); }
+
+}  // namespace octoblisk::demos
