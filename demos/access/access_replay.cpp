@@ -13,11 +13,12 @@ namespace {
 constexpr double kNarrow = 30.0;  // degrees
 
 // Of accessVerdicts().
-enum AccessVerdict : std::size_t { kFreeWidely, kFreeNarrowly, kNowhereFree };
+enum AccessVerdict : std::size_t { kFreeWidely, kFreeNarrowly, kFreeAtOneTilt, kNowhereFree };
 
 std::vector<ReplayVerdict> accessVerdicts() {
   return {{"free over more than 30°", Tone::intended},
           {"free over 30° or less", Tone::near},
+          {"free at one tilt", Tone::near},
           {"nowhere free", Tone::interference}};
 }
 
@@ -27,6 +28,7 @@ double widestRange(const SiteAccess& access) {
 
 AccessVerdict accessVerdictOf(const SiteAccess& access) {
   if (!access.widest) return kNowhereFree;
+  if (widestRange(access) == 0.0) return kFreeAtOneTilt;
   return widestRange(access) > kNarrow ? kFreeWidely : kFreeNarrowly;
 }
 
@@ -41,8 +43,10 @@ std::string siteText(const AccessMap& map, const SiteAccess& access) {
   std::string text;
   if (access.widest) {
     const FreeRange& range = access.ranges[*access.widest];
-    text = "tilt " + degreesText(range.tilt_from) + " to " + degreesText(range.tilt_to) + " at lead " +
-           degreesText(map.question.options.leads[range.lead]) + ", shown at their middle";
+    const std::string lead = " at lead " + degreesText(map.question.options.leads[range.lead]);
+    text = range.width() == 0.0 ? "tilt " + degreesText(range.tilt_from) + " alone" + lead
+                                : "tilt " + degreesText(range.tilt_from) + " to " +
+                                      degreesText(range.tilt_to) + lead + ", shown at their middle";
   }
   if (!access.in_the_way.empty()) {
     text += (text.empty() ? "most often in the way: " : "; else most often in the way: ") +

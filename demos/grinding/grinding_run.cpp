@@ -131,6 +131,12 @@ std::string GrindingRun::sideOf(std::uint32_t triangle, int body) const {
   return demos::sideOf(blisk->mesh(), mesh_in_blisk, triangle, body);
 }
 
+std::string GrindingRun::faceOf(std::uint32_t triangle, int body) const {
+  const std::string side = sideOf(triangle, body);
+  if (side.empty() || !convex_side) return side;
+  return (side == "forward") == (*convex_side == BladeSide::forward) ? "convex" : "concave";
+}
+
 std::size_t GrindingRun::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
 }

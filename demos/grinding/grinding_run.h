@@ -41,6 +41,8 @@ struct GrindingRun {
 
   /// "forward" or "backward" (blade_side.h) of a triangle of a blade; empty of hub, shroud and fixtures.
   std::string sideOf(std::uint32_t triangle, int body) const;
+  /// The same side as "convex" or "concave" if the run knows which is which.
+  std::string faceOf(std::uint32_t triangle, int body) const;
   BodyNames names() const { return BodyNames(blade_count, fixtures); }
   bool isPartial() const { return poses.size() < path_poses; }
   std::size_t count(Verdict verdict) const;              ///< poses

@@ -72,6 +72,10 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string
         wanted = found = cells(used_header);  // of a text that stays
       }
       if (found != wanted) {
+        if (content.find(';') != std::string_view::npos && content.find(',') == std::string_view::npos) {
+          throw std::runtime_error(
+              atLine(file, line, "columns are separated by ';'; they must be separated by ','"));
+        }
         throw std::runtime_error(
             atLine(file, line, "the header is " + inQuotes(content) + "; it must be '" + header + "'"));
       }

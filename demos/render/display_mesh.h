@@ -20,15 +20,15 @@ struct DisplayMesh {
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
   std::vector<Group> groups;  ///< ascending
-  /// The side of the cubes within which vertices were merged, in the mesh's units; 0: it is the whole mesh.
-  double merged_within = 0.0;
+  bool is_simplified = false;
+  double error = 0.0;  ///< estimated greatest distance from the whole mesh, in the mesh's units
 };
 
-/// The mesh with its triangles by groups (`group_of_triangle`, or one group 0 where that is empty), thinned
-/// where it has more triangles than `most`: vertices in the same cube of a grid that face the same way become
-/// one of them (vertex clustering; Rossignac and Borrel 1993), so the two sides of a thin wall stay apart.
-/// For looking at only: thin things and small holes may change.
-/// Throws std::invalid_argument where there are not as many groups as triangles, or `most` is 0.
+/// The mesh with its triangles sorted by group (`group_of_triangle`, or one group 0 if that is empty). A mesh
+/// of more than `most` triangles is simplified by quadric error metrics (M. Garland, P. S. Heckbert, Surface
+/// simplification using quadric error metrics, 1997), each group on its own with its borders kept. If the
+/// borders alone are too many, triangles are dropped. For display only.
+/// Throws std::invalid_argument if the number of groups differs from that of the triangles, or `most` is 0.
 DisplayMesh displayMeshOf(const TriangleMesh& mesh, std::span<const int> group_of_triangle, std::size_t most);
 
 }  // namespace octoblisk::demos

@@ -33,7 +33,7 @@ std::optional<ReplayNearest> worstOf(const GrindingRun& run, const PoseReport& p
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
   if (!worst) return std::nullopt;
   return ReplayNearest{worst->part, worst->blade, worst->depth,
-                       run.sideOf(worst->triangle_of_blisk, worst->blade)};
+                       run.faceOf(worst->triangle_of_blisk, worst->blade)};
 }
 
 ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
@@ -58,7 +58,7 @@ void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFindin
   if (pose.move && pose.move->outcome != MoveReport::Outcome::free) {
     const PartClearance& at = pose.move->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
-                        at.part, at.blade, run.sideOf(at.clearance.triangle_a, at.blade),
+                        at.part, at.blade, run.faceOf(at.clearance.triangle_a, at.blade),
                         0.0 - at.clearance.distance, p});
   }
   if (pose.verdict < Verdict::near_miss) return;

@@ -89,9 +89,7 @@ void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& str
 void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
   const std::string side = worst ? run.sideOf(worst->triangle_of_blisk, worst->blade) : "";
-  if (!side.empty() && run.convex_side) {
-    stream << ((side == "forward") == (*run.convex_side == BladeSide::forward) ? "convex" : "concave");
-  }
+  if (run.convex_side && worst) stream << run.faceOf(worst->triangle_of_blisk, worst->blade);
   stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
 }
 

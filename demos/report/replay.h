@@ -38,7 +38,7 @@ struct ReplayNearest {
   std::size_t part = 0;
   int blade = 0;
   double depth = 0.0;  ///< mm; a clearance is negative
-  std::string side{};  ///< "forward", "backward", or empty
+  std::string side{};  ///< "convex" or "concave"; if unknown "forward" or "backward"; or empty
 };
 
 struct ReplayPose {

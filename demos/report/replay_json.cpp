@@ -130,9 +130,9 @@ std::string withThousands(std::size_t number) {
 std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const TriangleMesh& mesh) {
   std::ostringstream text;
   text.precision(2);
-  text << "Thinned for display only: " << of << " is drawn with " << withThousands(drawn.triangles.size())
-       << " of its " << withThousands(mesh.triangleCount()) << " triangles, vertices within cubes of "
-       << drawn.merged_within << " mm being merged. All numbers are of the whole mesh.";
+  text << "Simplified for display only: " << of << " is drawn with " << withThousands(drawn.triangles.size())
+       << " instead of its " << withThousands(mesh.triangleCount()) << " triangles, at most about "
+       << drawn.error << " mm off. All numbers are of the whole mesh.";
   return text.str();
 }
 
@@ -140,7 +140,7 @@ std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const 
 void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
                std::vector<std::string>& notes) {
   const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
-    if (drawn.merged_within > 0.0) notes.push_back(thinningNote(of, drawn, whole));
+    if (drawn.is_simplified) notes.push_back(thinningNote(of, drawn, whole));
   };
   tellThinned("the blisk", meshes.blisk, replay.blisk->mesh());
   PageJson groups = PageJson::array();

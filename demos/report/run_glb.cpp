@@ -158,10 +158,10 @@ std::size_t addBliskNode(GltfFile& file, const Replay& replay, const DisplayMesh
     return blade == replay.ground_blade ? ground : blades[static_cast<std::size_t>(blade % 2)];
   });
   GltfJson node = {{"name", "blisk"}, {"mesh", mesh}};
-  if (drawn.merged_within > 0.0) {
+  if (drawn.is_simplified) {
     node["extras"] = {{"triangles", replay.blisk->mesh().triangleCount()},
                       {"thinned_to", drawn.triangles.size()},
-                      {"vertices_merged_within_mm", drawn.merged_within}};
+                      {"error_mm", drawn.error}};
   }
   return file.add("nodes", std::move(node));
 }

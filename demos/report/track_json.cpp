@@ -17,7 +17,13 @@ namespace {
 
 constexpr std::uint8_t kNoPartByte = 255;
 
-int numberOfSide(const std::string& side) { return side == "forward" ? 1 : side == "backward" ? 2 : 0; }
+/// An index into kSides of the page (web/src/run.js).
+int numberOfSide(const std::string& side) {
+  if (side == "forward") return 1;
+  if (side == "backward") return 2;
+  if (side == "convex") return 3;
+  return side == "concave" ? 4 : 0;
+}
 
 void append(std::vector<float>& floats, const Vec3& v) {
   for (const double value : v) floats.push_back(static_cast<float>(value));

@@ -46,6 +46,11 @@ TEST_F(PoseFile, isTranslationThenQuaternionWithTheScalarFirst) {
   EXPECT_EQ(poses[1].rotation, Mat3::Identity());
 }
 
+TEST_F(PoseFile, namesASemicolonThatSeparatesColumns) {
+  EXPECT_THAT(refusal("x;y;z;qw;qx;qy;qz\n1;2;3;1;0;0;0\n"),
+              HasSubstr(":1: columns are separated by ';'; they must be separated by ','"));
+}
+
 TEST_F(PoseFile, normalisesQuaternionsOfFewDigits) {
   const Mat3 rotation = read(kHeader + "0,0,0,0.7071,0.4082,-0.4082,0.4082\n").front().rotation;
   EXPECT_LE((rotation.transpose() * rotation - Mat3::Identity()).cwiseAbs().maxCoeff(), 1e-15);

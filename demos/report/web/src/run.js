@@ -85,7 +85,7 @@ export function readRun() {
 }
 
 const kNone = 255;
-const kSides = ["", "forward", "backward"];
+const kSides = ["", "forward", "backward", "convex", "concave"];
 
 /** Beyond the blades are obstacles. */
 export const isObstacle = (run, blade) => run.obstacles.length > 0 && blade > run.blade_count;

@@ -76,6 +76,10 @@ export class ReplayScene {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", () => this.draw());
     canvas.addEventListener("keydown", (event) => this.turnByKey(event));
+    // Software renderers may lose the context, or show nothing of a first frame drawn before the page is laid out.
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => this.draw());
+    for (const delay of [100, 1000]) setTimeout(() => this.draw(), delay);
 
     this.addBlisk();
     this.addSide();
@@ -117,7 +121,7 @@ export class ReplayScene {
       }
       const name = fixed ? bladeText(this.run, blade) : blade === ground ? `${blade} ground` : String(blade);
       const sprite = label(name, blade === ground);
-      sprite.position.set(vertices[3 * tip] * 1.05, vertices[3 * tip + 1] * 1.05, vertices[3 * tip + 2]);
+      sprite.anchor = new Vector3(vertices[3 * tip] * 1.05, vertices[3 * tip + 1] * 1.05, vertices[3 * tip + 2]);
       this.numbers.add(sprite);
     }
     for (const sprite of this.numbers.children) sprite.scale.set(0.15, 0.0375, 1);
@@ -374,11 +378,19 @@ export class ReplayScene {
     this.draw();
   }
 
+  /** Moves the numbers towards the camera, so that the blade beside one does not hide half of it. */
+  liftNumbers() {
+    for (const { position, anchor } of this.numbers.children) {
+      position.copy(this.camera.position).sub(anchor).setLength(0.12 * this.sphere.radius).add(anchor);
+    }
+  }
+
   draw() {
     if (this.asked) return;
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
+      this.liftNumbers();
       this.renderer.render(this.scene, this.camera);
     });
   }

@@ -3,7 +3,7 @@ import { signSpan } from "./signs.js";
 import { bladeText, millimetres } from "./run.js";
 
 const kRows = 100;
-const kSides = ["–", "forward", "backward"];
+const kSides = ["–", "forward", "backward", "convex", "concave"];
 
 /** A finding is [place, verdict, part, blade, side, depth or null, pose]; of a move the pose that it leads to, else -1. */
 export class FindingsTable {

@@ -181,7 +181,7 @@ test("a blisk of 1.5 million triangles opens as fast", { skip: !process.env.BIG_
   try {
     assert.deepEqual(big.problems, []);
     assert.deepEqual(big.requests, []);
-    assert.match(await big.page.textContent("#notes"), /Thinned for display only/);
+    assert.match(await big.page.textContent("#notes"), /Simplified for display only/);
     console.log(`the big one opened in ${big.seconds.toFixed(2)} s`);
     assert.ok(big.seconds < kOpensWithin, `${big.seconds} s`);
   } finally {
