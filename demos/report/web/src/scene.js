@@ -43,7 +43,7 @@ function label(text, emphasized) {
   context.fillText(text, 128, 32);
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
-  const sprite = new Sprite(new SpriteMaterial({ map: texture, sizeAttenuation: false }));
+  const sprite = new Sprite(new SpriteMaterial({ map: texture, sizeAttenuation: false, depthTest: false }));
   return sprite;
 }
 
@@ -121,7 +121,7 @@ export class ReplayScene {
       }
       const name = fixed ? bladeText(this.run, blade) : blade === ground ? `${blade} ground` : String(blade);
       const sprite = label(name, blade === ground);
-      sprite.anchor = new Vector3(vertices[3 * tip] * 1.05, vertices[3 * tip + 1] * 1.05, vertices[3 * tip + 2]);
+      sprite.position.set(vertices[3 * tip] * 1.05, vertices[3 * tip + 1] * 1.05, vertices[3 * tip + 2]);
       this.numbers.add(sprite);
     }
     for (const sprite of this.numbers.children) sprite.scale.set(0.15, 0.0375, 1);
@@ -378,10 +378,11 @@ export class ReplayScene {
     this.draw();
   }
 
-  /** Moves the numbers towards the camera, so that the blade beside one does not hide half of it. */
-  liftNumbers() {
-    for (const { position, anchor } of this.numbers.children) {
-      position.copy(this.camera.position).sub(anchor).setLength(0.12 * this.sphere.radius).add(anchor);
+  /** Numbers are drawn over the blades, those of the far side faintly. */
+  fadeNumbers() {
+    const { center } = this.sphere, towards = this.camera.position.clone().sub(center);
+    for (const { position, material } of this.numbers.children) {
+      material.opacity = position.clone().sub(center).dot(towards) < 0 ? 0.6 : 1;
     }
   }
 
@@ -390,7 +391,7 @@ export class ReplayScene {
     this.asked = true;
     requestAnimationFrame(() => {
       this.asked = false;
-      this.liftNumbers();
+      this.fadeNumbers();
       this.renderer.render(this.scene, this.camera);
     });
   }
