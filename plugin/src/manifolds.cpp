@@ -29,7 +29,9 @@ Manifolds::~Manifolds() {
 
 void Manifolds::match(std::span<const ContactPatch> patches, const Pose& mesh_in_world, bool mesh_is_body1,
                       btScalar breaking_threshold) {
-  while (manifolds_.size() < patches.size()) add();
+  while (manifolds_.size() < patches.size() && add()) {
+  }
+  patches = patches.first(std::min(patches.size(), manifolds_.size()));
   std::array<bool, ContactPatches::kMaxPatches> matched{};
   for (std::size_t round = 0; round < patches.size(); ++round) {
     // The closest pair of those that are left; then empty manifolds for the rest.
@@ -58,8 +60,14 @@ void Manifolds::match(std::span<const ContactPatch> patches, const Pose& mesh_in
 }
 
 btPersistentManifold* Manifolds::any() {
-  if (manifolds_.empty()) add();
+  if (manifolds_.empty() && !add()) return nullptr;
   return manifolds_.front();
+}
+
+bool Manifolds::add() {
+  btPersistentManifold* const manifold = dispatcher_.getNewManifold(body0_, body1_);
+  if (manifold) manifolds_.push_back(manifold);
+  return manifold != nullptr;
 }
 
 }  // namespace octoblisk::detail

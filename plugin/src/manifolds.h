@@ -27,10 +27,12 @@ class Manifolds {
   void match(std::span<const ContactPatch> patches, const Pose& mesh_in_world, bool mesh_is_body1,
              btScalar breaking_threshold);
 
-  /// The manifold of a patch that was matched last.
-  btPersistentManifold* of(std::size_t patch) const { return manifolds_[patch]; }
+  /// The manifold of a patch that was matched last; null if the dispatcher's pool has none left.
+  btPersistentManifold* of(std::size_t patch) const {
+    return patch < manifolds_.size() ? manifolds_[patch] : nullptr;
+  }
 
-  /// One of them, made where there is none.
+  /// One of them, made if there is none; null as above.
   btPersistentManifold* any();
 
   /// Forgets all points, and the impulses with them.
@@ -43,7 +45,8 @@ class Manifolds {
   }
 
  private:
-  void add() { manifolds_.push_back(dispatcher_.getNewManifold(body0_, body1_)); }
+  /// False: the dispatcher's pool has none left.
+  bool add();
 
   btDispatcher& dispatcher_;
   const btCollisionObject* body0_;

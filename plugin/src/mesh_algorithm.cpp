@@ -98,11 +98,35 @@ MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                              bool mesh_is_body1)
     : btActivatingCollisionAlgorithm(info, body0, body1),
       mesh_is_body1_(mesh_is_body1),
+      types_(*body0, *body1),
+      substitute_types_(types_),
+      substitute_(nullptr, {info.m_dispatcher1}),
       manifolds_(*info.m_dispatcher1, body0->getCollisionObject(), body1->getCollisionObject()) {}
 
+void MeshAlgorithm::AlgorithmDeleter::operator()(btCollisionAlgorithm* algorithm) const {
+  algorithm->~btCollisionAlgorithm();
+  dispatcher->freeCollisionAlgorithm(algorithm);
+}
+
+btCollisionAlgorithm& MeshAlgorithm::substituteFor(const ShapeTypes& types,
+                                                   const btCollisionObjectWrapper& body0,
+                                                   const btCollisionObjectWrapper& body1) {
+  if (!substitute_ || substitute_types_ != types) {
+    substitute_.reset(m_dispatcher->findAlgorithm(&body0, &body1, nullptr, BT_CONTACT_POINT_ALGORITHMS));
+    substitute_types_ = types;
+  }
+  return *substitute_;
+}
+
 void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
-                                     const btCollisionObjectWrapper* body1, const btDispatcherInfo&,
+                                     const btCollisionObjectWrapper* body1, const btDispatcherInfo& info,
                                      btManifoldResult* result) {
+  if (const ShapeTypes types(*body0, *body1); types != types_) {
+    manifolds_.clear();
+    substituteFor(types, *body0, *body1).processCollision(body0, body1, info, result);
+    return;
+  }
+  substitute_.reset();
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
@@ -127,7 +151,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const std::span<const ContactPatch> patches = patches_.reduce(contacts_);
   manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    result->setPersistentManifold(manifolds_.of(p));
+    btPersistentManifold* const manifold = manifolds_.of(p);
+    if (!manifold) break;  // the pool is exhausted: the contacts are dropped, as Bullet does
+    result->setPersistentManifold(manifold);
     // Points that have slid away go first: in a full manifold they would take the place of new ones.
     result->refreshContactPoints();
     // The deepest last, as a point takes the place of one that is close to it.

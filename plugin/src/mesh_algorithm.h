@@ -3,7 +3,9 @@
 
 #include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
 
+#include <memory>
 #include <optional>
+#include <typeindex>
 #include <vector>
 
 #include "contact/contact_patches.h"
@@ -21,12 +23,16 @@ namespace octoblisk::detail {
 /// A triangle of our shape, in its frame, as Bullet numbers it.
 SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
 
-/// The algorithm of a pair of which one body, the mesh, has our shape.
+/// The algorithm of a pair of bodies. One body, the mesh, has our shape. If setCollisionShape gives a body a
+/// shape of another type later, the dispatcher's algorithm for these shapes answers.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
  public:
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) final;
-  void getAllContactManifolds(btManifoldArray& array) final { manifolds_.appendTo(array); }
+  void getAllContactManifolds(btManifoldArray& array) final {
+    manifolds_.appendTo(array);
+    if (substitute_) substitute_->getAllContactManifolds(array);
+  }
 
   /// Discrete: the whole step is free.
   btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
@@ -40,6 +46,23 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
                 const btCollisionObjectWrapper* body1, bool mesh_is_body1);
 
  private:
+  /// The types of the two bodies' shapes.
+  struct ShapeTypes {
+    std::type_index of0, of1;
+    ShapeTypes(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1)
+        : of0(typeid(*body0.m_shape)), of1(typeid(*body1.m_shape)) {}
+    bool operator==(const ShapeTypes&) const = default;
+  };
+
+  struct AlgorithmDeleter {
+    btDispatcher* dispatcher;
+    void operator()(btCollisionAlgorithm* algorithm) const;
+  };
+
+  /// The algorithm that the dispatcher has for shapes that were exchanged in place.
+  btCollisionAlgorithm& substituteFor(const ShapeTypes& types, const btCollisionObjectWrapper& body0,
+                                      const btCollisionObjectWrapper& body1);
+
   /// Replaces `found` by the contacts of the triangles of mesh (A) and other (B) within `reach`, in the
   /// mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
@@ -62,6 +85,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   }
 
   const bool mesh_is_body1_;
+  const ShapeTypes types_;
+  ShapeTypes substitute_types_;
+  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // while other shapes are met
   Manifolds manifolds_;
   std::uint32_t revisions_ = 0;  // of the shapes that the manifolds' points are of, summed
   std::vector<Contact> contacts_;

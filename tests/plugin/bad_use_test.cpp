@@ -2,6 +2,7 @@
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -84,6 +85,79 @@ TEST(BadUse, aMissingRegistrationIsTold) {
     world.removeCollisionObject(&one);
     world.removeCollisionObject(&other);
   }
+}
+
+TEST(BadUse, anExhaustedContactPoolDropsContacts) {
+  btDefaultCollisionConstructionInfo pools;
+  pools.m_defaultMaxPersistentManifoldPoolSize = 3;
+  btDefaultCollisionConfiguration configuration(pools);
+  btCollisionDispatcher dispatcher(&configuration);
+  dispatcher.setDispatcherFlags(btCollisionDispatcher::CD_DISABLE_CONTACTPOOL_DYNAMIC_ALLOCATION);
+  registerAlgorithm(&dispatcher);
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  ClusteredOctreeShape torus(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  std::array<btCollisionObject, 4> rings;  // all in one place: six pairs, of several patches each
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    rings[i].setCollisionShape(&torus);
+    btTransform pose(btQuaternion(btVector3(1, 0, 0), btScalar(0.4) * btScalar(i)));
+    rings[i].setWorldTransform(pose);
+    world.addCollisionObject(&rings[i]);
+  }
+  for (int step = 0; step < 3; ++step) world.performDiscreteCollisionDetection();
+  EXPECT_EQ(dispatcher.getNumManifolds(), 3);
+  for (int i = 0; i < 3; ++i) EXPECT_GT(dispatcher.getManifoldByIndexInternal(i)->getNumContacts(), 0);
+  world.removeCollisionObject(&rings[0]);  // its manifolds go to those that had none
+  world.performDiscreteCollisionDetection();
+  EXPECT_EQ(dispatcher.getNumManifolds(), 3);
+  for (std::size_t i = 1; i < rings.size(); ++i) world.removeCollisionObject(&rings[i]);
+  EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+}
+
+TEST(BadUse, shapesExchangedInALiveBody) {
+  ClusteredOctreeShape torus(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  btBoxShape box(btVector3(3, 3, btScalar(0.5)));
+  btSphereShape ball(2);
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  testing::BulletMesh mesh(*testing::torus(2, 0.7, 12, 8));
+  btBvhTriangleMeshShape bvh(mesh.view(), true);
+  btCompoundShape compound;
+  compound.addChildShape(btTransform::getIdentity(), &ball);
+  btCollisionShape* const shapes[] = {&box, &ball, &compound, &bvh, &plane, &torus};
+  std::size_t exchanges = 0, touching = 0;
+  for (btCollisionShape* const first : shapes) {  // what the pair's algorithm is made for, beside the torus
+    if (first == &compound) continue;             // then it is Bullet's, which survives no exchange
+    for (btCollisionShape* const other : shapes) {
+      for (btCollisionShape* const next : shapes) {
+        testing::BulletWorld world;
+        btCollisionObject one, two;
+        one.setCollisionShape(&torus);
+        two.setCollisionShape(first);
+        two.setWorldTransform(testing::at(0.1, 0.2, 0.3));
+        world->addCollisionObject(&one, 1, -1);
+        world->addCollisionObject(&two, 1, -1);
+        world->performDiscreteCollisionDetection();
+        // The pair keeps the algorithm of torus and `first`.
+        for (btCollisionShape* const shape : {other, next}) {
+          one.setCollisionShape(shape);
+          two.setCollisionShape(&torus);
+          world->performDiscreteCollisionDetection();
+          one.setCollisionShape(&torus);
+          two.setCollisionShape(shape);
+          world->performDiscreteCollisionDetection();
+          ++exchanges;
+          touching += world.contactPoints() > 0;
+        }
+        world->removeCollisionObject(&one);
+        world->removeCollisionObject(&two);
+        EXPECT_EQ(world.dispatcher().getNumManifolds(), 0);
+      }
+    }
+  }
+  EXPECT_GT(exchanges, 300u);
+  EXPECT_GT(touching, exchanges / 3);
 }
 
 TEST(BadUse, posesThatAreNoneTouchNothing) {
