@@ -2,6 +2,7 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
 #include <memory>
 #include <optional>
@@ -11,8 +12,6 @@
 #include "contact/contact_patches.h"
 #include "manifolds.h"
 #include "octoblisk/triangle_source.h"
-
-struct btCollisionObjectWrapper;
 
 namespace octoblisk {
 class ClusteredOctreeShape;
