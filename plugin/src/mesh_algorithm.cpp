@@ -1,5 +1,6 @@
 #include "mesh_algorithm.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
@@ -91,6 +92,10 @@ SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t trian
   const TriangleId id = shape.triangleId(triangle);
   return {shape.tree().mesh().triangle(triangle), id.part, id.index};
 }
+
+MeshAlgorithm::ShapeTypes::ShapeTypes(const btCollisionObjectWrapper& body0,
+                                      const btCollisionObjectWrapper& body1)
+    : of0(typeid(*body0.m_shape)), of1(typeid(*body1.m_shape)) {}
 
 MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                              const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
 #include <memory>
 #include <optional>
@@ -12,6 +11,8 @@
 #include "contact/contact_patches.h"
 #include "manifolds.h"
 #include "octoblisk/triangle_source.h"
+
+struct btCollisionObjectWrapper;
 
 namespace octoblisk {
 class ClusteredOctreeShape;
@@ -48,8 +49,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// The types of the two bodies' shapes.
   struct ShapeTypes {
     std::type_index of0, of1;
-    ShapeTypes(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1)
-        : of0(typeid(*body0.m_shape)), of1(typeid(*body1.m_shape)) {}
+    ShapeTypes(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
     bool operator==(const ShapeTypes&) const = default;
   };
 
