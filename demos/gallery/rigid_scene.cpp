@@ -1,5 +1,7 @@
 #include "gallery/rigid_scene.h"
 
+#include "octoblisk/clustered_octree.h"
+
 namespace octoblisk::gallery {
 
 ClusteredOctreeShape& RigidScene::shapeOf(const shapes::SharedMesh& mesh, double margin) {

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "octoblisk/triangle_mesh.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 
 namespace octoblisk {
-
-using namespace detail;
 
 namespace {
 

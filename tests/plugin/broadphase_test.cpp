@@ -1,6 +1,7 @@
 // Which pairs ClusteredOctreeBroadphase makes, and what it tells of them.
 #include <gtest/gtest.h>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/register.h"
 #include "plugin/broadphase_worlds.h"
 

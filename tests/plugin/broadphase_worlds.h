@@ -4,6 +4,7 @@
 #include <LinearMath/btPoolAllocator.h>
 #include <gtest/gtest.h>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"

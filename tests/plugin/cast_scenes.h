@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 

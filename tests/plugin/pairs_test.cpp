@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "geometry/triangle_pair.h"
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"

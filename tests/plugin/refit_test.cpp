@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk/mass_properties.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/cast_scenes.h"
 
 namespace octoblisk {

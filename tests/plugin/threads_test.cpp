@@ -4,6 +4,7 @@
 #include <latch>
 #include <thread>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 

@@ -8,6 +8,7 @@
 
 #include <functional>
 
+#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "shared/meshes.h"
 

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
+#include "octoblisk/mass_properties.h"
 #include "octoblisk_bullet/convert.h"
 #include "paper/robot/arm_bodies.h"
 
