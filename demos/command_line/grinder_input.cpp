@@ -11,6 +11,7 @@
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
 #include "grinding/tool_file.h"
+#include "io/mesh_file.h"
 #include "io/number_text.h"
 #include "io/quoted_text.h"
 #include "io/table_name.h"
@@ -34,11 +35,38 @@ void tellNotes(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) complain("warning: " + note);
 }
 
+const ToolPart& largestPart(const ToolAssembly& tool) {
+  return *std::ranges::max_element(tool.parts, {},
+                                   [](const ToolPart& part) { return sizeOf(part.tree->mesh()); });
+}
+
+void readInMillimetres(const GrinderFiles& files, ToolAssembly& tool) {
+  if (files.tool_units.empty()) return;
+  if (files.tool.empty() && files.belt.empty()) {
+    throw std::invalid_argument("--tool-units: the built-in tool is in mm; it goes with --tool or --belt");
+  }
+  const std::string units =
+      unitsFor(files.tool_units, sizeOf(largestPart(tool).tree->mesh()), files.toolName());
+  if (units == "mm") return;
+  for (ToolPart& part : tool.parts) {
+    part.tree = treeOf(inMillimetres(part.tree->mesh(), units, files.toolName()));
+  }
+}
+
+/// With the unit that "auto" selects by the blisk: the obstacles are in its frame, and so in its unit.
+GrinderFiles withUnitsFound(GrinderFiles files) {
+  if (files.units != "auto") return files;
+  files.units =
+      files.blisk.empty() ? "mm" : unitsFor(files.units, sizeOf(readMesh(files.blisk)), files.blisk);
+  return files;
+}
+
 ToolAssembly toolOfFiles(const GrinderFiles& files) {
   ToolAssembly tool = !files.tool.empty()   ? toolOf(files.tool, files.max_depth)
                       : !files.belt.empty() ? beltAlone(files.belt, files.max_depth)
                                             : builtInTool(files.max_depth);
   tellNotes(tool.notes);
+  readInMillimetres(files, tool);
   return tool;
 }
 
@@ -99,10 +127,11 @@ void leaveDownstream(GrindingPathOptions& options) {
 }
 
 void requireUnitsFit(const GrinderFiles& files, const TriangleMesh& blisk, const ToolAssembly& tool) {
+  constexpr double kGreatestRatio = 25.0;
   if (!files.units.empty()) return;
-  const std::size_t part = tool.rules.grinding_part == kNoPart ? 0 : tool.rules.grinding_part;
-  requireSizesFit(files.bliskName(), sizeOf(blisk), tool.parts[part].name,
-                  sizeOf(tool.parts[part].tree->mesh()));
+  const ToolPart& part = largestPart(tool);
+  requireSizesFit(files.bliskName(), sizeOf(blisk), part.name, sizeOf(part.tree->mesh()), kGreatestRatio,
+                  "--tool-units");
 }
 
 void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
@@ -134,7 +163,13 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       .add_option("--blisk", files.blisk, "Mesh file, wherever it lies in space; default: the built-in blisk")
       ->check(notEmpty());
   addAxisOption(command, files.axis);
-  addUnitsOption(command, files.units);
+  addUnitsOption(
+      command, files.units,
+      "The length unit of the meshes of blisk and obstacles: mm, m, in, or auto, which selects the "
+      "unit by the blisk's size; default: mm. Paths and results are in mm");
+  addUnitsOption(command, files.tool_units,
+                 "The same of the meshes of --belt or --tool; auto goes by the largest; default: mm",
+                 "--tool-units");
   CLI::Option* const belt =
       command
           .add_option(
@@ -185,7 +220,8 @@ void addMarginOption(CLI::App& command, double& margin) {
       ->capture_default_str();
 }
 
-GrinderInput readGrinder(const GrinderFiles& files) {
+GrinderInput readGrinder(const GrinderFiles& files_asked) {
+  const GrinderFiles files = withUnitsFound(files_asked);
   GrinderInput input;
   input.tool = toolOfFiles(files);
   input.fixtures = fixturesOf(files);
@@ -207,9 +243,11 @@ GrinderInput readGrinder(const GrinderFiles& files) {
   return input;
 }
 
-GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks) {
+GrinderInput readGrinder(const GrinderFiles& files_asked, Ranks& ranks) {
+  GrinderFiles files;
   GrinderInput input;
   ranks.together([&] {
+    files = withUnitsFound(files_asked);
     input.tool = toolOfFiles(files);
     input.fixtures = fixturesOf(files);
   });

@@ -24,6 +24,7 @@ struct GrinderFiles {
   std::vector<std::string> obstacles;   ///< "mesh" or "mesh,name" of each
   std::string axis;                     ///< as axis_option.h reads it; empty: to be found
   std::string units;                    ///< of blisk and obstacles, as units_option.h reads it; empty: mm
+  std::string tool_units;               ///< of the meshes of belt or tool, likewise
   std::string out;                      ///< a folder
   std::optional<int> ground_blade;
   double max_depth = 0.1;  ///< mm

@@ -21,29 +21,27 @@ LengthUnit unitBySize(double size) {
   return size < kLargestInInches ? kInch : kMillimetre;
 }
 
-LengthUnit unitOf(const std::string& units, const TriangleMesh& mesh, const std::filesystem::path& file) {
+LengthUnit unitOf(const std::string& units) {
   if (units == kMetre.name) return kMetre;
-  if (units == kInch.name) return kInch;
-  if (units != "auto") return kMillimetre;
-  const LengthUnit unit = unitBySize(sizeOf(mesh));
-  complain("note: " + file.string() + ": read in " + unit.name + ": its bounding box has a diagonal of " +
-           shortText(sizeOf(mesh)));
-  return unit;
+  return units == kInch.name ? kInch : kMillimetre;
 }
 
 }  // namespace
 
-void addUnitsOption(CLI::App& command, std::string& units) {
-  command
-      .add_option("--units", units,
-                  "The length unit of the mesh: mm, m, in, or auto, which selects the unit by the mesh's "
-                  "size; default: mm. Results are in mm")
-      ->check(CLI::IsMember({"mm", "m", "in", "auto"}))
-      ->type_name("UNIT");
+void addUnitsOption(CLI::App& command, std::string& units, const std::string& help, const std::string& name) {
+  command.add_option(name, units, help)->check(CLI::IsMember({"mm", "m", "in", "auto"}))->type_name("UNIT");
+}
+
+std::string unitsFor(const std::string& units, double size, const std::filesystem::path& file) {
+  if (units != "auto") return units;
+  const LengthUnit unit = unitBySize(size);
+  complain("note: " + file.string() + ": read in " + unit.name + ": its bounding box has a diagonal of " +
+           shortText(size));
+  return unit.name;
 }
 
 TriangleMesh inMillimetres(TriangleMesh mesh, const std::string& units, const std::filesystem::path& file) {
-  const LengthUnit unit = unitOf(units, mesh, file);
+  const LengthUnit unit = unitOf(unitsFor(units, sizeOf(mesh), file));
   if (unit.millimetres == 1.0) return mesh;
   std::vector<Vec3> vertices = mesh.vertices();
   for (Vec3& vertex : vertices) vertex *= unit.millimetres;
@@ -51,21 +49,22 @@ TriangleMesh inMillimetres(TriangleMesh mesh, const std::string& units, const st
 }
 
 void requireSizesFit(const std::string& blisk_file, double blisk_size, const std::string& part_name,
-                     double part_size) {
-  constexpr double kLeastRatio = 0.1, kGreatestRatio = 300.0;
+                     double part_size, double greatest_ratio, const std::string& part_option) {
+  constexpr double kLeastRatio = 0.1;
   const double ratio = blisk_size / part_size;
-  if (ratio >= kLeastRatio && ratio <= kGreatestRatio) return;
+  if (ratio >= kLeastRatio && ratio <= greatest_ratio) return;
   const bool is_blisk_small = ratio < kLeastRatio;
   const LengthUnit unit = unitBySize(is_blisk_small ? blisk_size : part_size);
   const std::string sizes = blisk_file + ": the blisk is " + shortText(blisk_size) + " mm across, the " +
                             part_name + " " + shortText(part_size) + " mm: one of the two is not in mm. ";
   const std::string factor = " (a factor of " + shortText(unit.millimetres) + ")";
-  throw std::runtime_error(
-      sizes +
-      (is_blisk_small ? std::string("--units ") + unit.name + factor + " would make the blisk " +
-                            shortText(blisk_size * unit.millimetres) + " mm"
-                      : "The tool would fit if its mesh were in " + std::string(unit.name) + factor) +
-      "; --units mm takes the sizes as they are");
+  throw std::runtime_error(sizes +
+                           (is_blisk_small
+                                ? std::string("--units ") + unit.name + factor + " would make the blisk " +
+                                      shortText(blisk_size * unit.millimetres) + " mm"
+                                : part_option + " " + unit.name + factor + " would make the " + part_name +
+                                      " " + shortText(part_size * unit.millimetres) + " mm") +
+                           "; --units mm takes the sizes as they are");
 }
 
 double sizeOf(const TriangleMesh& mesh) { return 2.0 * mesh.bounds().halfExtents().norm(); }

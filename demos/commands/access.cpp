@@ -18,6 +18,7 @@
 #include "commands/access_files.h"
 #include "commands/access_task.h"
 #include "commands/commands.h"
+#include "io/new_file.h"
 #include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "report/replay_files.h"
@@ -67,7 +68,8 @@ int access(AccessRequest request) {
       runStudy(studyOf(task), target, {files.blisk, files.belt, files.tool, files.path}, ranks,
                [&](ItemRange items) { return answerSites(task, items); });
   if (!ranks.isFirst()) return 0;
-  const int exit_code = tellAccess(outcome.tallies, task.question);
+  const int exit_code =
+      tellAccess(outcome.tallies, task.question, isStandardOutput(target.out) ? std::cerr : std::cout);
   if (!target.shard) {
     finishAccess(target.out, task.question, !request.no_picture);
     if (request.report) writeReport(task, files);

@@ -22,10 +22,10 @@ void finishAccess(const std::filesystem::path& points, const AccessQuestion& que
   if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
 }
 
-int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question) {
+int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words) {
   AccessSummary summary;
   for (const std::string& tally : tallies) summary.add(accessSummaryOfTally(tally));
-  std::cout << inWords(summary, question);
+  words << inWords(summary, question);
   return summary.nowhere_free > 0 ? 1 : 0;
 }
 

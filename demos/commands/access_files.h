@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
 #include <span>
 #include <string>
 
@@ -17,6 +18,6 @@ inline constexpr const char* kAccessName = "access";
 void finishAccess(const std::filesystem::path& points, const AccessQuestion& question, bool picture);
 
 /// Tells the summary of a study's tallies; the exit code.
-int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question);
+int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words);
 
 }  // namespace octoblisk::demos

@@ -14,9 +14,12 @@
 #include "command_line/partition_option.h"
 #include "command_line/study_options.h"
 #include "command_line/subcommand_help.h"
+#include "command_line/units_option.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "io/exact_number.h"
+#include "io/mesh_file.h"
+#include "io/new_file.h"
 #include "octoblisk/batch.h"
 #include "study/node_inputs.h"
 #include "study/run_study.h"
@@ -30,9 +33,15 @@ struct CheckRequest {
   std::string moving;
   std::string poses;
   StudyTarget target;
+  std::string units;  // empty: those of the poses
   BuildOptions tree;
   PoseCheckOptions options;
 };
+
+ClusteredOctree treeOfFile(Ranks& ranks, const std::string& file, const CheckRequest& request) {
+  return treeOnceANode(
+      ranks, [&] { return inMillimetres(readMesh(file), request.units, file); }, request.tree);
+}
 
 std::string columnsOf(const PoseCheckOptions& options) {
   return std::string("pose,colliding,triangle_fixed,triangle_moving") +
@@ -118,8 +127,8 @@ int check(CheckRequest request) {
   PoseCheckOptions& options = request.options;
   if (options.threads == 0) options.threads = ranks.threadsEach();
   const SharedPoses moving_in_fixed = posesOnceANode(ranks, request.poses);
-  const ClusteredOctree fixed = treeOnceANode(ranks, request.fixed, request.tree);
-  const ClusteredOctree moving = treeOnceANode(ranks, request.moving, request.tree);
+  const ClusteredOctree fixed = treeOfFile(ranks, request.fixed, request);
+  const ClusteredOctree moving = treeOfFile(ranks, request.moving, request);
   std::unique_ptr<PoseCheck> poses_check;
   ranks.together([&] { poses_check = poseCheck(request, fixed, moving); });
   const Study study = studyOf(request, fixed, moving, moving_in_fixed.poses);
@@ -129,7 +138,8 @@ int check(CheckRequest request) {
   if (!ranks.isFirst()) return 0;
   const CheckSummary summary = summaryOfTallies(outcome.tallies);
   const std::optional a_pose = outcome.time / static_cast<double>(outcome.answered);
-  tell(std::cout, summary, options, outcome.answered > 0 ? a_pose : std::nullopt);
+  std::ostream& words = isStandardOutput(request.target.out) ? std::cerr : std::cout;
+  tell(words, summary, options, outcome.answered > 0 ? a_pose : std::nullopt);
   return summary.isClean() ? 0 : 1;
 }
 
@@ -150,10 +160,13 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
           "in mesh units and a unit quaternion")
       ->required()
       ->check(notEmpty());
-  addStudyOptions(
-      command, request->target,
-      "CSV file to write: pose,colliding,triangle_fixed,triangle_moving, all counted from 0; a pair "
-      "of triangles that meet where colliding is 1; then the columns of the options below");
+  addUnitsOption(command, request->units,
+                 "The length unit of the two meshes: mm, m, in, or auto, which selects it of each by its "
+                 "size; poses, tolerance and results are then in mm. Default: all is in one unit, whichever");
+  addStudyOptions(command, request->target,
+                  "CSV file to write, -: standard output: pose,colliding,triangle_fixed,triangle_moving, all "
+                  "counted from 0; a pair "
+                  "of triangles that meet where colliding is 1; then the columns of the options below");
   addPartitionOption(command, request->tree);
   PoseCheckOptions& options = request->options;
   command.add_flag("--clearance", options.clearance,

@@ -12,6 +12,7 @@
 #include "commands/check_summary.h"
 #include "commands/commands.h"
 #include "commands/part_check.h"
+#include "io/new_file.h"
 #include "io/quoted_text.h"
 #include "study/merge_parts.h"
 
@@ -25,18 +26,19 @@ struct MergeRequest {
 
 /// Tells what the study's own subcommand does, and returns its exit code.
 int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
+  std::ostream& words = isStandardOutput(out) ? std::cerr : std::cout;
   if (merged.study.name == kCheckName) {
     const CheckSummary summary = summaryOfTallies(merged.tallies);
-    tell(std::cout, summary, optionsOfLine(merged.study.options), std::nullopt);
+    tell(words, summary, optionsOfLine(merged.study.options), std::nullopt);
     return summary.isClean() ? 0 : 1;
   }
   if (merged.study.name == kAccessName) {
     const AccessQuestion question = questionOfLine(merged.study.options);
-    const int exit_code = tellAccess(merged.tallies, question);
-    finishAccess(out, question, true);
+    const int exit_code = tellAccess(merged.tallies, question, words);
+    if (!isDevice(out)) finishAccess(out, question, true);
     return exit_code;
   }
-  std::cout << merged.study.items << " items of a study by " << inQuotes(merged.study.name) << '\n';
+  words << merged.study.items << " items of a study by " << inQuotes(merged.study.name) << '\n';
   return 0;
 }
 
@@ -46,7 +48,9 @@ void addMergeCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "merge");
   const auto request = std::make_shared<MergeRequest>();
   command.add_option("PART", request->parts, "All parts, in any order")->required()->check(notEmpty());
-  command.add_option("-o,--out", request->out, "CSV file to write")->required()->check(notEmpty());
+  command.add_option("-o,--out", request->out, "CSV file to write; -: standard output")
+      ->required()
+      ->check(notEmpty());
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
     exit_code = tellStudy(mergeParts(parts, request->out, checkPart), request->out);

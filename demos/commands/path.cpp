@@ -55,6 +55,11 @@ PathArm armAsked(const PathRequest& request, bool shrouded) {
   return request.side == "leading" ? PathArm::upstream : PathArm::downstream;
 }
 
+void requireWheelFits(const std::string& blisk, double blisk_size, double wheel) {
+  constexpr double kGreatestRatio = 300.0;
+  requireSizesFit(blisk, blisk_size, "contact wheel", wheel, kGreatestRatio, "--wheel-radius in");
+}
+
 int makePath(PathRequest request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
   std::error_code ignored;  // mostly there is no such file
@@ -63,8 +68,7 @@ int makePath(PathRequest request) {
   }
   const TriangleMesh mesh =
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
-  if (request.units.empty())
-    requireSizesFit(name, sizeOf(mesh), "contact wheel", 2.0 * request.options.wheel_radius);
+  if (request.units.empty()) requireWheelFits(name, sizeOf(mesh), 2.0 * request.options.wheel_radius);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   if (request.blade > found.blades.count) {
     throw std::invalid_argument("--blade " + std::to_string(request.blade) + ": " + name + " has " +

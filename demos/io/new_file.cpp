@@ -59,9 +59,6 @@ void requireNotRead(const std::string& out, const std::vector<std::filesystem::p
       throw std::runtime_error(out + ": cannot be both read and written");
     }
   }
-  if (out == "-") {
-    throw std::runtime_error("-: the summary goes to standard output, the result to a file: name one");
-  }
 }
 
 std::filesystem::path behindLinks(const std::filesystem::path& file) {

@@ -22,7 +22,7 @@ bool isDevice(const std::filesystem::path& file);
 /// Whether the name stands for standard output: "-", or a path of it.
 bool isStandardOutput(const std::filesystem::path& file);
 
-/// Throws std::runtime_error naming the file if it is "-" or one of the files read.
+/// Throws std::runtime_error naming the file if it is one of the files read.
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
 
 /// The file that a symbolic link leads to. Returns the argument itself if it is not a link.

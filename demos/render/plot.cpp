@@ -1,7 +1,9 @@
 #include "render/plot.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,13 +12,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "io/new_file.h"
-#include "io/whole_files.h"
 
 extern char** environ;
 
@@ -76,8 +76,45 @@ class FileDescriptor {
 
 struct Answer {
   int exit_code = -1;
-  std::string text;  ///< what it printed
+  std::string drawn;  ///< its standard output
+  std::string words;  ///< its standard error
 };
+
+/// Sends the text and takes what comes back, whichever way the other end is ready for.
+std::string sendAndReceive(int socket, std::string_view text) {
+  std::string taken;
+  std::array<char, 65536> buffer;
+  bool sends = true;
+  for (;;) {
+    if (sends && text.empty()) {
+      ::shutdown(socket, SHUT_WR);
+      sends = false;
+    }
+    pollfd ready{socket, static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0};
+    if (::poll(&ready, 1, -1) < 0 && errno != EINTR) return taken;
+    if (sends && (ready.revents & POLLOUT) != 0) {
+      const ssize_t sent = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent > 0) text.remove_prefix(static_cast<std::size_t>(sent));
+      if (sent < 0 && errno != EINTR && errno != EAGAIN) text = {};  // it has given up, and tells why
+    }
+    if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
+    const ssize_t read = ::recv(socket, buffer.data(), buffer.size(), MSG_DONTWAIT);
+    if (read < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (read <= 0) return taken;
+    taken.append(buffer.data(), static_cast<std::size_t>(read));
+  }
+}
+
+std::string wordsIn(int file) {
+  std::string content;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t read = ::pread(file, buffer.data(), buffer.size(), static_cast<off_t>(content.size()));
+    if (read < 0 && errno == EINTR) continue;
+    if (read <= 0) return content;
+    content.append(buffer.data(), static_cast<std::size_t>(read));
+  }
+}
 
 /// Runs gnuplot on the script. It is sent through a socket, not a pipe: writing to a gnuplot that has given
 /// up is an error then, and no signal.
@@ -87,9 +124,14 @@ Answer runGnuplot(std::string_view script) {
     throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(errno));
   }
   FileDescriptor ours(ends[0]), its(ends[1]);
+  const FileDescriptor words(::memfd_create("gnuplot", MFD_CLOEXEC));
+  if (words.number() < 0) {
+    throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(errno));
+  }
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
-  for (const int stream : {0, 1, 2}) ::posix_spawn_file_actions_adddup2(&actions, its.number(), stream);
+  for (const int stream : {0, 1}) ::posix_spawn_file_actions_adddup2(&actions, its.number(), stream);
+  ::posix_spawn_file_actions_adddup2(&actions, words.number(), 2);
   std::string name = "gnuplot";
   std::array<char*, 2> arguments = {name.data(), nullptr};
   pid_t process = 0;
@@ -100,25 +142,13 @@ Answer runGnuplot(std::string_view script) {
     throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(failure));
   its.close();
 
-  while (!script.empty()) {
-    const ssize_t sent = ::send(ours.number(), script.data(), script.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) break;  // it has given up; its words and exit code tell why
-    script.remove_prefix(static_cast<std::size_t>(sent));
-  }
-  ::shutdown(ours.number(), SHUT_WR);
   Answer answer;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t read = ::recv(ours.number(), buffer.data(), buffer.size(), 0);
-    if (read < 0 && errno == EINTR) continue;
-    if (read <= 0) break;
-    answer.text.append(buffer.data(), static_cast<std::size_t>(read));
-  }
+  answer.drawn = sendAndReceive(ours.number(), script);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   answer.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  answer.words = wordsIn(words.number());
   return answer;
 }
 
@@ -134,13 +164,12 @@ std::string lastLine(const std::string& text) {
 
 }  // namespace
 
-std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file) {
+std::string gnuplotScript(const Plot& plot) {
   if (plot.series.empty()) throw std::invalid_argument("plot '" + plot.title + "' has no series");
   std::ostringstream script;
   script.precision(10);
   script << "set encoding utf8\n"
          << "set terminal svg size 720,480 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
-         << "set output " << quoted(file.string()) << '\n'
          << "set title " << quoted(plot.title) << '\n'
          << "set xlabel " << quoted(plot.x_label) << '\n'
          << "set ylabel " << quoted(plot.y_label) << '\n'
@@ -173,28 +202,18 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file) {
     script << (s > 0 ? ", " : "") << "$series" << s << " using 1:2 with " << styleOf(series.style) << " lt "
            << s + 1 << (series.name.empty() ? " notitle" : " title " + quoted(series.name));
   }
-  script << "\nset output\n";
+  script << '\n';
   return script.str();
 }
 
 void requireGnuplot() { runGnuplot(""); }
 
 void writeSvg(const Plot& plot, const std::filesystem::path& file) {
-  WholeFiles whole;
-  const std::filesystem::path drawn = whole.add(file);
-  const std::string script = gnuplotScript(plot, drawn);
-  writeFile(drawn, "");  // gnuplot's own words on what cannot be written are less clear
-  const Answer answer = runGnuplot(script);
-  if (answer.exit_code != 0) {
-    throw std::runtime_error(file.string() + ": gnuplot could not draw it: " + lastLine(answer.text));
+  const Answer answer = runGnuplot(gnuplotScript(plot));
+  if (answer.exit_code != 0 || answer.drawn.find("</svg>") == std::string::npos) {
+    throw std::runtime_error(file.string() + ": gnuplot could not draw it: " + lastLine(answer.words));
   }
-  std::ifstream stream(drawn, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (text.find("</svg>") == std::string::npos) {
-    throw std::runtime_error(file.string() +
-                             ": cannot be written: gnuplot came to no end, as on a full disk");
-  }
-  whole.finish();
+  writeFile(file, answer.drawn);
 }
 
 }  // namespace octoblisk::demos

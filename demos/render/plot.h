@@ -27,9 +27,9 @@ struct Plot {
   std::vector<Series> series{};
 };
 
-/// The script that makes gnuplot draw the plot into a file. Throws std::invalid_argument naming a series
-/// without points, or with more or fewer x than y.
-std::string gnuplotScript(const Plot& plot, const std::filesystem::path& file);
+/// The script that makes gnuplot draw the plot to its standard output. Throws std::invalid_argument naming a
+/// series without points, or with more or fewer x than y.
+std::string gnuplotScript(const Plot& plot);
 
 /// Throws std::runtime_error in one line where gnuplot is not installed, naming its Debian package.
 void requireGnuplot();

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "access/access_picture.h"
+#include "access/access_replay.h"
 #include "access/access_summary.h"
 #include "demos/block.h"
 #include "models/embedded_assets.h"
@@ -138,6 +139,28 @@ TEST(AccessMap, gridPointsLieOnTheSideAndFaceOutwards) {
   bad = {};
   bad.span_to = 1.5;
   EXPECT_THROW(sitesOnBlade(blisk, blades, bad), std::invalid_argument);
+}
+
+TEST(AccessMap, oneFreeTiltIsCalledSo) {
+  const Slot slot;
+  const auto walls = treeOf(slot.walls);
+  AccessMap map;
+  map.parts = {{"bar", treeOf(slot.bar)}};
+  map.sites = {siteAtOrigin()};
+  BladesFound blades;
+  blades.blade_of_triangle.assign(slot.walls.triangleCount(), 0);
+  Judge judge(walls, map.parts, blades.blade_of_triangle, {.ground_blade = 0, .near_miss = 0.0});
+  const auto verdictOf = [&](double tilt_from, int tilts) {
+    map.question.options.tilt_from = tilt_from;
+    map.question.options.tilts = tilts;
+    map.access = accessOf(judge, map.sites, map.question.options);
+    const Replay replay = accessReplay(map, walls, blades, "a slot");
+    const ReplayPose& pose = replay.tracks.front().poses.front();
+    return replay.verdicts[pose.verdict].name + ": " + pose.text;
+  };
+  EXPECT_EQ(verdictOf(0.0, 1), "free at one tilt: tilt 0° alone at lead 0°");
+  EXPECT_EQ(verdictOf(0.0, 6), "free over 30° or less: tilt 0° to 5° at lead 0°, shown at their middle");
+  EXPECT_EQ(verdictOf(90.0, 1), "nowhere free: most often in the way: bar on hub or shroud");
 }
 
 TEST(AccessMap, pictureShowsEachPointInItsColour) {

@@ -92,6 +92,12 @@ TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
   EXPECT_EQ(run("check --fixed large.obj" + measures + "large.csv").exit_code, 1);
   EXPECT_EQ(run("check --fixed mixed.obj" + measures + "mixed.csv").exit_code, 1);
   EXPECT_EQ(contentOf(folder_.path() / "large.csv"), contentOf(folder_.path() / "mixed.csv"));
+  // The moving one, too.
+  const std::string moving =
+      "check --fixed small.obj --poses poses.csv --clearance --depth --signed --moving ";
+  EXPECT_EQ(run(moving + "large.obj --out large.csv").exit_code, 1);
+  EXPECT_EQ(run(moving + "mixed.obj --out mixed.csv").exit_code, 1);
+  EXPECT_EQ(contentOf(folder_.path() / "large.csv"), contentOf(folder_.path() / "mixed.csv"));
 }
 
 TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {

@@ -113,7 +113,7 @@ TEST(Plot, drawsEverySeriesWithItsWords) {
   for (const char* words : {"it's &lt;100 %", "FNOP", "time (ms)", "k_2 &amp; more", "points", "</svg>"}) {
     EXPECT_THAT(svg, HasSubstr(words));
   }
-  EXPECT_THAT(gnuplotScript(plot, file), HasSubstr("2 10\n\n4 10\n")) << "the gap";
+  EXPECT_THAT(gnuplotScript(plot), HasSubstr("2 10\n\n4 10\n")) << "the gap";
 }
 
 TEST(Plot, refusesWhatItCannotDraw) {

@@ -153,11 +153,25 @@ TEST_F(GrindCommand, aBliskOfBothWindingsGivesTheSameTablesAndIsTold) {
                              "those beside; turned round") != std::string::npos;
     EXPECT_EQ(is_told, way == "mixed") << outcome.error;
     EXPECT_EQ(blades.error, outcome.error);
+    const std::string of_file = " --blisk " + way + ".ply";
+    const Outcome path = runOctoblisk(folder_.path(), "path" + of_file + " --out " + way + ".csv");
+    EXPECT_EQ(path.error, outcome.error);
+    const Outcome access = runOctoblisk(
+        folder_.path(),
+        "access" + of_file + " --rows 2 --columns 3 --tilt-step 60 --no-report --no-picture --out " + way);
+    EXPECT_EQ(access.error, outcome.error);
+    const Outcome repair =
+        runOctoblisk(folder_.path(), "repair" + of_file + " --path sound.csv --no-report --out of_" + way);
+    EXPECT_EQ(repair.error, outcome.error);
   }
-  for (const char* table : {"poses.csv", "contacts.csv", "coverage.csv"}) {
+  EXPECT_EQ(contentOf(file("sound.csv")), contentOf(file("mixed.csv")));
+  for (const char* table : {"poses.csv", "contacts.csv", "coverage.csv", "points.csv"}) {
     EXPECT_EQ(contentOf(file("sound/" + std::string(table))), contentOf(file("mixed/" + std::string(table))));
   }
-  EXPECT_EQ(contentOf(file("of_sound/blades.csv")), contentOf(file("of_mixed/blades.csv")));
+  for (const char* table : {"blades.csv", "path.csv", "changes.csv"}) {
+    EXPECT_EQ(contentOf(file("of_sound/" + std::string(table))),
+              contentOf(file("of_mixed/" + std::string(table))));
+  }
 }
 
 TEST_F(GrindCommand, aSurfaceOfOneSideIsRefused) {

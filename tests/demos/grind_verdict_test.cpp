@@ -156,7 +156,7 @@ TEST_F(GrindCommand, thePapersPartitionGivesTheSameContactsAndVerdicts) {
 TEST_F(GrindCommand, aPartWhollyInsideTheBliskIsInterference) {
   writeMesh(file("small.ply"), block({3, 3, 3}, 2));
   folder_.write("buried.csv", "x,y,z,qw,qx,qy,qz\n95,0,0,1,0,0,0\n300,0,0,1,0,0,0\n");
-  const Outcome outcome = run("--belt small.ply --path buried.csv --out run");
+  const Outcome outcome = run("--belt small.ply --units mm --path buried.csv --out run");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
   EXPECT_THAT(outcome.out, HasSubstr("1 clear, 0 intended contact, 0 near miss, 1 interference"));
   EXPECT_THAT(outcome.out, HasSubstr("belt wholly inside the blisk"));

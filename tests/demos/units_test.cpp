@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "demos/block.h"
 #include "demos/command.h"
 #include "demos/refusal.h"
 #include "demos/scratch_folder.h"
@@ -26,6 +27,17 @@ class Units : public ::testing::Test {
   }
 
   Outcome run(const std::string& arguments) { return runOctoblisk(folder_.path(), arguments); }
+
+  static std::string firstLine(const Outcome& outcome) {
+    return outcome.out.substr(0, outcome.out.find('\n'));
+  }
+
+  static void toInches(const std::filesystem::path& from, const std::filesystem::path& to) {
+    const TriangleMesh mesh = readMesh(from);
+    std::vector<Vec3> vertices = mesh.vertices();
+    for (Vec3& vertex : vertices) vertex /= 25.4;
+    writeMesh(to, {std::move(vertices), mesh.triangles()});
+  }
 
   ScratchFolder folder_;
   static constexpr const char* kGrind = " --poses-only --no-pictures --no-report --out run";
@@ -53,7 +65,6 @@ TEST_F(Units, sizesThatDoNotFitAreRefusedBeforeAnythingIsComputed) {
 TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
   const Outcome expected = run("grind --blisk mm.ply" + std::string(kGrind));
   EXPECT_EQ(expected.exit_code, 1) << expected.error;
-  const auto firstLine = [](const Outcome& outcome) { return outcome.out.substr(0, outcome.out.find('\n')); };
   for (const std::string unit : {"m", "in"}) {
     const Outcome given = run("grind --units " + unit + " --blisk " + unit + ".ply" + kGrind);
     EXPECT_EQ(firstLine(given), firstLine(expected)) << given.error;
@@ -67,6 +78,70 @@ TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
   }
   EXPECT_THAT(run("grind --units auto --blisk mm.ply" + std::string(kGrind)).error,
               HasSubstr("note: mm.ply: read in mm: "));
+}
+
+TEST_F(Units, ofTheToolAreGivenOrFound) {
+  const std::string tables = " --poses-only --no-pictures --no-report --out ";
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make grinder --out tool").exit_code, 0);
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make belt --out belt.ply").exit_code, 0);
+  std::filesystem::create_directories(folder_.path() / "inches");
+  std::filesystem::copy(folder_.path() / "tool/tool.json", folder_.path() / "inches/tool.json");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "tool")) {
+    if (entry.path().extension() == ".ply")
+      toInches(entry.path(), folder_.path() / "inches" / entry.path().filename());
+  }
+  toInches(folder_.path() / "belt.ply", folder_.path() / "belt_in.ply");
+  expectRefusal(run("grind --belt belt_in.ply" + tables + "run"),
+                "the blisk: the blisk is 707.7 mm across, the belt 13.68 mm: one of the two is not in mm. "
+                "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
+  for (const auto& [mm, in] : {std::pair("--belt belt.ply", "--belt belt_in.ply"),
+                               std::pair("--tool tool/tool.json", "--tool inches/tool.json")}) {
+    const Outcome expected = run(std::string("grind ") + mm + tables + "mm");
+    ASSERT_EQ(expected.exit_code, 1) << expected.error;
+    const Outcome given = run(std::string("grind --tool-units in ") + in + tables + "in");
+    EXPECT_EQ(firstLine(given), firstLine(expected)) << given.error;
+    EXPECT_EQ(given.error, "");
+    const Outcome found = run(std::string("grind --tool-units auto ") + in + tables + "auto");
+    EXPECT_EQ(firstLine(found), firstLine(expected));
+    EXPECT_THAT(found.error, HasSubstr(": read in in: "));
+  }
+  expectRefusal(run("grind --tool-units in" + tables + "run"), "--tool-units: the built-in tool is in mm");
+}
+
+TEST_F(Units, ofObstaclesAreTheBlisks) {
+  // 51 mm of bar, which by its own size might be inches, far from the tool.
+  ASSERT_EQ(
+      runOctoblisk(folder_.path(), "make arm --arm-start 300 --wheel-distance 340 --out clamp.ply").exit_code,
+      0);
+  const std::string arguments = " --obstacle clamp.ply" + std::string(kGrind);
+  const Outcome expected = run("grind --blisk mm.ply" + arguments);
+  const Outcome found = run("grind --units auto --blisk mm.ply" + arguments);
+  EXPECT_EQ(found.out, expected.out);
+  EXPECT_THAT(found.error, ::testing::Not(HasSubstr("clamp")));
+}
+
+TEST_F(Units, ofAccessRepairAndCheck) {
+  const std::string few = " --rows 2 --columns 3 --tilt-step 60 --no-picture --no-report --out ";
+  const Outcome access = run("access --blisk mm.ply" + few + "mm");
+  EXPECT_EQ(firstLine(run("access --units m --blisk m.ply" + few + "m")), firstLine(access)) << access.error;
+  ASSERT_EQ(run("path --blisk mm.ply --height-from 0.45 --height-to 0.5 --out path.csv").exit_code, 0);
+  const std::string path = " --path path.csv --no-report --out ";
+  const Outcome repair = run("repair --blisk mm.ply" + path + "mm");
+  EXPECT_LE(repair.exit_code, 1) << repair.error;
+  EXPECT_EQ(firstLine(run("repair --units in --blisk in.ply" + path + "in")), firstLine(repair));
+  // Boxes of 4 and 2 mm, in mm and in metres, 1 mm in each other.
+  folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n2,0,0,1,0,0,0\n5,0,0,1,0,0,0\n");
+  for (const auto& [name, size] : {std::pair("large", 2.0), std::pair("small", 1.0)}) {
+    writeMesh(folder_.path() / (std::string(name) + ".obj"), block(Vec3::Constant(size), 1));
+    writeMesh(folder_.path() / (std::string(name) + "_m.obj"), block(Vec3::Constant(size / 1000.0), 1));
+  }
+  const std::string measures = " --poses poses.csv --clearance --depth --out -";
+  const Outcome mm = run("check --fixed large.obj --moving small.obj" + measures);
+  EXPECT_EQ(mm.exit_code, 1) << mm.error;
+  const Outcome metres = run("check --units m --fixed large_m.obj --moving small_m.obj" + measures);
+  EXPECT_EQ(metres.exit_code, 1) << metres.error;
+  EXPECT_THAT(mm.out, HasSubstr("\n0,1,"));
+  EXPECT_EQ(mm.out.substr(0, 60), metres.out.substr(0, 60));
 }
 
 TEST_F(Units, aMarginThatMakesAllTrianglesNearIsRefused) {
