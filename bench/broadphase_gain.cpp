@@ -32,6 +32,7 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   btCollisionDispatcher dispatcher(&configuration);
   btCollisionWorld world(&dispatcher, &broadphase, &configuration);
   ClusteredOctreeShape shape(scene.blisk);
+  shape.setMargin(0);
   btCollisionObject blisk;
   blisk.setCollisionShape(&shape);
   world.addCollisionObject(&blisk);

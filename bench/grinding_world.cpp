@@ -122,6 +122,7 @@ GrindingWorld::GrindingWorld(const GrindingScene& scene, Mount mount, btBroadpha
       world_(&dispatcher_, &broadphase, &solver_, &configuration_),
       blisk_shape_(scene.blisk),
       tool_parts_(scene.tool.size()) {
+  blisk_shape_.setMargin(0);
   registerAlgorithm(&dispatcher_);
   world_.setGravity(btVector3(0, 0, 0));
   if (mount == Mount::spindle) {
@@ -144,6 +145,7 @@ GrindingWorld::GrindingWorld(const GrindingScene& scene, Mount mount, btBroadpha
   }
   for (const auto& part : scene.tool) {
     shapes_.push_back(std::make_unique<ClusteredOctreeShape>(part));
+    shapes_.back()->setMargin(0);
     bodies_.push_back(std::make_unique<btRigidBody>(0, nullptr, shapes_.back().get()));
     bodies_.back()->setWorldTransform(toBullet(scene.tool_in_blisk.front()));
     bodies_.back()->setInterpolationWorldTransform(bodies_.back()->getWorldTransform());

@@ -90,6 +90,7 @@ class GrindingCell::World {
   struct Body {
     Body(std::shared_ptr<const ClusteredOctree> tree, double reach)
         : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {
+      shape.setMargin(0);
       shape.setContactBreakingThreshold(btScalar(reach));
     }
 

@@ -18,7 +18,7 @@ std::vector<PartContact> reduceContacts(std::span<const PartContact> contacts,
   std::vector<PartContact> kept;
   ContactPatches patches;
   for (const auto& [part_and_blade, group] : by_part_and_blade) {
-    for (const ContactPatch& patch : patches.reduce(group)) {
+    for (const ContactPatch& patch : patches.reduce(group, 0.0)) {
       for (const Contact& contact : patch.points()) kept.push_back({part_and_blade.first, contact});
     }
   }

@@ -62,6 +62,7 @@ class SpindleCell::World {
         blisk_(infoOf(massOfSolid(blisk_shape_.tree().mesh(), options.density), blisk_shape_)),
         belt_(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &belt_shape_)),
         spindle_(blisk_, btVector3(0, 0, 0), btVector3(0, 0, 1)) {
+    for (ClusteredOctreeShape* shape : {&blisk_shape_, &belt_shape_}) shape->setMargin(0);
     registerAlgorithm(&dispatcher_);
     world_.setGravity(btVector3(0, 0, 0));
     btContactSolverInfo& info = world_.getSolverInfo();

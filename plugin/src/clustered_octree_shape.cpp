@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cast_callbacks.h"
+#include "contact/thickness.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
@@ -32,6 +33,11 @@ std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleM
     for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
   }
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+}
+
+double defaultMargin(const ClusteredOctree& tree, bool is_solid) {
+  if (!is_solid) return 0.0;
+  return std::min(0.01 * tree.mesh().bounds().halfExtents().maxCoeff(), 0.1 * thinThickness(tree));
 }
 
 const btStridingMeshInterface& notNull(const btStridingMeshInterface* mesh_interface) {
@@ -73,6 +79,7 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   tree_ = std::move(tree);
   ++revision_;
+  if (has_default_margin_) m_collisionMargin = btScalar(defaultMargin(*tree_, mass_properties_->is_solid));
 }
 
 void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) {
@@ -101,6 +108,13 @@ btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_fact
   if (contact_breaking_threshold_ >= 0) return contact_breaking_threshold_;
   return std::min(gContactBreakingThreshold, getAngularMotionDisc() * default_factor);
 }
+
+void ClusteredOctreeShape::setMargin(btScalar margin) {
+  has_default_margin_ = false;
+  btConcaveShape::setMargin(margin);
+}
+
+bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && mass_properties_->is_solid; }
 
 void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,
                                    btVector3& aabb_max) const {

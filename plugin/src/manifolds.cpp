@@ -8,17 +8,37 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The squared distance of a patch's deepest point to the nearest point of a manifold, on the mesh; infinite
-/// where the manifold is empty.
-double squaredDistance(const Vec3& deepest_in_world, const btPersistentManifold& manifold,
-                       bool mesh_is_body1) {
+/// In the mesh's frame, on the margin round it.
+Vec3 onMargin(const Contact& contact, const PatchesMesh& mesh) {
+  return contact.point_on_a - mesh.margin * contact.normal;
+}
+
+Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
+  return mesh.in_world.inverse() *
+         fromBullet(mesh.is_body1 ? point.m_positionWorldOnB : point.m_positionWorldOnA);
+}
+
+/// From the patch's deepest point to the nearest of the manifold; infinite where the manifold is empty.
+double squaredDistance(const ContactPatch& patch, const btPersistentManifold& manifold,
+                       const PatchesMesh& mesh) {
+  const Vec3 deepest = onMargin(patch.contacts[0], mesh);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    const btManifoldPoint& point = manifold.getContactPoint(i);
-    const btVector3& on_mesh = mesh_is_body1 ? point.m_positionWorldOnB : point.m_positionWorldOnA;
-    least = std::min(least, (fromBullet(on_mesh) - deepest_in_world).squaredNorm());
+    least = std::min(least, (onMargin(manifold.getContactPoint(i), mesh) - deepest).squaredNorm());
   }
   return least;
+}
+
+/// Removes the points that are farther than `distance` from all of a patch's.
+void keepNear(const ContactPatch& patch, btPersistentManifold& manifold, const PatchesMesh& mesh,
+              double distance) {
+  for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {
+    const Vec3 point = onMargin(manifold.getContactPoint(i), mesh);
+    const auto isNear = [&](const Contact& contact) {
+      return (onMargin(contact, mesh) - point).squaredNorm() <= distance * distance;
+    };
+    if (std::ranges::none_of(patch.points(), isNear)) manifold.removeContactPoint(i);
+  }
 }
 
 }  // namespace
@@ -27,7 +47,7 @@ Manifolds::~Manifolds() {
   for (btPersistentManifold* manifold : manifolds_) dispatcher_.releaseManifold(manifold);
 }
 
-void Manifolds::match(std::span<const ContactPatch> patches, const Pose& mesh_in_world, bool mesh_is_body1,
+void Manifolds::match(std::span<const ContactPatch> patches, const PatchesMesh& mesh,
                       btScalar breaking_threshold) {
   while (manifolds_.size() < patches.size() && add()) {
   }
@@ -39,10 +59,9 @@ void Manifolds::match(std::span<const ContactPatch> patches, const Pose& mesh_in
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < patches.size(); ++p) {
       if (matched[p]) continue;
-      const Vec3 deepest = mesh_in_world * patches[p].contacts[0].point_on_a;
       for (std::size_t m = 0; m < manifolds_.size(); ++m) {
         if (m < patches.size() && matched[m]) continue;
-        const double squared = squaredDistance(deepest, *manifolds_[m], mesh_is_body1);
+        const double squared = squaredDistance(patches[p], *manifolds_[m], mesh);
         if (squared >= least) continue;
         least = squared;
         best_patch = p;
@@ -54,14 +73,13 @@ void Manifolds::match(std::span<const ContactPatch> patches, const Pose& mesh_in
     matched[best_patch] = true;
   }
   for (std::size_t m = 0; m < manifolds_.size(); ++m) {
-    if (m >= patches.size() || !matched[m]) manifolds_[m]->clearManifold();
+    if (m < patches.size() && matched[m]) {
+      keepNear(patches[m], *manifolds_[m], mesh, double(breaking_threshold));
+    } else {
+      manifolds_[m]->clearManifold();
+    }
     manifolds_[m]->setContactBreakingThreshold(breaking_threshold);
   }
-}
-
-btPersistentManifold* Manifolds::any() {
-  if (manifolds_.empty() && !add()) return nullptr;
-  return manifolds_.front();
 }
 
 bool Manifolds::add() {

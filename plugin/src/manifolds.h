@@ -12,6 +12,13 @@
 
 namespace octoblisk::detail {
 
+/// The mesh that is A of the patches.
+struct PatchesMesh {
+  Pose in_world;
+  double margin = 0.0;
+  bool is_body1 = false;
+};
+
 /// Made when first needed, kept from step to step so that the solver starts warm, released at the end.
 class Manifolds {
  public:
@@ -21,19 +28,15 @@ class Manifolds {
   Manifolds(const Manifolds&) = delete;
   Manifolds& operator=(const Manifolds&) = delete;
 
-  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points. The
-  /// manifolds that no patch claims are emptied; all get the breaking threshold. The patches are those of the
-  /// mesh, body 0 or 1, as A.
-  void match(std::span<const ContactPatch> patches, const Pose& mesh_in_world, bool mesh_is_body1,
-             btScalar breaking_threshold);
+  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points. A
+  /// manifold keeps the points within the breaking threshold of its patch's; the others would take the place
+  /// of new ones. The manifolds that no patch claims are emptied; all get the breaking threshold.
+  void match(std::span<const ContactPatch> patches, const PatchesMesh& mesh, btScalar breaking_threshold);
 
   /// The manifold of a patch that was matched last; null if the dispatcher's pool has none left.
   btPersistentManifold* of(std::size_t patch) const {
     return patch < manifolds_.size() ? manifolds_[patch] : nullptr;
   }
-
-  /// One of them, made if there is none; null as above.
-  btPersistentManifold* any();
 
   /// Forgets all points, and the impulses with them.
   void clear() {

@@ -3,8 +3,10 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -15,6 +17,10 @@
 
 namespace octoblisk::detail {
 namespace {
+
+// Parts of the breaking threshold, up to which contacts are kept.
+constexpr double kCreated = 0.5;  // contacts are created within it
+constexpr double kStill = 0.2;    // bodies that have moved less keep their contacts
 
 /// One body of a contact as Bullet wants to be told of it: a mesh by part and triangle, with the triangle
 /// itself as the shape that gContactAddedCallback sees; any other as it came, by its place in a compound,
@@ -80,6 +86,59 @@ double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollision
                    of(other.getCollisionObject()->getCollisionShape()), of(mesh.m_shape)});
 }
 
+/// Bounds how far points of a body move between two poses in another body's frame.
+double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
+  btVector3 min, max;
+  body.m_shape->getAabb(btTransform::getIdentity(), min, max);
+  const Vec3 low = fromBullet(min), high = fromBullet(max);
+  const Mat3 turn = to.rotation - from.rotation;
+  const Vec3 shift = to.translation - from.translation;
+  double squared = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                     corner & 4 ? high.z() : low.z());
+    squared = std::max(squared, (turn * point + shift).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+/// Bounds how far the points of either body that touch the other have moved to it.
+double relativeDisplacement(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                            const Pose& from, const Pose& to) {
+  return std::min(displacement(other, from, to), displacement(mesh, from.inverse(), to.inverse()));
+}
+
+/// A contact of A and B after B has moved in A's frame.
+Contact afterMotion(Contact contact, const Pose& motion_of_b) {
+  contact.point_on_b = motion_of_b * contact.point_on_b;
+  contact.distance = (contact.point_on_a - contact.point_on_b).dot(contact.normal);
+  return contact;
+}
+
+/// How fast two rigid bodies come together at a contact.
+btScalar approachSpeed(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+  const auto velocity = [](const btCollisionObject* object, const btVector3& place) {
+    const btRigidBody* const body = btRigidBody::upcast(object);
+    return body ? body->getVelocityInLocalPoint(place - body->getCenterOfMassPosition()) : btVector3(0, 0, 0);
+  };
+  return point.m_normalWorldOnB.dot(velocity(manifold.getBody1(), point.getPositionWorldOnB()) -
+                                    velocity(manifold.getBody0(), point.getPositionWorldOnA()));
+}
+
+/// Bullet's solver lets bodies touch and bounce within one step, and then takes the way to touch off the
+/// velocity after the bounce. Here bodies bounce at full speed in the step in which they touch.
+void bounceAtTouch(btPersistentManifold& manifold, btScalar time_step) {
+  for (int i = 0; i < manifold.getNumContacts(); ++i) {
+    btManifoldPoint& point = manifold.getContactPoint(i);
+    if (!(point.m_combinedRestitution > 0) || !(point.getDistance() > 0)) continue;
+    if (point.getDistance() < approachSpeed(manifold, point) * time_step) {
+      point.setDistance(0);
+    } else {
+      point.m_combinedRestitution = 0;
+    }
+  }
+}
+
 /// 0 for shapes that have none.
 std::uint32_t revision(const btCollisionObjectWrapper& body) {
   const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(body.m_shape);
@@ -136,34 +195,42 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
-  const double reach =
-      breaking + double(result->m_closestPointDistanceThreshold) + mesh_margin + other_margin;
   const std::uint32_t revisions = revision(mesh) + revision(other);
   if (revisions != revisions_) {
     manifolds_.clear();
     trianglesHaveMoved();
+    other_in_mesh_.reset();
   }
   revisions_ = revisions;
-  findContacts(mesh, other, reach, contacts_);
+  const bool is_unchanged = readOther(other);
+  const bool is_step =
+      typeid(*result) == typeid(btManifoldResult);  // contactTest and others derive their own
+  const double near = mesh_margin + other_margin + double(result->m_closestPointDistanceThreshold);
   if (auto* const all = dynamic_cast<AllContacts*>(result)) {
+    findContacts(mesh, other, breaking + near, contacts_);
     all->take(*mesh.getCollisionObject(), contacts_);
     return;
   }
-  toSurfaceContacts(mesh, other, reach, contacts_);
+  const Pose other_in_mesh =
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+  const double reach = (is_step ? kCreated : 1.0) * breaking + near;
+  if (!is_unchanged || !is_step || !other_in_mesh_ || reach != reach_ ||
+      relativeDisplacement(mesh, other, *other_in_mesh_, other_in_mesh) > kStill * breaking) {
+    other_in_mesh_ = other_in_mesh;
+    reach_ = reach;
+    makePatches(mesh, other, reach, breaking);
+  }
+  const Pose other_motion = other_in_mesh * other_in_mesh_->inverse();
 
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
-  const std::span<const ContactPatch> patches = patches_.reduce(contacts_);
-  manifolds_.match(patches, mesh_in_world, mesh_is_body1_, btScalar(breaking));
+  const std::span<const ContactPatch> patches = patches_.last();
+  manifolds_.match(patches, {mesh_in_world, mesh_margin, mesh_is_body1_}, btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: the contacts are dropped, as Bullet does
     result->setPersistentManifold(manifold);
-    // Points that have slid away go first: in a full manifold they would take the place of new ones.
-    result->refreshContactPoints();
-    // The deepest last, as a point takes the place of one that is close to it.
-    const std::span<const Contact> points = patches[p].points();
-    for (auto point = points.rbegin(); point != points.rend(); ++point) {
-      const Contact& contact = *point;
+    for (const Contact& found : patches[p].points()) {
+      const Contact contact = afterMotion(found, other_motion);
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
@@ -177,9 +244,15 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
                               btScalar(contact.distance - mesh_margin - other_margin));
     }
     result->refreshContactPoints();
+    bounceAtTouch(*manifold, info.m_timeStep);
   }
-  // Bullet wants one even where nothing touches.
-  if (patches.empty()) result->setPersistentManifold(manifolds_.any());
+}
+
+void MeshAlgorithm::makePatches(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                                double reach, double spacing) {
+  findContacts(mesh, other, reach, contacts_);
+  toSurfaceContacts(mesh, other, reach, contacts_);
+  patches_.reduce(contacts_, spacing);
 }
 
 }  // namespace octoblisk::detail

@@ -74,6 +74,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Nothing that is known of the shapes' triangles holds any more.
   virtual void trianglesHaveMoved() {}
 
+  /// Reads the other's shape; returns whether it is surely the same as at the last call. Called first.
+  virtual bool readOther(const btCollisionObjectWrapper& other) = 0;
+
   /// The thickness that the other body has beyond the surface of those contacts.
   virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
 
@@ -83,6 +86,10 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     return std::nullopt;
   }
 
+  /// Makes patches_ of the contacts within `reach`, `spacing` apart, at the present poses.
+  void makePatches(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
+                   double spacing);
+
   const bool mesh_is_body1_;
   const ShapeTypes types_;
   ShapeTypes substitute_types_;
@@ -91,6 +98,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   std::uint32_t revisions_ = 0;  // of the shapes that the manifolds' points are of, summed
   std::vector<Contact> contacts_;
   ContactPatches patches_;
+  std::optional<Pose> other_in_mesh_;  // when the patches were made
+  double reach_ = 0.0;                 // likewise
 };
 
 }  // namespace octoblisk::detail

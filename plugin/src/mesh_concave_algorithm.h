@@ -18,6 +18,7 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  bool readOther(const btCollisionObjectWrapper&) override { return false; }  // nobody tells
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;

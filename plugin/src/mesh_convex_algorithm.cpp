@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "contact/corner_contacts.h"
 #include "octoblisk/clustered_octree.h"
@@ -61,6 +62,7 @@ class BulletConvex final : public Convex {
     return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
   }
   double radius() const override { return margin_; }
+  Vec3 middle() const override { return core_.middle(); }
   double precision() const override {
     return core_.points().empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
   }
@@ -75,11 +77,27 @@ class BulletConvex final : public Convex {
 
 }  // namespace
 
-void CoreCorners::update(const btConvexShape& shape) {
+bool CoreCorners::update(const btConvexShape& shape) {
   readCorners(shape, read_);
-  if (read_ == points_) return;
+  if (read_ == points_) return false;
   std::swap(read_, points_);
+  middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) /
+            double(std::max(points_.size(), std::size_t{1}));
   faces_.find(points_);
+  return true;
+}
+
+bool MeshConvexAlgorithm::readOther(const btCollisionObjectWrapper& other) {
+  const auto& shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
+  const bool has_other_corners = core_.update(shape);
+  btVector3 min, max;
+  shape.getAabb(btTransform::getIdentity(), min, max);
+  const bool has_other_bounds = min != min_ || max != max_;
+  min_ = min;
+  max_ = max;
+  const bool is_known = !core_.points().empty() || shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE ||
+                        shape.getShapeType() == CONE_SHAPE_PROXYTYPE;
+  return is_known && !has_other_corners && !has_other_bounds;
 }
 
 void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
@@ -87,7 +105,6 @@ void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                        std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& convex_shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
-  core_.update(convex_shape);
   const BulletConvex convex(convex_shape, core_);
   convex_in_mesh_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   contacts(shape.tree(), convex, convex_in_mesh_, reach, near_, found);
@@ -98,6 +115,7 @@ void MeshConvexAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh
                                             std::vector<Contact>& found) {
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), core_);
+  if (shape.isSolid()) toSolidContacts(shape.tree(), convex, convex_in_mesh_, middle_, found);
   internal_edges_.removeFrom(found, shape.tree().mesh());
   addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, found);
 }

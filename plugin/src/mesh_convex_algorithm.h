@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include "contact/internal_edges.h"
+#include "contact/solid.h"
 #include "mesh_algorithm.h"
 #include "octoblisk/hull_faces.h"
 #include "octoblisk/triangle_cache.h"
@@ -13,15 +14,18 @@ namespace octoblisk::detail {
 /// The core of a convex shape where it is the hull of a few points; none of another.
 class CoreCorners {
  public:
-  /// As the shape is now: it may have been scaled, or given points, since the last time. Allocates nothing
-  /// where it has not.
-  void update(const btConvexShape& shape);
+  /// As the shape is now; returns whether it has been scaled, or given points, since the last time. Allocates
+  /// nothing where it has not.
+  bool update(const btConvexShape& shape);
 
   std::span<const Vec3> points() const { return points_; }
+  /// The mean of the points; without any, the shape's origin.
+  const Vec3& middle() const { return middle_; }
   HullFaces faces() const { return faces_.view(); }
 
  private:
   std::vector<Vec3> points_, read_;
+  Vec3 middle_ = Vec3::Zero();
   HullFaceList faces_;
 };
 
@@ -34,14 +38,20 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  bool readOther(const btCollisionObjectWrapper& other) override;
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
-  void trianglesHaveMoved() override { near_.forget(); }
+  void trianglesHaveMoved() override {
+    near_.forget();
+    middle_.forget();
+  }
 
   CoreCorners core_;
+  btVector3 min_ = btVector3(0, 0, 0), max_ = btVector3(0, 0, 0);  // of the convex shape's bounds
   TriangleCache near_;
   Pose convex_in_mesh_;
   InternalEdges internal_edges_;
+  PointInSolid middle_;  // of the convex shape
 };
 
 }  // namespace octoblisk::detail

@@ -8,6 +8,15 @@
 #include "octoblisk_bullet/convert.h"
 
 namespace octoblisk::detail {
+namespace {
+
+/// A contact of B and A, in B's frame, as one of A and B.
+Contact turnedRound(const Contact& of_b, const Pose& b_in_a) {
+  return {b_in_a * of_b.point_on_b, b_in_a * of_b.point_on_a, -(b_in_a.rotation * of_b.normal), of_b.distance,
+          of_b.triangle_b,          of_b.triangle_a};
+}
+
+}  // namespace
 
 void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
                                      const btCollisionObjectWrapper& other, double reach,
@@ -19,13 +28,28 @@ void MeshMeshAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
 }
 
 void MeshMeshAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
-                                          const btCollisionObjectWrapper& other, double,
+                                          const btCollisionObjectWrapper& other, double reach,
                                           std::vector<Contact>& found) {
   const auto& shape_a = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const auto& shape_b = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape());
   surface_contacts_.filter(
       found, [&](const Contact& contact) { return shape_a.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) { return b_in_a_ * shape_b.tree().mesh().triangle(contact.triangle_b); });
+  addWaysOut(shape_a, shape_b, reach, found);
+}
+
+void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,
+                                   double least_depth, std::vector<Contact>& found) {
+  const ClusteredOctree &a = shape_a.tree(), &b = shape_b.tree();
+  const bool is_b_smaller = b.mesh().bounds().halfExtents().norm() <= a.mesh().bounds().halfExtents().norm();
+  if (is_b_smaller && shape_a.isSolid()) {
+    corners_.addTo(found, a, b.mesh(), b_in_a_, least_depth);
+  } else if (!is_b_smaller && shape_b.isSolid()) {
+    const Pose a_in_b = b_in_a_.inverse();
+    for (Contact& contact : found) contact = turnedRound(contact, a_in_b);
+    corners_.addTo(found, b, a.mesh(), a_in_b, least_depth);
+    for (Contact& contact : found) contact = turnedRound(contact, b_in_a_);
+  }
 }
 
 double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {

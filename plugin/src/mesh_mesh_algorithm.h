@@ -1,6 +1,7 @@
 // Our shape against our shape: moving concave against concave.
 #pragma once
 
+#include "contact/solid.h"
 #include "contact/surface_contacts.h"
 #include "mesh_algorithm.h"
 
@@ -15,13 +16,20 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  bool readOther(const btCollisionObjectWrapper&) override { return true; }  // but for its revision
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;
 
+  void trianglesHaveMoved() override { corners_.forget(); }
+
+  void addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,
+                  double least_depth, std::vector<Contact>& found);
+
   Pose b_in_a_;
+  CornersInSolid corners_;  // of the smaller mesh in the other
   SurfaceContacts surface_contacts_;
 };
 

@@ -24,4 +24,12 @@ void MeshPlaneAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
   contacts(shape.tree(), half_space, reach, found);
 }
 
+bool MeshPlaneAlgorithm::readOther(const btCollisionObjectWrapper& other) {
+  const auto& plane = static_cast<const btStaticPlaneShape&>(*other.getCollisionShape());
+  const bool is_same = plane.getPlaneNormal() == normal_ && plane.getPlaneConstant() == constant_;
+  normal_ = plane.getPlaneNormal();
+  constant_ = plane.getPlaneConstant();
+  return is_same;
+}
+
 }  // namespace octoblisk::detail

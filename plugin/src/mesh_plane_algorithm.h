@@ -15,6 +15,10 @@ class MeshPlaneAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
+  bool readOther(const btCollisionObjectWrapper& other) override;
+
+  btVector3 normal_ = btVector3(0, 0, 0);
+  btScalar constant_ = 0;
 };
 
 }  // namespace octoblisk::detail

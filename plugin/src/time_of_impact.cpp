@@ -36,7 +36,7 @@ double sweepTolerance(const ClusteredOctreeShape& a, const Motion& a_in_world, c
   if (tolerance < 0) {
     tolerance = std::min(a.getContactBreakingThreshold(gContactBreakingThreshold),
                          b.getContactBreakingThreshold(gContactBreakingThreshold)) /
-                2;
+                4;
   }
   constexpr double kRounding = 4.0 * double(SIMD_EPSILON);
   const double least = kRounding * (sizeOf(a.tree(), a_in_world) + sizeOf(b.tree(), b_in_world));

@@ -61,9 +61,9 @@ TEST(Allocation, warmQueriesAllocateNothing) {
       sweep(fan, ring, motion, 0.01);
       hits += collide(fan, ring, pose).has_value() + collide(fan, box, pose).has_value();
       contacts(fan, ring, pose, 0.05, found);
-      patches.reduce(found);
+      patches.reduce(found, 0.01);
       contacts(fan, box, pose, 0.05, found);
-      patches.reduce(found);
+      patches.reduce(found, 0.01);
       contacts(fan, box, pose, 0.05, near, found);
       const Ray ray{.origin = pose.translation, .direction = pose.rotation.col(0)};
       allHits(ring, ray, ray_hits);

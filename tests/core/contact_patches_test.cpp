@@ -32,7 +32,7 @@ std::vector<Contact> square(const Vec3& center, std::uint32_t first, std::uint32
 
 TEST(ContactPatches, keepsTheDeepestAndTheCorners) {
   ContactPatches reducer;
-  const auto patches = reducer.reduce(square(Vec3::Zero(), 0, 7));
+  const auto patches = reducer.reduce(square(Vec3::Zero(), 0, 7), 0.0);
   ASSERT_EQ(patches.size(), 1u);
   ASSERT_EQ(patches[0].count, 4);
   EXPECT_EQ(patches[0].contacts[0].distance, -0.5);
@@ -42,21 +42,54 @@ TEST(ContactPatches, keepsTheDeepestAndTheCorners) {
   }
 }
 
-TEST(ContactPatches, regionsThatShareNoTriangleAreApart) {
+TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   std::vector<Contact> contacts = square(Vec3::Zero(), 0, 1);
   const std::vector<Contact> other = square(Vec3(100, 0, 0), 50, 2);
   contacts.insert(contacts.end(), other.begin(), other.end());
   ContactPatches reducer;
-  EXPECT_EQ(reducer.reduce(contacts).size(), 2u);
-  contacts.push_back(contactAt({50, 0, 0}, Vec3::UnitZ(), -0.1, 0, 2));  // a chain from one to the other
-  EXPECT_EQ(reducer.reduce(contacts).size(), 1u);
+  const auto patches = reducer.reduce(contacts, 0.0);
+  ASSERT_EQ(patches.size(), 1u);
+  const auto isOfOther = [](const Contact& contact) { return contact.triangle_b == 2; };
+  EXPECT_EQ(std::ranges::count_if(patches[0].points(), isOfOther), 2);
+}
+
+TEST(ContactPatches, contactsOfAPatchAreApart) {
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(square(Vec3::Zero(), 0, 7), 3.0);
+  ASSERT_EQ(patches.size(), 1u);
+  EXPECT_EQ(patches[0].count, 1);  // all are within 2.83 of the deepest, in the middle
+  EXPECT_EQ(reducer.reduce(square(Vec3::Zero(), 0, 7), 2.5)[0].count, 4);
+}
+
+TEST(ContactPatches, keepsContactsThatAreHardlyWorse) {
+  std::vector<Contact> contacts = square(Vec3::Zero(), 0, 7);
+  ContactPatches reducer;
+  reducer.reduce(contacts, 0.5);
+  const std::vector<Contact> before(reducer.last()[0].points().begin(), reducer.last()[0].points().end());
+  // A corner that was not kept moves out a little, and a contact gets as deep as the deepest, nearly.
+  const auto keeps = [&](double out, double depth) {
+    std::vector<Contact> moved = contacts;
+    for (Contact& contact : moved) {
+      const auto isIt = [&](const Contact& kept) { return kept.triangle_a == contact.triangle_a; };
+      if (contact.point_on_a.cwiseAbs() == Vec3(2, 2, 0) && std::ranges::none_of(before, isIt)) {
+        contact.point_on_a *= out;
+      }
+      if (contact.point_on_a == Vec3(0, 1, 0)) contact.distance = -depth;
+    }
+    ContactPatches again = reducer;
+    const auto patch = again.reduce(moved, 0.5)[0];
+    return std::ranges::equal(patch.points(), before, {}, &Contact::triangle_a, &Contact::triangle_a);
+  };
+  EXPECT_TRUE(keeps(1.1, 0.52));
+  EXPECT_FALSE(keeps(2.0, 0.52));
+  EXPECT_FALSE(keeps(1.1, 0.6));
 }
 
 TEST(ContactPatches, normalsFarApartAreTwoPatches) {
   std::vector<Contact> contacts = {contactAt({0, 0, 0}, Vec3::UnitZ(), -0.2, 0, 0),
                                    contactAt({1, 0, 0}, -Vec3::UnitZ(), -0.1, 1, 0)};
   ContactPatches reducer;
-  EXPECT_EQ(reducer.reduce(contacts).size(), 2u);
+  EXPECT_EQ(reducer.reduce(contacts, 0.0).size(), 2u);
 }
 
 TEST(ContactPatches, doesNotDependOnTheOrder) {
@@ -68,9 +101,9 @@ TEST(ContactPatches, doesNotDependOnTheOrder) {
   for (int i = 0; i < 100; ++i) {
     contacts(a, b, testing::randomPose(random, 1.0), 0.02, found);
     ContactPatches one, two;
-    const auto expected = one.reduce(found);
+    const auto expected = one.reduce(found, 0.0);
     std::ranges::shuffle(found, random);
-    const auto shuffled = two.reduce(found);
+    const auto shuffled = two.reduce(found, 0.0);
     ASSERT_EQ(expected.size(), shuffled.size());
     for (std::size_t p = 0; p < expected.size(); ++p) {
       ASSERT_EQ(expected[p].count, shuffled[p].count);
@@ -89,14 +122,25 @@ TEST(ContactPatches, doesNotDependOnTheOrder) {
   EXPECT_GT(with_patches, 20);
 }
 
-TEST(ContactPatches, keepsTheDeepestWhereThereAreTooMany) {
-  std::vector<Contact> contacts;
-  for (std::uint32_t i = 0; i < 40; ++i)
-    contacts.push_back(contactAt({double(i), 0, 0}, Vec3::UnitZ(), -0.01 * i, i, i));
-  ContactPatches reducer;
-  const auto patches = reducer.reduce(contacts);
-  ASSERT_EQ(patches.size(), ContactPatches::kMaxPatches);
-  for (const ContactPatch& patch : patches) EXPECT_GE(patch.contacts[0].triangle_a, 24u);
+TEST(ContactPatches, everyNormalIsWithin45DegreesOfAPatchsDeepest) {
+  std::mt19937_64 random(43);
+  for (int i = 0; i < 50; ++i) {
+    std::vector<Contact> contacts;
+    for (std::uint32_t c = 0; c < 100; ++c) {
+      const Vec3 normal = testing::randomRotation(random).col(0);
+      contacts.push_back(contactAt(Vec3::Zero(), normal, -testing::uniform(random, 0, 1), c, c));
+    }
+    ContactPatches reducer;
+    const auto patches = reducer.reduce(contacts, 0.0);
+    ASSERT_GT(patches.size(), 5u);
+    ASSERT_LT(patches.size(), ContactPatches::kMaxPatches);
+    for (const Contact& contact : contacts) {
+      const auto pushesAlike = [&](const ContactPatch& patch) {
+        return patch.contacts[0].normal.dot(contact.normal) >= std::sqrt(0.5) - 1e-12;
+      };
+      ASSERT_TRUE(std::ranges::any_of(patches, pushesAlike));
+    }
+  }
 }
 
 }  // namespace

@@ -102,7 +102,9 @@ ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, BuildOptions optio
     options.part_of_triangle[t] =
         static_cast<int>(t * static_cast<std::size_t>(parts) / mesh->triangleCount());
   }
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, options)));
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, options)));
+  shape.setMargin(0);
+  return shape;
 }
 
 TEST(AllContacts, areTheSameOfEveryPartition) {

@@ -95,6 +95,7 @@ struct Scene {
 
   ClusteredOctreeShape shape() const {
     ClusteredOctreeShape made(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    made.setMargin(0);
     made.setLocalScaling(toBullet(scaling));
     return made;
   }

@@ -7,6 +7,7 @@
 #include "gallery/bullet_mesh.h"
 #include "gallery/concave_pile.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -59,7 +60,7 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
 TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
   for (const bool on_bvh : {false, true}) {
     const auto mesh = testing::boxMesh({1, 1, 1});
-    ClusteredOctreeShape cube(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    ClusteredOctreeShape cube = shapeOver(mesh);
     gallery::BulletMesh source(*mesh);
     btBvhTriangleMeshShape bvh(source.view(), true);
     BulletWorld world;
@@ -79,11 +80,9 @@ TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
 
 /// A bar lies on the edges of two boxes turned by 45°, or on two upright plates, and stays.
 TEST(ConcaveDynamics, aCoarseBarLiesOnEdgesAndOnThinPlatesWithoutAMargin) {
-  const auto treeOf = [](const Vec3& half_extents) {
-    return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh(half_extents)));
-  };
-  ClusteredOctreeShape bar(treeOf({1.5, 0.3, 0.2})), box(treeOf({0.5, 1, 0.5})),
-      plate(treeOf({0.005, 1, 0.5}));
+  ClusteredOctreeShape bar = shapeOver(testing::boxMesh({1.5, 0.3, 0.2})),
+                       box = shapeOver(testing::boxMesh({0.5, 1, 0.5})),
+                       plate = shapeOver(testing::boxMesh({0.005, 1, 0.5}));
   const double edge = 0.5 * std::numbers::sqrt2;
   std::mt19937_64 random(61);
   for (int i = 0; i < 10; ++i) {

@@ -83,6 +83,7 @@ class ConcavePairs : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(ConcavePairs, contacts_vs_bruteforce) {
   Pair pair(GetParam());
+  pair.torus.setSolid(false);  // contacts of triangles alone
   BulletWorld world;
   int hits = 0;
   constexpr int kPoses = 200;
@@ -178,6 +179,7 @@ class ConvexPartners : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(ConvexPartners, contacts_vs_bvh) {
   Pair pair(GetParam());
+  pair.torus.setSolid(false);  // as BVH
   BulletMesh source(*torusMesh());
   btBvhTriangleMeshShape bvh(source.view(), true);
   btCollisionObject bvh_object;
@@ -211,6 +213,11 @@ class AllPairs : public ::testing::TestWithParam<Partner> {};
 TEST_P(AllPairs, worldsFindWhatPairTestsFind) {
   // The other table, and the broadphase; the order of a pair is that of being added.
   Pair pair(GetParam());
+  const auto breaking = [](const btCollisionObject& object) {
+    return double(object.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold));
+  };
+  const double half_breaking =
+      0.5 * std::min(breaking(pair.torus_object), breaking(pair.other_object)) - kNoise;
   int hits = 0;
   constexpr int kPoses = 60;
   for (int i = 0; i < kPoses; ++i) {
@@ -234,11 +241,12 @@ TEST_P(AllPairs, worldsFindWhatPairTestsFind) {
     world->contactTest(objects[i / 2 % 2], tested);
     for (btCollisionObject* object : objects) world->removeCollisionObject(object);
     ASSERT_EQ(world.dispatcher().getNumManifolds(), 0);
-    ASSERT_EQ(deepest == kInfinity, expected.points.empty()) << "pose " << i;
     ASSERT_EQ(tested.points.empty(), expected.points.empty()) << "pose " << i;
     if (expected.points.empty()) continue;
-    ASSERT_NEAR(deepest, expected.deepest(), 10 * kNoise) << "pose " << i;
     ASSERT_NEAR(tested.deepest(), expected.deepest(), 10 * kNoise) << "pose " << i;
+    // In a step, contacts are created within half the breaking threshold.
+    if (expected.deepest() > half_breaking) continue;
+    ASSERT_NEAR(deepest, expected.deepest(), 10 * kNoise) << "pose " << i;
   }
   EXPECT_GE(hits, kPoses * 3 / 10);
   EXPECT_LE(hits, kPoses * 7 / 10);

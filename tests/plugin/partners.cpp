@@ -57,7 +57,9 @@ PartedMesh& source(Made& made, const SharedMesh& mesh) {
 
 Made ours(const SharedMesh& mesh) {
   Made made;
-  made.is<ClusteredOctreeShape>(&source(made, mesh));
+  auto& shape = made.is<ClusteredOctreeShape>(&source(made, mesh));
+  shape.setMargin(0);
+  shape.setSolid(false);
   return made;
 }
 

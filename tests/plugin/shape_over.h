@@ -1,4 +1,4 @@
-// A shape over a mesh, with a tree of its own.
+// A shape over a mesh, with a tree of its own and without a margin: contacts are exact on the triangles.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,10 @@ namespace octoblisk {
 
 inline ClusteredOctreeShape shapeOver(const testing::SharedMesh& mesh,
                                       std::vector<std::uint32_t> part_begin = {0}) {
-  return ClusteredOctreeShape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
-                              std::move(part_begin));
+  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
+                             std::move(part_begin));
+  shape.setMargin(0);
+  return shape;
 }
 
 }  // namespace octoblisk

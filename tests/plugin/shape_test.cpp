@@ -191,10 +191,27 @@ TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
   EXPECT_EQ(shape.tree().mesh().triangle(0), mesh->triangle(0));
 }
 
+TEST(Shape, aClosedMeshHasAMargin) {
+  const auto marginOf = [](const testing::SharedMesh& mesh) {
+    const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    return double(shape.getMargin());
+  };
+  EXPECT_NEAR(marginOf(testing::boxMesh({3, 2, 1})), 0.03, 1e-6);
+  EXPECT_NEAR(marginOf(testing::boxMesh({3, 2, 0.01})), 0.002, 1e-6);
+  EXPECT_EQ(marginOf(testing::waveSheet(3, 1, 8)), 0);
+
+  ClusteredOctreeShape shape(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({3, 2, 1}))));
+  shape.setLocalScaling(btVector3(2, 1, 1));
+  EXPECT_NEAR(shape.getMargin(), 0.06, 1e-6);
+  shape.setMargin(0);
+  shape.setLocalScaling(btVector3(1, 1, 1));
+  EXPECT_EQ(shape.getMargin(), 0);
+}
+
 TEST(Shape, aabbHoldsTheTurnedMeshAndTheMargin) {
   const auto mesh = testing::torus(3, 1, 16, 8);
   ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
-  EXPECT_EQ(shape.getMargin(), 0);
   shape.setMargin(btScalar(0.25));
   std::mt19937_64 random(32);
   const btTransform pose = toBullet(testing::randomPose(random, 10));

@@ -18,24 +18,30 @@ struct ContactPatch {
   std::span<const Contact> points() const { return {contacts.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// Groups contacts into patches. Contacts belong together where a chain of contacts that share a triangle
-/// joins them (all of them, where B is convex) and their normals are within 45° of the patch's deepest.
+/// Groups contacts into patches. A patch is the deepest contact and all whose normals are within 45° of its
+/// normal: between rigid bodies these push alike, wherever they are.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
 
-  /// The patches of the contacts, at most kMaxPatches, the deepest kept; by ascending triangles. Does not
-  /// depend on the order of the contacts. Valid until the next call; once warm, allocates nothing.
-  std::span<const ContactPatch> reduce(std::span<const Contact> contacts) &;
+  /// Returns the patches, at most kMaxPatches, the deepest ones, by ascending triangles. The contacts of a
+  /// patch are more than `spacing` apart on A and on B. Contacts near those that the last call returned are preferred to
+  /// others that are hardly deeper or wider apart, so that a resting body keeps its contacts. The order of
+  /// the contacts does not matter. Valid until the next call; once warm, allocates nothing.
+  std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
+
+  /// Returns the patches of the last call.
+  std::span<const ContactPatch> last() const { return patches_; }
 
  private:
-  void join(std::span<const Contact> contacts);
-  std::uint32_t rootOf(std::uint32_t contact);
+  using Members = std::span<const std::uint32_t>;
 
-  std::vector<std::uint32_t> parent_;  // of each contact in the forest of joined contacts
+  ContactPatch spread(std::span<const Contact> contacts, Members members, double spacing) const;
+
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> members_;
   std::vector<ContactPatch> patches_;
+  std::vector<Vec3> kept_;  // the points on A of the last call's contacts
 };
 
 }  // namespace octoblisk::detail

@@ -8,6 +8,7 @@
 #include "geometry/half_line_crossing.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/triangles_in_box.h"
+#include "query/locate_in_closed.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -55,21 +56,24 @@ PartCount countParts(const Surface& of, const Pose& of_in_a, const Surface& in, 
 
 }  // namespace
 
-PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a) {
+PointLocation detail::locateInClosed(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a) {
   bool odd = false, on_surface = false;
-  const ClusteredOctree& tree = surface.tree();
-  if (const std::optional<Obb> line = clipToSphere(treeOf(tree), point, surface_in_a)) {
-    forEachTriangleIn(
-        tree, *line, roundingOf(treeOf(tree), point, surface_in_a), [&](std::uint32_t triangle) {
-          const Crossing crossing = halfLineCrossing(point, surface_in_a * tree.mesh().triangle(triangle));
-          odd ^= crossing == Crossing::crossed;
-          on_surface |= crossing == Crossing::on_triangle;
-          return on_surface;
-        });
+  if (const std::optional<Obb> line = clipToSphere(treeOf(tree), point, tree_in_a)) {
+    forEachTriangleIn(tree, *line, roundingOf(treeOf(tree), point, tree_in_a), [&](std::uint32_t triangle) {
+      const Crossing crossing = halfLineCrossing(point, tree_in_a * tree.mesh().triangle(triangle));
+      odd ^= crossing == Crossing::crossed;
+      on_surface |= crossing == Crossing::on_triangle;
+      return on_surface;
+    });
   }
   if (on_surface) return PointLocation::on_surface;
-  if (!surface.isClosed()) return PointLocation::unknown;
   return odd ? PointLocation::inside : PointLocation::outside;
+}
+
+PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a) {
+  const PointLocation location = locateInClosed(surface.tree(), point, surface_in_a);
+  if (location == PointLocation::on_surface || surface.isClosed()) return location;
+  return PointLocation::unknown;
 }
 
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a) {

@@ -68,6 +68,7 @@ ArmMultiBody::ArmMultiBody(const RobotCellSetup& setup, btMultiBodyDynamicsWorld
                      rotationOf(setup.tool_in_flange.rotation.transpose()),
                      toBullet(Vec3(setup.tool_in_flange.translation - parent_center)), btVector3(0, 0, 0));
     part_shapes_.push_back(std::make_unique<ClusteredOctreeShape>(setup.tool[part].tree));
+    part_shapes_.back()->setMargin(0);
   }
   body_.finalizeMultiDof();
   body_.setBaseWorldTransform(btTransform::getIdentity());

@@ -65,6 +65,7 @@ class RobotCell::World {
         blisk_shape_(setup.blisk),
         blisk_(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &blisk_shape_)),
         arm_(setup, world_) {
+    blisk_shape_.setMargin(0);
     registerAlgorithm(&dispatcher_);
     world_.setGravity(btVector3(0, 0, btScalar(-kGravity)));
     world_.getSolverInfo().m_numIterations = kSolverIterations;

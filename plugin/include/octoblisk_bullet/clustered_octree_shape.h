@@ -71,6 +71,18 @@ ClusteredOctreeShape final : public btConcaveShape {
   void setContactBreakingThreshold(btScalar threshold) { contact_breaking_threshold_ = threshold; }
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
+  /// The thickness of a skin round the triangles, in world units. Bodies rest on it, and their meshes stay out
+  /// of each other. Default: 0 for an open mesh. For a closed one a hundredth of the greatest half extent, or a
+  /// tenth of the thickness of its thin parts if that is less; it changes with the scaling and with refit. 0
+  /// makes contacts exact on the triangles.
+  void setMargin(btScalar margin) override;
+
+  /// A closed mesh is a solid unless this says otherwise: a body that gets inside is pushed out the shortest
+  /// way. A surface has no inside; a body that gets through it in one step stays there. An open mesh is
+  /// always a surface.
+  void setSolid(bool solid) { may_be_solid_ = solid; }
+  bool isSolid() const;
+
   /// Grown by the margin and by a breaking threshold that was set, so that the broadphase loses no near
   /// contact.
   void getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const override;
@@ -120,6 +132,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   std::shared_ptr<const ClusteredOctree> tree_;
   std::shared_ptr<const MassProperties> mass_properties_;
   std::uint32_t revision_ = 0;
+  bool may_be_solid_ = true;
+  bool has_default_margin_ = true;
 };
 
 }  // namespace octoblisk

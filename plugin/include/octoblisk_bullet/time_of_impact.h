@@ -32,7 +32,7 @@ struct StepImpact {
 /// needs to be in a world; nothing is changed.
 ///
 /// The tolerance is raised to some units in the last place of the scene's size, and of the default, or any
-/// below 0, is half the distance up to which Bullet makes contacts of the two: at the impact there are some.
+/// below 0, is half the distance within which contacts of the two are created.
 /// Throws std::invalid_argument where a body has another shape than ClusteredOctreeShape.
 std::optional<StepImpact> timeOfImpact(const btCollisionObject& a, const btCollisionObject& b, btScalar dt,
                                        btScalar tolerance = -1, const SweepOptions& options = {});

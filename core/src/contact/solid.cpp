@@ -1,0 +1,95 @@
+#include "contact/solid.h"
+
+#include <algorithm>
+
+#include "octoblisk/closest_point.h"
+#include "query/locate_in_closed.h"
+
+namespace octoblisk::detail {
+namespace {
+
+bool isIn(const Aabb& box, const Vec3& point) {
+  return (box.min.array() <= point.array()).all() && (point.array() <= box.max.array()).all();
+}
+
+/// Pushes B out of A, along the way from a point inside to the closest of the surface.
+/// `farthest_of_b(direction)` is the farthest point of B.
+template <typename Farthest>
+Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
+  const ClosestPoint closest = *closestPoint(a, inside);
+  Contact contact;
+  contact.normal = (inside - closest.point).normalized();
+  contact.point_on_a = closest.point;
+  contact.point_on_b = farthest_of_b(contact.normal);
+  contact.distance = (contact.point_on_a - contact.point_on_b).dot(contact.normal);
+  contact.triangle_a = closest.triangle;
+  return contact;
+}
+
+}  // namespace
+
+bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
+  if (!isIn(tree.mesh().bounds(), point)) return false;
+  if ((point - point_).norm() < clearance_) return is_inside_;
+  point_ = point;
+  clearance_ = closestPoint(tree, point)->distance;
+  is_inside_ = clearance_ > 0.0 && locateInClosed(tree, point) == PointLocation::inside;
+  return is_inside_;
+}
+
+void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
+                     PointInSolid& middle, std::vector<Contact>& contacts) {
+  const Vec3 center = convex_in_mesh * convex.middle();
+  if (middle.contains(tree, center)) {
+    const Contact out = wayOutFrom(tree, center, [&](const Vec3& direction) -> Vec3 {
+      return convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * direction) +
+             convex.radius() * direction;
+    });
+    std::erase_if(contacts, [&](const Contact& contact) { return contact.normal.dot(out.normal) <= 0.0; });
+    contacts.push_back(out);
+    return;
+  }
+  const auto pushesThrough = [&](const Contact& contact) {
+    const double behind = contact.normal.dot(center - contact.point_on_a);
+    return behind > 0.0 && behind <= -contact.distance;
+  };
+  if (!std::ranges::all_of(contacts, pushesThrough)) std::erase_if(contacts, pushesThrough);
+}
+
+void CornersInSolid::findCorners(const TriangleMesh& b) {
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const Vec3 direction(x, y, z);
+        if (const auto axes = direction.squaredNorm(); axes != 1.0 && axes != 3.0) continue;
+        corners_.push_back({farthest(b.vertices(), direction), {}});
+      }
+    }
+  }
+}
+
+void CornersInSolid::addTo(std::vector<Contact>& contacts, const ClusteredOctree& a, const TriangleMesh& b,
+                           const Pose& b_in_a, double least_depth) {
+  if (corners_.empty()) findCorners(b);
+  const bool meets =
+      std::ranges::any_of(contacts, [](const Contact& contact) { return contact.distance <= 0.0; });
+  for (Corner& corner : corners_) {
+    const Vec3 point = b_in_a * corner.position;
+    if (!corner.in_a.contains(a, point)) {
+      if (!meets) return;  // nor is any other
+      continue;
+    }
+    Contact out = wayOutFrom(a, point, [&](const Vec3& direction) -> Vec3 {
+      if (meets) return point;
+      return b_in_a * farthest(b.vertices(), b_in_a.rotation.transpose() * direction);
+    });
+    out.triangle_b = 0;
+    if (!meets) {
+      contacts.assign(1, out);
+      return;
+    }
+    if (out.distance < -least_depth) contacts.push_back(out);
+  }
+}
+
+}  // namespace octoblisk::detail

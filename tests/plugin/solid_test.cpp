@@ -1,0 +1,123 @@
+// Closed meshes are solids: what is inside is pushed out the shortest way.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletWorld;
+using testing::PairReport;
+
+/// The depth of a ball in a torus round z, at its nearest way out; the two are fine enough for 1 %.
+double depthInTorus(const Vec3& center, double radius, double major, double minor) {
+  const double from_tube = std::hypot(center.head<2>().norm() - major, center.z());
+  return minor - from_tube + radius;
+}
+
+TEST(Solid, aBallInATorus_vs_closedForm) {
+  constexpr double kMajor = 2.0, kMinor = 0.7, kRadius = 0.1;
+  ClusteredOctreeShape torus = shapeOver(testing::torus(kMajor, kMinor, 96, 48));
+  btSphereShape ball(btScalar{kRadius});
+  btCollisionObject torus_object, ball_object;
+  torus_object.setCollisionShape(&torus);
+  ball_object.setCollisionShape(&ball);
+  BulletWorld world;
+  std::mt19937_64 random(71);
+  int inside = 0;
+  constexpr int kPlaces = 300;
+  for (int i = 0; i < kPlaces; ++i) {
+    Vec3 place = testing::randomPoint(random, 2.7);
+    place.z() *= 0.3;
+    ball_object.setWorldTransform(toBullet(Pose{Mat3::Identity(), place}));
+    PairReport report;
+    world->contactPairTest(&torus_object, &ball_object, report);
+    const double depth = depthInTorus(place, kRadius, kMajor, kMinor);
+    if (std::abs(depth) < 0.01 || std::abs(depth - kRadius) < 0.01) continue;
+    inside += depth > kRadius;
+    ASSERT_EQ(report.deepest() < 0.0, depth > 0.0) << i;
+    if (depth > 0.0) {
+      ASSERT_NEAR(report.deepest(), -depth, 0.01) << i;
+    }
+    torus.setSolid(false);
+    PairReport of_surface;
+    world->contactPairTest(&torus_object, &ball_object, of_surface);
+    torus.setSolid(true);
+    if (depth > 2.0 * kRadius + 0.01) {
+      ASSERT_TRUE(of_surface.points.empty()) << i;
+    }
+  }
+  EXPECT_GE(inside, kPlaces * 3 / 10);
+  EXPECT_LE(inside, kPlaces * 7 / 10);
+}
+
+/// Bodies of every kind that begin inside a block come out of it and rest on it.
+TEST(Solid, whatIsInsideComesOut) {
+  ClusteredOctreeShape block = shapeOver(testing::boxMesh({4, 4, 1}));
+  ClusteredOctreeShape ring = shapeOver(testing::torus(0.3, 0.1, 24, 12));
+  btBoxShape box(btVector3(btScalar(0.2), btScalar(0.3), btScalar(0.25)));
+  btSphereShape ball(btScalar(0.25));
+  btCompoundShape compound;
+  compound.addChildShape(at(-0.2, 0, 0), &ball);
+  compound.addChildShape(at(0.3, 0, 0), &ring);
+  for (const bool solid : {true, false}) {
+    block.setSolid(solid);
+    BulletWorld world;
+    world.add(block, 0, at(0, 0, 0));
+    const btRigidBody* bodies[] = {&world.add(ring, 1, at(-2, 0, 0.2)), &world.add(box, 1, at(0, 0, 0.2)),
+                                   &world.add(ball, 1, at(2, 0, 0.2)),
+                                   &world.add(compound, 1, at(0, 2, 0.2))};
+    world.step(4 * 240);
+    for (const btRigidBody* body : bodies) {
+      const double height = double(body->getWorldTransform().getOrigin().z());
+      if (solid) {
+        EXPECT_GT(height, 1.05) << body - bodies[0];
+        EXPECT_LT(height, 1.5);
+      } else {
+        EXPECT_LT(height, 1.0);
+      }
+    }
+  }
+}
+
+/// A hollow is outside.
+TEST(Solid, aHollowIsOutside) {
+  // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the hollow.
+  std::vector<Vec3> vertices;
+  std::vector<TriangleMesh::Indices> triangles;
+  std::mt19937_64 random(73);
+  for (const double radius : {2.0, 1.5}) {
+    const auto sphere = testing::bumpySphere(random, radius, 0.0, 24);
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), sphere->vertices().begin(), sphere->vertices().end());
+    for (TriangleMesh::Indices corners : sphere->triangles()) {
+      if (radius < 2.0) std::swap(corners[1], corners[2]);
+      triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
+    }
+  }
+  ClusteredOctreeShape shell = shapeOver(std::make_shared<const TriangleMesh>(vertices, triangles));
+  ASSERT_TRUE(shell.isSolid());
+  btSphereShape ball(btScalar(0.1));
+  btCollisionObject shell_object, ball_object;
+  shell_object.setCollisionShape(&shell);
+  ball_object.setCollisionShape(&ball);
+  BulletWorld world;
+  const auto deepestAt = [&](double x) {
+    ball_object.setWorldTransform(at(x, 0, 0));
+    PairReport report;
+    world->contactPairTest(&shell_object, &ball_object, report);
+    return report.points.empty() ? 1.0 : report.deepest();
+  };
+  EXPECT_EQ(deepestAt(0.0), 1.0);
+  EXPECT_EQ(deepestAt(1.2), 1.0);
+  EXPECT_LT(deepestAt(1.7), -0.2);
+  EXPECT_EQ(deepestAt(2.2), 1.0);
+}
+
+}  // namespace
+}  // namespace octoblisk
