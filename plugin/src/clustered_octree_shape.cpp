@@ -5,6 +5,7 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,13 @@ std::shared_ptr<const ClusteredOctree> notNull(std::shared_ptr<const ClusteredOc
   return tree;
 }
 
+/// Of all shapes: a pair's algorithm outlives a shape that is deleted, and the next one's tree may lie where
+/// the old one lay.
+std::uint32_t newRevision() {
+  static std::atomic<std::uint32_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
@@ -72,7 +80,7 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   tree_ = std::move(tree);
-  ++revision_;
+  revision_ = newRevision();
 }
 
 void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) {

@@ -62,7 +62,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// The same of a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
-  /// Grows whenever triangles move in the shape's frame: cached contacts are invalid.
+  /// Grows whenever triangles move in the shape's frame: cached contacts are invalid. Other shapes have other
+  /// revisions, but copies of this one.
   std::uint32_t revision() const { return revision_; }
 
   /// Contacts are made, and kept, up to this distance, in world units; Bullet takes the smaller of two
