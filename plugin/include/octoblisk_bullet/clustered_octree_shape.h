@@ -102,7 +102,7 @@ ClusteredOctreeShape final : public btConcaveShape {
                            const btVector3& aabb_max) const override;
 
   /// Writes a btTriangleMeshShapeData of the unscaled mesh, its parts and the scaling: stock importers make a
-  /// btBvhTriangleMeshShape of it, whose mesh interface gives this shape again. Vertices are written as
+  /// btBvhTriangleMeshShape of it, WorldImporter (world_importer.h) this shape again. Vertices are written as
   /// doubles in either precision, so that a saved tree (octoblisk/tree_blob.h) goes with what is read back.
   int calculateSerializeBufferSize() const override;
   const char* serialize(void* buffer, btSerializer* serializer) const override;
