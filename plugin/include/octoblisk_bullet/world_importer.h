@@ -89,9 +89,10 @@ class WorldImporter : public btBulletWorldImporter {
     btCollisionShape* const shape = restored(*data, read);
     if (shape == read) return shape;
     m_shapeMap.insert(data, shape);
-    if (const char** name = m_objectNameMap.find(read)) {
-      m_nameShapeMap.insert(*name, shape);
-      m_objectNameMap.insert(shape, *name);
+    if (const char** found = m_objectNameMap.find(read)) {
+      const char* const name = *found;  // which moves as the map grows
+      m_nameShapeMap.insert(name, shape);
+      m_objectNameMap.insert(shape, name);
     }
     return shape;
   }
