@@ -435,7 +435,7 @@ TYPED_TEST(Abuse, pairsAreCleanedInEveryTick) {
     world->getPairCache()->cleanProxyFromPairs(body.getBroadphaseHandle(), &world.dispatcher());
     EXPECT_FALSE(world.touches(body));
   });
-  world.step(240);
+  world.step(160);
   for (std::size_t i = 1; i < world.bodies().size(); ++i) {
     EXPECT_NEAR(double(world.bodies()[i]->getWorldTransform().getOrigin().z()), 0.25, 0.02) << i;
   }
