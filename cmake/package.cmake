@@ -19,6 +19,7 @@ queries on triangle meshes, and a concave shape for Bullet that may move.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME liboctoblisk-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libhwy-dev, libbullet-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libbullet-extras-dev")  # world_importer.h
 
 if(BUILD_SHARED_LIBS)
   list(APPEND CPACK_COMPONENTS_ALL libraries)

@@ -78,7 +78,6 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   tree_ = std::move(tree);
-  ++revision_;
   if (has_default_margin_) m_collisionMargin = btScalar(defaultMargin(*tree_, mass_properties_->is_solid));
 }
 

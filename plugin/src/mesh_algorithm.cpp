@@ -139,10 +139,13 @@ void bounceAtTouch(btPersistentManifold& manifold, btScalar time_step) {
   }
 }
 
-/// 0 for shapes that have none.
-std::uint32_t revision(const btCollisionObjectWrapper& body) {
+/// Keeps the tree of a body's shape, or none; returns whether it was another. A tree that is kept cannot be
+/// taken for a new one at its address.
+bool keepTree(const btCollisionObjectWrapper& body, std::shared_ptr<const ClusteredOctree>& kept) {
   const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(body.m_shape);
-  return shape ? shape->revision() : 0;
+  if ((shape ? &shape->tree() : nullptr) == kept.get()) return false;
+  kept = shape ? shape->sharedTree() : nullptr;
+  return true;
 }
 
 }  // namespace
@@ -195,13 +198,12 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
-  const std::uint32_t revisions = revision(mesh) + revision(other);
-  if (revisions != revisions_) {
+  const bool mesh_has_changed = keepTree(mesh, tree_), other_has_changed = keepTree(other, tree_of_other_);
+  if (mesh_has_changed || other_has_changed) {
     manifolds_.clear();
     trianglesHaveMoved();
     other_in_mesh_.reset();
   }
-  revisions_ = revisions;
   const bool is_unchanged = readOther(other);
   const bool is_step =
       typeid(*result) == typeid(btManifoldResult);  // contactTest and others derive their own

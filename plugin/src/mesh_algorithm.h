@@ -15,8 +15,9 @@
 struct btCollisionObjectWrapper;
 
 namespace octoblisk {
+class ClusteredOctree;
 class ClusteredOctreeShape;
-}
+}  // namespace octoblisk
 
 namespace octoblisk::detail {
 
@@ -95,7 +96,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   ShapeTypes substitute_types_;
   std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // while other shapes are met
   Manifolds manifolds_;
-  std::uint32_t revisions_ = 0;  // of the shapes that the manifolds' points are of, summed
+  std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // that the contacts are of
   std::vector<Contact> contacts_;
   ContactPatches patches_;
   std::optional<Pose> other_in_mesh_;  // when the patches were made

@@ -1,13 +1,16 @@
-// The shape in Bullet's files: as the triangle mesh that every importer knows.
+// The shape in Bullet's files: as the triangle mesh that every importer knows. What that has no room for is
+// in its padding, which importers leave alone.
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 #include <LinearMath/btSerializer.h>
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/restore.h"
 
 namespace octoblisk {
 
@@ -53,6 +56,8 @@ class MeshInParts {
   btTriangleIndexVertexArray interface_;
 };
 
+constexpr char kOurs[4] = {'O', 'c', 't', 'o'};  // not a mesh that someone else saved
+
 }  // namespace
 
 int ClusteredOctreeShape::calculateSerializeBufferSize() const { return sizeof(btTriangleMeshShapeData); }
@@ -68,8 +73,25 @@ const char* ClusteredOctreeShape::serialize(void* buffer, btSerializer* serializ
   data->m_quantizedDoubleBvh = nullptr;
   data->m_triangleInfoMap = nullptr;
   data->m_collisionMargin = float(getMargin());
-  std::fill(std::begin(data->m_pad3), std::end(data->m_pad3), '\0');
+  const float threshold = float(contact_breaking_threshold_);
+  static_assert(sizeof threshold == sizeof data->m_pad3 &&
+                sizeof kOurs == sizeof data->m_collisionShapeData.m_padding);
+  std::memcpy(data->m_pad3, &threshold, sizeof threshold);
+  std::memcpy(data->m_collisionShapeData.m_padding, kOurs, sizeof kOurs);
   return "btTriangleMeshShapeData";
+}
+
+std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& saved,
+                                                    const btStridingMeshInterface& mesh) {
+  if (saved.m_shapeType != TRIANGLE_MESH_SHAPE_PROXYTYPE) return nullptr;
+  if (std::memcmp(saved.m_padding, kOurs, sizeof kOurs) != 0) return nullptr;
+  const auto& data = reinterpret_cast<const btTriangleMeshShapeData&>(saved);
+  auto shape = std::make_unique<ClusteredOctreeShape>(&mesh);
+  float threshold;
+  std::memcpy(&threshold, data.m_pad3, sizeof threshold);
+  shape->setContactBreakingThreshold(btScalar(threshold));
+  shape->setMargin(btScalar(data.m_collisionMargin));
+  return shape;
 }
 
 }  // namespace octoblisk

@@ -9,6 +9,9 @@
 #include "guide/options.h"
 #include "guide/threads.h"
 #include "guide/units.h"
+#ifdef WITH_IMPORTER
+#include "guide/saving.h"
+#endif
 
 namespace {
 
@@ -126,6 +129,27 @@ void runThreads() {
   expect(askTwice(tree, tree, poses) == std::array{false, true}, "threads: two threads ask");
 }
 
+#ifdef WITH_IMPORTER
+void runSaving() {
+  btTriangleMesh mesh;
+  addRing(mesh, 16, 1, btScalar(0.2));
+  octoblisk::ClusteredOctreeShape shape(&mesh);
+  btVector3 inertia;
+  shape.calculateLocalInertia(2, inertia);
+  btRigidBody ring(2, nullptr, &shape, inertia);
+  FirstWorld first, second;
+  first.world.addRigidBody(&ring);
+  octoblisk::WorldImporter importer(&second.world);
+  expect(loadWorld(saveWorld(first.world), importer), "saving: the file is read");
+  const auto* again = btRigidBody::upcast(importer.getRigidBodyByIndex(0));
+  expect(again->getInvMass() == ring.getInvMass() &&
+             dynamic_cast<const octoblisk::ClusteredOctreeShape*>(again->getCollisionShape()),
+         "saving: mass and shape come back");
+  importer.deleteAllData();
+  first.world.removeRigidBody(&ring);
+}
+#endif
+
 /// Falls so fast that it is above the floor at one step and below at the next.
 bool isHeld(bool clamped) {
   btTriangleMesh mesh, wide;
@@ -159,6 +183,9 @@ int main() {
   runHowItWorks();
   runOptions();
   runThreads();
+#ifdef WITH_IMPORTER
+  runSaving();
+#endif
   expect(isHeld(true) && !isHeld(false), "limits: a fast ring is held by clamping alone");
   return failures == 0 ? 0 : 1;
 }

@@ -11,6 +11,7 @@
 
 #include "octoblisk/tree_blob.h"
 #include "octoblisk_bullet/mesh_interface.h"
+#include "octoblisk_bullet/restore.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
 #include "shared/meshes.h"
@@ -82,6 +83,80 @@ TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
     ASSERT_EQ(again.tree().mesh().triangle(t), shape.tree().mesh().triangle(t));
     ASSERT_EQ(again.triangleId(t).part, shape.triangleId(t).part);
   }
+}
+
+/// What a shape writes, aligned.
+std::vector<btVector3DoubleData> dataOf(const btCollisionShape& shape, btSerializer& serializer) {
+  std::vector<btVector3DoubleData> data(
+      std::size_t(shape.calculateSerializeBufferSize()) / sizeof(btVector3DoubleData) + 1);
+  shape.serialize(data.data(), &serializer);
+  return data;
+}
+
+TEST(Serialization, theShapeIsRestored) {
+  TwoParts source;
+  for (const btScalar threshold : {btScalar(-1), btScalar(0), btScalar(0.25)}) {
+    ClusteredOctreeShape shape(&source.interface);
+    shape.setMargin(btScalar(0.125));
+    if (threshold >= 0) shape.setContactBreakingThreshold(threshold);
+    InMemorySerializer serializer;
+    serializer.startSerialization();
+    auto data = dataOf(shape, serializer);
+    Importer importer;
+    const auto& read = dynamic_cast<btBvhTriangleMeshShape&>(*importer.shapeOf(data.data()));
+    const auto& saved = *reinterpret_cast<const btCollisionShapeData*>(data.data());
+    const auto restored = restoredShape(saved, *read.getMeshInterface());
+    ASSERT_NE(restored, nullptr);
+    EXPECT_EQ(restored->getMargin(), shape.getMargin());
+    EXPECT_EQ(restored->getLocalScaling(), shape.getLocalScaling());
+    EXPECT_EQ(restored->getContactBreakingThreshold(btScalar(0.001)),
+              shape.getContactBreakingThreshold(btScalar(0.001)));
+    EXPECT_EQ(trianglesOf(*restored), trianglesOf(shape));
+    EXPECT_EQ(restored->parts(), shape.parts());
+  }
+}
+
+TEST(Serialization, whatOthersWroteIsNotRestored) {
+  TwoParts source;
+  btBvhTriangleMeshShape bvh(&source.interface, true);
+  btSphereShape ball(1);
+  for (const btCollisionShape* shape :
+       {static_cast<btCollisionShape*>(&bvh), static_cast<btCollisionShape*>(&ball)}) {
+    InMemorySerializer serializer;
+    serializer.startSerialization();
+    const auto data = dataOf(*shape, serializer);
+    EXPECT_EQ(restoredShape(*reinterpret_cast<const btCollisionShapeData*>(data.data()), source.interface),
+              nullptr);
+  }
+}
+
+TEST(Serialization, aBodyIsRestored) {
+  ClusteredOctreeShape shape(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6))));
+  btRigidBody body(4, nullptr, &shape, btVector3(1, 2, 0)), other(0, nullptr, &shape);
+  body.setLinearVelocity(btVector3(1, 2, 3));
+  body.setAngularVelocity(btVector3(4, 5, 6));
+  body.setDamping(btScalar(0.25), btScalar(0.5));
+  body.setSleepingThresholds(btScalar(0.125), btScalar(0.75));
+  body.setLinearFactor(btVector3(1, 0, 1));
+  body.forceActivationState(DISABLE_DEACTIVATION);
+  InMemorySerializer serializer;
+  serializer.startSerialization();
+  btRigidBodyData data;
+  body.serialize(&data, &serializer);
+  restoreBody(data, other);
+  EXPECT_EQ(other.getMass(), body.getMass());
+  EXPECT_EQ(other.getLocalInertia(), body.getLocalInertia());
+  EXPECT_EQ(other.getInvInertiaTensorWorld().getRow(1), body.getInvInertiaTensorWorld().getRow(1));
+  EXPECT_FALSE(other.isStaticObject());
+  EXPECT_EQ(other.getLinearVelocity(), body.getLinearVelocity());
+  EXPECT_EQ(other.getAngularVelocity(), body.getAngularVelocity());
+  EXPECT_EQ(other.getLinearDamping(), body.getLinearDamping());
+  EXPECT_EQ(other.getAngularDamping(), body.getAngularDamping());
+  EXPECT_EQ(other.getLinearSleepingThreshold(), body.getLinearSleepingThreshold());
+  EXPECT_EQ(other.getAngularSleepingThreshold(), body.getAngularSleepingThreshold());
+  EXPECT_EQ(other.getLinearFactor(), body.getLinearFactor());
+  EXPECT_EQ(other.getActivationState(), DISABLE_DEACTIVATION);
 }
 
 TEST(Serialization, aWorldIsWrittenWithTheShape) {

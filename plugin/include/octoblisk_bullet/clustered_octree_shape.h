@@ -43,6 +43,7 @@ ClusteredOctreeShape final : public btConcaveShape {
                                 std::vector<std::uint32_t> part_begin = {0});
 
   const ClusteredOctree& tree() const { return *tree_; }
+  /// Another tree whenever triangles move in the shape's frame: what was found in the last one is invalid.
   const std::shared_ptr<const ClusteredOctree>& sharedTree() const { return tree_; }
 
   /// Part and index of a triangle of the tree's mesh.
@@ -62,19 +63,17 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// The same of a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
-  /// Grows whenever triangles move in the shape's frame: cached contacts are invalid.
-  std::uint32_t revision() const { return revision_; }
-
-  /// Contacts are made, and kept, up to this distance, in world units; Bullet takes the smaller of two
-  /// shapes'. Default: gContactBreakingThreshold (0.02), or a fiftieth of the shape's radius where that is
+  /// In a step, contacts are created within half this distance and kept within all of it, in world units.
+  /// contactTest and contactPairTest find contacts within all of it. Bullet takes the smaller distance of two
+  /// shapes. Default: gContactBreakingThreshold (0.02), or a fiftieth of the shape's radius where that is
   /// less.
   void setContactBreakingThreshold(btScalar threshold) { contact_breaking_threshold_ = threshold; }
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
-  /// The thickness of a skin round the triangles, in world units. Bodies rest on it, and their meshes stay out
-  /// of each other. Default: 0 for an open mesh. For a closed one a hundredth of the greatest half extent, or a
-  /// tenth of the thickness of its thin parts if that is less; it changes with the scaling and with refit. 0
-  /// makes contacts exact on the triangles.
+  /// The thickness of a skin round the triangles, in world units. Bodies rest on it, and their meshes stay
+  /// out of each other. Default: 0 for an open mesh. For a closed one a hundredth of the greatest half
+  /// extent, or a tenth of the thickness of its thin parts if that is less; it changes with the scaling and
+  /// with refit. 0 makes contacts exact on the triangles.
   void setMargin(btScalar margin) override;
 
   /// A closed mesh is a solid unless this says otherwise: a body that gets inside is pushed out the shortest
@@ -113,7 +112,7 @@ ClusteredOctreeShape final : public btConcaveShape {
                            const btVector3& aabb_max) const override;
 
   /// Writes a btTriangleMeshShapeData of the unscaled mesh, its parts and the scaling: stock importers make a
-  /// btBvhTriangleMeshShape of it, whose mesh interface gives this shape again. Vertices are written as
+  /// btBvhTriangleMeshShape of it, WorldImporter (world_importer.h) this shape again. Vertices are written as
   /// doubles in either precision, so that a saved tree (octoblisk/tree_blob.h) goes with what is read back.
   int calculateSerializeBufferSize() const override;
   const char* serialize(void* buffer, btSerializer* serializer) const override;
@@ -131,7 +130,6 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar contact_breaking_threshold_ = -1;  // below 0: the default
   std::shared_ptr<const ClusteredOctree> tree_;
   std::shared_ptr<const MassProperties> mass_properties_;
-  std::uint32_t revision_ = 0;
   bool may_be_solid_ = true;
   bool has_default_margin_ = true;
 };

@@ -1,0 +1,137 @@
+// Reads .bullet files in which bodies have our shape. Needs Bullet's importer (Debian: libbullet-extras-dev),
+// and a program that links BulletWorldImporter and BulletFileLoader.
+#pragma once
+
+#include <BulletFileLoader/btBulletFile.h>
+#include <BulletWorldImporter/btBulletWorldImporter.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <unordered_map>
+
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/restore.h"
+
+namespace octoblisk {
+
+/// In place of btBulletWorldImporter, which makes a static btBvhTriangleMeshShape of our shape. Bodies and
+/// compounds get our shape back, as restoredShape makes it, and all bodies what restoreBody gives them. The
+/// dispatcher has to be told of our shape, as ever (register.h). As ever, too, deleteAllData deletes what was
+/// made, and shapes that a file names are found by name.
+class WorldImporter : public btBulletWorldImporter {
+ public:
+  using btBulletWorldImporter::btBulletWorldImporter;
+
+  bool convertAllObjects(bParse::btBulletFile* file) override {
+    file_ = file;
+    next_body_ = next_object_ = 0;
+    const bool is_read = btBulletWorldImporter::convertAllObjects(file);
+    file_ = nullptr;
+    made_.clear();
+    return is_read;
+  }
+
+  btRigidBody* createRigidBody(bool is_dynamic, btScalar mass, const btTransform& pose,
+                               btCollisionShape* shape, const char* name) override {
+    if (!file_) return btBulletWorldImporter::createRigidBody(is_dynamic, mass, pose, shape, name);
+    if (isDouble()) return restored<btRigidBodyDoubleData>(pose, name);
+    return restored<btRigidBodyFloatData>(pose, name);
+  }
+
+  btCollisionObject* createCollisionObject(const btTransform& pose, btCollisionShape* shape,
+                                           const char* name) override {
+    if (file_ && isDouble()) {
+      shape = shapeOf(*next<btCollisionObjectDoubleData>(file_->m_collisionObjects, next_object_));
+    } else if (file_) {
+      shape = shapeOf(*next<btCollisionObjectFloatData>(file_->m_collisionObjects, next_object_));
+    }
+    return btBulletWorldImporter::createRigidBody(false, 0, pose, shape, name);  // as Bullet's makes it
+  }
+
+ private:
+  using Structs = btAlignedObjectArray<bParse::bStructHandle*>;
+
+  bool isDouble() const { return (file_->getFlags() & bParse::FD_DOUBLE_PRECISION) != 0; }
+
+  static const btCollisionObjectFloatData& objectOf(const btCollisionObjectFloatData& saved) { return saved; }
+  static const btCollisionObjectDoubleData& objectOf(const btCollisionObjectDoubleData& saved) {
+    return saved;
+  }
+  static const btCollisionObjectFloatData& objectOf(const btRigidBodyFloatData& saved) {
+    return saved.m_collisionObjectData;
+  }
+  static const btCollisionObjectDoubleData& objectOf(const btRigidBodyDoubleData& saved) {
+    return saved.m_collisionObjectData;
+  }
+
+  /// What Bullet's importer, which goes through the same list, is at: it leaves out what has no shape.
+  template <typename Data>
+  const Data* next(const Structs& all, int& index) {
+    for (;;) {
+      const auto* saved = reinterpret_cast<const Data*>(all[index++]);
+      btCollisionShape** shape = m_shapeMap.find(objectOf(*saved).m_collisionShape);
+      if (shape && *shape) return saved;
+    }
+  }
+
+  template <typename Data>
+  btRigidBody* restored(const btTransform& pose, const char* name) {
+    const Data& saved = *next<Data>(file_->m_rigidBodies, next_body_);
+    const btScalar mass = saved.m_inverseMass > 0 ? btScalar(1) / btScalar(saved.m_inverseMass) : btScalar(0);
+    btRigidBody* body = btBulletWorldImporter::createRigidBody(mass > 0, mass, pose, shapeOf(saved), name);
+    restoreBody(saved, *body);
+    return body;
+  }
+
+  template <typename Data>
+  btCollisionShape* shapeOf(const Data& saved) {
+    auto* const data = static_cast<btCollisionShapeData*>(objectOf(saved).m_collisionShape);
+    btCollisionShape* const read = *m_shapeMap.find(data);
+    btCollisionShape* const shape = restored(*data, read);
+    if (shape == read) return shape;
+    m_shapeMap.insert(data, shape);
+    if (const char** found = m_objectNameMap.find(read)) {
+      const char* const name = *found;  // which moves as the map grows
+      m_nameShapeMap.insert(name, shape);
+      m_objectNameMap.insert(shape, name);
+    }
+    return shape;
+  }
+
+  btCollisionShape* restored(const btCollisionShapeData& saved, btCollisionShape* read) {
+    if (auto* compound = dynamic_cast<btCompoundShape*>(read)) {
+      restoreChildren(reinterpret_cast<const btCompoundShapeData&>(saved), *compound);
+    }
+    const auto* mesh = dynamic_cast<btBvhTriangleMeshShape*>(read);
+    if (!mesh) return read;
+    const auto [known, is_new] = made_.try_emplace(&saved, read);
+    if (is_new) {
+      if (auto shape = restoredShape(saved, *mesh->getMeshInterface())) {
+        m_allocatedCollisionShapes.push_back(shape.get());
+        known->second = shape.release();
+      }
+    }
+    return known->second;
+  }
+
+  void restoreChildren(const btCompoundShapeData& saved, btCompoundShape& compound) {
+    compound.setMargin(btScalar(saved.m_collisionMargin));
+    for (int child = 0, s = 0; child < compound.getNumChildShapes(); ++child, ++s) {
+      btCollisionShape* const read = compound.getChildShape(child);
+      // Those that Bullet's importer does not know it leaves out.
+      while (saved.m_childShapePtr[s].m_childShape->m_shapeType != read->getShapeType()) ++s;
+      btCollisionShape* const shape = restored(*saved.m_childShapePtr[s].m_childShape, read);
+      if (shape == read) continue;
+      btCompoundShapeChild& place = compound.getChildList()[child];
+      place.m_childShape = shape;
+      place.m_childShapeType = shape->getShapeType();
+      place.m_childMargin = shape->getMargin();
+      compound.updateChildTransform(child, place.m_transform);
+    }
+  }
+
+  bParse::btBulletFile* file_ = nullptr;  // while it is read
+  int next_body_ = 0, next_object_ = 0;
+  std::unordered_map<const btCollisionShapeData*, btCollisionShape*> made_;  // of the meshes in the file
+};
+
+}  // namespace octoblisk

@@ -1,0 +1,53 @@
+// A body out of one of Bullet's files.
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "octoblisk_bullet/restore.h"
+
+namespace octoblisk {
+
+namespace {
+
+btVector3 read(const btVector3FloatData& saved) {
+  btVector3 vector;
+  vector.deSerializeFloat(saved);
+  return vector;
+}
+
+btVector3 read(const btVector3DoubleData& saved) {
+  btVector3 vector;
+  vector.deSerializeDouble(saved);
+  return vector;
+}
+
+/// 0 stands for infinity, as in Bullet.
+btScalar inverse(btScalar number) { return number == btScalar(0) ? btScalar(0) : btScalar(1) / number; }
+
+template <typename Data>
+void restore(const Data& saved, btRigidBody& body) {
+  const auto& object = saved.m_collisionObjectData;
+  const btVector3 inverse_inertia = read(saved.m_invInertiaLocal);
+  body.setMassProps(
+      inverse(btScalar(saved.m_inverseMass)),
+      btVector3(inverse(inverse_inertia.x()), inverse(inverse_inertia.y()), inverse(inverse_inertia.z())));
+  body.updateInertiaTensor();
+  body.setCollisionFlags(object.m_collisionFlags);
+  body.setLinearFactor(read(saved.m_linearFactor));
+  body.setAngularFactor(read(saved.m_angularFactor));
+  body.setLinearVelocity(read(saved.m_linearVelocity));
+  body.setAngularVelocity(read(saved.m_angularVelocity));
+  body.setInterpolationWorldTransform(body.getWorldTransform());
+  body.setInterpolationLinearVelocity(body.getLinearVelocity());
+  body.setInterpolationAngularVelocity(body.getAngularVelocity());
+  body.setDamping(btScalar(saved.m_linearDamping), btScalar(saved.m_angularDamping));
+  body.setSleepingThresholds(btScalar(saved.m_linearSleepingThreshold),
+                             btScalar(saved.m_angularSleepingThreshold));
+  body.forceActivationState(object.m_activationState1);
+  body.setDeactivationTime(btScalar(object.m_deactivationTime));
+}
+
+}  // namespace
+
+void restoreBody(const btRigidBodyFloatData& saved, btRigidBody& body) { restore(saved, body); }
+void restoreBody(const btRigidBodyDoubleData& saved, btRigidBody& body) { restore(saved, body); }
+
+}  // namespace octoblisk

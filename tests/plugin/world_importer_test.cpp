@@ -1,0 +1,195 @@
+// Worlds saved to .bullet files, and what comes back.
+#include "octoblisk_bullet/world_importer.h"
+
+#include <LinearMath/btSerializer.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletMesh;
+using testing::BulletWorld;
+
+std::vector<char> saved(btDynamicsWorld& world, btDefaultSerializer& serializer) {
+  world.serialize(&serializer);
+  const auto* begin = reinterpret_cast<const char*>(serializer.getBufferPointer());
+  return {begin, begin + serializer.getCurrentBufferSize()};
+}
+
+std::vector<char> saved(btDynamicsWorld& world) {
+  btDefaultSerializer serializer;
+  return saved(world, serializer);
+}
+
+template <typename Importer>
+struct Loaded {
+  explicit Loaded(std::vector<char> file) {
+    EXPECT_TRUE(importer.loadFileFromMemory(file.data(), int(file.size())));
+  }
+  ~Loaded() { importer.deleteAllData(); }
+  btRigidBody& body(int i) { return *btRigidBody::upcast(importer.getRigidBodyByIndex(i)); }
+
+  BulletWorld world;
+  Importer importer{&*world};
+};
+
+/// Without ties between contacts, which rounding would decide.
+btTransform tilted(double x, double y, double z) {
+  return at(x, y, z) * btTransform(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.3)));
+}
+
+/// A floor, and above it a ring, one that is scaled and mirrored, a gear in a compound at its principal axes,
+/// and another beside a box.
+struct Scene {
+  Scene() {
+    ring.setMargin(btScalar(0.0625));
+    ring.setContactBreakingThreshold(btScalar(0.03125));
+    scaled.setLocalScaling(btVector3(btScalar(0.5), -1, btScalar(0.75)));
+    btTransform principal;
+    btVector3 moments;
+    profile.calculatePrincipalAxisTransform(3, principal, moments);
+    solid.addChildShape(principal.inverse(), &profile);
+    mixed.addChildShape(at(0.25, 0, 0), &box);
+    mixed.addChildShape(at(-0.5, 0, 0), &profile);
+    world.add(floor, 0, at(0, 0, 0));
+    world.add(ring, 2, tilted(-2, 0, 1));
+    world.add(scaled, 1, tilted(2, 0, 1.5));
+    btRigidBody& body = world.add(solid, 3, tilted(0, 2, 1));
+    body.setMassProps(3, moments);
+    world.add(mixed, 1, tilted(0, -2, 1)).setAngularVelocity(btVector3(0, 1, 2));
+    world.add(ring, 1, tilted(-2, 0.25, 2)).setDamping(btScalar(0.125), btScalar(0.25));
+    world.add(box, 1, tilted(0, 0, 1));
+  }
+
+  ClusteredOctreeShape floor = shapeOver(testing::waveSheet(6, 0.1, 24));
+  ClusteredOctreeShape ring = shapeOver(testing::torus(0.75, 0.25, 24, 12));
+  ClusteredOctreeShape scaled = shapeOver(testing::torus(0.75, 0.25, 24, 12));
+  ClusteredOctreeShape profile = shapeOver(testing::gear(8, 0.5, 0.7, 0.2, 0.25));
+  btBoxShape box{btVector3(btScalar(0.25), btScalar(0.25), btScalar(0.25))};
+  btCompoundShape solid, mixed;
+  BulletWorld world;
+};
+
+btRigidBody& bodyOf(BulletWorld& world, int i) {
+  return *btRigidBody::upcast(world->getCollisionObjectArray()[i]);
+}
+
+const ClusteredOctreeShape* ours(const btCollisionShape* shape) {
+  return dynamic_cast<const ClusteredOctreeShape*>(shape);
+}
+
+TEST(WorldImporter, stockLosesMassesAndShapes) {
+  Scene scene;
+  Loaded<btBulletWorldImporter> stock(saved(*scene.world));
+  EXPECT_EQ(stock.body(1).getInvMass(), btScalar(0));
+  EXPECT_EQ(ours(stock.body(1).getCollisionShape()), nullptr);
+  EXPECT_EQ(stock.body(1).getCollisionShape()->getMargin(), scene.ring.getMargin());
+  EXPECT_EQ(stock.body(4).getAngularVelocity().length(), btScalar(0));
+}
+
+TEST(WorldImporter, shapesAndMassesComeBack) {
+  Scene scene;
+  Loaded<WorldImporter> loaded(saved(*scene.world));
+  ASSERT_EQ(loaded.importer.getNumRigidBodies(), scene.world->getNumCollisionObjects());
+  for (int i = 0; i < loaded.importer.getNumRigidBodies(); ++i) {
+    const btRigidBody &was = bodyOf(scene.world, i), &is = loaded.body(i);
+    const double noise = 1e-6;
+    EXPECT_NEAR(double(is.getInvMass()), double(was.getInvMass()), noise) << i;
+    EXPECT_LT((is.getInvInertiaDiagLocal() - was.getInvInertiaDiagLocal()).length(), noise * 20) << i;
+    EXPECT_EQ(is.isStaticObject(), was.isStaticObject()) << i;
+    EXPECT_EQ(is.getActivationState(), was.getActivationState()) << i;
+    EXPECT_EQ(is.getLinearDamping(), was.getLinearDamping()) << i;
+    EXPECT_EQ(is.getBroadphaseHandle()->m_collisionFilterGroup,
+              was.getBroadphaseHandle()->m_collisionFilterGroup);
+    EXPECT_EQ(is.getCollisionShape()->getMargin(), was.getCollisionShape()->getMargin()) << i;
+    const auto *shape = ours(is.getCollisionShape()), *expected = ours(was.getCollisionShape());
+    ASSERT_EQ(shape != nullptr, expected != nullptr) << i;
+    if (!shape) continue;
+    EXPECT_EQ(shape->getLocalScaling(), expected->getLocalScaling()) << i;
+    EXPECT_EQ(shape->getContactBreakingThreshold(btScalar(0.02)),
+              expected->getContactBreakingThreshold(btScalar(0.02)));
+    ASSERT_EQ(shape->tree().mesh().triangleCount(), expected->tree().mesh().triangleCount());
+    for (std::uint32_t t = 0; t < shape->tree().mesh().triangleCount(); ++t)
+      ASSERT_EQ(shape->tree().mesh().triangle(t), expected->tree().mesh().triangle(t));
+  }
+  EXPECT_EQ(loaded.body(1).getCollisionShape(), loaded.body(5).getCollisionShape());  // shared, as it was
+  for (const int i : {3, 4}) {
+    const auto& is = static_cast<const btCompoundShape&>(*loaded.body(i).getCollisionShape());
+    const auto& was = static_cast<const btCompoundShape&>(*bodyOf(scene.world, i).getCollisionShape());
+    ASSERT_EQ(is.getNumChildShapes(), was.getNumChildShapes());
+    for (int c = 0; c < was.getNumChildShapes(); ++c)
+      EXPECT_EQ(is.getChildShape(c)->getShapeType(), was.getChildShape(c)->getShapeType());
+  }
+}
+
+TEST(WorldImporter, aLoadedWorldGoesOnAsTheSavedOne) {
+  for (const int before : {0, 60, 110}) {  // new, falling, and touching, when the solver has to start cold
+    const double near = before == 110 ? 0.03 : 0.002;
+    Scene scene;
+    scene.world.step(before);
+    Loaded<WorldImporter> loaded(saved(*scene.world));
+    for (int step = 0; step < 120; ++step) {
+      scene.world.step(1);
+      loaded.world.step(1);
+      for (int i = 0; i < loaded.importer.getNumRigidBodies(); ++i) {
+        const btTransform &was = bodyOf(scene.world, i).getWorldTransform(),
+                          &is = loaded.body(i).getWorldTransform();
+        ASSERT_LT(double((is.getOrigin() - was.getOrigin()).length()), near)
+            << "step " << step << ", body " << i;
+        ASSERT_LT(double(is.getRotation().angleShortestPath(was.getRotation())), 2 * near)
+            << step << ", " << i;
+      }
+    }
+    EXPECT_GT(loaded.world.contactPoints(), 3);
+    EXPECT_LT(double(loaded.body(1).getWorldTransform().getOrigin().z()), 0.6);
+  }
+}
+
+TEST(WorldImporter, whatOthersSavedStaysTheirs) {
+  BulletMesh source(*testing::waveSheet(4, 0.1, 8));
+  btBvhTriangleMeshShape bvh(source.view(), true);
+  btSphereShape ball(btScalar(0.5));
+  BulletWorld world;
+  world.add(bvh, 0, at(0, 0, 0));
+  world.add(ball, 1, at(0, 0, 1)).setLinearVelocity(btVector3(1, 0, 0));
+  for (const int flags : {0, int(BT_SERIALIZE_NO_BVH)}) {
+    btDefaultSerializer serializer;
+    serializer.setSerializationFlags(flags);
+    Loaded<WorldImporter> loaded(saved(*world, serializer));
+    EXPECT_EQ(loaded.body(0).getCollisionShape()->getShapeType(), TRIANGLE_MESH_SHAPE_PROXYTYPE);
+    EXPECT_EQ(loaded.body(1).getCollisionShape()->getShapeType(), SPHERE_SHAPE_PROXYTYPE);
+    EXPECT_EQ(loaded.body(1).getLinearVelocity(), btVector3(1, 0, 0));
+  }
+}
+
+TEST(WorldImporter, namesAndCollisionObjectsAreKept) {
+  auto ring = shapeOver(testing::torus(0.75, 0.25, 24, 12));
+  btCollisionObject object;
+  object.setCollisionShape(&ring);
+  object.setWorldTransform(at(1, 2, 3));
+  BulletWorld world;
+  world->addCollisionObject(&object);
+  btRigidBody& body = world.add(ring, 1, at(0, 0, 5));
+  btDefaultSerializer serializer;
+  serializer.registerNameForPointer(&ring, "ring");
+  serializer.registerNameForPointer(&body, "falling");
+  Loaded<WorldImporter> loaded(saved(*world, serializer));
+  world->removeCollisionObject(&object);
+  btRigidBody* falling = loaded.importer.getRigidBodyByName("falling");
+  ASSERT_NE(falling, nullptr);
+  const btCollisionShape* shape = loaded.importer.getCollisionShapeByName("ring");
+  ASSERT_NE(ours(shape), nullptr);
+  EXPECT_EQ(falling->getCollisionShape(), shape);
+  EXPECT_STREQ(loaded.importer.getNameForPointer(shape), "ring");
+}
+
+}  // namespace
+}  // namespace octoblisk
