@@ -36,11 +36,11 @@ double clusterVolume(const btCollisionShape& shape, int depth) {
 }  // namespace
 
 ClusteredOctreeBroadphase::ClusteredOctreeBroadphase(int depth)
-    : depth_(depth), stages_(std::make_unique<PairStages>()) {}
+    : depth_(depth), stages_(std::make_unique<PairStages>(depth)) {}
 
 ClusteredOctreeBroadphase::~ClusteredOctreeBroadphase() = default;
 
-int ClusteredOctreeBroadphase::coarsePairs() const { return stages_->coarse.getNumOverlappingPairs(); }
+int ClusteredOctreeBroadphase::coarsePairs() const { return tightPairs() + stages_->tight.apart(); }
 int ClusteredOctreeBroadphase::tightPairs() const { return stages_->tight.getNumOverlappingPairs(); }
 
 btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() { return &stages_->tight; }
@@ -72,7 +72,7 @@ bool ClusteredOctreeBroadphase::isAnswered(btDispatcher* dispatcher) {
 void ClusteredOctreeBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
   assert(isAnswered(dispatcher) && "registerAlgorithm was not called: bodies fall through");
   stages_->boxes.calculateOverlappingPairs(dispatcher);
-  stages_->coarse.refine(depth_, dispatcher);
+  stages_->tight.refine(dispatcher);
 }
 
 btBroadphaseProxy* ClusteredOctreeBroadphase::createProxy(const btVector3& aabb_min,

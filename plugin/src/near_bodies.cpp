@@ -8,6 +8,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <typeinfo>
+
 #include "contact/clusters_near.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -22,7 +24,9 @@ const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
 
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
-  return dynamic_cast<const ClusteredOctreeShape*>(&shape);
+  // The class is final; a dynamic_cast costs as much as the rest of a question.
+  if (typeid(shape) != typeid(ClusteredOctreeShape)) return nullptr;
+  return static_cast<const ClusteredOctreeShape*>(&shape);
 }
 
 /// A body, or a child of a compound.
@@ -92,21 +96,28 @@ bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const A
   });
 }
 
-/// The whole body. Bullet may leave the proxies of sleepers as they are, wherever they were put
-/// (setForceUpdateAllAabbs): so its box is where the body is, too.
-Part wholeOf(const btBroadphaseProxy& proxy) {
-  const btCollisionObject& body = *clientOf(proxy);
-  Part whole = partOf(*body.getCollisionShape(), body.getWorldTransform());
-  whole.box.extend(fromBullet(proxy.m_aabbMin));
-  whole.box.extend(fromBullet(proxy.m_aabbMax));
-  return whole;
-}
+/// A body of which a proxy tells.
+struct Body {
+  explicit Body(const btBroadphaseProxy& proxy)
+      : shape(*clientOf(proxy)->getCollisionShape()),
+        whole(partOf(shape, clientOf(proxy)->getWorldTransform())),
+        box(whole.box) {
+    box.extend(fromBullet(proxy.m_aabbMin));
+    box.extend(fromBullet(proxy.m_aabbMax));
+  }
+
+  const btCollisionShape& shape;
+  const Part whole;
+  /// Bullet may leave the proxies of sleepers as they are, wherever they were put (setForceUpdateAllAabbs):
+  /// so the proxy's box, and the one where the body is.
+  Aabb box;
+};
 
 template <typename Meets>
-bool anyPart(const btBroadphaseProxy& proxy, const Aabb& box, ClusterHolders& holders, const Meets& meets) {
-  const btCollisionObject& body = *clientOf(proxy);
-  if (!holders.contain(*body.getCollisionShape())) return meets(wholeOf(proxy));
-  return anyPart(*body.getCollisionShape(), body.getWorldTransform(), box, meets);
+bool anyPart(const Body& body, const Aabb& box, ClusterHolders& holders, const Meets& meets) {
+  if (body.whole.clusters) return meets(body.whole);
+  if (!holders.contain(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
+  return anyPart(body.shape, body.whole.in_world, box, meets);
 }
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
@@ -164,16 +175,42 @@ bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return clustersDecide(a, b, none_known);
 }
 
+bool mayHaveSay(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+  const auto mayHold = [](const btCollisionShape& shape) { return shape.isCompound() || asClusters(shape); };
+  return isBody(body_a) && isBody(body_b) &&
+         (mayHold(*body_a->getCollisionShape()) || mayHold(*body_b->getCollisionShape()));
+}
+
 bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
   return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
          !dispatcher.needsCollision(body_a, body_b);
 }
 
+bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room) {
+  if (!pair.m_algorithm) return false;
+  room.resizeNoInitialize(0);
+  pair.m_algorithm->getAllContactManifolds(room);
+  for (int m = 0; m < room.size(); ++m) {
+    const btPersistentManifold& manifold = *room[m];
+    const btTransform& a = manifold.getBody0()->getWorldTransform();
+    const btTransform& b = manifold.getBody1()->getWorldTransform();
+    const btScalar breaking = manifold.getContactBreakingThreshold();
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      const btManifoldPoint& point = manifold.getContactPoint(p);
+      if ((a * point.m_localPointA).distance2(b * point.m_localPointB) <= breaking * breaking) return true;
+    }
+  }
+  return false;
+}
+
 bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
                   ClusterHolders& holders) {
-  return anyPart(a, wholeOf(b).box, holders, [&](const Part& part_a) {
-    return anyPart(b, part_a.box, holders, [&](const Part& part_b) { return meet(part_a, part_b, depth); });
+  const Body body_a(a), body_b(b);
+  return anyPart(body_a, body_b.box, holders, [&](const Part& part_a) {
+    return anyPart(body_b, part_a.box, holders,
+                   [&](const Part& part_b) { return meet(part_a, part_b, depth); });
   });
 }
 

@@ -1,8 +1,11 @@
 // Whether two bodies come near, as far as the clusters of our shapes tell: the broadphase's second question.
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+
 #include <unordered_map>
 
+struct btBroadphasePair;
 struct btBroadphaseProxy;
 class btCollisionShape;
 class btDispatcher;
@@ -29,9 +32,16 @@ class ClusterHolders {
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders);
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
+/// Whether clusters have a say, or would if a compound got a child with clusters. No compound is searched.
+bool mayHaveSay(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
+
 /// Whether both are bodies that are not active, and the dispatcher leaves such a pair alone, as Bullet's
 /// does.
 bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher);
+
+/// Whether a contact of the pair's last dispatch holds at the present transforms, as its manifold would
+/// judge: then the two are near, unless a shape was changed since. `room` is for the pair's manifolds.
+bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 
 /// False where clusters keep the two apart at their present transforms: no cluster of the given depth
 /// (octoblisk/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown

@@ -1,88 +1,127 @@
 #include "pair_stages.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
+#include <bit>
+
 namespace octoblisk::detail {
 
 namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// A coarse pair has no algorithm; its room for a user's number, 0 at first, tells whether it is tight.
-enum class Verdict { undecided, apart, tight };
-Verdict verdictOf(const btBroadphasePair& pair) { return static_cast<Verdict>(pair.m_internalTmpValue); }
-bool isDecided(const btBroadphasePair& pair) { return verdictOf(pair) != Verdict::undecided; }
-bool isTight(const btBroadphasePair& pair) { return verdictOf(pair) == Verdict::tight; }
-void setTight(btBroadphasePair& pair, bool tight) {
-  pair.m_internalTmpValue = static_cast<int>(tight ? Verdict::tight : Verdict::apart);
+// A pair has room for a user's number, 0 at first: not 0 in the tight pairs that refine asks about.
+bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
+
+/// Such a number, another one once a margin has changed: contacts made before tell nothing then.
+int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  const auto margin = [](const btBroadphaseProxy& proxy) {
+    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getMargin();
+  };
+  return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
+}
+
+/// As the inner broadphase compares them.
+bool boxesOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  return Intersect(static_cast<const btDbvtProxy&>(a).leaf->volume,
+                   static_cast<const btDbvtProxy&>(b).leaf->volume);
+}
+
+bool isLeftAlone(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher) {
+  return dispatcher && bothSleep(a, b, *dispatcher);
+}
+
+bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
+                  ClusterHolders& holders) {
+  return clustersDecide(a, b, holders) && !clustersMeet(a, b, depth, holders);
 }
 
 }  // namespace
 
-CoarsePairs::CoarsePairs(TightPairs& tight) : tight_(tight) { tight.coarse_ = this; }
-
-void CoarsePairs::refine(int depth, btDispatcher* dispatcher) {
+void TightPairs::refine(btDispatcher* dispatcher) {
   holders_.forget();
+  promote(dispatcher);
+  if (any_asked_) demote(dispatcher);
+}
+
+void TightPairs::promote(btDispatcher* dispatcher) {
+  const btBroadphasePairArray& pairs = apart_.getOverlappingPairArray();
+  for (int i = 0; i < pairs.size();) {
+    btBroadphaseProxy *a = pairs[i].m_pProxy0, *b = pairs[i].m_pProxy1;
+    const bool overlap = boxesOverlap(*a, *b);
+    if (overlap && (isLeftAlone(*a, *b, dispatcher) || areKeptApart(*a, *b, depth_, holders_))) {
+      ++i;
+      continue;
+    }
+    apart_.removeOverlappingPair(a, b, dispatcher);  // the last takes its place
+    if (overlap) addFiltered(a, b, true);
+  }
+}
+
+void TightPairs::demote(btDispatcher* dispatcher) {
   btBroadphasePairArray& pairs = getOverlappingPairArray();
+  any_asked_ = false;
   for (int i = 0; i < pairs.size(); ++i) {
     btBroadphasePair& pair = pairs[i];
+    if (!isAsked(pair)) continue;
+    any_asked_ = true;
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    if (isDecided(pair) && dispatcher && bothSleep(*a, *b, *dispatcher)) continue;
-    const bool was_tight = isTight(pair),
-               tight = !clustersDecide(*a, *b, holders_) || clustersMeet(*a, *b, depth, holders_);
-    setTight(pair, tight);
-    if (tight == was_tight) continue;
-    if (tight) {
-      tight_.promote(a, b);
-    } else {
-      tight_.Cache::removeOverlappingPair(a, b, dispatcher);
-    }
+    if (isLeftAlone(*a, *b, dispatcher)) continue;
+    const int asked = askedWith(*a, *b);
+    if (pair.m_internalTmpValue == asked && aContactHolds(pair, manifolds_)) continue;
+    pair.m_internalTmpValue = asked;
+    if (!areKeptApart(*a, *b, depth_, holders_)) continue;
+    Cache::removeOverlappingPair(a, b, dispatcher);
+    apart_.addOverlappingPair(a, b);
+    --i;  // the last took its place
   }
-}
-
-bool CoarsePairs::needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
-  return tight_.needsBroadphaseCollision(a, b);
-}
-
-btBroadphasePair* CoarsePairs::addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) {
-  btBroadphasePair* pair = Cache::addOverlappingPair(a, b);
-  if (pair && !isDecided(*pair) && !clustersDecide(*a, *b)) {
-    setTight(*pair, true);
-    tight_.promote(a, b);
-  }
-  return pair;
-}
-
-btBroadphasePair* CoarsePairs::addTight(btBroadphaseProxy* a, btBroadphaseProxy* b) {
-  btBroadphasePair* pair = Cache::addOverlappingPair(a, b);
-  if (!pair) return nullptr;
-  setTight(*pair, true);
-  return tight_.promote(a, b);
-}
-
-void* CoarsePairs::removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b,
-                                         btDispatcher* dispatcher) {
-  tight_.Cache::removeOverlappingPair(a, b, dispatcher);
-  return Cache::removeOverlappingPair(a, b, dispatcher);
 }
 
 bool TightPairs::needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
-  return promoting_ || Cache::needsBroadphaseCollision(a, b);  // a coarse pair has passed the filter
+  return is_filtered_ || Cache::needsBroadphaseCollision(a, b);
 }
 
 btBroadphasePair* TightPairs::addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) {
-  return coarse_->addTight(a, b);
+  if (!needsBroadphaseCollision(a, b)) return nullptr;
+  // Most are known: the inner broadphase adds all pairs of a body that left its box.
+  if (btBroadphasePair* const known = findPair(a, b)) return known;
+  if (btBroadphasePair* const known = apart_.findPair(a, b)) return known;
+  const bool asked = mayHaveSay(*a, *b);
+  if (asked && areKeptApart(*a, *b, depth_, holders_)) return apart_.addOverlappingPair(a, b);
+  return addFiltered(a, b, asked);
+}
+
+btBroadphasePair* TightPairs::addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool asked) {
+  is_filtered_ = true;
+  btBroadphasePair* const pair = Cache::addOverlappingPair(a, b);
+  is_filtered_ = false;
+  pair->m_internalTmpValue = asked;
+  any_asked_ |= asked;
+  return pair;
 }
 
 void* TightPairs::removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b,
                                         btDispatcher* dispatcher) {
-  coarse_->Cache::removeOverlappingPair(a, b, dispatcher);
+  apart_.removeOverlappingPair(a, b, dispatcher);
   return Cache::removeOverlappingPair(a, b, dispatcher);
 }
 
-btBroadphasePair* TightPairs::promote(btBroadphaseProxy* a, btBroadphaseProxy* b) {
-  promoting_ = true;
-  btBroadphasePair* pair = Cache::addOverlappingPair(a, b);
-  promoting_ = false;
-  return pair;
+void TightPairs::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  apart_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
+  Cache::removeOverlappingPairsContainingProxy(proxy, dispatcher);
+}
+
+void TightPairs::cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  Cache::cleanProxyFromPairs(proxy, dispatcher);
+  if (!mayHaveSay(*proxy, *proxy)) return;
+  btBroadphasePairArray& pairs = getOverlappingPairArray();
+  for (int i = 0; i < pairs.size(); ++i) {
+    const bool is_of_proxy = pairs[i].m_pProxy0 == proxy || pairs[i].m_pProxy1 == proxy;
+    if (!is_of_proxy || !mayHaveSay(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1)) continue;
+    pairs[i].m_internalTmpValue = 1;
+    any_asked_ = true;
+  }
 }
 
 }  // namespace octoblisk::detail

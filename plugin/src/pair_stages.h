@@ -1,4 +1,4 @@
-// The two pair caches of ClusteredOctreeBroadphase: pairs of boxes, and of these the ones that Bullet sees.
+// The pairs of ClusteredOctreeBroadphase: those that Bullet sees, and those that clusters keep from it.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
@@ -8,53 +8,54 @@
 
 namespace octoblisk::detail {
 
-class TightPairs;
-
-/// The pairs whose boxes overlap, as the inner broadphase keeps them. A pair is tight, and in the other cache
-/// too, at once where clusters have no say (near_bodies.h), else once refine says so; what is removed here is
-/// removed there first.
-class CoarsePairs final : public btHashedOverlappingPairCache {
+/// Pairs that have passed the user's filter.
+class ApartPairs final : public btHashedOverlappingPairCache {
  public:
-  explicit CoarsePairs(TightPairs& tight);
-
-  /// Makes each pair tight, or no longer, by the clusters of the given depth at the present transforms. A
-  /// pair of which both sleep stays what it is while the dispatcher leaves it alone: until one wakes.
-  void refine(int depth, btDispatcher* dispatcher);
-
-  /// The user's filter, asked once, on insertion.
-  bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
-  btBroadphasePair* addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) override;
-  void* removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b, btDispatcher* dispatcher) override;
-
- private:
-  friend class TightPairs;
-  btBroadphasePair* addTight(btBroadphaseProxy* a, btBroadphaseProxy* b);
-
-  TightPairs& tight_;
-  ClusterHolders holders_;  // for the time of a refine
+  bool needsBroadphaseCollision(btBroadphaseProxy*, btBroadphaseProxy*) const override { return true; }
 };
 
-/// The pairs that Bullet dispatches and the user sees, with the user's callbacks. Always some of the coarse
-/// ones: what a user adds or removes here is added or removed there.
+/// The pairs whose boxes overlap, without those that clusters keep apart: the cache of the inner broadphase,
+/// of Bullet and of the user. A pair is in one cache only. So a pair in which clusters have no say
+/// (near_bodies.h) costs what it costs in Bullet, and pairs have Bullet's order until one is kept apart.
 class TightPairs final : public btHashedOverlappingPairCache {
  public:
+  /// `depth` of the clusters.
+  explicit TightPairs(int depth) : depth_(depth) {}
+
+  /// How many pairs clusters keep apart.
+  int apart() const { return apart_.getNumOverlappingPairs(); }
+
+  /// Asks the clusters at the present transforms. A pair with a contact that holds need not be asked. A pair
+  /// of which both sleep stays where it is while the dispatcher leaves it alone: until one wakes.
+  void refine(btDispatcher* dispatcher);
+
   bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
+  /// A new pair that clusters keep apart is not in the array, but is returned.
   btBroadphasePair* addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) override;
   void* removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b, btDispatcher* dispatcher) override;
+  void removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
+  /// Users call it for a body that got another shape.
+  void cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
 
  private:
-  friend class CoarsePairs;
-  btBroadphasePair* promote(btBroadphaseProxy* a, btBroadphaseProxy* b);
+  btBroadphasePair* addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool asked);
+  void promote(btDispatcher* dispatcher);
+  void demote(btDispatcher* dispatcher);
 
-  CoarsePairs* coarse_ = nullptr;
-  bool promoting_ = false;
+  const int depth_;
+  bool any_asked_ = false;    // some pair of the array is
+  bool is_filtered_ = false;  // the pair that is added
+  ApartPairs apart_;
+  ClusterHolders holders_;     // since the last refine began
+  btManifoldArray manifolds_;  // room for those of a pair
 };
 
 /// From overlapping boxes to the pairs that Bullet sees.
 struct PairStages {
+  explicit PairStages(int depth) : tight(depth) {}
+
   TightPairs tight;
-  CoarsePairs coarse{tight};
-  btDbvtBroadphase boxes{&coarse};
+  btDbvtBroadphase boxes{&tight};
 };
 
 }  // namespace octoblisk::detail

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <sstream>
 
 #include "near_bodies.h"
@@ -30,11 +29,16 @@ struct TouchPoint {
   auto operator<=>(const TouchPoint&) const = default;
 };
 
+/// Without those of sleepers that were put where their boxes do not meet: these stay for as long as their
+/// pair.
 template <typename World>
 std::vector<TouchPoint> touchPoints(World& world) {
   std::vector<TouchPoint> found;
   for (int m = 0; m < world.dispatcher.getNumManifolds(); ++m) {
     const btPersistentManifold& manifold = *world.dispatcher.getManifoldByIndexInternal(m);
+    if (!testing::boxesOverlap(manifold.getBody0()->getBroadphaseHandle(),
+                               manifold.getBody1()->getBroadphaseHandle()))
+      continue;
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       const btManifoldPoint& point = manifold.getContactPoint(p);
       const Vec3 a = fromBullet(point.m_positionWorldOnA), b = fromBullet(point.m_positionWorldOnB),
@@ -49,10 +53,14 @@ std::vector<TouchPoint> touchPoints(World& world) {
   return found;
 }
 
+/// Of the objects in a ghost, without those whose boxes have parted.
 std::vector<int> numbersIn(const btGhostObject& ghost) {
   std::vector<int> numbers;
-  for (int i = 0; i < ghost.getNumOverlappingObjects(); ++i)
-    numbers.push_back(ghost.getOverlappingObject(i)->getUserIndex());
+  for (int i = 0; i < ghost.getNumOverlappingObjects(); ++i) {
+    const btCollisionObject& object = *ghost.getOverlappingObject(i);
+    if (testing::boxesOverlap(ghost.getBroadphaseHandle(), object.getBroadphaseHandle()))
+      numbers.push_back(object.getUserIndex());
+  }
   std::ranges::sort(numbers);
   return numbers;
 }
@@ -253,14 +261,8 @@ TEST_P(BroadphaseContacts, areAllThere) {
     twins.step();
     const std::vector<TouchPoint> expected = touchPoints(stock), found = touchPoints(tight);
     ASSERT_TRUE(found == expected) << "step " << step << ": " << firstDifference(found, expected);
-    ASSERT_EQ(tight.broadphase.coarsePairs(), stock.pairs()) << "step " << step;
+    ASSERT_NO_FATAL_FAILURE(testing::expectPairsOf(stock, tight)) << "step " << step;
     ASSERT_TRUE(twins.ghostsAgree(ghost_overlaps)) << "step " << step;
-    if (step % 50 == 0) {  // no pair but those of stock, and none twice
-      const auto there = stock.pairsByNumber(), here = tight.pairsByNumber();
-      const std::set<std::pair<int, int>> all(there.begin(), there.end()), kept(here.begin(), here.end());
-      ASSERT_TRUE(std::ranges::includes(all, kept)) << "step " << step;
-      ASSERT_EQ(kept.size(), here.size()) << "step " << step;
-    }
     bodies += std::size_t(stock.world.getNumCollisionObjects());
     points += expected.size();
     stock_pairs += pairsOfClusters(stock);

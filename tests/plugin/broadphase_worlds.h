@@ -4,6 +4,9 @@
 #include <LinearMath/btPoolAllocator.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "plugin/bullet_world.h"
@@ -14,6 +17,12 @@ namespace octoblisk::testing {
 inline std::unique_ptr<ClusteredOctreeShape> shapeOf(const SharedMesh& mesh) {
   return std::make_unique<ClusteredOctreeShape>(
       std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+}
+
+/// As btDbvtBroadphase has them. It finds only some steps later that boxes have parted.
+inline bool boxesOverlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
+  return Intersect(static_cast<const btDbvtProxy*>(a)->leaf->volume,
+                   static_cast<const btDbvtProxy*>(b)->leaf->volume);
 }
 
 /// Expects at its end that no pair, manifold or algorithm is left once all objects are out.
@@ -54,13 +63,21 @@ struct BroadphaseWorld {
   }
   /// All pairs by the numbers of their objects, in the cache's order.
   std::vector<std::pair<int, int>> pairsByNumber() {
+    return pairsWhere([](const btBroadphasePair&) { return true; });
+  }
+  std::vector<std::pair<int, int>> overlappingPairs() {
+    return pairsWhere(
+        [](const btBroadphasePair& pair) { return boxesOverlap(pair.m_pProxy0, pair.m_pProxy1); });
+  }
+  template <typename Condition>
+  std::vector<std::pair<int, int>> pairsWhere(const Condition& condition) {
     const auto number = [](const btBroadphaseProxy* proxy) {
       return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex();
     };
     std::vector<std::pair<int, int>> found;
     btBroadphasePairArray& all = broadphase.getOverlappingPairCache()->getOverlappingPairArray();
     for (int i = 0; i < all.size(); ++i)
-      found.emplace_back(number(all[i].m_pProxy0), number(all[i].m_pProxy1));
+      if (condition(all[i])) found.emplace_back(number(all[i].m_pProxy0), number(all[i].m_pProxy1));
     return found;
   }
 
@@ -70,6 +87,18 @@ struct BroadphaseWorld {
   btCollisionWorld world{&dispatcher, &broadphase, &configuration};
   std::vector<std::unique_ptr<btCollisionObject>> objects;
 };
+
+/// Expects that the pairs of overlapping boxes are those of btDbvtBroadphase, and that Bullet is told of some
+/// of them, once each.
+template <typename Stock, typename Tight>
+void expectPairsOf(Stock& stock, Tight& tight) {
+  const auto there = stock.overlappingPairs(), here = tight.overlappingPairs();
+  const std::set<std::pair<int, int>> all(there.begin(), there.end()), kept(here.begin(), here.end());
+  ASSERT_EQ(kept.size(), here.size());
+  ASSERT_TRUE(std::ranges::includes(all, kept));
+  const std::size_t parted = tight.pairsByNumber().size() - here.size();
+  ASSERT_EQ(std::size_t(tight.broadphase.coarsePairs()) - parted, all.size());
+}
 
 using TightWorld = BroadphaseWorld<ClusteredOctreeBroadphase>;
 using StockWorld = BroadphaseWorld<btDbvtBroadphase>;

@@ -13,7 +13,7 @@ struct PairStages;
 
 /// What a ClusteredOctreeBroadphase holds. Volumes are in world units cubed.
 struct BroadphaseStatistics {
-  int coarse_pairs = 0;  ///< pairs of overlapping boxes, as btDbvtBroadphase would report them
+  int coarse_pairs = 0;  ///< pairs of overlapping boxes, and some whose boxes have parted in the last steps
   int tight_pairs = 0;   ///< of these those that Bullet is told of
   /// Of the boxes, as Bullet has them, of all bodies with our shape, or with a compound that holds it.
   double box_volume = 0.0;
@@ -25,15 +25,21 @@ struct BroadphaseStatistics {
 /// Reports a pair with a ClusteredOctreeShape only where one of its clusters, or of a compound's child that
 /// is ours, meets the other's box or clusters, grown so that no contact is lost: a body in the middle of a
 /// ring, or between two blades, makes no pair, no algorithm and no island with it. All other pairs are
-/// those of btDbvtBroadphase, in worlds without our shape in the same order; ghosts and soft bodies meet our
-/// shape by their boxes, as ever.
+/// those of btDbvtBroadphase, at the same cost; ghosts and soft bodies meet our shape by their boxes, as
+/// ever.
 ///
-/// Pairs with our shape are found anew, at the transforms that the bodies have, in each
-/// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs; before, a new pair is not
-/// there yet. A pair of two bodies that sleep, and that the dispatcher leaves alone (needsCollision), stays
-/// as it is until one wakes, as all that Bullet knows of it. Built with assertions, the first step with our
-/// shape asserts that its algorithms are registered (register.h). Clients must be btCollisionObject, as in
-/// every world, or null.
+/// Pairs have the order of btDbvtBroadphase until clusters keep a pair apart. Bullet's solver depends on that
+/// order, so from then on bodies may move differently within its accuracy. Where
+/// btDispatcherInfo::m_deterministicOverlappingPairs is set and each pair has one manifold, they move bit for
+/// bit as with btDbvtBroadphase, for as long as the same bodies are awake.
+///
+/// Clusters are asked as a pair is added, and again, at the transforms that the bodies have then, in each
+/// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs. A pair of two bodies that
+/// sleep, and that the dispatcher leaves alone (needsCollision), stays as it is until one wakes, as all that
+/// Bullet knows of it. A body that gets another shape needs the cache's cleanProxyFromPairs, as in Bullet:
+/// without it, clusters have no say in pairs that it had with another kind of shape. Built with assertions,
+/// the first step with our shape asserts that its algorithms are registered (register.h). Clients must be
+/// btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// Some thousands of boxes at most, of which few are ever looked at.
