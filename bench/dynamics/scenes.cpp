@@ -1,0 +1,34 @@
+#include "dynamics/scenes.h"
+
+namespace octoblisk::bench {
+
+const std::vector<DynamicsEntry>& dynamicsEntries() {
+  using enum ShapeKind;
+  static const std::vector<DynamicsEntry> all = {
+      {"trefoil-pile", "100 trefoil knots in a pit", {octoblisk, gimpact}, 100, 900, 8, 60, makeTrefoilPile},
+      {"jack-pile", "100 jacks in a pit", {octoblisk, gimpact, hulls}, 100, 900, 8, 60, makeJackPile},
+      {"teddy-pile", "100 teddies in a pit", {octoblisk, gimpact}, 100, 900, 8, 60, makeTeddyPile},
+      {"mixed-pile",
+       "64 concave bodies on a concave floor",
+       {octoblisk, gimpact},
+       64,
+       900,
+       8,
+       60,
+       makeMixedPile},
+      {"tower", "ten cylinders on a flat floor", {octoblisk, bvh, plane}, 10, 1200, 3, 60, makeTower},
+      {"chain", "ten linked tori", {octoblisk, gimpact}, 10, 1200, 3, 60, makeChain},
+      {"channel", "60 bodies in a channel", {octoblisk, bvh, gimpact, hulls}, 60, 900, 8, 60, makeChannel},
+      {"hulls-on-blisk",
+       "1,000 hulls on the blisk",
+       {octoblisk, bvh, gimpact},
+       1000,
+       720,
+       40,
+       60,
+       makeHullsOnBlisk},
+  };
+  return all;
+}
+
+}  // namespace octoblisk::bench
