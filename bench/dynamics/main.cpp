@@ -48,12 +48,13 @@ Options optionsOf(int argc, char** argv) {
 void run(const Options& options) {
   for (const DynamicsEntry& entry : dynamicsEntries()) {
     if (!options.only.empty() && std::ranges::find(options.only, entry.name) == options.only.end()) continue;
+    const DynamicsSize size = options.quick ? entry.quick : entry.full;
     Rows rows;
     for (const ShapeKind kind : entry.kinds) {
-      const auto scene = entry.make(kind, options.quick ? entry.quick_bodies : entry.bodies);
+      const auto scene = entry.make(kind, size.bodies);
       Row row = {
           {"task", "dynamics"}, {"scene", entry.name}, {"contender", nameOf(kind)}, {"shows", entry.shows}};
-      row.update(measured(*scene, options.quick ? entry.quick_steps : entry.steps));
+      row.update(measured(*scene, size.steps));
       std::printf(
           "%-15s %-10s %8.2f ms a step, asleep after %s, late %.3g J, depth %.3g m, %d points in %d, lost %d "
           "%s\n",

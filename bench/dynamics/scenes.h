@@ -10,12 +10,15 @@
 
 namespace octoblisk::bench {
 
+struct DynamicsSize {
+  int bodies, steps;
+};
+
 struct DynamicsEntry {
   std::string name;
   std::string shows;  ///< a title
   std::vector<ShapeKind> kinds;
-  int bodies, steps;
-  int quick_bodies, quick_steps;  ///< that only show that it runs
+  DynamicsSize full, quick;  ///< the quick one only shows that it runs
   std::function<std::unique_ptr<DynamicsScene>(ShapeKind kind, int bodies)> make;
 };
 
