@@ -61,7 +61,8 @@ double DynamicsScene::depth() const {
   std::vector<Measured> all;
   for (const std::vector<Body>* bodies : {&moving_, &fixed_}) {
     for (const Body& body : *bodies) {
-      Measured& one = all.emplace_back(body.solid, body.pose(), Aabb{});
+      all.push_back({body.solid, body.pose(), {}});
+      Measured& one = all.back();
       for (const Vec3& vertex : body.solid->mesh->vertices()) one.bounds.extend(one.pose * vertex);
     }
   }
