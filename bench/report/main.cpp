@@ -59,6 +59,7 @@ int run(const fs::path& results, const char* readme) {
   const ResultsPage page = resultsPage(rows, machine);
   write(results / "README.md", page.text);
   for (const auto& [file, plot] : page.plots) draw(plot, results / file);
+  for (const auto& [file, plot] : page.time_plots) draw(plot, results / file);
   if (readme != nullptr) write(readme, spliced(textOf(readme), "benchmarks", summary(rows, "bench/results")));
   std::printf("%zu rows: %s\n", rows.size(), (results / "README.md").c_str());
   return 0;

@@ -1,5 +1,6 @@
 #include "report/plot.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -19,23 +20,40 @@ std::string inQuotes(const std::string& text) {
 
 bool hasLaw(const Curve& curve) { return curve.x.size() > 1 && curve.x.front() != curve.x.back(); }
 
+/// What all plots begin with.
+std::string head(const std::string& title, int height, const std::filesystem::path& file) {
+  return "set encoding utf8\nset terminal svg size 720," + std::to_string(height) +
+         " noenhanced font 'DejaVu Sans,14' background rgb 'white'\nset output " + inQuotes(file.string()) +
+         "\nset title " + inQuotes(title) +
+         "\nset key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\n";
+}
+
+/// Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
+std::string colorOf(std::size_t curve) {
+  const char* colors[] = {"#0072b3", "#d64000", "#009e73", "#e69e00", "#cc78a6", "#57b5e8"};
+  return std::string(" lc rgb '") + colors[curve % std::size(colors)] + "'";
+}
+
+void drawScript(const std::string& script, const std::filesystem::path& file) {
+  std::FILE* gnuplot = popen("gnuplot", "w");
+  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": gnuplot cannot be started");
+  const bool is_written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  if (pclose(gnuplot) != 0 || !is_written) {
+    throw std::runtime_error(file.string() + ": gnuplot could not draw it (Debian's gnuplot-nox)");
+  }
+}
+
 }  // namespace
 
 std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& file) {
   std::ostringstream script;
   script.precision(10);
-  script << "set encoding utf8\n"
-         << "set terminal svg size 720,480 noenhanced font 'DejaVu Sans,14' background rgb 'white'\n"
-         << "set output " << inQuotes(file.string()) << '\n'
-         << "set title " << inQuotes(plot.title) << "\nset xlabel " << inQuotes(plot.x_label)
-         << "\nset ylabel " << inQuotes(plot.y_label) << "\nset logscale xy\nset format x '%.0s%c'\n"
-         << "set key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\n";
-  // Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
-  const char* colors[] = {"#0072b3", "#d64000", "#009e73", "#e69e00", "#cc78a6", "#57b5e8"};
+  script << head(plot.title, 480, file) << "set xlabel " << inQuotes(plot.x_label) << "\nset ylabel "
+         << inQuotes(plot.y_label) << "\nset logscale xy\nset format x '%.0s%c'\n";
   std::string plots;
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const Curve& curve = plot.curves[c];
-    const std::string color = std::string(" lc rgb '") + colors[c % std::size(colors)] + "'";
+    const std::string color = colorOf(c);
     const std::string data = "$curve" + std::to_string(c);
     script << data << " << END_OF_CURVE\n";
     for (std::size_t k = 0; k < curve.x.size(); ++k) script << curve.x[k] << ' ' << curve.y[k] << '\n';
@@ -57,14 +75,38 @@ std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& f
   return script.str();
 }
 
-void draw(const LogLogPlot& plot, const std::filesystem::path& file) {
-  std::FILE* gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": gnuplot cannot be started");
-  const std::string script = gnuplotScript(plot, file);
-  const bool is_written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  if (pclose(gnuplot) != 0 || !is_written) {
-    throw std::runtime_error(file.string() + ": gnuplot could not draw it (Debian's gnuplot-nox)");
+std::string gnuplotScript(const TimePlot& plot, const std::filesystem::path& file) {
+  std::ostringstream script;
+  script.precision(10);
+  script << head(plot.title, 300 * static_cast<int>(plot.panels.size()), file)
+         << "set logscale y\nset format y '%.0e'\nset multiplot layout " << plot.panels.size() << ",1\n";
+  for (std::size_t p = 0; p < plot.panels.size(); ++p) {
+    const TimePanel& panel = plot.panels[p];
+    script << "set ylabel " << inQuotes(panel.y_label) << '\n';
+    if (p > 0) script << "unset title\n";
+    if (p + 1 == plot.panels.size()) script << "set xlabel 's'\n";
+    std::string plots;
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+      const Curve& curve = panel.curves[c];
+      const std::string data = "$panel" + std::to_string(p) + "curve" + std::to_string(c);
+      script << data << " << END_OF_CURVE\n";
+      for (std::size_t k = 0; k < curve.x.size(); ++k)
+        script << curve.x[k] << ' ' << std::max(curve.y[k], panel.least) << '\n';
+      script << "END_OF_CURVE\n";
+      plots += ", " + data + " using 1:2 with lines lw 2" + colorOf(c) + " title " + inQuotes(curve.name);
+    }
+    if (!plots.empty()) script << "plot" << plots.substr(1) << '\n';
   }
+  script << "unset multiplot\nset output\n";
+  return script.str();
+}
+
+void draw(const LogLogPlot& plot, const std::filesystem::path& file) {
+  drawScript(gnuplotScript(plot, file), file);
+}
+
+void draw(const TimePlot& plot, const std::filesystem::path& file) {
+  drawScript(gnuplotScript(plot, file), file);
 }
 
 }  // namespace octoblisk::bench

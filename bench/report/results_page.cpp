@@ -231,6 +231,38 @@ std::string paperTable(const Rows& all) {
   return table.text();
 }
 
+std::string dynamicsTable(const Rows& all) {
+  MarkdownTable table({"scene", "shape", "a step", "all asleep after, steps", "late kinetic energy, J",
+                       "depth, mm", "points", "manifolds", "lost", "beside"});
+  for (const Row& row : ofTask(all, "dynamics")) {
+    std::string beside;
+    const Row figures = row.value("figures", Row::object());  // items() refers to it
+    for (const auto& [name, value] : figures.items())
+      beside += (beside.empty() ? "" : ", ") + name + ' ' + significant(value.get<double>(), 3);
+    const double asleep_after = number(row, "asleep_after_steps");
+    const auto countText = [&](const char* key) { return std::to_string(std::llround(number(row, key))); };
+    table.add({row["scene"].get<std::string>(), row.value("contender", ""),
+               timeText(1e3 * number(row, "step_ms")),
+               asleep_after > 0.0 ? countText("asleep_after_steps")
+                                  : "never (" + partText(number(row, "asleep"), number(row, "bodies")) + ")",
+               significant(number(row, "late_energy_j")), significant(1e3 * number(row, "depth_m")),
+               countText("points"), countText("manifolds"), countText("lost"), beside});
+  }
+  return table.empty() ? "" : table.text();
+}
+
+TimePlot dynamicsPlot(const Rows& all, const std::string& scene) {
+  TimePlot plot{.title = scene, .panels = {{"kinetic energy, J", 1e-6}, {"greatest depth, m", 1e-5}}};
+  for (const Row& row : ofTask(all, "dynamics")) {
+    if (row["scene"] != scene) continue;
+    plot.title = row.value("shows", scene);
+    const std::string name = row.value("contender", "");
+    plot.panels[0].curves.push_back({name, row["time_s"], row["energy_j"]});
+    plot.panels[1].curves.push_back({name, row["time_s"], row["depth_over_time_m"]});
+  }
+  return plot;
+}
+
 ResultsPage resultsPage(const Rows& rows, const Row& context) {
   ResultsPage page;
   std::string& text = page.text;
@@ -258,6 +290,13 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
         std::string("![](") + file + ")\n\n" + growthTable(plot));
     page.plots.push_back({file, plot});
   }
+  std::string pictures;
+  for (const std::string& scene : valuesOf(ofTask(rows, "dynamics"), "scene")) {
+    const std::string file = "dynamics-" + scene + ".svg";
+    pictures += "\n![" + scene + "](" + file + ")\n";
+    page.time_plots.push_back({file, dynamicsPlot(rows, scene)});
+  }
+  if (!pictures.empty()) section("Dynamics (`dynamics`)", dynamicsTable(rows) + pictures);
   section("One thing changed: times as slow as the default (`ablation`)", ablationTable(rows));
   section("The limit (`limit`)", limitTable(rows));
   return page;

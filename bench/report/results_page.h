@@ -33,15 +33,26 @@ std::string limitTable(const Rows& rows);
 /// The detection of the paper: time, range, false alarms, missed.
 std::string paperTable(const Rows& rows);
 
+/// One scene and shape a line: cost, rest, energy, depth, contacts, losses.
+std::string dynamicsTable(const Rows& rows);
+
+/// Kinetic energy and depth over time, a curve a shape.
+TimePlot dynamicsPlot(const Rows& rows, const std::string& scene);
+
 /// All of it, with the machine and the versions that Google Benchmark's JSON tells in its context, and the
 /// plots by name.
 struct NamedPlot {
   std::string file;
   LogLogPlot plot;
 };
+struct NamedTimePlot {
+  std::string file;
+  TimePlot plot;
+};
 struct ResultsPage {
   std::string text;
   std::vector<NamedPlot> plots;
+  std::vector<NamedTimePlot> time_plots;
 };
 ResultsPage resultsPage(const Rows& rows, const Row& context);
 

@@ -19,7 +19,8 @@ SharedMesh torus(double major_radius, double minor_radius, int major_segments, i
 SharedMesh boxMesh(const Vec3& half_extents);
 
 /// What lies between two paths of as many points each, the outer one to the right of its direction, made as
-/// thick as twice the half height along z. The ends of open paths are closed.
+/// thick as twice the half height along z. The ends of open paths are closed. Vertices 4 i to 4 i + 7 are the
+/// corners of the i-th segment.
 SharedMesh extrudedBand(const std::vector<Eigen::Vector2d>& outer, const std::vector<Eigen::Vector2d>& inner,
                         bool is_ring, double half_height);
 
@@ -31,5 +32,23 @@ SharedMesh uProfile(double half_width, double half_depth, double wall, double ha
 
 /// Star-shaped about the origin: a sphere with random bumps of the given height.
 SharedMesh bumpySphere(std::mt19937_64& random, double radius, double bump, int segments);
+
+/// Its vertices are on the ellipsoid, which makes it convex.
+SharedMesh ellipsoid(const Vec3& radii, int segments);
+
+/// Star-shaped about the origin: a smooth body with a head, ears, a nose, arms and legs, about as high as the
+/// size.
+SharedMesh teddy(double size, int segments);
+
+/// A tube along (sin t + 2 sin 2t, cos t − 2 cos 2t, −sin 3t), scaled. The tube must be thinner than the
+/// scale, so that it does not meet itself.
+SharedMesh trefoilKnot(double scale, double tube_radius, int segments, int tube_segments);
+
+/// Three square bars, crossed in the origin, along the axes: 60 triangles. Vertices 8 k to 8 k + 7 from 8 on
+/// are the corners of the k-th bar.
+SharedMesh jack(double half_length, double half_width);
+
+/// A prism of so many sides round the z axis.
+SharedMesh cylinder(double radius, double half_height, int segments);
 
 }  // namespace octoblisk::shapes

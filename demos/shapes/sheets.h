@@ -12,4 +12,7 @@ SharedMesh waveSheet(double half_size, double height, int segments);
 double trayHeight(double x, double y);
 SharedMesh tray(double half_size, int segments);
 
+/// The solid between a sheet that faces up and the plane z = bottom below it.
+SharedMesh solidBelow(const TriangleMesh& sheet, double bottom);
+
 }  // namespace octoblisk::shapes

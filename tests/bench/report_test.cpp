@@ -103,6 +103,52 @@ TEST(ResultsPage, tellsHowFarOursIsFromTheBound) {
       << limitTable(rows);
 }
 
+TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
+  const Row ours = {{"task", "dynamics"},
+                    {"scene", "tower"},
+                    {"contender", "octoblisk"},
+                    {"shows", "five cylinders"},
+                    {"bodies", 5},
+                    {"asleep", 2},
+                    {"step_ms", 0.25},
+                    {"asleep_after_steps", nullptr},
+                    {"late_energy_j", 0.002},
+                    {"depth_m", 0.0015},
+                    {"points", 20},
+                    {"manifolds", 5},
+                    {"lost", 1},
+                    {"figures", {{"creep_mm", 12.34}, {"top_m", 2.5}}},
+                    {"time_s", {0.5, 1.0}},
+                    {"energy_j", {3.0, 0.0}},
+                    {"depth_over_time_m", {0.01, 0.0015}}};
+  Row plane = ours;
+  plane["contender"] = "plane";
+  plane["asleep_after_steps"] = 321;
+  const Rows rows = {ours, plane};
+  const std::string table = dynamicsTable(rows);
+  EXPECT_NE(table.find("| tower | octoblisk | 250 µs | never (2 of 5) | 0.0020 | 1.5 | 20 | 5 | 1 | "
+                       "creep_mm 12.3, top_m 2.50 |"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("| tower | plane | 250 µs | 321 |"), std::string::npos) << table;
+  EXPECT_EQ(dynamicsTable({}), "");
+
+  const ResultsPage page = resultsPage(rows, Row());
+  ASSERT_EQ(page.time_plots.size(), 1u);
+  EXPECT_TRUE(page.plots.empty());
+  EXPECT_EQ(page.time_plots[0].file, "dynamics-tower.svg");
+  EXPECT_NE(page.text.find("![tower](dynamics-tower.svg)"), std::string::npos);
+  const TimePlot& plot = page.time_plots[0].plot;
+  ASSERT_EQ(plot.panels.size(), 2u);
+  EXPECT_EQ(plot.panels[0].curves[0].y, std::vector<double>({3.0, 0.0}));
+  EXPECT_EQ(plot.panels[1].curves[1].name, "plane");
+  const fs::path file = fs::path(::testing::TempDir()) / "dynamics-tower.svg";
+  draw(plot, file);
+  const std::string svg = textOf(file);
+  for (const char* text : {"five cylinders", "kinetic energy, J", "greatest depth, m", "plane"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
 /// Every number of the README's table is that of a row that is kept.
 TEST(Results, readmeSaysWhatTheRowsSay) {
   const fs::path source = OCTOBLISK_SOURCE_DIR;

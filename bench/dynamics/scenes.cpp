@@ -1,0 +1,36 @@
+#include "dynamics/scenes.h"
+
+namespace octoblisk::bench {
+
+const std::vector<DynamicsEntry>& dynamicsEntries() {
+  using enum ShapeKind;
+  static const std::vector<DynamicsEntry> all = {
+      {"trefoil-pile",
+       "100 trefoil knots in a pit",
+       {octoblisk, gimpact},
+       {100, 900},
+       {8, 60},
+       makeTrefoilPile},
+      {"jack-pile", "100 jacks in a pit", {octoblisk, gimpact, hulls}, {100, 900}, {8, 60}, makeJackPile},
+      {"teddy-pile", "100 teddies in a pit", {octoblisk, gimpact}, {100, 900}, {8, 60}, makeTeddyPile},
+      {"mixed-pile", "64 bodies on a concave floor", {octoblisk, gimpact}, {64, 900}, {8, 60}, makeMixedPile},
+      // Bullet's cylinders, ten of them, do not stand for 20 s on its own plane or box either.
+      {"tower", "five cylinders on a floor", {octoblisk, bvh, plane}, {5, 1200}, {3, 60}, makeTower},
+      {"chain", "ten linked tori", {octoblisk, gimpact}, {10, 1200}, {3, 60}, makeChain},
+      {"channel",
+       "60 bodies in a channel",
+       {octoblisk, bvh, gimpact, hulls},
+       {60, 900},
+       {8, 60},
+       makeChannel},
+      {"blisk",
+       "1,000 hulls on the blisk",
+       {octoblisk, bvh, gimpact},
+       {1000, 720},
+       {40, 60},
+       makeHullsOnBlisk},
+  };
+  return all;
+}
+
+}  // namespace octoblisk::bench

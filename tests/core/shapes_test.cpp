@@ -1,0 +1,106 @@
+// The meshes of the gallery, tests and benchmarks: closed, facing outward, and of the size that they say.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "octoblisk/clustered_octree.h"
+#include "octoblisk/mass_properties.h"
+#include "octoblisk/surface.h"
+#include "shapes/bodies.h"
+#include "shapes/sheets.h"
+
+namespace octoblisk {
+namespace {
+
+using shapes::SharedMesh;
+
+/// massProperties turns what faces inward, so the sign is taken here.
+double signedVolume(const TriangleMesh& mesh) {
+  double six_times = 0.0;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle triangle = mesh.triangle(t);
+    six_times += triangle[0].dot(triangle[1].cross(triangle[2]));
+  }
+  return six_times / 6.0;
+}
+
+/// One closed surface of that Euler characteristic that faces outward; its volume.
+double volumeOfSolid(const SharedMesh& mesh, int euler_characteristic) {
+  const ClusteredOctree tree = ClusteredOctree::build(mesh);
+  const Surface surface(tree);
+  EXPECT_TRUE(surface.isClosed());
+  EXPECT_TRUE(surface.isOriented());
+  EXPECT_EQ(surface.partCount(), 1u);
+  const auto triangles = static_cast<int>(mesh->triangleCount());
+  EXPECT_EQ(static_cast<int>(surface.cornerCount()) - triangles / 2, euler_characteristic);
+  for (std::size_t t = 0; t < mesh->triangleCount(); ++t)
+    EXPECT_GT(scaledNormal(mesh->triangle(t)).norm(), 0.0) << t;
+  return signedVolume(*mesh);
+}
+
+TEST(Shapes, trefoilKnot) {
+  const SharedMesh knot = shapes::trefoilKnot(0.15, 0.065, 75, 10);
+  EXPECT_EQ(knot->triangleCount(), 1500u);
+  // Pappus: the section times the length of the curve, 2 pi times the mean of |c'|.
+  double length = 0.0;
+  const SharedMesh curve = shapes::trefoilKnot(0.15, 0.0, 2000, 3);
+  const std::vector<Vec3>& vertices = curve->vertices();
+  for (std::size_t i = 0; i < 2000; ++i) length += (vertices[3 * i] - vertices[3 * ((i + 1) % 2000)]).norm();
+  const double section = 5.0 * std::sin(0.2 * std::numbers::pi) * 0.065 * 0.065;  // of a decagon
+  EXPECT_NEAR(volumeOfSolid(knot, 0) / (length * section), 1.0, 0.01);
+  // No point of the tube is nearer to another part of the curve than to its own.
+  for (std::size_t v = 0; v < knot->vertices().size(); ++v) {
+    for (std::size_t i = 0; i < 2000; ++i)
+      ASSERT_GT((knot->vertices()[v] - vertices[3 * i]).norm(), 0.064) << v;
+  }
+}
+
+TEST(Shapes, jack) {
+  const SharedMesh jack = shapes::jack(0.5, 0.1);
+  EXPECT_EQ(jack->triangleCount(), 60u);
+  EXPECT_NEAR(volumeOfSolid(jack, 2), 3 * 0.04 * 1.0 - 2 * 0.008, 1e-12);
+  for (std::size_t bar = 0; bar < 3; ++bar) {
+    const Aabb box = boundsOf(std::span(jack->vertices()).subspan(8 + 8 * bar, 8));
+    Vec3 half = Vec3::Constant(0.1);
+    half[static_cast<Eigen::Index>(bar)] = 0.5;
+    EXPECT_EQ(box.halfExtents(), half);
+  }
+}
+
+TEST(Shapes, teddy) {
+  const SharedMesh teddy = shapes::teddy(1.0, 56);
+  EXPECT_EQ(teddy->triangleCount(), 3024u);
+  EXPECT_GT(volumeOfSolid(teddy, 2), 4.0 / 3.0 * std::numbers::pi * 0.3 * 0.3 * 0.3);
+  EXPECT_NEAR(2.0 * teddy->bounds().halfExtents().z(), 1.0, 0.15);
+}
+
+TEST(Shapes, ellipsoidIsConvex) {
+  const SharedMesh stone = shapes::ellipsoid({0.2, 0.3, 0.4}, 8);
+  EXPECT_GT(volumeOfSolid(stone, 2), 0.7 * 4.0 / 3.0 * std::numbers::pi * 0.2 * 0.3 * 0.4);
+  for (std::size_t t = 0; t < stone->triangleCount(); ++t) {
+    const Triangle triangle = stone->triangle(t);
+    for (const Vec3& vertex : stone->vertices())
+      EXPECT_LT(scaledNormal(triangle).normalized().dot(vertex - triangle[0]), 1e-12);
+  }
+}
+
+TEST(Shapes, cylinder) {
+  EXPECT_NEAR(volumeOfSolid(shapes::cylinder(0.5, 0.25, 6), 2), 6 * 0.125 * std::sqrt(0.75) * 0.5, 1e-12);
+}
+
+TEST(Shapes, whatIsBelowASheet) {
+  EXPECT_NEAR(volumeOfSolid(shapes::solidBelow(*shapes::waveSheet(2.0, 0.0, 6), -0.5), 2), 8.0, 1e-12);
+  EXPECT_GT(volumeOfSolid(shapes::solidBelow(*shapes::tray(5.0, 20), -1.0), 2), 100.0);
+}
+
+TEST(Shapes, bandsTorusAndBumpySphere) {
+  std::mt19937_64 random(1);
+  EXPECT_NEAR(volumeOfSolid(shapes::uProfile(0.35, 0.3, 0.12, 0.4), 2), 0.8 * (0.7 * 0.6 - 0.46 * 0.48),
+              1e-12);
+  EXPECT_GT(volumeOfSolid(shapes::gear(8, 0.4, 0.5, 0.2, 0.12), 0), 0.0);
+  EXPECT_GT(volumeOfSolid(shapes::torus(0.4, 0.15, 20, 10), 0), 0.0);
+  EXPECT_GT(volumeOfSolid(shapes::bumpySphere(random, 0.4, 0.15, 16), 2), 0.0);
+}
+
+}  // namespace
+}  // namespace octoblisk
