@@ -3,13 +3,13 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
-#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
 
+#include "bounce.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -115,30 +115,6 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b) {
   return contact;
 }
 
-/// How fast two rigid bodies come together at a contact.
-btScalar approachSpeed(const btPersistentManifold& manifold, const btManifoldPoint& point) {
-  const auto velocity = [](const btCollisionObject* object, const btVector3& place) {
-    const btRigidBody* const body = btRigidBody::upcast(object);
-    return body ? body->getVelocityInLocalPoint(place - body->getCenterOfMassPosition()) : btVector3(0, 0, 0);
-  };
-  return point.m_normalWorldOnB.dot(velocity(manifold.getBody1(), point.getPositionWorldOnB()) -
-                                    velocity(manifold.getBody0(), point.getPositionWorldOnA()));
-}
-
-/// Bullet's solver lets bodies touch and bounce within one step, and then takes the way to touch off the
-/// velocity after the bounce. Here bodies bounce at full speed in the step in which they touch.
-void bounceAtTouch(btPersistentManifold& manifold, btScalar time_step) {
-  for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    btManifoldPoint& point = manifold.getContactPoint(i);
-    if (!(point.m_combinedRestitution > 0) || !(point.getDistance() > 0)) continue;
-    if (point.getDistance() < approachSpeed(manifold, point) * time_step) {
-      point.setDistance(0);
-    } else {
-      point.m_combinedRestitution = 0;
-    }
-  }
-}
-
 /// Keeps the tree of a body's shape, or none; returns whether it was another. A tree that is kept cannot be
 /// taken for a new one at its address.
 bool keepTree(const btCollisionObjectWrapper& body, std::shared_ptr<const ClusteredOctree>& kept) {
@@ -205,8 +181,8 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_.reset();
   }
   const bool is_unchanged = readOther(other);
-  const bool is_step =
-      typeid(*result) == typeid(btManifoldResult);  // contactTest and others derive their own
+  // contactTest and others derive results of their own.
+  const bool is_step = typeid(*result) == typeid(btManifoldResult);
   const double near = mesh_margin + other_margin + double(result->m_closestPointDistanceThreshold);
   if (auto* const all = dynamic_cast<AllContacts*>(result)) {
     findContacts(mesh, other, breaking + near, contacts_);
