@@ -28,10 +28,10 @@ struct BroadphaseStatistics {
 /// those of btDbvtBroadphase, at the same cost; ghosts and soft bodies meet our shape by their boxes, as
 /// ever.
 ///
-/// Pairs have the order of btDbvtBroadphase until clusters keep a pair apart. Bullet's solver depends on that
-/// order, so from then on bodies may move differently within its accuracy. Where
-/// btDispatcherInfo::m_deterministicOverlappingPairs is set and each pair has one manifold, they move bit for
-/// bit as with btDbvtBroadphase, for as long as the same bodies are awake.
+/// Bodies move to the last bit as with btDbvtBroadphase until clusters keep a pair apart: pairs have its
+/// order. Then the order differs, and smaller islands sleep sooner. Bullet's solver depends on the order of
+/// contacts, so bodies come to rest at places that differ a little, and piles that tumble part as they do by
+/// rounding.
 ///
 /// Clusters are asked as a pair is added, and again, at the transforms that the bodies have then, in each
 /// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs. A pair of two bodies that
