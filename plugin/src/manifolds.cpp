@@ -29,7 +29,7 @@ double squaredDistance(const ContactPatch& patch, const btPersistentManifold& ma
   return least;
 }
 
-/// Removes the points that are farther than `distance` from all of a patch's.
+/// Removes the points that are farther than `distance` from all contacts of a patch.
 void keepNear(const ContactPatch& patch, btPersistentManifold& manifold, const PatchesMesh& mesh,
               double distance) {
   for (int i = manifold.getNumContacts() - 1; i >= 0; --i) {

@@ -28,9 +28,9 @@ class Manifolds {
   Manifolds(const Manifolds&) = delete;
   Manifolds& operator=(const Manifolds&) = delete;
 
-  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points. A
-  /// manifold keeps the points within the breaking threshold of its patch's; the others would take the place
-  /// of new ones. The manifolds that no patch claims are emptied; all get the breaking threshold.
+  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points.
+  /// Points that would keep a contact of the patch out are removed. The manifolds that no patch claims are
+  /// emptied; all get the breaking threshold.
   void match(std::span<const ContactPatch> patches, const PatchesMesh& mesh, btScalar breaking_threshold);
 
   /// The manifold of a patch that was matched last; null if the dispatcher's pool has none left.

@@ -3,12 +3,17 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "contact/corner_contacts.h"
+#include "contact/flat_contacts.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -51,6 +56,31 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
   }
 }
 
+/// Points on the rims of a shape's core, if it is a cylinder or a cone.
+void readRims(const btConvexShape& shape, std::vector<Vec3>& rims) {
+  rims.clear();
+  const auto addRim = [&](int axis, double height, double radius) {
+    constexpr int kPoints = 8;
+    for (int i = 0; i < kPoints; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kPoints;
+      Vec3 point = height * Vec3::Unit(axis);
+      point[(axis + 1) % 3] = radius * std::cos(angle);
+      point[(axis + 2) % 3] = radius * std::sin(angle);
+      rims.push_back(point);
+    }
+  };
+  if (shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE) {
+    const auto& cylinder = static_cast<const btCylinderShape&>(shape);
+    const int axis = cylinder.getUpAxis();
+    const Vec3 half = fromBullet(cylinder.getHalfExtentsWithoutMargin());
+    const double radius = half[axis == 0 ? 1 : 0];  // the one that Bullet takes
+    for (const double side : {-1.0, 1.0}) addRim(axis, side * half[axis], radius);
+  } else if (shape.getShapeType() == CONE_SHAPE_PROXYTYPE) {
+    const auto& cone = static_cast<const btConeShape&>(shape);
+    addRim(cone.getConeUpIndex(), -0.5 * double(cone.getHeight()), double(cone.getRadius()));
+  }
+}
+
 /// Bullet's convex shapes are a core and a margin round it, as ours are.
 class BulletConvex final : public Convex {
  public:
@@ -79,8 +109,14 @@ class BulletConvex final : public Convex {
 
 bool CoreCorners::update(const btConvexShape& shape) {
   readCorners(shape, read_);
-  if (read_ == points_) return false;
+  const bool is_same = read_ == points_;
   std::swap(read_, points_);
+  if (points_.empty()) {
+    readRims(shape, feet_);
+  } else if (!is_same) {
+    feet_ = points_;
+  }
+  if (is_same) return false;
   middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) /
             double(std::max(points_.size(), std::size_t{1}));
   faces_.find(points_);
@@ -116,8 +152,9 @@ void MeshConvexAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), core_);
   if (shape.isSolid()) toSolidContacts(shape.tree(), convex, convex_in_mesh_, middle_, found);
+  addFlatContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, found);
+  addCornerContacts(shape.tree().mesh(), core_.feet(), convex.radius(), convex_in_mesh_, reach, found);
   internal_edges_.removeFrom(found, shape.tree().mesh());
-  addCornerContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, found);
 }
 
 }  // namespace octoblisk::detail

@@ -11,7 +11,8 @@
 
 namespace octoblisk::detail {
 
-/// The core of a convex shape where it is the hull of a few points; none of another.
+/// The core of a convex shape: its corners where it is the hull of a few points; the feet on which it may
+/// stand.
 class CoreCorners {
  public:
   /// As the shape is now; returns whether it has been scaled, or given points, since the last time. Allocates
@@ -22,9 +23,11 @@ class CoreCorners {
   /// The mean of the points; without any, the shape's origin.
   const Vec3& middle() const { return middle_; }
   HullFaces faces() const { return faces_.view(); }
+  /// The corners; points on the rims of cylinders and cones; none of other shapes.
+  std::span<const Vec3> feet() const { return feet_; }
 
  private:
-  std::vector<Vec3> points_, read_;
+  std::vector<Vec3> points_, feet_, read_;
   Vec3 middle_ = Vec3::Zero();
   HullFaceList faces_;
 };

@@ -1,6 +1,7 @@
 #include "contact/corner_contacts.h"
 
-#include "geometry/triangle_feature.h"
+#include <algorithm>
+#include <cmath>
 
 namespace octoblisk::detail {
 namespace {
@@ -14,24 +15,29 @@ bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
 
 }  // namespace
 
-void addCornerContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
-                       double threshold, std::vector<Contact>& contacts) {
-  if (convex.points().size() < 2) return;
+void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, double radius,
+                       const Pose& convex_in_mesh, double threshold, std::vector<Contact>& contacts) {
+  if (feet.size() < 2 || contacts.empty()) return;
+  constexpr double kGrazing = 0.1;
+  const double deepest = std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
   const std::size_t count = contacts.size();
   for (std::size_t c = 0; c < count; ++c) {
-    const Contact deepest = contacts[c];
-    const Triangle triangle = mesh.triangle(deepest.triangle_a);
+    const Contact of_triangle = contacts[c];
+    const Triangle triangle = mesh.triangle(of_triangle.triangle_a);
     const Vec3 facing = scaledNormal(triangle);
-    if (!isSquare(triangle, deepest.normal)) continue;
-    for (const Vec3& point : convex.points()) {
-      const Vec3 corner = convex_in_mesh * point;
-      const double height = (triangle[0] - corner).dot(deepest.normal), distance = height - convex.radius();
-      if (distance > threshold || !isOver(triangle, facing, corner)) continue;
-      const Vec3 on_convex = corner + convex.radius() * deepest.normal;
-      if ((on_convex - deepest.point_on_b).squaredNorm() < 1e-12 * facing.norm())
-        continue;  // the deepest itself
-      contacts.push_back({corner + height * deepest.normal, on_convex, deepest.normal, distance,
-                          deepest.triangle_a, kNoTriangle});
+    // Towards the side of the triangle that the body pushes.
+    Vec3 normal = facing.normalized();
+    const double along = normal.dot(of_triangle.normal);
+    if (!(std::abs(along) > kGrazing)) continue;
+    if (along < 0.0) normal = -normal;
+    for (const Vec3& point : feet) {
+      const Vec3 foot = convex_in_mesh * point;
+      const double height = (triangle[0] - foot).dot(normal), distance = height - radius;
+      if (distance > threshold || distance < deepest || !isOver(triangle, facing, foot)) continue;
+      const Vec3 on_convex = foot + radius * normal;
+      if ((on_convex - of_triangle.point_on_b).squaredNorm() < 1e-12 * facing.norm()) continue;  // itself
+      contacts.push_back(
+          {foot + height * normal, on_convex, normal, distance, of_triangle.triangle_a, kNoTriangle});
     }
   }
 }

@@ -69,6 +69,7 @@ ArmMultiBody::ArmMultiBody(const RobotCellSetup& setup, btMultiBodyDynamicsWorld
                      toBullet(Vec3(setup.tool_in_flange.translation - parent_center)), btVector3(0, 0, 0));
     part_shapes_.push_back(std::make_unique<ClusteredOctreeShape>(setup.tool[part].tree));
     part_shapes_.back()->setMargin(0);
+    part_shapes_.back()->setSolid(false);
   }
   body_.finalizeMultiDof();
   body_.setBaseWorldTransform(btTransform::getIdentity());

@@ -66,6 +66,7 @@ class RobotCell::World {
         blisk_(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &blisk_shape_)),
         arm_(setup, world_) {
     blisk_shape_.setMargin(0);
+    blisk_shape_.setSolid(false);  // a tool wholly inside does not touch
     registerAlgorithm(&dispatcher_);
     world_.setGravity(btVector3(0, 0, btScalar(-kGravity)));
     world_.getSolverInfo().m_numIterations = kSolverIterations;

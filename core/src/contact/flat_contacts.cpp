@@ -1,0 +1,91 @@
+#include "contact/flat_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace octoblisk::detail {
+namespace {
+
+constexpr double kNearlyAlong = 0.98;  // the cosine of 11°
+
+/// What is left of a triangle that is cut by planes.
+class Polygon {
+ public:
+  explicit Polygon(const Triangle& triangle) : count_(3) { std::ranges::copy(triangle, corners_.begin()); }
+
+  /// Keeps the side where normal · x <= offset.
+  void cut(const Vec3& normal, double offset) {
+    std::array<Vec3, kMostCorners> kept;
+    std::size_t kept_count = 0;
+    for (std::size_t c = 0; c < count_; ++c) {
+      const Vec3 &from = corners_[c], &to = corners_[(c + 1) % count_];
+      const double beyond = normal.dot(from) - offset, next_beyond = normal.dot(to) - offset;
+      if (beyond <= 0.0 && kept_count < kMostCorners) kept[kept_count++] = from;
+      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMostCorners)
+        kept[kept_count++] = from + (to - from) * (beyond / (beyond - next_beyond));
+    }
+    corners_ = kept;
+    count_ = kept_count;
+  }
+
+  std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
+
+ private:
+  static constexpr std::size_t kMostCorners = 3 + HullFaceList::kMostPoints;
+  std::array<Vec3, kMostCorners> corners_;
+  std::size_t count_;
+};
+
+bool isOf(const HullEdge& edge, std::size_t face) { return edge.left == face || edge.right == face; }
+
+/// Cuts off what is not over, or under, a face of the hull.
+void cutToFace(Polygon& polygon, std::size_t face, const HullFaces& hull, std::span<const Vec3> points) {
+  Vec3 sum = Vec3::Zero();
+  double ends = 0.0;
+  for (const HullEdge& edge : hull.edges) {
+    if (!isOf(edge, face)) continue;
+    sum += points[edge.from] + points[edge.to];
+    ends += 2.0;
+  }
+  const Vec3 middle = sum / ends;
+  for (const HullEdge& edge : hull.edges) {
+    if (!isOf(edge, face)) continue;
+    Vec3 outward = (points[edge.to] - points[edge.from]).cross(hull.faces[face].normal);
+    if (outward.dot(middle - points[edge.from]) > 0.0) outward = -outward;
+    polygon.cut(outward, outward.dot(points[edge.from]));
+  }
+}
+
+}  // namespace
+
+void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
+                     double threshold, std::vector<Contact>& contacts) {
+  const HullFaces hull = convex.faces();
+  if (hull.empty()) return;
+  const Pose mesh_in_convex = convex_in_mesh.inverse();
+  const std::size_t count = contacts.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const Contact of_triangle = contacts[c];
+    const Triangle triangle = mesh_in_convex * mesh.triangle(of_triangle.triangle_a);
+    const Vec3 normal = mesh_in_convex.rotation * of_triangle.normal;
+    if (!(std::abs(scaledNormal(triangle).normalized().dot(normal)) > kNearlyAlong)) continue;
+    const auto face = std::ranges::max_element(
+        hull.faces, {}, [&](const HullFace& of_hull) { return of_hull.normal.dot(normal); });
+    const double along = face->normal.dot(normal);
+    if (!(along > kNearlyAlong)) continue;
+    Polygon shared(triangle);
+    cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
+    for (const Vec3& corner : shared.corners()) {
+      const double gap = (face->normal.dot(corner) - face->offset) / along;
+      // Where the two are a little askew, a corner may be farther in than the shortest way out.
+      const double distance = std::max(gap - convex.radius(), of_triangle.distance);
+      if (distance > threshold) continue;
+      const Vec3 on_triangle = convex_in_mesh * corner;
+      contacts.push_back({on_triangle, on_triangle - distance * of_triangle.normal, of_triangle.normal,
+                          distance, of_triangle.triangle_a, kNoTriangle});
+    }
+  }
+}
+
+}  // namespace octoblisk::detail
