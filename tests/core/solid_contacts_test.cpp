@@ -1,0 +1,85 @@
+// What closed meshes and flat faces add to the contacts of triangles.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/flat_contacts.h"
+#include "contact/solid.h"
+#include "contact/thickness.h"
+#include "octoblisk/contacts.h"
+#include "octoblisk/containment.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// A point that wanders through a torus, by steps of all lengths.
+TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));
+  const Surface surface(tree);
+  std::mt19937_64 random(81);
+  PointInSolid place;
+  Vec3 point = Vec3::Zero();
+  int inside = 0;
+  constexpr int kSteps = 5000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double length = std::pow(10.0, testing::uniform(random, -3, -0.5));
+    point += length * testing::randomRotation(random).col(0);
+    if (point.norm() > 1.6 || std::abs(point.z()) > 0.5) point = Vec3(1.0, 0.0, 0.0);
+    const bool is_inside = locate(surface, point) == PointLocation::inside;
+    ASSERT_EQ(place.contains(tree, point), is_inside) << i;
+    inside += is_inside;
+  }
+  EXPECT_GE(inside, kSteps * 3 / 10);
+  EXPECT_LE(inside, kSteps * 8 / 10);
+}
+
+TEST(ThinThickness, ofClosedForms) {
+  const auto thicknessOf = [](const testing::SharedMesh& mesh) {
+    return thinThickness(ClusteredOctree::build(mesh));
+  };
+  EXPECT_NEAR(thicknessOf(testing::boxMesh({3, 2, 0.01})), 0.02, 1e-6);
+  EXPECT_NEAR(thicknessOf(testing::boxMesh({1, 1, 1})), 2.0, 1e-5);
+  EXPECT_NEAR(thicknessOf(testing::torus(2, 0.3, 64, 32)), 0.6, 0.02);
+}
+
+/// A box on a square of two triangles, each wider than the other one way: they share a square, whose corners
+/// are none of either's.
+TEST(FlatContacts, ofABoxThatCrossesASquare) {
+  const auto square = std::make_shared<const TriangleMesh>(
+      std::vector<Vec3>{{-0.5, -0.4, 0}, {0.5, -0.4, 0}, {0.5, 0.4, 0}, {-0.5, 0.4, 0}},
+      std::vector<TriangleMesh::Indices>{{0, 1, 2}, {0, 2, 3}});
+  const ClusteredOctree tree = ClusteredOctree::build(square);
+  std::vector<Vec3> corners;
+  for (int c = 0; c < 8; ++c) {
+    corners.emplace_back(c & 1 ? 0.4 : -0.4, c & 2 ? 0.5 : -0.5, c & 4 ? 0.3 : -0.3);
+  }
+  const ConvexHull box(corners, 0.01);
+  for (const double tilt : {0.0, 0.02, -0.02}) {
+    const Pose box_in_square{Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix(), {0, 0, 0.3}};
+    std::vector<Contact> found;
+    contacts(tree, box, box_in_square, 0.05, found);
+    ASSERT_EQ(found.size(), 2u);
+    addFlatContacts(tree.mesh(), box, box_in_square, 0.05, found);
+    for (const double x : {-0.4, 0.4}) {
+      for (const double y : {-0.4, 0.4}) {
+        const Vec3 corner(x, y, 0);
+        const auto isThere = [&](const Contact& contact) {
+          return (contact.point_on_a - corner).norm() < 1e-3;
+        };
+        const auto contact = std::ranges::find_if(found, isThere);
+        ASSERT_NE(contact, found.end()) << x << ' ' << y;
+        const double deepest = std::ranges::min_element(found, {}, &Contact::distance)->distance;
+        EXPECT_NEAR(contact->distance, std::max(-0.01 + std::tan(tilt) * y, deepest), 1e-3);
+      }
+    }
+    EXPECT_LE(found.size(), 2u + 2u * 5u);
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
