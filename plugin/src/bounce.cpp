@@ -18,6 +18,10 @@ btScalar approachSpeed(const btPersistentManifold& manifold, const btManifoldPoi
 }  // namespace
 
 void bounceAtTouch(btPersistentManifold& manifold, btScalar time_step) {
+  const auto isLink = [](const btCollisionObject* object) {
+    return object->getInternalType() == btCollisionObject::CO_FEATHERSTONE_LINK;
+  };
+  if (isLink(manifold.getBody0()) || isLink(manifold.getBody1())) return;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
     if (!(point.m_combinedRestitution > 0)) continue;

@@ -14,8 +14,9 @@ Vec3 onMargin(const Contact& contact, const PatchesMesh& mesh) {
 }
 
 Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
-  return mesh.in_world.inverse() *
-         fromBullet(mesh.is_body1 ? point.m_positionWorldOnB : point.m_positionWorldOnA);
+  // The positions in the world are those of the last step.
+  const Vec3 on_body = fromBullet(mesh.is_body1 ? point.m_localPointB : point.m_localPointA);
+  return mesh.in_world.inverse() * (mesh.body_in_world * on_body);
 }
 
 /// From the patch's deepest point to the nearest of the manifold; infinite where the manifold is empty.

@@ -15,6 +15,7 @@ namespace octoblisk::detail {
 /// The mesh that is A of the patches.
 struct PatchesMesh {
   Pose in_world;
+  Pose body_in_world;  // of the whole body: the mesh may be a child of its shape
   double margin = 0.0;
   bool is_body1 = false;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "bounce.h"
 #include "octoblisk/clustered_octree.h"
@@ -175,6 +176,8 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
   const bool mesh_has_changed = keepTree(mesh, tree_), other_has_changed = keepTree(other, tree_of_other_);
+  const bool was_solid = std::exchange(is_solid_, shape.isSolid());
+  if (is_solid_ != was_solid) other_in_mesh_.reset();
   if (mesh_has_changed || other_has_changed) {
     manifolds_.clear();
     trianglesHaveMoved();
@@ -193,7 +196,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_unchanged || !is_step || !other_in_mesh_ || reach != reach_ ||
-      relativeDisplacement(mesh, other, *other_in_mesh_, other_in_mesh) > kStill * breaking) {
+      !(relativeDisplacement(mesh, other, *other_in_mesh_, other_in_mesh) <= kStill * breaking)) {
     other_in_mesh_ = other_in_mesh;
     reach_ = reach;
     makePatches(mesh, other, reach, breaking);
@@ -202,7 +205,10 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
 
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const std::span<const ContactPatch> patches = patches_.last();
-  manifolds_.match(patches, {mesh_in_world, mesh_margin, mesh_is_body1_}, btScalar(breaking));
+  manifolds_.match(patches,
+                   {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,
+                    mesh_is_body1_},
+                   btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: the contacts are dropped, as Bullet does

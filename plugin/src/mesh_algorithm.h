@@ -75,7 +75,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Nothing that is known of the shapes' triangles holds any more.
   virtual void trianglesHaveMoved() {}
 
-  /// Reads the other's shape; returns whether it is surely the same as at the last call. Called first.
+  /// Reads the other's shape; returns whether it is surely as it was at the last call, its tree apart. Called
+  /// first.
   virtual bool readOther(const btCollisionObjectWrapper& other) = 0;
 
   /// The thickness that the other body has beyond the surface of those contacts.
@@ -101,6 +102,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   ContactPatches patches_;
   std::optional<Pose> other_in_mesh_;  // when the patches were made
   double reach_ = 0.0;                 // likewise
+  bool is_solid_ = false;              // the mesh, likewise
 };
 
 }  // namespace octoblisk::detail

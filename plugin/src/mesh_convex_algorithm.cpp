@@ -8,7 +8,6 @@
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
@@ -60,12 +59,18 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
 void readRims(const btConvexShape& shape, std::vector<Vec3>& rims) {
   rims.clear();
   const auto addRim = [&](int axis, double height, double radius) {
-    constexpr int kPoints = 8;
-    for (int i = 0; i < kPoints; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+    for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{{1, 0},
+                                                                               {kDiagonal, kDiagonal},
+                                                                               {0, 1},
+                                                                               {-kDiagonal, kDiagonal},
+                                                                               {-1, 0},
+                                                                               {-kDiagonal, -kDiagonal},
+                                                                               {0, -1},
+                                                                               {kDiagonal, -kDiagonal}}) {
       Vec3 point = height * Vec3::Unit(axis);
-      point[(axis + 1) % 3] = radius * std::cos(angle);
-      point[(axis + 2) % 3] = radius * std::sin(angle);
+      point[(axis + 1) % 3] = radius * x;
+      point[(axis + 2) % 3] = radius * y;
       rims.push_back(point);
     }
   };
@@ -128,9 +133,11 @@ bool MeshConvexAlgorithm::readOther(const btCollisionObjectWrapper& other) {
   const bool has_other_corners = core_.update(shape);
   btVector3 min, max;
   shape.getAabb(btTransform::getIdentity(), min, max);
-  const bool has_other_bounds = min != min_ || max != max_;
+  const btScalar margin = shape.getMarginNonVirtual();
+  const bool has_other_bounds = min != min_ || max != max_ || margin != margin_;
   min_ = min;
   max_ = max;
+  margin_ = margin;
   const bool is_known = !core_.points().empty() || shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE ||
                         shape.getShapeType() == CONE_SHAPE_PROXYTYPE;
   return is_known && !has_other_corners && !has_other_bounds;
@@ -152,8 +159,10 @@ void MeshConvexAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
   const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), core_);
   if (shape.isSolid()) toSolidContacts(shape.tree(), convex, convex_in_mesh_, middle_, found);
-  addFlatContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, found);
-  addCornerContacts(shape.tree().mesh(), core_.feet(), convex.radius(), convex_in_mesh_, reach, found);
+  const std::size_t of_triangles = found.size();
+  addFlatContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, of_triangles, found);
+  addCornerContacts(shape.tree().mesh(), core_.feet(), convex.radius(), convex_in_mesh_, reach, of_triangles,
+                    found);
   internal_edges_.removeFrom(found, shape.tree().mesh());
 }
 

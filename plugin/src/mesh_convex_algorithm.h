@@ -51,6 +51,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
 
   CoreCorners core_;
   btVector3 min_ = btVector3(0, 0, 0), max_ = btVector3(0, 0, 0);  // of the convex shape's bounds
+  btScalar margin_ = 0;                                            // of the convex shape
   TriangleCache near_;
   Pose convex_in_mesh_;
   InternalEdges internal_edges_;

@@ -2,6 +2,8 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
+#include <algorithm>
+
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -42,14 +44,23 @@ void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const Cl
                                    double least_depth, std::vector<Contact>& found) {
   const ClusteredOctree &a = shape_a.tree(), &b = shape_b.tree();
   const bool is_b_smaller = b.mesh().bounds().halfExtents().norm() <= a.mesh().bounds().halfExtents().norm();
-  if (is_b_smaller && shape_a.isSolid()) {
-    corners_.addTo(found, a, b.mesh(), b_in_a_, least_depth);
-  } else if (!is_b_smaller && shape_b.isSolid()) {
-    const Pose a_in_b = b_in_a_.inverse();
-    for (Contact& contact : found) contact = turnedRound(contact, a_in_b);
-    corners_.addTo(found, b, a.mesh(), a_in_b, least_depth);
-    for (Contact& contact : found) contact = turnedRound(contact, b_in_a_);
+  if (!(is_b_smaller ? shape_a : shape_b).isSolid()) return;
+  const bool meet =
+      std::ranges::any_of(found, [](const Contact& contact) { return contact.distance <= 0.0; });
+  if (is_b_smaller) {
+    corners_.find(a, b.mesh(), b_in_a_, meet, least_depth, ways_out_);
+  } else {
+    corners_.find(b, a.mesh(), b_in_a_.inverse(), meet, least_depth, ways_out_);
+    for (Contact& contact : ways_out_) contact = turnedRound(contact, b_in_a_);
   }
+  if (!meet && !ways_out_.empty()) found.clear();
+  found.insert(found.end(), ways_out_.begin(), ways_out_.end());
+}
+
+bool MeshMeshAlgorithm::readOther(const btCollisionObjectWrapper& other) {
+  const bool was_solid = other_is_solid_;
+  other_is_solid_ = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape()).isSolid();
+  return other_is_solid_ == was_solid;
 }
 
 double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {

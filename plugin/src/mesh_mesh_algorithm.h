@@ -16,7 +16,7 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper&) override { return true; }  // but for its revision
+  bool readOther(const btCollisionObjectWrapper& other) override;
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
@@ -30,6 +30,8 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
 
   Pose b_in_a_;
   CornersInSolid corners_;  // of the smaller mesh in the other
+  std::vector<Contact> ways_out_;
+  bool other_is_solid_ = false;
   SurfaceContacts surface_contacts_;
 };
 

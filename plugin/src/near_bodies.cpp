@@ -11,6 +11,7 @@
 #include <typeinfo>
 
 #include "contact/clusters_near.h"
+#include "contact/solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 
@@ -126,16 +127,27 @@ bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
   return clustersNear(part.clusters->tree(), in_part, part.reach(), depth);
 }
 
+/// A body that is inside a solid may be far from its surface, and so from its clusters.
+bool isInside(const Vec3& point_in_world, const Part& part) {
+  return part.clusters->isSolid() &&
+         isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
+}
+
+Vec3 firstCorner(const Part& part) {
+  return fromBullet(part.in_world) * part.clusters->tree().mesh().triangle(0)[0];
+}
+
 bool meet(const Part& a, const Part& b, int depth) {
   // Some boxes are infinite, a plane's say; what they have in common is not.
   const Aabb common{a.box.min.cwiseMax(b.box.min), a.box.max.cwiseMin(b.box.max)};
   if (!(common.min.array() <= common.max.array()).all()) return false;
   if (a.clusters && b.clusters) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
-    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach(), depth);
+    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach(), depth) ||
+           isInside(firstCorner(a), b) || isInside(firstCorner(b), a);
   }
-  if (a.clusters) return clustersMeetBox(a, common, depth);
-  if (b.clusters) return clustersMeetBox(b, common, depth);
+  if (a.clusters) return clustersMeetBox(a, common, depth) || isInside(common.center(), a);
+  if (b.clusters) return clustersMeetBox(b, common, depth) || isInside(common.center(), b);
   return true;
 }
 

@@ -56,7 +56,8 @@ class MeshInParts {
   btTriangleIndexVertexArray interface_;
 };
 
-constexpr char kOurs[4] = {'O', 'c', 't', 'o'};  // not a mesh that someone else saved
+constexpr char kOurs[3] = {'O', 'c', 't'};                    // not a mesh that someone else saved
+constexpr int kIsSurface = 1, kHasOwnMargin = 2, kFlags = 3;  // in the byte after it
 
 }  // namespace
 
@@ -75,9 +76,11 @@ const char* ClusteredOctreeShape::serialize(void* buffer, btSerializer* serializ
   data->m_collisionMargin = float(getMargin());
   const float threshold = float(contact_breaking_threshold_);
   static_assert(sizeof threshold == sizeof data->m_pad3 &&
-                sizeof kOurs == sizeof data->m_collisionShapeData.m_padding);
+                sizeof kOurs + 1 == sizeof data->m_collisionShapeData.m_padding);
   std::memcpy(data->m_pad3, &threshold, sizeof threshold);
   std::memcpy(data->m_collisionShapeData.m_padding, kOurs, sizeof kOurs);
+  data->m_collisionShapeData.m_padding[kFlags] =
+      static_cast<char>((may_be_solid_ ? 0 : kIsSurface) | (has_default_margin_ ? 0 : kHasOwnMargin));
   return "btTriangleMeshShapeData";
 }
 
@@ -90,7 +93,8 @@ std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& 
   float threshold;
   std::memcpy(&threshold, data.m_pad3, sizeof threshold);
   shape->setContactBreakingThreshold(btScalar(threshold));
-  shape->setMargin(btScalar(data.m_collisionMargin));
+  if ((saved.m_padding[kFlags] & kHasOwnMargin) != 0) shape->setMargin(btScalar(data.m_collisionMargin));
+  shape->setSolid((saved.m_padding[kFlags] & kIsSurface) == 0);
   return shape;
 }
 

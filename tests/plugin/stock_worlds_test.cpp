@@ -51,7 +51,7 @@ void registerBoth(btCollisionDispatcher& dispatcher) {
 /// Ends at the height of the floor, within what margins make of it, or far below.
 void expectHeight(double found, double on_floor, bool is_held, const std::string& what) {
   if (is_held) {
-    EXPECT_NEAR(found, on_floor, 0.04) << what;
+    EXPECT_NEAR(found, on_floor, 0.05) << what;
   } else {
     EXPECT_LT(found, on_floor - 0.4) << what;
   }

@@ -86,6 +86,24 @@ const ClusteredOctreeShape* ours(const btCollisionShape* shape) {
   return dynamic_cast<const ClusteredOctreeShape*>(shape);
 }
 
+/// Both bodies come back with one compound.
+TEST(WorldImporter, aCompoundThatBodiesShare) {
+  ClusteredOctreeShape gear = shapeOver(testing::gear(8, 0.5, 0.7, 0.2, 0.25));
+  gear.setSolid(false);
+  btCompoundShape compound;
+  compound.addChildShape(at(0, 0, 0), &gear);
+  BulletWorld world;
+  for (const double x : {0.0, 3.0}) world.add(compound, 1, at(x, 0, 1));
+  Loaded<WorldImporter> loaded(saved(*world));
+  for (int i = 0; i < 2; ++i) {
+    const auto& read = dynamic_cast<const btCompoundShape&>(*loaded.body(i).getCollisionShape());
+    const auto* child = dynamic_cast<const ClusteredOctreeShape*>(read.getChildShape(0));
+    ASSERT_TRUE(child);
+    EXPECT_FALSE(child->isSolid());
+    EXPECT_EQ(child->getMargin(), 0);
+  }
+}
+
 TEST(WorldImporter, stockLosesMassesAndShapes) {
   Scene scene;
   Loaded<btBulletWorldImporter> stock(saved(*scene.world));

@@ -9,10 +9,13 @@ namespace {
 
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 
-auto byTriangles(const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; }
+auto byTriangles(const Contact& c) {
+  const Vec3& p = c.point_on_a;
+  return std::tuple(c.triangle_a, c.triangle_b, p.x(), p.y(), p.z());
+}
 
-/// Deepest first; contacts of equal depth by their triangles.
-auto byDepth(const Contact& c) { return std::tuple(c.distance, c.triangle_a, c.triangle_b); }
+/// Deepest first; contacts of equal depth by their triangles and places.
+auto byDepth(const Contact& c) { return std::tuple_cat(std::tuple(c.distance), byTriangles(c)); }
 
 constexpr double kPreference = 1.5;  // lengths and areas of contacts that were kept before count as much more
 constexpr double kHardlyDeeper = 0.1;  // of the spacing

@@ -10,7 +10,7 @@
 
 namespace octoblisk::detail {
 
-/// Up to four contacts of one region of touch: the deepest, and those that span the widest area with it.
+/// Up to four contacts that push alike: one of the deepest, and those that span the widest area with it.
 struct ContactPatch {
   std::array<Contact, 4> contacts;
   int count = 0;
@@ -25,9 +25,9 @@ class ContactPatches {
   static constexpr std::size_t kMaxPatches = 16;
 
   /// Returns the patches, at most kMaxPatches, the deepest ones, by ascending triangles. The contacts of a
-  /// patch are more than `spacing` apart on A and on B. Contacts near those that the last call returned are preferred to
-  /// others that are hardly deeper or wider apart, so that a resting body keeps its contacts. The order of
-  /// the contacts does not matter. Valid until the next call; once warm, allocates nothing.
+  /// patch are more than `spacing` apart on A and on B. Contacts near those that the last call returned are
+  /// preferred to others that are hardly deeper or wider apart, so that a resting body keeps its contacts.
+  /// The order of the contacts does not matter. Valid until the next call; once warm, allocates nothing.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 
   /// Returns the patches of the last call.

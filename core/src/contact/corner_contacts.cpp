@@ -16,12 +16,12 @@ bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
 }  // namespace
 
 void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, double radius,
-                       const Pose& convex_in_mesh, double threshold, std::vector<Contact>& contacts) {
+                       const Pose& convex_in_mesh, double threshold, std::size_t of_triangles,
+                       std::vector<Contact>& contacts) {
   if (feet.size() < 2 || contacts.empty()) return;
   constexpr double kGrazing = 0.1;
   const double deepest = std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
-  const std::size_t count = contacts.size();
-  for (std::size_t c = 0; c < count; ++c) {
+  for (std::size_t c = 0; c < of_triangles; ++c) {
     const Contact of_triangle = contacts[c];
     const Triangle triangle = mesh.triangle(of_triangle.triangle_a);
     const Vec3 facing = scaledNormal(triangle);

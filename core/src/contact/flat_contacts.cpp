@@ -60,12 +60,11 @@ void cutToFace(Polygon& polygon, std::size_t face, const HullFaces& hull, std::s
 }  // namespace
 
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
-                     double threshold, std::vector<Contact>& contacts) {
+                     double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
   const HullFaces hull = convex.faces();
   if (hull.empty()) return;
   const Pose mesh_in_convex = convex_in_mesh.inverse();
-  const std::size_t count = contacts.size();
-  for (std::size_t c = 0; c < count; ++c) {
+  for (std::size_t c = 0; c < of_triangles; ++c) {
     const Contact of_triangle = contacts[c];
     const Triangle triangle = mesh_in_convex * mesh.triangle(of_triangle.triangle_a);
     const Vec3 normal = mesh_in_convex.rotation * of_triangle.normal;

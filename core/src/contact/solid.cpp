@@ -12,13 +12,28 @@ bool isIn(const Aabb& box, const Vec3& point) {
   return (box.min.array() <= point.array()).all() && (point.array() <= box.max.array()).all();
 }
 
+/// The corner of a triangle that is farthest in a direction.
+Vec3 farthestCorner(const TriangleMesh& mesh, const Vec3& direction) {
+  Vec3 farthest = mesh.triangle(0)[0];
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    for (const Vec3& corner : mesh.triangle(t)) {
+      if (direction.dot(corner) > direction.dot(farthest)) farthest = corner;
+    }
+  }
+  return farthest;
+}
+
 /// Pushes B out of A, along the way from a point inside to the closest of the surface.
 /// `farthest_of_b(direction)` is the farthest point of B.
 template <typename Farthest>
 Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
   const ClosestPoint closest = *closestPoint(a, inside);
+  const double on_surface = 1e-9 * a.mesh().bounds().halfExtents().norm();
+  const Vec3 inward = closest.distance > on_surface
+                          ? Vec3(inside - closest.point)
+                          : Vec3(-scaledNormal(a.mesh().triangle(closest.triangle)));
   Contact contact;
-  contact.normal = (inside - closest.point).normalized();
+  contact.normal = inward.normalized();
   contact.point_on_a = closest.point;
   contact.point_on_b = farthest_of_b(contact.normal);
   contact.distance = (contact.point_on_a - contact.point_on_b).dot(contact.normal);
@@ -28,12 +43,16 @@ Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& fart
 
 }  // namespace
 
+bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
+  return isIn(tree.mesh().bounds(), point) && locateInClosed(tree, point) == PointLocation::inside;
+}
+
 bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
   if (!isIn(tree.mesh().bounds(), point)) return false;
   if ((point - point_).norm() < clearance_) return is_inside_;
   point_ = point;
   clearance_ = closestPoint(tree, point)->distance;
-  is_inside_ = clearance_ > 0.0 && locateInClosed(tree, point) == PointLocation::inside;
+  is_inside_ = isInSolid(tree, point);
   return is_inside_;
 }
 
@@ -61,34 +80,29 @@ void CornersInSolid::findCorners(const TriangleMesh& b) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
         const Vec3 direction(x, y, z);
-        if (const auto axes = direction.squaredNorm(); axes != 1.0 && axes != 3.0) continue;
-        corners_.push_back({farthest(b.vertices(), direction), {}});
+        if (const double axes = direction.squaredNorm(); axes != 1.0 && axes != 3.0) continue;
+        corners_.push_back({farthestCorner(b, direction), {}});
       }
     }
   }
 }
 
-void CornersInSolid::addTo(std::vector<Contact>& contacts, const ClusteredOctree& a, const TriangleMesh& b,
-                           const Pose& b_in_a, double least_depth) {
+void CornersInSolid::find(const ClusteredOctree& a, const TriangleMesh& b, const Pose& b_in_a, bool meet,
+                          double least_depth, std::vector<Contact>& ways_out) {
+  ways_out.clear();
   if (corners_.empty()) findCorners(b);
-  const bool meets =
-      std::ranges::any_of(contacts, [](const Contact& contact) { return contact.distance <= 0.0; });
   for (Corner& corner : corners_) {
     const Vec3 point = b_in_a * corner.position;
-    if (!corner.in_a.contains(a, point)) {
-      if (!meets) return;  // nor is any other
-      continue;
-    }
+    if (!corner.in_a.contains(a, point)) continue;
     Contact out = wayOutFrom(a, point, [&](const Vec3& direction) -> Vec3 {
-      if (meets) return point;
-      return b_in_a * farthest(b.vertices(), b_in_a.rotation.transpose() * direction);
+      return meet ? point : b_in_a * farthestCorner(b, b_in_a.rotation.transpose() * direction);
     });
-    out.triangle_b = 0;
-    if (!meets) {
-      contacts.assign(1, out);
+    out.triangle_b = 0;  // Bullet wants one
+    if (!meet) {
+      ways_out.assign(1, out);
       return;
     }
-    if (out.distance < -least_depth) contacts.push_back(out);
+    if (out.distance < -least_depth) ways_out.push_back(out);
   }
 }
 

@@ -9,6 +9,9 @@
 
 namespace octoblisk::detail {
 
+/// Whether a point is inside a closed mesh, exactly. Allocates nothing.
+bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
+
 /// Whether a point that moves is inside a closed mesh, exactly. Looks into the tree only when the point may
 /// have crossed the surface since the last look. Allocates nothing.
 class PointInSolid {
@@ -38,11 +41,11 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
 /// mesh (A). Triangles that meet tell nothing of what is deeper inside.
 class CornersInSolid {
  public:
-  /// If no contact meets, B may be inside A as a whole: then the contacts are replaced by one that pushes B
-  /// out by the point of A closest to a corner. Otherwise appends a contact for each corner that is deeper
-  /// inside A than `least_depth`.
-  void addTo(std::vector<Contact>& contacts, const ClusteredOctree& a, const TriangleMesh& b,
-             const Pose& b_in_a, double least_depth);
+  /// Replaces `ways_out` by contacts of A and B. If the surfaces `meet`, there is one for each of the corners
+  /// that is deeper inside A than `least_depth`, and it moves the corner out. Otherwise there is at most one,
+  /// for a B that is inside A, and it moves all of B out.
+  void find(const ClusteredOctree& a, const TriangleMesh& b, const Pose& b_in_a, bool meet,
+            double least_depth, std::vector<Contact>& ways_out);
 
   /// One of the meshes has changed.
   void forget() { corners_.clear(); }

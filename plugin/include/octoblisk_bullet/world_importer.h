@@ -7,6 +7,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <unordered_map>
+#include <unordered_set>
 
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/restore.h"
@@ -27,6 +28,7 @@ class WorldImporter : public btBulletWorldImporter {
     const bool is_read = btBulletWorldImporter::convertAllObjects(file);
     file_ = nullptr;
     made_.clear();
+    compounds_.clear();
     return is_read;
   }
 
@@ -98,7 +100,8 @@ class WorldImporter : public btBulletWorldImporter {
   }
 
   btCollisionShape* restored(const btCollisionShapeData& saved, btCollisionShape* read) {
-    if (auto* compound = dynamic_cast<btCompoundShape*>(read)) {
+    if (auto* compound = dynamic_cast<btCompoundShape*>(read);
+        compound && compounds_.insert(compound).second) {
       restoreChildren(reinterpret_cast<const btCompoundShapeData&>(saved), *compound);
     }
     const auto* mesh = dynamic_cast<btBvhTriangleMeshShape*>(read);
@@ -132,6 +135,7 @@ class WorldImporter : public btBulletWorldImporter {
   bParse::btBulletFile* file_ = nullptr;  // while it is read
   int next_body_ = 0, next_object_ = 0;
   std::unordered_map<const btCollisionShapeData*, btCollisionShape*> made_;  // of the meshes in the file
+  std::unordered_set<const btCompoundShape*> compounds_;                     // whose children are restored
 };
 
 }  // namespace octoblisk
