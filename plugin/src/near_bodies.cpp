@@ -97,7 +97,7 @@ bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const A
   });
 }
 
-/// A body of which a proxy tells.
+/// The body of a proxy.
 struct Body {
   explicit Body(const btBroadphaseProxy& proxy)
       : shape(*clientOf(proxy)->getCollisionShape()),

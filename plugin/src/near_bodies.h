@@ -44,10 +44,10 @@ bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatc
 bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 
 /// False where clusters keep the two apart at their present transforms: no cluster of the given depth
-/// (octoblisk/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
-/// cluster or the box of the other. A compound with our shape in it counts child by child; any other body is
-/// its proxy's box and, which is not the same where Bullet was not told that it moved, its shape's. Only for
-/// pairs of which clustersDecide is true.
+/// (contact/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
+/// cluster or the box of the other, and neither is inside the other as a solid. A compound with our shape in
+/// it counts child by child. Any other body is the box of its proxy and the box of its shape: they differ if
+/// the body was moved by hand. Only for pairs for which clustersDecide is true.
 bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders);
 
 }  // namespace octoblisk::detail

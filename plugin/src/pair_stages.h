@@ -25,8 +25,8 @@ class TightPairs final : public btHashedOverlappingPairCache {
   /// How many pairs clusters keep apart.
   int apart() const { return apart_.getNumOverlappingPairs(); }
 
-  /// Asks the clusters at the present transforms. A pair with a contact that holds need not be asked. A pair
-  /// of which both sleep stays where it is while the dispatcher leaves it alone: until one wakes.
+  /// Asks the clusters at the present transforms. A pair with a contact that holds need not be asked. While
+  /// both bodies of a pair sleep, the pair stays where it is.
   void refine(btDispatcher* dispatcher);
 
   bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;

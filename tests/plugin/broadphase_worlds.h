@@ -88,7 +88,7 @@ struct BroadphaseWorld {
   std::vector<std::unique_ptr<btCollisionObject>> objects;
 };
 
-/// Expects that the pairs of overlapping boxes are those of btDbvtBroadphase, and that Bullet is told of some
+/// Expects that the pairs of overlapping boxes are those of btDbvtBroadphase, and that Bullet sees some
 /// of them, once each.
 template <typename Stock, typename Tight>
 void expectPairsOf(Stock& stock, Tight& tight) {
