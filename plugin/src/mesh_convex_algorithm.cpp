@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "contact/corner_contacts.h"
 #include "contact/flat_contacts.h"
