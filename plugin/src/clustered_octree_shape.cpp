@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cast_callbacks.h"
+#include "contact/solid.h"
 #include "contact/thickness.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/mass_properties.h"
@@ -77,6 +78,7 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
+  far_vertices_ = std::make_shared<const FarVertices>(detail::farVertices(*tree));
   tree_ = std::move(tree);
   if (has_default_margin_) m_collisionMargin = btScalar(defaultMargin(*tree_, mass_properties_->is_solid));
 }

@@ -48,9 +48,9 @@ void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const Cl
   const bool meet =
       std::ranges::any_of(found, [](const Contact& contact) { return contact.distance <= 0.0; });
   if (is_b_smaller) {
-    corners_.find(a, b.mesh(), b_in_a_, meet, least_depth, ways_out_);
+    far_vertices_.find(a, b, shape_b.farVertices(), b_in_a_, meet, least_depth, ways_out_);
   } else {
-    corners_.find(b, a.mesh(), b_in_a_.inverse(), meet, least_depth, ways_out_);
+    far_vertices_.find(b, a, shape_a.farVertices(), b_in_a_.inverse(), meet, least_depth, ways_out_);
     for (Contact& contact : ways_out_) contact = turnedRound(contact, b_in_a_);
   }
   if (!meet && !ways_out_.empty()) found.clear();

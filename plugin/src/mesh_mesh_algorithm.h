@@ -23,13 +23,13 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;
 
-  void trianglesHaveMoved() override { corners_.forget(); }
+  void trianglesHaveMoved() override { far_vertices_.forget(); }
 
   void addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,
                   double least_depth, std::vector<Contact>& found);
 
   Pose b_in_a_;
-  CornersInSolid corners_;  // of the smaller mesh in the other
+  FarVerticesInSolid far_vertices_;  // of the smaller mesh in the other
   std::vector<Contact> ways_out_;
   bool other_is_solid_ = false;
   SurfaceContacts surface_contacts_;

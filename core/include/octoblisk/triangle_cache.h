@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,19 +30,25 @@ class TriangleCache {
                                       const Pose& convex_in_tree, double reach);
 
   /// To be called where a tree at the same address has other triangles.
-  void forget() { kept_reach_ = kNothing; }
+  void forget() {
+    kept_reach_ = kNothing;
+    last_at_.reset();
+  }
 
  private:
   static constexpr double kNothing = -1.0;
 
   double wayTo(const Pose& pose, const Pose& from) const;
-  void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach);
+  double reserveFor(const Pose& convex_in_tree, double radius) const;
+  void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach,
+              double reserve);
 
   const ClusteredOctree* tree_ = nullptr;
   std::vector<Vec3> core_;        ///< points whose hull holds the body's core
   Aabb bounds_;                   ///< of them
   double kept_reach_ = kNothing;  ///< from the core
-  Pose kept_at_, last_at_;
+  Pose kept_at_;
+  std::optional<Pose> last_at_;  ///< of the last question
   std::vector<detail::TriangleBundle> kept_;
   std::vector<std::uint32_t> found_;
 };

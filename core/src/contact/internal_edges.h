@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/shared_corners.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
 
@@ -21,13 +22,17 @@ class InternalEdges {
   void removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh);
 
  private:
-  /// A corner of a contact's triangle.
-  struct Corner {
-    Vec3 position;
-    std::uint32_t contact;
+  /// Where a contact is on its triangle.
+  struct Place {
+    Triangle triangle;
+    Vec3 normal;       // scaledNormal
+    unsigned feature;  // triangle_feature.h
+    bool is_square;    // its normal to the triangle
+    bool isAskew() const { return !is_square && feature != 0b111u && feature != 0; }
   };
 
-  std::vector<Corner> corners_;       // by position, those of each contact's triangle
+  std::vector<Place> places_;         // of each contact
+  SharedCorners corners_;             // of their triangles
   std::vector<std::uint32_t> order_;  // of the contacts, the deepest first
   std::vector<char> is_internal_;
 };

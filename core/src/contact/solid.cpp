@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "octoblisk/closest_point.h"
+#include "query/farthest_vertex.h"
 #include "query/locate_in_closed.h"
 
 namespace octoblisk::detail {
@@ -10,17 +11,6 @@ namespace {
 
 bool isIn(const Aabb& box, const Vec3& point) {
   return (box.min.array() <= point.array()).all() && (point.array() <= box.max.array()).all();
-}
-
-/// The corner of a triangle that is farthest in a direction.
-Vec3 farthestCorner(const TriangleMesh& mesh, const Vec3& direction) {
-  Vec3 farthest = mesh.triangle(0)[0];
-  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    for (const Vec3& corner : mesh.triangle(t)) {
-      if (direction.dot(corner) > direction.dot(farthest)) farthest = corner;
-    }
-  }
-  return farthest;
 }
 
 /// Pushes B out of A, along the way from a point inside to the closest of the surface.
@@ -51,7 +41,8 @@ bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
   if (!isIn(tree.mesh().bounds(), point)) return false;
   if ((point - point_).norm() < clearance_) return is_inside_;
   point_ = point;
-  clearance_ = closestPoint(tree, point)->distance;
+  if (has_looked_) clearance_ = closestPoint(tree, point)->distance;  // a single look does not need it
+  has_looked_ = true;
   is_inside_ = isInSolid(tree, point);
   return is_inside_;
 }
@@ -75,27 +66,30 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
   if (!std::ranges::all_of(contacts, pushesThrough)) std::erase_if(contacts, pushesThrough);
 }
 
-void CornersInSolid::findCorners(const TriangleMesh& b) {
+FarVertices farVertices(const ClusteredOctree& tree) {
+  FarVertices far;
+  std::size_t count = 0;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
         const Vec3 direction(x, y, z);
-        if (const double axes = direction.squaredNorm(); axes != 1.0 && axes != 3.0) continue;
-        corners_.push_back({farthestCorner(b, direction), {}});
+        const double axes = direction.squaredNorm();
+        if (axes == 1.0 || axes == 3.0) far.positions[count++] = farthestVertex(tree, direction);
       }
     }
   }
+  return far;
 }
 
-void CornersInSolid::find(const ClusteredOctree& a, const TriangleMesh& b, const Pose& b_in_a, bool meet,
-                          double least_depth, std::vector<Contact>& ways_out) {
+void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
+                              const Pose& b_in_a, bool meet, double least_depth,
+                              std::vector<Contact>& ways_out) {
   ways_out.clear();
-  if (corners_.empty()) findCorners(b);
-  for (Corner& corner : corners_) {
-    const Vec3 point = b_in_a * corner.position;
-    if (!corner.in_a.contains(a, point)) continue;
-    Contact out = wayOutFrom(a, point, [&](const Vec3& direction) -> Vec3 {
-      return meet ? point : b_in_a * farthestCorner(b, b_in_a.rotation.transpose() * direction);
+  for (std::size_t v = 0; v < in_a_.size(); ++v) {
+    const Vec3 vertex = b_in_a * far_of_b.positions[v];
+    if (!in_a_[v].contains(a, vertex)) continue;
+    Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
+      return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
     out.triangle_b = 0;  // Bullet wants one
     if (!meet) {

@@ -1,6 +1,7 @@
 // A closed mesh as a solid: what is inside is pushed out.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"
@@ -20,12 +21,13 @@ class PointInSolid {
   bool contains(const ClusteredOctree& tree, const Vec3& point);
 
   /// The mesh has changed.
-  void forget() { clearance_ = -1.0; }
+  void forget() { *this = {}; }
 
  private:
   Vec3 point_ = Vec3::Zero();  // of the last look
-  double clearance_ = -1.0;    // its distance to the surface; below 0: there was no look
+  double clearance_ = 0.0;     // its distance to the surface, from the second look on
   bool is_inside_ = false;
+  bool has_looked_ = false;
 };
 
 /// Makes contacts of the triangles of a closed mesh (A) and a convex body (B) those of the solid. Triangles
@@ -37,28 +39,27 @@ class PointInSolid {
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
                      PointInSolid& middle, std::vector<Contact>& contacts);
 
-/// The corners of a mesh (B) that are farthest out in 14 directions, and whether they are inside a closed
-/// mesh (A). Triangles that meet tell nothing of what is deeper inside.
-class CornersInSolid {
+/// The vertices of a mesh that are farthest out along its axes and its diagonals, in its frame.
+struct FarVertices {
+  std::array<Vec3, 14> positions;
+};
+FarVertices farVertices(const ClusteredOctree& tree);
+
+/// Whether the far vertices of a mesh (B) are inside a closed mesh (A). Triangles that meet tell nothing of
+/// what is deeper inside.
+class FarVerticesInSolid {
  public:
-  /// Replaces `ways_out` by contacts of A and B. If the surfaces `meet`, there is one for each of the corners
-  /// that is deeper inside A than `least_depth`, and it moves the corner out. Otherwise there is at most one,
-  /// for a B that is inside A, and it moves all of B out.
-  void find(const ClusteredOctree& a, const TriangleMesh& b, const Pose& b_in_a, bool meet,
-            double least_depth, std::vector<Contact>& ways_out);
+  /// Replaces `ways_out` by contacts of A and B. If the surfaces `meet`, each far vertex that is deeper
+  /// inside A than `least_depth` has a contact that moves it out. Otherwise, if B is inside A, one contact
+  /// moves all of B out.
+  void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
+            const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 
   /// One of the meshes has changed.
-  void forget() { corners_.clear(); }
+  void forget() { in_a_ = {}; }
 
  private:
-  struct Corner {
-    Vec3 position;  // in the frame of B
-    PointInSolid in_a;
-  };
-
-  void findCorners(const TriangleMesh& b);
-
-  std::vector<Corner> corners_;
+  std::array<PointInSolid, 14> in_a_;
 };
 
 }  // namespace octoblisk::detail

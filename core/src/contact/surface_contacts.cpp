@@ -12,11 +12,6 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The same for the same position; for others hardly ever.
-double keyOf(const Vec3& position) {
-  return position.dot(Vec3(1.0, 0.61803398874989485, 0.41421356237309505));
-}
-
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
   while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
   return contact;
@@ -108,7 +103,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
     const Triangle& own = of_a ? pairs_[c].a : pairs_[c].b;
-    if (!(contact.distance < 0.0) || !isSquare(own, contact.normal)) continue;
+    if (!(contact.distance < 0.0) || !isSquare(scaledNormal(own), contact.normal)) continue;
     if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
     const Face face(own, contact.distance);
     const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
@@ -196,40 +191,34 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
 void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
   if (opposite_one.size() < 2) return;
   const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
-  const auto has = [](const Triangle& triangle, const Vec3& corner) {
-    return std::ranges::find(triangle, corner) != triangle.end();
-  };
   corners_.clear();
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
     const Triangle& own = ownOf(c);
-    if (removed_[c] != Removed::no || isSquare(own, contact.normal)) continue;
-    const unsigned feature = featureOf(own, of_a ? contact.point_on_a : contact.point_on_b);
+    if (removed_[c] != Removed::no) continue;
+    const Vec3 normal = scaledNormal(own);
+    if (isSquare(normal, contact.normal)) continue;
+    const unsigned feature = featureOf(own, normal, of_a ? contact.point_on_a : contact.point_on_b);
     if (feature == 0b111u || feature == 0) continue;
     if (corners_.empty()) {
-      for (const std::uint32_t o : opposite_one) {
-        for (const Vec3& corner : ownOf(o)) corners_.push_back({keyOf(corner), o});
-      }
-      std::ranges::sort(corners_, {}, &Corner::key);
+      for (const std::uint32_t o : opposite_one) corners_.add(ownOf(o), o);
+      corners_.sort();
     }
     const auto [first, second] = endsOf(feature);
     const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
-    const double key = keyOf(own[first]);
-    for (auto corner = std::ranges::lower_bound(corners_, key, {}, &Corner::key);
-         corner != corners_.end() && corner->key == key; ++corner) {
-      const std::uint32_t o = corner->contact;
+    corners_.forEachAt(own[first], [&](std::uint32_t o) {
       const Contact& other = contacts[o];
       // What is wholly past the face is deeper than what meets it.
       const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
                                                     : other.distance <= 0.0 || removed_[o] == Removed::past;
-      if (o == c || !is_nearer) continue;
+      if (o == c || !is_nearer) return false;
       const Triangle& shares = ownOf(o);
-      if (!has(shares, own[first]) || !has(shares, own[second])) continue;
-      if (!leansOver(shares, own[first], own[second], towards)) continue;
+      if (!hasCorner(shares, own[first]) || !hasCorner(shares, own[second])) return false;
+      if (!leansOver(shares, own[first], own[second], towards)) return false;
       removed_[c] = Removed::inner;
-      break;
-    }
+      return true;
+    });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/shared_corners.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
 
@@ -44,11 +45,6 @@ class SurfaceContacts {
     Vec3 facing;
     double contact_distance;
   };
-  /// A corner of a contact's triangle, by a number that its position makes.
-  struct Corner {
-    double key;
-    std::uint32_t contact;
-  };
   using Members = std::span<const std::uint32_t>;
 
   void filter(std::vector<Contact>& contacts);
@@ -64,7 +60,7 @@ class SurfaceContacts {
   void markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
 
   std::vector<Pair> pairs_;  // of each contact
-  std::vector<Corner> corners_;
+  SharedCorners corners_;    // of the triangles of some contacts
   /// Why a contact is removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner };
   std::vector<Removed> removed_;

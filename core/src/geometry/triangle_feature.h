@@ -10,11 +10,10 @@
 namespace octoblisk::detail {
 
 /// The corners of the edge that a point of a triangle is on, or the one corner that it is at: bit v for
-/// corner v. All three for a point inside.
-inline unsigned featureOf(const Triangle& triangle, const Vec3& point) {
+/// corner v. All three for a point inside. The normal is scaledNormal(triangle).
+inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
   constexpr double kOn = 1e-6;  // of the triangle's size
   unsigned feature = 0;
-  const Vec3 normal = scaledNormal(triangle);
   for (std::size_t v = 0; v < 3; ++v) {
     const Vec3 &from = triangle[(v + 1) % 3], &to = triangle[(v + 2) % 3];
     const double weight = normal.dot((to - from).cross(point - from));
@@ -30,10 +29,10 @@ inline std::array<std::size_t, 2> endsOf(unsigned feature) {
 }
 
 /// Whether a direction is square to the triangle's own face, either way; never for one without area.
-inline bool isSquare(const Triangle& triangle, const Vec3& direction) {
+/// The normal is scaledNormal of the triangle.
+inline bool isSquare(const Vec3& normal, const Vec3& direction) {
   constexpr double kSameDirection = 1.0 - 1e-6;
-  const Vec3 facing = scaledNormal(triangle);
-  return std::abs(facing.dot(direction)) > kSameDirection * facing.norm();
+  return std::abs(normal.dot(direction)) > kSameDirection * normal.norm();
 }
 
 /// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.

@@ -67,25 +67,31 @@ double TriangleCache::wayTo(const Pose& pose, const Pose& from) const {
          (pose.rotation - from.rotation).norm() * bounds_.halfExtents().norm();
 }
 
-/// Keeps what is a few steps' way farther than asked for; nothing more of a body that is fast or new.
-void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
-                           double reach) {
+/// How much farther to look than was asked for: the distance of a few steps. 0 for a body that is fast or
+/// new.
+double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) const {
   constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMost = 1.0 / 4.0;
-  const double size = bounds_.halfExtents().norm() + convex.radius();
-  const double step = kept_reach_ == kNothing ? size : wayTo(convex_in_tree, last_at_);
-  const double more =
-      step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
+  const double size = bounds_.halfExtents().norm() + radius;
+  const double step = last_at_ ? wayTo(convex_in_tree, *last_at_) : size;
+  return step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
+}
+
+/// Finds the triangles within reach and a reserve. With a reserve, they are kept.
+void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
+                           double reach, double reserve) {
   found_.clear();
-  forEachTriangleNear(tree, convex, convex_in_tree, reach + more, [this](std::uint32_t triangle) {
+  forEachTriangleNear(tree, convex, convex_in_tree, reach + reserve, [this](std::uint32_t triangle) {
     found_.push_back(triangle);
     return false;
   });
+  kept_reach_ = kNothing;
+  if (reserve == 0.0) return;
   kept_.resize((found_.size() + kLanes - 1) / kLanes);
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     const std::size_t begin = b * kLanes, count = std::min<std::size_t>(kLanes, found_.size() - begin);
     fill(kept_[b], treeOf(tree), std::span(found_).subspan(begin, count), convex_in_tree * bounds_.center());
   }
-  kept_reach_ = reach + more + convex.radius();
+  kept_reach_ = reach + reserve + convex.radius();
   kept_at_ = convex_in_tree;
 }
 
@@ -102,7 +108,10 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
   const double of_core = reach + convex.radius();
   if (!(of_core + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
-    gather(tree, convex, convex_in_tree, reach);
+    const double reserve = reserveFor(convex_in_tree, convex.radius());
+    last_at_ = convex_in_tree;
+    gather(tree, convex, convex_in_tree, reach, reserve);
+    if (reserve == 0.0) return found_;
   }
   last_at_ = convex_in_tree;
   found_.clear();

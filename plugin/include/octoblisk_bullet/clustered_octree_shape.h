@@ -21,6 +21,10 @@ class TriangleMesh;
 struct InterfaceMesh;
 struct MassProperties;
 
+namespace detail {
+struct FarVertices;
+}
+
 /// A concave mesh that may be static, kinematic or dynamic. Needs registerAlgorithm (register.h) once for
 /// each dispatcher. The tree is immutable: shapes, bodies, worlds and threads may share it; setLocalScaling
 /// and refit give this shape another. Queries are const and compute nothing lazily.
@@ -105,6 +109,7 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// In the shape's frame, scaled as it is.
   const MassProperties& massProperties() const { return *mass_properties_; }
+  const detail::FarVertices& farVertices() const { return *far_vertices_; }
 
   /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame. The
   /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone.
@@ -130,6 +135,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar contact_breaking_threshold_ = -1;  // below 0: the default
   std::shared_ptr<const ClusteredOctree> tree_;
   std::shared_ptr<const MassProperties> mass_properties_;
+  std::shared_ptr<const detail::FarVertices> far_vertices_;
   bool may_be_solid_ = true;
   bool has_default_margin_ = true;
 };
