@@ -43,8 +43,7 @@ class HullBuilder {
         ++t;
         continue;
       }
-      if (corners_++ == HullFaceList::kMostPoints || !add(next)) return false;
-      t = 0;
+      if (corners_++ == HullFaceList::kMostPoints || !add(next, t)) return false;
     }
     return count_ == 2 * corners_ - 4;
   }
@@ -103,11 +102,14 @@ class HullBuilder {
     return true;
   }
 
-  /// Replaces the triangles that a point is outside of by those that join their rim to it.
-  bool add(std::uint32_t point) {
+  /// Replaces the triangles that a point is outside of by those that join their rim to it. The first `done`
+  /// triangles have no point outside: `done` becomes the number of them that stay.
+  bool add(std::uint32_t point, std::size_t& done) {
     std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMostTriangles> rim;
     std::size_t rim_count = 0, kept = 0;
+    const std::size_t were_done = done;
     for (std::size_t t = 0; t < count_; ++t) {
+      if (t == were_done) done = kept;
       const HullTriangle& triangle = triangles_[t];
       if (!(heightOver(triangle, point) > kOutside * size_)) {
         triangles_[kept++] = triangle;
@@ -137,19 +139,36 @@ class HullBuilder {
   double size_ = 0.0;
 };
 
-/// The triangle on the other side of an edge; none where rounding has left none, or two.
-std::optional<std::size_t> acrossEdge(std::span<const HullTriangle> triangles, std::uint32_t from,
-                                      std::uint32_t to) {
-  std::optional<std::size_t> found;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+/// The triangles of a hull by their edges, each of which has one triangle on either side.
+class EdgeTriangles {
+ public:
+  EdgeTriangles() { left_.fill(kNone); }
+
+  /// False if rounding has given two triangles the same side of an edge.
+  bool add(const HullTriangle& triangle, std::size_t index) {
     for (std::size_t v = 0; v < 3; ++v) {
-      if (triangles[t].corner[v] != to || triangles[t].corner[(v + 1) % 3] != from) continue;
-      if (found) return std::nullopt;
-      found = t;
+      std::uint8_t& left = of(triangle.corner[v], triangle.corner[(v + 1) % 3]);
+      if (left != kNone) return false;
+      left = static_cast<std::uint8_t>(index);
     }
+    return true;
   }
-  return found;
-}
+
+  /// The triangle on the left of an edge; none if rounding has left none.
+  std::optional<std::size_t> leftOf(std::uint32_t from, std::uint32_t to) {
+    const std::uint8_t left = of(from, to);
+    return left == kNone ? std::nullopt : std::optional<std::size_t>(left);
+  }
+
+ private:
+  static constexpr std::size_t kPoints = HullFaceList::kMostPoints;
+  static constexpr std::uint8_t kNone = 255;
+  static_assert(kMostTriangles <= kNone);
+
+  std::uint8_t& of(std::uint32_t from, std::uint32_t to) { return left_[from * kPoints + to]; }
+
+  std::array<std::uint8_t, kPoints * kPoints> left_;
+};
 
 }  // namespace
 
@@ -170,10 +189,14 @@ void HullFaceList::find(std::span<const Vec3> points) {
     if (offset - triangle.offset > 10.0 * kOutside * hull.size()) return faces_.clear(), edges_.clear();
     faces_.push_back({triangle.normal, offset});
   }
+  EdgeTriangles triangles;
+  for (std::size_t t = 0; t < hull.triangles().size(); ++t) {
+    if (!triangles.add(hull.triangles()[t], t)) return faces_.clear(), edges_.clear();
+  }
   for (const HullTriangle& triangle : hull.triangles()) {
     for (std::size_t v = 0; v < 3; ++v) {
       const std::uint32_t from = triangle.corner[v], to = triangle.corner[(v + 1) % 3];
-      const auto other = acrossEdge(hull.triangles(), from, to);
+      const auto other = triangles.leftOf(to, from);
       if (!other) return faces_.clear(), edges_.clear();
       const std::uint32_t across = hull.triangles()[*other].face;
       if (from < to && across != triangle.face)
