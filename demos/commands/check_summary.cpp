@@ -81,7 +81,7 @@ CheckSummary summaryOfTally(const std::string& tally) {
     is_right = kept && words >> extreme.value >> extreme.pose;
     if (is_right) *kept = extreme;
   }
-  if (!is_right) throw std::invalid_argument("has a tally of no check: " + inQuotes(tally));
+  if (!is_right) throw std::invalid_argument("has a tally that is not from check: " + inQuotes(tally));
   return summary;
 }
 
@@ -113,8 +113,9 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
     options.continuous |= word == kContinuousWord;
     if (word == kToleranceWord) words >> options.tolerance;
   }
-  // What is read in part, or not as it is written, is another line.
-  if (optionsLine(options) != line) throw std::invalid_argument("has options of no check: " + inQuotes(line));
+  // The line must match exactly, so a line that is only partly understood is refused.
+  if (optionsLine(options) != line)
+    throw std::invalid_argument("has options that are not from check: " + inQuotes(line));
   return options;
 }
 
@@ -139,7 +140,7 @@ void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOpti
     stream << "Least signed distance: " << least->value << " at pose " << least->pose << '\n';
   }
   if (options.continuous) {
-    stream << countedText(summary.ways, "way", "ways")
+    stream << countedText(summary.ways, "motion", "motions")
            << " between poses: " << summary.ways - summary.met_on_the_way << " free, "
            << summary.met_on_the_way << " not proved to keep " << options.tolerance;
     if (summary.met_on_the_way > 0) {
