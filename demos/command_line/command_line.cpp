@@ -5,6 +5,7 @@
 #include <ios>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line/complain.h"
@@ -16,10 +17,31 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The command with the subcommands that were given: "octoblisk make belt".
+/// The command with its given subcommands: "octoblisk make belt".
 std::string commandAskedFor(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
+}
+
+/// CLI11's message, in the style of ours.
+std::string messageOf(const CLI::ParseError& error) {
+  struct Rewritten {
+    std::string_view error, theirs, ours;
+  };
+  constexpr Rewritten kRewritten[] = {
+      {"ExtrasError", "The following argument was not expected:", "unknown argument:"},
+      {"ExtrasError", "The following arguments were not expected:", "unknown arguments:"},
+      {"ExcludesError", " excludes ", " cannot be used with "},
+      {"RequiresError", " requires ", " needs "},
+      {"ArgumentMismatch", ": 1 required ", ": "},
+      {"ArgumentMismatch", " missing", " is missing"},
+      {"RequiredError", "A subcommand", "a subcommand"}};
+  std::string message = error.what();
+  for (const auto& [name, theirs, ours] : kRewritten) {
+    const std::size_t place = message.find(theirs);
+    if (error.get_name() == name && place != std::string::npos) message.replace(place, theirs.size(), ours);
+  }
+  return message;
 }
 
 }  // namespace
@@ -30,14 +52,15 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   CLI::App app{help.about};
   app.name("octoblisk");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
-  app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag("--version", "octoblisk " + version, "Print the version and exit");
+  app.set_help_all_flag("--help-all", "Print the help of all subcommands and exit");
   app.footer(help.footer);
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);
 
-  // Of several processes, one speaks, and its exit code counts.
+  // Only the first of several processes prints, and only its exit code counts.
   const bool is_first = launchedAs().rank == 0;
   if (!is_first) {
     std::cout.setstate(std::ios::failbit);
@@ -49,7 +72,7 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   } catch (const CLI::Success& help_or_version) {
     exit_code = app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    complain(error.what() + ("; see " + commandAskedFor(app) + " --help"));
+    complain(messageOf(error) + "; see " + commandAskedFor(app) + " --help");
     exit_code = 2;
   } catch (const Stopped& stopped) {
     complain(stopped.what());

@@ -108,7 +108,7 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       .add_option("--side", request->side,
                   "Side of the blade: convex, concave, forward (towards greater angles about Z) or backward")
       ->type_name("SIDE")
-      ->check(CLI::IsMember({"convex", "concave", "forward", "backward"}))
+      ->check(oneOf({"convex", "concave", "forward", "backward"}))
       ->capture_default_str()
       ->group(grid_group);
   command.add_option("--rows", grid.rows, "Number of points over the blade's height")

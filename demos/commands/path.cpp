@@ -126,7 +126,7 @@ void addPathCommand(CLI::App& app, int& exit_code) {
                   "downstream, through the end of the channel. Default: outward; on a shrouded blisk, "
                   "downstream, or upstream around the leading edge")
       ->type_name("DIRECTION")
-      ->check(CLI::IsMember({"outward", "upstream", "downstream"}));
+      ->check(oneOf({"outward", "upstream", "downstream"}));
   command.option_defaults()->always_capture_default();
   command
       .add_option("--blade", request->blade,
@@ -137,16 +137,16 @@ void addPathCommand(CLI::App& app, int& exit_code) {
       .add_option("--side", request->side,
                   "Surface to grind: the convex side, the concave side or the leading edge")
       ->type_name("SIDE")
-      ->check(CLI::IsMember({"convex", "concave", "leading"}));
+      ->check(oneOf({"convex", "concave", "leading"}));
   command
       .add_option("--pattern", request->pattern,
                   "longitudinal: passes along the blade's length; transversal: passes along its chord, or "
                   "around the edge")
       ->type_name("PATTERN")
-      ->check(CLI::IsMember({"longitudinal", "transversal"}));
+      ->check(oneOf({"longitudinal", "transversal"}));
   command.add_option("--format", request->format, "csv: a table of poses with feeds; apt: a CL file")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"csv", "apt"}));
+      ->check(oneOf({"csv", "apt"}));
   command.add_option("-o,--out", request->out, "File to write, or - for standard output")
       ->type_name("FILE")
       ->required()

@@ -14,7 +14,7 @@ double turnAt(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 
 }  // namespace
 
-/// By A. M. Andrew's monotone chain (Another efficient algorithm for convex hulls in two dimensions, 1979).
+/// Uses A. M. Andrew's monotone chain (Another efficient algorithm for convex hulls in two dimensions, 1979).
 BeltLoop::BeltLoop(const TriangleMesh& belt) {
   std::vector<Eigen::Vector2d> points;
   for (const Vec3& vertex : belt.vertices()) points.emplace_back(vertex.x(), vertex.y());
@@ -32,7 +32,7 @@ BeltLoop::BeltLoop(const TriangleMesh& belt) {
         corners_.pop_back();
       corners_.push_back(point);
     }
-    if (!corners_.empty()) corners_.pop_back();  // the next chain begins with it
+    if (!corners_.empty()) corners_.pop_back();  // it is also the first corner of the next chain
   };
   addChain(points);
   std::ranges::reverse(points);

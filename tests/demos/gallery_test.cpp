@@ -150,7 +150,7 @@ TEST(GalleryCommand, writesASceneTheSameTwice) {
   const demos::Outcome unknown = demos::runOctoblisk(folder.path(), "gallery shape --out a");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.error,
-              HasSubstr("octoblisk: 'shape' is no scene; there are: hello-shape, chain-of-tori"));
+              HasSubstr("octoblisk: 'shape' is not a scene; the scenes are: hello-shape, chain-of-tori"));
 }
 
 }  // namespace
