@@ -56,7 +56,7 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
     warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
            describe(defectsOf(run.parts[part].tree->mesh())) +
-               ": its depth is that of its surface in the blisk");
+               ": only its own points inside the blisk count for its depth");
   }
 }
 

@@ -17,16 +17,16 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostAtOnce = 256;  // changes of a pose
+constexpr std::size_t kMostAtOnce = 256;  // changes per pose
 constexpr std::size_t kMostTriesAMove = 32;
 constexpr std::size_t kTriesBeforeRetracting = 2;
-constexpr std::size_t kTriesToKeepContact = 16;  // before those
+constexpr std::size_t kTriesToKeepContact = 16;  // more tries, to keep a contact
 constexpr std::size_t kMostDoublings = 4;
 
-/// The search for one path: what is known of its nodes and steps.
+/// The search for one path, with the known states of its nodes and steps.
 class Repairer {
  public:
-  /// `contact_poses`: those that are to keep their contact.
+  /// `contact_poses`: the poses that should keep their contact.
   Repairer(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
            const ChangeLimits& limits, std::vector<bool> contact_poses)
       : judge_(judge),
@@ -51,7 +51,7 @@ class Repairer {
     }
   }
 
-  /// The way found; where it was stopped, that so far.
+  /// The route found; if stopped, the best so far.
   std::vector<std::uint32_t> run(const RunWatch& watch) {
     for (;;) {
       std::vector<std::uint32_t> way = search_.cheapest();
@@ -68,7 +68,7 @@ class Repairer {
   }
   bool isStopped() const { return is_stopped_; }
 
-  /// What is not changed stays to the last bit.
+  /// An unchanged pose stays the same to the last bit.
   Pose pose(std::size_t index, std::uint32_t node) const {
     const Change change = grid_.change(node);
     return change.isNone() ? path_[index] : changedPose(path_[index], off_surface_[index], change);
@@ -85,7 +85,7 @@ class Repairer {
 
  private:
   static constexpr char kUnknown = 0, kFree = 1, kLosing = 2, kBlocked = 3;
-  static constexpr const char* kTask = "poses that are free";
+  static constexpr const char* kTask = "free poses";
 
   char& known(std::size_t pose, std::uint32_t node) { return known_[pose * grid_.size() + node]; }
   bool isFree(std::size_t pose, std::uint32_t node) {
@@ -98,8 +98,10 @@ class Repairer {
     return count;
   }
 
-  /// Judges what is not known of the way's nodes, and with those that turned out blocked or to lose contact
-  /// before the next cheapest ones. Whether a node of the way does that was not known to.
+  /// Judges the unknown nodes of the route. At poses whose nodes turned out blocked or losing contact before,
+  /// it also
+  /// judges the next cheapest nodes. Returns true if a node of the route is newly found to be blocked or
+  /// losing contact.
   bool judgePoses(const std::vector<std::uint32_t>& way) {
     std::vector<std::pair<std::size_t, std::uint32_t>> asked;
     std::vector<Pose> poses;
@@ -138,7 +140,7 @@ class Repairer {
     return any_worse;
   }
 
-  /// The same for the moves between free poses.
+  /// The same for the motions between free poses.
   bool judgeMoves(const std::vector<std::uint32_t>& way) {
     std::vector<std::size_t> asked;
     std::vector<Move> moves;
@@ -170,7 +172,7 @@ class Repairer {
     return any_blocked;
   }
 
-  /// Both ends of a move that is blocked again and again have to retract, each time by twice as many steps.
+  /// Retracts both ends of a motion that is blocked again and again, each time by twice as many steps.
   void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way, std::size_t times) {
     const std::size_t retracts = grid_.retracts().size();
     const std::size_t more = std::size_t{1} << std::min(times - 1, kMostDoublings);
@@ -180,7 +182,7 @@ class Repairer {
     }
   }
 
-  /// Tries of a move before its ends have to retract.
+  /// The number of tries of a motion before its ends must retract.
   std::size_t patienceFor(std::size_t pose) const {
     return keeps_contact_[pose - 1] || keeps_contact_[pose] ? kTriesToKeepContact : 0;
   }
@@ -200,17 +202,17 @@ class Repairer {
   std::vector<bool> keeps_contact_;
   ChangeGrid grid_;
   LayeredSearch search_;
-  std::vector<char> known_;                 // of each pose and node
-  std::vector<std::uint32_t> by_cost_;      // the nodes
-  std::vector<std::size_t> next_;           // of each pose: the first in by_cost_ that may be unknown
-  std::vector<std::size_t> at_once_;        // of each pose: nodes to be judged together
-  std::vector<std::size_t> tries_;          // of each pose: moves to it that were blocked
-  std::vector<std::size_t> least_retract_;  // of each pose: indices of the grid's retractions
+  std::vector<char> known_;                 // per pose and node
+  std::vector<std::uint32_t> by_cost_;      // nodes, in order of cost
+  std::vector<std::size_t> next_;           // per pose: the first in by_cost_ that may be unknown
+  std::vector<std::size_t> at_once_;        // per pose: number of nodes to judge together
+  std::vector<std::size_t> tries_;          // per pose: number of blocked motions to it
+  std::vector<std::size_t> least_retract_;  // per pose: indices of the grid's retractions
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
   bool is_stopped_ = false;
 };
 
-/// The ground blade's triangles alone; null where no blade is ground.
+/// Only the ground blade's triangles; null if no blade is ground.
 std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
   const TriangleMesh& mesh = judge.blisk().mesh();
   std::vector<TriangleMesh::Indices> ground;
@@ -221,7 +223,7 @@ std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
   return ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));
 }
 
-/// At which poses the grinding part touches the ground blade.
+/// The poses at which the grinding part touches the ground blade.
 std::vector<bool> workingPoses(const Judge& judge, std::span<const Pose> path) {
   std::vector<bool> works(path.size(), false);
   const auto blade = groundBladeOf(judge);
@@ -269,7 +271,7 @@ std::size_t PathRepair::contactsLost() const {
 
 PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
                       const ChangeLimits& limits, bool keep_contact, const RunWatch& watch) {
-  require(!path.empty(), "a path of no poses cannot be repaired");
+  require(!path.empty(), "a path without poses cannot be repaired");
   require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
   const std::vector<bool> works = workingPoses(judge, path);
   Repairer repairer(judge, path, off_surface, limits,

@@ -24,12 +24,12 @@ PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving
 
 void PoseCheck::requireClosed() const {
   if (fixed_surface_->isClosed() || (!options_.depth && moving_surface_->isClosed())) return;
-  std::string message = options_.depth
-                            ? "depths need a closed mesh, and "
-                            : "signed distances need a closed mesh; the moving one is open, and here ";
+  std::string message =
+      options_.depth ? "depths need a closed fixed mesh, but "
+                     : "signed distances need a closed mesh; the moving mesh is open and so is this one: ";
   message += describe(defectsOf(fixed_.mesh()));
   if (moving_surface_->isClosed()) {
-    message += "; the moving one is closed: swap the two, with each pose inverted";
+    message += "; the moving mesh is closed: swap the two meshes and invert each pose";
   }
   throw std::invalid_argument(message);
 }

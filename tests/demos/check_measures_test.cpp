@@ -1,4 +1,4 @@
-// octoblisk check: clearance, depth and the ways between poses.
+// octoblisk check: clearance, depth and the motions between poses.
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -49,7 +49,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   EXPECT_THAT(one.out, HasSubstr("\nLeast clearance: 0 at pose 2\n"));
   EXPECT_THAT(one.out, HasSubstr("\nGreatest depth: 0.6 at pose 3\n"));
   EXPECT_THAT(one.out,
-              HasSubstr("\n5 ways between poses: 1 free, 4 not proved to keep 0.001 (4 come nearer, "));
+              HasSubstr("\n5 motions between poses: 1 free, 4 not proved to keep 0.001 (4 come nearer, "));
   EXPECT_EQ(run(arguments + "three.csv --threads 3").exit_code, 1);
   EXPECT_EQ(contentOf(folder_.path() / "one.csv"), contentOf(folder_.path() / "three.csv"));
 
@@ -62,7 +62,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
     bool colliding;
     double clearance, depth, fraction;
   };
-  // The ways meet where the small box is within 0.001 … 0.001125 of the large one.
+  // The motions hit where the small box is within 0.001 … 0.001125 of the large one.
   const std::vector<Row> expected = {{false, 1.0, 0.0, nothing},     {false, 0.25, 0.0, 1.0},
                                      {true, 0.0, 0.3, 0.249 / 0.55}, {false, 0.4, 0.6, 0.0},
                                      {false, 1.0, 0.0, nothing},     {false, 1.0, 0.0, 0.999 / 5.0}};
@@ -130,9 +130,10 @@ TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
   EXPECT_EQ(
       run("check --fixed sheet.obj --moving small.obj --poses poses.csv --signed --out out.csv").exit_code,
       1);
-  expectRefusal(run("check --fixed sheet.obj --moving sheet.obj --poses poses.csv --signed --out two.csv"),
-                "sheet.obj: signed distances need a closed mesh; the moving one is open, and here 16 of its "
-                "edges are open");
+  expectRefusal(
+      run("check --fixed sheet.obj --moving sheet.obj --poses poses.csv --signed --out two.csv"),
+      "sheet.obj: signed distances need a closed mesh; the moving mesh is open and so is this one: 16 of its "
+      "edges are open");
 }
 
 TEST_F(CheckCommand, aMeshInsideAnotherIsFoundByItsDepthAlone) {
@@ -171,7 +172,7 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
   const Outcome outcome =
       run("check --fixed sheet.obj --moving small.obj --poses poses.csv --depth --out out.csv");
-  expectRefusal(outcome, "sheet.obj: depths need a closed mesh, and 16 of its edges are open");
+  expectRefusal(outcome, "sheet.obj: depths need a closed fixed mesh, but 16 of its edges are open");
   EXPECT_THAT(outcome.error, HasSubstr("swap the two, with each pose inverted"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
   EXPECT_EQ(

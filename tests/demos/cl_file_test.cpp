@@ -161,7 +161,7 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"GOTO/1,2,3,0,0,1.01", "within 0.001"},
       {"GOTO/1,2,3,1e300,1e300,0", "length"},
       {"GOTO/1,2,3,0,0,1,0,0,1", "not square"},
-      {"GOTO/2e12,0,0", "beyond 1e12"},
+      {"GOTO/2e12,0,0", "more than 1e12"},
       {"GODLTA/5", "1 values"},
       {"TLAXIS/0,0", "TLAXIS"},
       {"UNITS/FURLONGS", "UNITS"},

@@ -113,7 +113,7 @@ TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   EXPECT_FALSE(repair.isFree());
   const auto left = describeLeft(repair, judge_->parts(), BodyNames(1));
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_EQ(left[0], "move to pose 1: bit on hub or shroud");
+  EXPECT_EQ(left[0], "motion to pose 1: bit on hub or shroud");
 }
 
 /// A floor to be ground, whose top is z = 0, with a low step on it that must not be touched.
