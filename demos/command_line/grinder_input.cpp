@@ -337,8 +337,7 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
     for (const std::string& input : inputs) {
       std::error_code ignored;  // usually the file does not exist
       if (!input.empty() && std::filesystem::equivalent(input, file, ignored)) {
-        throw std::runtime_error(file.string() +
-                                 ": is an input too and would be overwritten: choose another --out");
+        throw std::runtime_error(file.string() + ": is also an input file: choose another --out");
       }
     }
   }

@@ -85,7 +85,10 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
   addGrinderOptions(command, request->files);
   addMarginOption(command, request->margin);
   command
-                        "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL file. The points are its poses that touch the ground blade or come within 0.5 mm of it; a pose's own tilt and lead are 0. Default: a grid")
+      .add_option("--path", request->files.path,
+                  "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL "
+                  "file. The points are its poses that touch the ground blade or come within 0.5 mm of it; a "
+                  "pose's own tilt and lead are 0. Default: a grid")
       ->type_name("FILE")
       ->check(notEmpty());
   const auto add_angle = [&](const std::string& name, double& value, const std::string& help, bool step) {

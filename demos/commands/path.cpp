@@ -64,8 +64,7 @@ int makePath(PathRequest request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
   std::error_code ignored;  // usually the file does not exist
   if (std::filesystem::equivalent(request.out, request.blisk, ignored)) {
-    throw std::runtime_error(request.out +
-                             ": is an input too and would be overwritten: choose another --out");
+    throw std::runtime_error(request.out + ": is also an input file: choose another --out");
   }
   const TriangleMesh mesh =
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);

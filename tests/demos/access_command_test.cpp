@@ -121,13 +121,14 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   folder_.write("tool/more.json", more);
   const std::pair<const char*, const char*> cases[] = {
       {"--blisk missing.stl --out run", "missing.stl"},
-      {"--tool tool/more.json --out run", "tool/more.json: allowed[0]: here one part may touch"},
+      {"--tool tool/more.json --out run",
+       "tool/more.json: allowed[0]: access and repair allow only one part to touch"},
       {"--tool tool/none.json --out run", "tool/none.json: no such file"},
-      {"--axis 1,2 --out run", "--axis: '1,2' is no direction"},
+      {"--axis 1,2 --out run", "--axis: '1,2' is neither a direction"},
       {"--path short.csv --out run", "short.csv:2"},
       {"--path away.csv --out run", "away.csv"},
       {"--path away.csv --ground-blade 2 --out run", "away.csv"},
-      {"--path points.csv --out .", "points.csv: cannot be both read and written"},
+      {"--path points.csv --out .", "points.csv: is also an input file"},
       {"--ground-blade 99 --out run", "--ground-blade 99"},
       {"--tilt-from 10 --tilt-to 5 --out run", "--tilt-to"},
       {"--tilt-from -180 --tilt-to 180 --out run", "--tilt-to"},

@@ -160,7 +160,7 @@ TEST(AccessMap, oneFreeTiltIsCalledSo) {
   };
   EXPECT_EQ(verdictOf(0.0, 1), "free at one tilt: tilt 0° alone at lead 0°");
   EXPECT_EQ(verdictOf(0.0, 6), "free over 30° or less: tilt 0° to 5° at lead 0°, shown at their middle");
-  EXPECT_EQ(verdictOf(90.0, 1), "nowhere free: most often in the way: bar on hub or shroud");
+  EXPECT_EQ(verdictOf(90.0, 1), "nowhere free: most frequent obstacle: bar on hub or shroud");
 }
 
 TEST(AccessMap, pictureShowsEachPointInItsColour) {

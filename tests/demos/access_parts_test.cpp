@@ -72,7 +72,7 @@ TEST_F(AccessParts, anUnfinishedRunIsGoneOnFrom) {
   folder_.write("again/points.csv.partial", whole.substr(0, second + 30));
   const Outcome refused = run(access_ + "--out again --no-picture");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.error, HasSubstr("holds the answers of an unfinished run"));
+  EXPECT_THAT(refused.error, HasSubstr("has the answers of an unfinished run"));
   const Outcome resumed = run(access_ + "--resume --out again --no-picture");
   EXPECT_LE(resumed.exit_code, 1) << resumed.error;
   for (const char* file : {"points.csv", "ranges.csv"}) {

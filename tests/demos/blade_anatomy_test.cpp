@@ -300,7 +300,7 @@ class BladesCommand : public ::testing::Test {
 TEST_F(BladesCommand, writesALineABladeAndAPicture) {
   const Outcome outcome = run("--out found");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_THAT(outcome.out, HasSubstr("24 blades round the axis (0, 0, 1)"));
+  EXPECT_THAT(outcome.out, HasSubstr("24 blades about the axis (0, 0, 1)"));
   const std::string table = contentOf(folder_.path() / "found/blades.csv");
   EXPECT_EQ(std::ranges::count(table, '\n'), 25);
   EXPECT_NEAR(std::stod(table.substr(table.find("\n24,") + 4)), 345.0, 1e-4) << "degrees";

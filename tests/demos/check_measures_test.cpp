@@ -173,7 +173,7 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   const Outcome outcome =
       run("check --fixed sheet.obj --moving small.obj --poses poses.csv --depth --out out.csv");
   expectRefusal(outcome, "sheet.obj: depths need a closed fixed mesh, but 16 of its edges are open");
-  EXPECT_THAT(outcome.error, HasSubstr("swap the two, with each pose inverted"));
+  EXPECT_THAT(outcome.error, HasSubstr("swap the two meshes and invert each pose"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
   EXPECT_EQ(
       run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv").exit_code, 1);

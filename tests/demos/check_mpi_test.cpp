@@ -137,8 +137,8 @@ TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
   refused("check --fixed ring.obj --moving box.obj --poses no.csv --out out.csv",
           "octoblisk: no.csv: no such");
   refused(check_ + "--out missing/out.csv",
-          "octoblisk: missing/out.csv: cannot be written, as there is no folder missing");
-  refused(check_ + "--out out.csv --shard 3/2", "octoblisk: --shard: '3/2' is no part");
+          "octoblisk: missing/out.csv: cannot be written: there is no folder missing");
+  refused(check_ + "--out out.csv --shard 3/2", "octoblisk: --shard: '3/2' is not a part");
 }
 
 }  // namespace

@@ -73,17 +73,18 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   for (const std::string wrong : {"0/2", "3/2", "2", "a/b", "1/2/3"}) {
     const Outcome outcome = run(check_ + "--out out.csv --shard " + wrong);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --shard: '" + wrong + "' is no part of a whole"));
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --shard: '" + wrong + "' is not a part I/N"));
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
-                  "missing/out.csv: cannot be written, as there is no folder missing\n");
+                  "missing/out.csv: cannot be written: there is no folder missing\n");
     expectRefused(check_.substr(6) + options + "--out .", ".: this is a folder");
-    expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: cannot be both");
+    expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: is also");
   }
-  expectRefused(check_.substr(6) + "--resume --out /dev/null", "/dev/null: is no file that could be resumed");
+  expectRefused(check_.substr(6) + "--resume --out /dev/null",
+                "/dev/null: is a device, which --resume cannot continue");
   EXPECT_EQ(run("merge poses.csv --out merged.csv").error,
-            "octoblisk: poses.csv: is no part of a study: its first line is another\n");
+            "octoblisk: poses.csv: is not a part of a study: its first line does not match\n");
   EXPECT_EQ(run("merge missing --out merged.csv").error, "octoblisk: missing: no such file\n");
   EXPECT_EQ(run("merge --out merged.csv").exit_code, 2);
   EXPECT_FALSE(exists("merged.csv"));
@@ -110,20 +111,21 @@ TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   EXPECT_EQ(content("merged.csv"), columns + '\n' + rows);
   folder_.write("merged.csv", "of an earlier run");
   EXPECT_EQ(merge(study, "1 0 0 0 0 least\x1b").error,
-            "octoblisk: part: has a tally of no check: '1 0 0 0 0 least?'\n");
+            "octoblisk: part: has a tally that is not from check: '1 0 0 0 0 least?'\n");
   Study other = study;
   for (const std::string options :
        {"", "non\x1b", "none depth", "clearance tolerance 0.5", "depth tolerance 1 "}) {
     other.options = options;
     std::string shown = options;
     std::ranges::replace(shown, '\x1b', '?');
-    EXPECT_EQ(merge(other, right).error, "octoblisk: part: has options of no check: '" + shown + "'\n");
+    EXPECT_EQ(merge(other, right).error,
+              "octoblisk: part: has options that are not from check: '" + shown + "'\n");
   }
   other = study;
   for (const std::string name : {"", "fix\ned", "\x1b[2J"}) {
     other.inputs[0].name = name;
     EXPECT_EQ(merge(other, right).error,
-              "octoblisk: part: is no part of a study: its head is damaged or cut off\n");
+              "octoblisk: part: is not a part of a study: its head is damaged or truncated\n");
   }
   EXPECT_EQ(content("merged.csv"), "of an earlier run");
 }
@@ -147,7 +149,7 @@ TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
     EXPECT_EQ(content("points.csv"), "of an earlier run");
   };
   folder_.write("points.csv", "of an earlier run");
-  const std::string no_map = " of no accessibility map: ";
+  const std::string no_map = " not from an accessibility map: ";
   Study other = study;
   other.options = "none";
   expect_refused(other, row + '\n', right, "options" + no_map + "'none'");
@@ -160,7 +162,7 @@ TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   std::string word = row;
   word.replace(word.find(",5,"), 3, ",x,");
   expect_refused(study, word + '\n', right, "a row" + no_map + "'" + word + "'");
-  expect_refused(study, row, right, "a row without its end: '" + row + "'");
+  expect_refused(study, row, right, "an incomplete row: '" + row + "'");
   expect_refused(study, row + '\n' + row + '\n', right, "2 rows for 1 points");
   expect_refused(study, "", right, "0 rows for 1 points");
 
@@ -197,12 +199,12 @@ TEST_F(CheckParts, ctrlCLeavesWhatWasAnsweredToBeResumed) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped; stopped.csv.partial holds "));
-  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers: go on with --resume\n"));
+  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers; continue with --resume\n"));
   EXPECT_FALSE(exists("stopped.csv"));
   const Outcome refused = run(arguments + "stopped.csv");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.error,
-              StartsWith("octoblisk: stopped.csv.partial: holds the answers of an unfinished run"));
+              StartsWith("octoblisk: stopped.csv.partial: has the answers of an unfinished run"));
   EXPECT_EQ(run(arguments + "stopped.csv --resume").exit_code, 1);
   EXPECT_EQ(content("stopped.csv"), content("plain.csv"));
 }

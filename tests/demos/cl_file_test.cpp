@@ -160,7 +160,7 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"GOTO/1,2,3,0,0,0", "length is 0.0"},
       {"GOTO/1,2,3,0,0,1.01", "within 0.001"},
       {"GOTO/1,2,3,1e300,1e300,0", "length"},
-      {"GOTO/1,2,3,0,0,1,0,0,1", "not square"},
+      {"GOTO/1,2,3,0,0,1,0,0,1", "not perpendicular"},
       {"GOTO/2e12,0,0", "more than 1e12"},
       {"GODLTA/5", "1 values"},
       {"TLAXIS/0,0", "TLAXIS"},
@@ -174,10 +174,10 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"FEDRAT/0", "above 0"},
       {"FEDRAT/0.1,IPR", "SPINDL"},
       {"SPINDL/100,SFM\nFEDRAT/0.1,IPR", "SPINDL"},
-      {"/1,2,3", "no APT statement"},
-      {"%O1234", "no APT statement"},
+      {"/1,2,3", "not an APT statement"},
+      {"%O1234", "not an APT statement"},
       {"GOTO/1,2,3,$", "beyond the end"},
-      {"FINI\nGOTO/1,2,3", "behind FINI"}};
+      {"FINI\nGOTO/1,2,3", "after FINI"}};
   for (const auto& [statement, named] : cases) {
     const std::string message = refusal(good + statement);
     EXPECT_THAT(message, AllOf(HasSubstr("path.cl:"), HasSubstr(named))) << statement;
@@ -185,12 +185,12 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
                 message.find("path.cl:3:") != std::string::npos)
         << message;
   }
-  EXPECT_THAT(refusal(""), HasSubstr("no moves"));
-  EXPECT_THAT(refusal("PARTNO X\nFINI\n"), HasSubstr("no moves"));
+  EXPECT_THAT(refusal(""), HasSubstr("no motions"));
+  EXPECT_THAT(refusal("PARTNO X\nFINI\n"), HasSubstr("no motions"));
   EXPECT_THAT(refusal("GODLTA/1,2,3\n"), HasSubstr("path.cl:1:"));
   EXPECT_THAT(refusal(good + std::string("GOTO/1,2,3\0,4\n", 15)),
               AllOf(HasSubstr(":2:"), HasSubstr("binary")));
-  EXPECT_THAT(refusal(std::string(1'000'000, 'A')), HasSubstr("no moves"));
+  EXPECT_THAT(refusal(std::string(1'000'000, 'A')), HasSubstr("no motions"));
   EXPECT_THAT(refusal(good + "GOTO/\x1b[31m,2,3"), ::testing::Not(HasSubstr("\x1b")));
   messageOf<std::runtime_error>([&] { readClFile(folder_.path() / "missing.cl"); });
   messageOf<std::runtime_error>([&] { readClFile(folder_.path()); });

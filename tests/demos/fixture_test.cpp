@@ -176,9 +176,10 @@ TEST_F(GrindCommand, obstaclesAreNamedInTheTablesAndInWords) {
 TEST_F(GrindCommand, refusesObstaclesThatAreNone) {
   writeMesh(file("clamp.obj"), block({1, 1, 1}, 1));
   expectRefusal(run("--obstacle none.stl --out run"), "none.stl: no such file");
-  expectRefusal(run("--obstacle clamp.obj,3 --out run"), "--obstacle clamp.obj,3: '3': a name must be of");
+  expectRefusal(run("--obstacle clamp.obj,3 --out run"),
+                "--obstacle clamp.obj,3: '3': a name must consist of");
   expectRefusal(run("--obstacle clamp.obj --obstacle clamp.obj --out run"),
-                "--obstacle clamp.obj: there are two of the name 'clamp'");
+                "--obstacle clamp.obj: two obstacles have the name 'clamp'");
 }
 
 }  // namespace

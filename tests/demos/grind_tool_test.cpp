@@ -54,7 +54,7 @@ TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
   ASSERT_EQ(run("--tool tool/edited.json --poses-only --no-pictures --out edited").exit_code, 1);
   EXPECT_EQ(nlohmann::json::parse(contentOf(file("edited/summary.json")))["poses"]["intended_contact"], 0);
   EXPECT_THAT(run("--tool tool/edited.json --ground-blade 3 --out edited").error,
-              HasSubstr("no part may touch it"));
+              HasSubstr("no part may touch that blade"));
   edited.replace(edited.find("\"blade\": 2"), 10, std::string("\"blade\": 99"));
   folder_.write("tool/edited.json", edited);
   EXPECT_THAT(run("--tool tool/edited.json --out edited").error, HasSubstr("blade 99: the blisk has 24"));

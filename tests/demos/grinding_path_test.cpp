@@ -205,7 +205,7 @@ TEST(GrindingPath, saysInOneLineWhatMakesNoPath) {
   expectThrow(empty_blade, "no point of its forward side", asIs);
 
   expectThrow(blades(), "no blade 0", [](auto& o) { o.blade = 0; });
-  expectThrow(blades(), "no blade 25: they are numbered 1 to 24", [](auto& o) { o.blade = 25; });
+  expectThrow(blades(), "no blade 25: the blades are numbered 1 to 24", [](auto& o) { o.blade = 25; });
   expectThrow(blades(), "number of passes", [](auto& o) { o.passes = 0; });
   expectThrow(blades(), "poses a pass", [](auto& o) { o.poses_per_pass = -1; });
   expectThrow(blades(), "retraction poses", [](auto& o) { o.retract_poses = 0; });

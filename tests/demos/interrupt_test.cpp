@@ -64,10 +64,10 @@ TEST_F(Interrupt, grindKeepsThePosesDone) {
       interrupted("grind --path long.csv --ground-blade 1 --no-pictures --no-report --out run");
   EXPECT_EQ(stopped.exit_code, 130);
   if (!exists("run/summary.json")) {  // the machine had no while for it
-    EXPECT_THAT(stopped.error, HasSubstr("stopped before a pose was done: nothing is written"));
+    EXPECT_THAT(stopped.error, HasSubstr("stopped before the first pose was done: no file was written"));
     return;
   }
-  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has the poses that were done, marked partial\n");
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has the finished poses, marked as partial\n");
   const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
   EXPECT_EQ(summary["partial"], true);
   EXPECT_EQ(summary["poses_of_path"], 200'000);

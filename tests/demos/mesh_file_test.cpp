@@ -144,7 +144,7 @@ TEST_F(MeshFile, refusesWhatIsNoMeshFile) {
   EXPECT_THAT(refusal("m.step", kObj), HasSubstr("'.step'"));
   for (const char* name : {"m.stl", "m.obj", "m.ply"}) EXPECT_THAT(refusal(name, ""), HasSubstr("empty"));
   EXPECT_THAT(refusal("m.ply", "play\n"), HasSubstr("m.ply:1: "));
-  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("no STL file"));
+  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("not an STL file"));
   EXPECT_THAT(messageOf<std::runtime_error>([&] { readMesh(folder_.path() / "."); }),
               ::testing::Not(HasSubstr("no such file")));
 }
@@ -213,11 +213,13 @@ TEST_F(MeshFile, refusesIndicesOfNoVertex) {
               AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are 4")));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 -1")), HasSubstr("uses vertex -1"));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 1e76 3")), HasSubstr("uses vertex 1e+76"));
-  const std::pair<const char*, const char*> of_obj[] = {
-      {"f 1 2 9", "uses vertex 9, but there are 4"},   {"f 1/1 2/2 5/3", "uses vertex 5, but there are 4"},
-      {"f 0 1 2", "uses vertex 0, but there are 4"},   {"f -5 1 2", "uses vertex -5, but there are 4"},
-      {"f 1 2 x", "'x' is no index of a vertex"},      {"f 1 2 /3", "'' is no index of a vertex"},
-      {"f 1 2 99999999999999999999", "is no index of"}};
+  const std::pair<const char*, const char*> of_obj[] = {{"f 1 2 9", "uses vertex 9, but there are 4"},
+                                                        {"f 1/1 2/2 5/3", "uses vertex 5, but there are 4"},
+                                                        {"f 0 1 2", "uses vertex 0, but there are 4"},
+                                                        {"f -5 1 2", "uses vertex -5, but there are 4"},
+                                                        {"f 1 2 x", "'x' is not an index of a vertex"},
+                                                        {"f 1 2 /3", "'' is not an index of a vertex"},
+                                                        {"f 1 2 99999999999999999999", "is not an index of"}};
   for (const auto& [face, message] : of_obj) {
     EXPECT_THAT(refusal("m.obj", kObj + face + "\n" + "f 2 3 4\n"),
                 AllOf(HasSubstr("m.obj:7: "), HasSubstr(message)));
@@ -250,7 +252,7 @@ TEST_F(MeshFile, refusesCoordinatesThatAreNoNumbers) {
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "inf")), HasSubstr("triangle 1 (counted from 0) "));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "1.5", "nan")), HasSubstr("triangle 1 (counted from 0) "));
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e50")),
-              HasSubstr("infinite, or beyond single precision"));
+              HasSubstr("infinite, or beyond the range of 32-bit floats"));
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e20")), HasSubstr("1e+20, beyond 1e+12"));
 }
 

@@ -97,8 +97,8 @@ TEST_F(PaperCommand, badInputIsToldInOneLine) {
       {"table3 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
       {"table4 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
       {"table1 --blade slab.stl --points 100 --out file/out",
-       "octoblisk: file/out: the folder cannot be made"},
-      {"table6 --out out", "octoblisk: 'table6' is no subcommand; did you mean 'table1'?"}};
+       "octoblisk: file/out: cannot create the folder"},
+      {"table6 --out out", "octoblisk: 'table6' is not a subcommand; did you mean 'table1'?"}};
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
     expectRefusal(outcome, message);

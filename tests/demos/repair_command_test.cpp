@@ -141,10 +141,10 @@ TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   const std::pair<const char*, const char*> cases[] = {
       {"--path missing.csv --out run", "missing.csv"},
       {"--path short.csv --out run", "short.csv:2"},
-      {"--path path.csv --out .", "path.csv: cannot be both read and written"},
-      {"--tilt-grid 5 --out run", "--tilt-grid: is above --tilt-per-pose"},
+      {"--path path.csv --out .", "path.csv: is also an input file"},
+      {"--tilt-grid 5 --out run", "--tilt-grid: must not be above --tilt-per-pose"},
       {"--ground-blade 99 --out run", "--ground-blade 99"},
-      {"--tilt 1000 --tilt-grid 0.01 --out run", "too many changes"}};
+      {"--tilt 1000 --tilt-grid 0.01 --out run", "too many combinations"}};
   for (const auto& [arguments, named] : cases) {
     expectRefusal(run("repair " + std::string(arguments)), named);
     EXPECT_FALSE(std::filesystem::exists(file("run")));

@@ -48,18 +48,19 @@ TEST_F(Units, sizesThatDoNotFitAreRefusedBeforeAnythingIsComputed) {
        {std::tuple("m", "1000", "0.7077"), std::tuple("in", "25.4", "27.86")}) {
     const std::string file = std::string(unit) + ".ply";
     const std::string expected = file + ": the blisk is " + size +
-                                 " mm across, the belt 347.3 mm: one of the two " + "is not in mm. --units " +
-                                 unit + " (a factor of " + factor +
-                                 ") would make the blisk 707.7 mm; --units mm takes the sizes as they are";
+                                 " mm across, the belt is 347.3 mm: one of them " +
+                                 "is probably not in mm. --units " + unit + " (a factor of " + factor +
+                                 ") would make the blisk 707.7 mm; --units mm accepts the sizes as they are";
     expectRefusal(run("grind --blisk " + file + kGrind), expected);
     expectRefusal(run("access --blisk " + file + " --out run"), expected);
     expectRefusal(run("repair --blisk " + file + " --path poses.csv --out run"), expected);
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "run"));
   }
-  expectRefusal(run("path --blisk m.ply --out path.csv"),
-                "m.ply: the blisk is 0.7077 mm across, the contact wheel 19 mm: one of the two is not in mm. "
-                "--units m (a "
-                "factor of 1000)");
+  expectRefusal(
+      run("path --blisk m.ply --out path.csv"),
+      "m.ply: the blisk is 0.7077 mm across, the contact wheel is 19 mm: one of them is probably not in mm. "
+      "--units m (a "
+      "factor of 1000)");
 }
 
 TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
@@ -91,9 +92,10 @@ TEST_F(Units, ofTheToolAreGivenOrFound) {
       toInches(entry.path(), folder_.path() / "inches" / entry.path().filename());
   }
   toInches(folder_.path() / "belt.ply", folder_.path() / "belt_in.ply");
-  expectRefusal(run("grind --belt belt_in.ply" + tables + "run"),
-                "the blisk: the blisk is 707.7 mm across, the belt 13.68 mm: one of the two is not in mm. "
-                "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
+  expectRefusal(
+      run("grind --belt belt_in.ply" + tables + "run"),
+      "the blisk: the blisk is 707.7 mm across, the belt is 13.68 mm: one of them is probably not in mm. "
+      "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
   for (const auto& [mm, in] : {std::pair("--belt belt.ply", "--belt belt_in.ply"),
                                std::pair("--tool tool/tool.json", "--tool inches/tool.json")}) {
     const Outcome expected = run(std::string("grind ") + mm + tables + "mm");
@@ -146,9 +148,9 @@ TEST_F(Units, ofAccessRepairAndCheck) {
 
 TEST_F(Units, aMarginThatMakesAllTrianglesNearIsRefused) {
   expectRefusal(run("grind --units mm --blisk m.ply" + std::string(kGrind)),
-                "--near-miss 0.5: for a blisk of 0.7077 mm it may be at most 0.01415");
+                "--near-miss 0.5: must be at most 0.01415 for a blisk of 0.7077 mm");
   expectRefusal(run("access --units mm --blisk m.ply --margin 0.5 --out run"),
-                "--margin 0.5: for a blisk of 0.7077 mm it may be at most 0.01415");
+                "--margin 0.5: must be at most 0.01415 for a blisk of 0.7077 mm");
 }
 
 }  // namespace
