@@ -90,13 +90,13 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_EQ(interfering, of_summary);
   double depth_on_moves = 0.0;
   for (std::size_t pose = 1; pose < table.size(); ++pose) {
-    const double bound = std::stod(table[pose].at("move_depth_at_most_mm"));
+    const double bound = std::stod(table[pose].at("motion_depth_at_most_mm"));
     if (touching[pose - 1].contains("belt") && touching[pose].contains("belt")) {
       EXPECT_GT(bound, 0.0) << "pose " << pose;
     }
     depth_on_moves = std::max(depth_on_moves, bound);
   }
-  EXPECT_NEAR(summary["moves"]["depth_on_moves_at_most_mm"], depth_on_moves, 1e-6);
+  EXPECT_NEAR(summary["motions"]["depth_on_motions_at_most_mm"], depth_on_moves, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
   double ground = 0.0, area = 0.0;
@@ -190,20 +190,20 @@ TEST_F(GrindCommand, aMoveThroughABladeIsInterferenceAtClearPoses) {
   const Outcome outcome = run("--path jump.csv --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
   EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
-  EXPECT_THAT(outcome.out, HasSubstr("moves that hit what must not be touched: 1,"));
+  EXPECT_THAT(outcome.out, HasSubstr("motions that hit a forbidden surface: 1,"));
   const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
-  EXPECT_EQ(summary["moves"]["hit"], 1);
+  EXPECT_EQ(summary["motions"]["hit"], 1);
   EXPECT_EQ(summary["partial"], false);
   const auto table = readTable(file("run/poses.csv"));
-  EXPECT_EQ(table.at(1).at("move"), "hit");
-  EXPECT_NE(table.at(1).at("move_part"), "");
-  const double fraction = std::stod(table.at(1).at("move_fraction"));
+  EXPECT_EQ(table.at(1).at("motion"), "hit");
+  EXPECT_NE(table.at(1).at("motion_part"), "");
+  const double fraction = std::stod(table.at(1).at("motion_fraction"));
   EXPECT_GT(fraction, 0.0);
   EXPECT_LT(fraction, 0.5);
 
   const Outcome poses_only = run("--path jump.csv --poses-only --no-pictures --out run");
   EXPECT_EQ(poses_only.exit_code, 0);
-  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["moves"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["motions"].is_null());
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   EXPECT_GE(run.depthBound(), 0.3);
   EXPECT_THAT(inWords(run),
               ::testing::HasSubstr(
-                  "proved within the limit on 1 of 3 moves; on the others not measured, but no more than "));
+                  "proved within the limit on 1 of 3 motions; not proved on the others, but at most "));
 
   std::vector<TriangleMesh::Indices> open = wall.triangles();
   open.erase(open.begin());

@@ -103,7 +103,7 @@ TEST(ReplayPage, saysWhatItLeavesOut) {
   const ReplayLimits limits{.boxes = 500, .contacts = 3};
   const auto run = nlohmann::json::parse(replayJson(replay, meshes, limits));
   ASSERT_EQ(run["notes"].size(), 2u);
-  EXPECT_THAT(run["notes"][0].get<std::string>(), HasSubstr("Simplified for display only: the blisk"));
+  EXPECT_THAT(run["notes"][0].get<std::string>(), HasSubstr("Simplified for display: the blisk"));
   EXPECT_THAT(run["notes"][1].get<std::string>(), HasSubstr("Cluster boxes below level"));
   EXPECT_LE(decoded(run["blisk"]["mesh"]["triangles"]).size(), 2'000u * 12);
   EXPECT_LE(decoded(run["boxes"]["depths"]).size(), 500u);
