@@ -64,7 +64,7 @@ class SoftBelt {
   /// The look of the belt: a closed band of its thickness, in the world's frame.
   TriangleMesh mesh() const;
 
-  /// The wheels with a hub and holes, so that one sees them turn; in the world's frame.
+  /// The wheels, with a hub and holes that show their turning; in the world's frame.
   std::vector<TriangleMesh> wheelMeshes() const;
 
  private:
