@@ -99,7 +99,7 @@ TEST_F(ToolFiles, whatIsWrongIsNamed) {
       {parts(R"({"name": "belt", "mesh": "belt.ply\u0000"})"),
        ": parts[0].mesh: a file name must not contain"},
       {parts(R"({"name": "belt", "mesh": "no\nbelt.ply"})"), ": parts[0].mesh: a file name must not contain"},
-      {parts(R"({"name": "a,b", "mesh": "belt.ply"})"), ": parts[0].name: a name must be"},
+      {parts(R"({"name": "a,b", "mesh": "belt.ply"})"), ": parts[0].name: a name must consist"},
       {parts(R"({"name": "any", "mesh": "belt.ply"})"), ": parts[0].name: this name is reserved"},
       {parts(R"({"name": "belt", "mesh": "belt.ply", "max_depth_mm": -1})"),
        ": parts[0].max_depth_mm: must be a number from 0 to"},
