@@ -52,7 +52,7 @@ SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& opti
   }
   access.free = static_cast<std::size_t>(
       std::ranges::count_if(states, [](const PoseState& state) { return !state.obstacle; }));
-  access.in_the_way = countsOf(states);
+  access.obstacles = countsOf(states);
   for (std::size_t k = 0; k < access.ranges.size(); ++k) {
     if (!access.widest || access.ranges[k].width() > access.ranges[*access.widest].width()) access.widest = k;
   }

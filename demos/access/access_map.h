@@ -48,7 +48,7 @@ struct SiteAccess {
   std::optional<std::size_t> widest;      ///< index of the widest range, the first if several are
   double lead_from = 0.0, lead_to = 0.0;  ///< the leads around the widest range's that are free at its
                                           ///< middle tilt
-  std::vector<ObstacleCount> in_the_way;  ///< each part and blade once, the most frequent first
+  std::vector<ObstacleCount> obstacles;   ///< each part and blade once, the most frequent first
 };
 
 /// Tries every tilt at every lead of every site; the answer does not depend on the judge's threads.

@@ -48,9 +48,9 @@ std::string siteText(const AccessMap& map, const SiteAccess& access) {
                                 : "tilt " + degreesText(range.tilt_from) + " to " +
                                       degreesText(range.tilt_to) + lead + ", shown at their middle";
   }
-  if (!access.in_the_way.empty()) {
+  if (!access.obstacles.empty()) {
     text += (text.empty() ? "most frequent obstacle: " : "; otherwise most frequent obstacle: ") +
-            describe(access.in_the_way.front().obstacle, map.parts, BodyNames(map.blade_count, map.fixtures));
+            describe(access.obstacles.front().obstacle, map.parts, BodyNames(map.blade_count, map.fixtures));
   }
   return text;
 }
@@ -83,9 +83,9 @@ ReplayTrack accessTrack(const AccessMap& map) {
     share.values.push_back(100.0 * static_cast<double>(access.free) / asked);
     if (verdict == kFreeWidely) continue;
     ReplayFinding finding{.at = static_cast<double>(s), .verdict = verdict, .value = widestRange(access)};
-    if (!access.in_the_way.empty()) {
-      finding.part = access.in_the_way.front().obstacle.part;
-      finding.blade = access.in_the_way.front().obstacle.blade;
+    if (!access.obstacles.empty()) {
+      finding.part = access.obstacles.front().obstacle.part;
+      finding.blade = access.obstacles.front().obstacle.blade;
     }
     track.findings.push_back(std::move(finding));
   }

@@ -23,21 +23,21 @@ void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> pa
   free_poses += access.free;
   if (access.free > 0) return;
   ++nowhere_free;
-  ++in_the_way[describe(access.in_the_way.front().obstacle, parts, names)];
+  ++obstacles[describe(access.obstacles.front().obstacle, parts, names)];
 }
 
 void AccessSummary::add(const AccessSummary& other) {
   points += other.points;
   free_poses += other.free_poses;
   nowhere_free += other.nowhere_free;
-  for (const auto& [what, times] : other.in_the_way) in_the_way[what] += times;
+  for (const auto& [what, times] : other.obstacles) obstacles[what] += times;
 }
 
 std::string tallyOf(const AccessSummary& summary) {
   std::string line = std::to_string(summary.points) + ' ' + std::to_string(summary.free_poses) + ' ' +
                      std::to_string(summary.nowhere_free);
   // Names of parts have no tabs.
-  for (const auto& [what, times] : summary.in_the_way) line += '\t' + std::to_string(times) + ' ' + what;
+  for (const auto& [what, times] : summary.obstacles) line += '\t' + std::to_string(times) + ' ' + what;
   return line;
 }
 
@@ -55,7 +55,7 @@ AccessSummary accessSummaryOfTally(const std::string& tally) {
     words >> times;
     words.ignore();
     std::getline(words, what);
-    summary.in_the_way[what] += times;
+    summary.obstacles[what] += times;
   }
   const bool is_printable = std::ranges::all_of(
       tally, [](char letter) { return letter == '\t' || (letter >= ' ' && letter <= '~'); });
@@ -76,7 +76,7 @@ std::string inWords(const AccessSummary& summary, const AccessQuestion& question
        << numberOf(question.options.leads.size(), "lead")
        << " each: " << std::round(1000.0 * static_cast<double>(summary.free_poses) / asked) / 10.0
        << " % free; " << summary.nowhere_free << " without a free pose\n";
-  for (const auto& [what, times] : summary.in_the_way) {
+  for (const auto& [what, times] : summary.obstacles) {
     text << "  most frequent obstacle there: " << what << ", at " << numberOf(times, "point") << '\n';
   }
   return text.str();

@@ -19,7 +19,7 @@ struct AccessSummary {
   std::size_t free_poses = 0;    ///< over all tilts and leads of all points
   std::size_t nowhere_free = 0;  ///< points without a free pose
   /// For these points, the most frequent obstacle, and how many points have it.
-  std::map<std::string, std::size_t> in_the_way;
+  std::map<std::string, std::size_t> obstacles;
 
   void count(const SiteAccess& access, std::span<const ToolPart> parts, const BodyNames& names);
   void add(const AccessSummary& other);

@@ -120,10 +120,10 @@ std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAcce
   } else {
     stream << ",,,,,";
   }
-  if (access.in_the_way.empty()) {
+  if (access.obstacles.empty()) {
     stream << ",,";
   } else {
-    const Hindrance& most = access.in_the_way.front().obstacle;
+    const Hindrance& most = access.obstacles.front().obstacle;
     stream << ',' << parts[most.part].name << ',' << names.cellOf(most.blade);
   }
   stream << ',' << site.half_width << ',' << site.half_height << ',';

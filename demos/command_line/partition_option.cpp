@@ -34,7 +34,7 @@ void addPartitionOption(CLI::App& command, BuildOptions& options) {
     }();
     if (!is_read) {
       throw CLI::ValidationError("--partition",
-                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]] with K from 1 to 8");
+                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]], K from 1 to 8");
     }
   };
   command

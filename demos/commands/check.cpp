@@ -68,9 +68,9 @@ std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseChec
     }
   }
   if (options.continuous) {
-    const bool has_way = pose > 0;
-    const double free = answer.on_the_way ? answer.on_the_way->fraction : 1.0;
-    row += poseField(has_way ? std::optional(free) : std::nullopt);
+    const bool has_motion = pose > 0;
+    const double free = answer.hit_on_motion ? answer.hit_on_motion->fraction : 1.0;
+    row += poseField(has_motion ? std::optional(free) : std::nullopt);
   }
   return row + '\n';
 }
@@ -171,7 +171,7 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
   addStudyOptions(command, request->target,
                   "CSV file to write, or - for standard output: "
                   "pose,colliding,triangle_fixed,triangle_moving, all counted from 0. Where colliding is 1, "
-                  "the row names a pair of triangles that meet. The columns of the options below follow");
+                  "the row names a triangle pair that meets. The columns of the options below follow");
   PoseCheckOptions& options = request->options;
   command.add_flag(
       "--clearance", options.clearance,

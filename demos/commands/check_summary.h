@@ -21,14 +21,14 @@ struct Extreme {
 
 struct CheckSummary {
   std::size_t poses = 0;
-  std::size_t colliding = 0;       ///< poses where the surfaces meet
-  std::size_t inside = 0;          ///< poses where they do not meet, but one mesh is inside the other
-  std::size_t ways = 0;            ///< motions from a pose to the next
-  std::size_t met_on_the_way = 0;  ///< motions that come within the tolerance
-  std::size_t unsettled = 0;       ///< those of them that are not proved either way
+  std::size_t colliding = 0;         ///< poses where the surfaces meet
+  std::size_t inside = 0;            ///< poses where they do not meet, but one mesh is inside the other
+  std::size_t motions = 0;           ///< motions from a pose to the next
+  std::size_t motions_not_free = 0;  ///< motions that come within the tolerance
+  std::size_t unsettled = 0;         ///< those of them that are not proved either way
   std::optional<Extreme> least_clearance, greatest_depth, least_signed;
 
-  bool isClean() const { return colliding + inside + met_on_the_way == 0; }
+  bool isClean() const { return colliding + inside + motions_not_free == 0; }
 
   void count(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options);
   void add(const CheckSummary& later);  ///< the summary of later poses

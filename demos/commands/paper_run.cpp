@@ -250,7 +250,7 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   const bool no_blisk = (parts & kOfBlisk) != 0 && !model.isBlisk();
   if (no_blisk && !all) {
     throw std::invalid_argument(name + ": " + kNoBlades +
-                                " and so there is no grinding path over them: Tables 3 to 5 need a blisk");
+                                ", so there is no grinding path: Tables 3 to 5 need a blisk");
   }
   const std::string left_out =
       kNoBlades + std::string(": it is treated as one blade; Tables 3 to 5 need a blisk and are left out");
@@ -261,7 +261,7 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   const OutFolder out(request.out);
   const PaperRun run(request, std::move(model), out.path());
   Document document = titlePage(run.nameOfBlade(), request.seed);
-  if (no_blisk) document.paragraphs.push_back("About this mesh " + left_out + ".");
+  if (no_blisk) document.paragraphs.push_back("In this mesh, " + left_out + ".");
 
   struct Step {
     unsigned parts;

@@ -25,8 +25,7 @@ class GearTrain final : public RigidScene {
       const double root = pitch_radius - 1.25 * kModule, tip = pitch_radius + 0.9 * kModule;
       ClusteredOctreeShape& shape = shapeOf(shapes::gear(kTeeth[g], root, tip, 0.3 * root, 0.12), 0.001);
       // A tooth's middle is at 0.7 pitches, a gap's at 0.2. The second gear has gaps where its neighbours on
-      // either side
-      // have teeth.
+      // either side have teeth.
       const double pitch = 2.0 * std::numbers::pi / kTeeth[g];
       const double turn[] = {-0.7 * pitch, std::numbers::pi - 0.2 * pitch, std::numbers::pi - 0.7 * pitch};
       const btTransform pose(btQuaternion(btVector3(0, 0, 1), btScalar(turn[g])), toBullet(Vec3(x, 0, 0)));

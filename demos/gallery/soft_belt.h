@@ -31,8 +31,7 @@ struct SoftBeltOptions {
 class SoftBelt {
  public:
   /// Adds the belt to the world, which must outlive it, and sets the world's distance field to millimetres.
-  /// Throws
-  /// std::invalid_argument for sizes that do not make a belt.
+  /// Throws std::invalid_argument for sizes that do not make a belt.
   SoftBelt(btSoftRigidDynamicsWorld& world, const SoftBeltOptions& options, const Pose& tool_in_world);
   ~SoftBelt();
   SoftBelt(const SoftBelt&) = delete;
@@ -48,8 +47,7 @@ class SoftBelt {
   int nodesAcross() const { return options_.nodes_across; }
 
   /// The present strain of the loop: the mean over its links along the belt, and the least mean of the links
-  /// from one
-  /// station to the next.
+  /// from one station to the next.
   struct Strain {
     double mean, least;
   };

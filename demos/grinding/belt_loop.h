@@ -14,8 +14,7 @@ class BeltLoop {
   explicit BeltLoop(const TriangleMesh& belt);
 
   /// The unit direction, in the tool's frame, in which the belt runs at the loop's nearest point to `point`:
-  /// from the
-  /// contact side at -x over +y to the drive wheel. Zero if the belt has no extent.
+  /// from the contact side at -x over +y to the drive wheel. Zero if the belt has no extent.
   Vec3 directionAt(const Vec3& point) const;
 
  private:

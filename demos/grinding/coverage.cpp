@@ -61,12 +61,12 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
   std::vector<Place> places;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     if (p > 0) {
-      const Motion way = moveBetween(poses[p - 1], poses[p]);
-      const double length = way.advance().norm() + way.angle() * kNearGrinding;
+      const Motion motion = moveBetween(poses[p - 1], poses[p]);
+      const double length = motion.advance().norm() + motion.angle() * kNearGrinding;
       const int steps = static_cast<int>(std::ceil(length / kCoverageStep));
       for (int k = 1; k < steps; ++k) {
         const double fraction = static_cast<double>(k) / steps;
-        places.push_back({way.at(fraction), fraction < 0.5 ? p - 1 : p});
+        places.push_back({motion.at(fraction), fraction < 0.5 ? p - 1 : p});
       }
     }
     places.push_back({poses[p], p});

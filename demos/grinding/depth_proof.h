@@ -17,11 +17,10 @@ class DepthProof {
   DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& part);
 
   /// True if at no fraction of the motion from `begin` to `end` is any point of the part deeper than `limit`
-  /// (mm) in the
-  /// blisk, or any point of the blisk in the part. The proof: the part, lifted by the limit along `up` (of
-  /// unit length, in the blisk's frame), keeps off the blisk during the whole motion (lift.h), because its
-  /// distance at sampled fractions exceeds the path of every point to the next sample. False if this is not
-  /// proved.
+  /// (mm) in the blisk, or any point of the blisk in the part. The proof: the part, lifted by the limit along
+  /// `up` (of unit length, in the blisk's frame), keeps off the blisk during the whole motion (lift.h),
+  /// because its distance at sampled fractions exceeds the path of every point to the next sample. False if
+  /// this is not proved.
   bool holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const;
 
  private:

@@ -37,9 +37,8 @@ class GrindingCell {
                std::vector<double> reaches);
 
   /// The same, except for the blades that a part may touch (obstacles.h, which must outlive it): with these
-  /// only its
-  /// touches are reported or, if there are none, the nearest pair. A belt has too many near pairs with a
-  /// surface that it rolls on.
+  /// only its touches are reported or, if there are none, the nearest pair. A belt has too many near pairs
+  /// with a surface that it rolls on.
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                std::vector<double> reaches, const Obstacles& obstacles);
   ~GrindingCell();
@@ -50,11 +49,10 @@ class GrindingCell {
   const std::vector<ToolPart>& parts() const { return parts_; }
 
   /// Moves the tool to the pose and has Bullet's world detect all collisions. For the pairs that the
-  /// broadphase
-  /// (clustered_octree_broadphase.h) finds, the dispatcher runs the algorithm set by registerAlgorithm
-  /// (register.h); all its contacts are returned (all_contacts.h), not only the few that a manifold keeps.
-  /// They are ordered by part, then by triangle; with obstacles, contacts with what a part may touch come
-  /// first. The answer does not depend on earlier poses.
+  /// broadphase (clustered_octree_broadphase.h) finds, the dispatcher runs the algorithm set by
+  /// registerAlgorithm (register.h); all its contacts are returned (all_contacts.h), not only the few that a
+  /// manifold keeps. They are ordered by part, then by triangle; with obstacles, contacts with what a part
+  /// may touch come first. The answer does not depend on earlier poses.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
 
   /// The number of pairs of bodies whose algorithm ran for the last pose.

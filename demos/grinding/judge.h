@@ -59,8 +59,7 @@ class Judge {
   /// Sets the clearances, as measureClearances (pose_clearances.h) does.
   void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
   /// Sets `move` of all poses but the first: the motion from the previous pose. The poses must have all of
-  /// the
-  /// above.
+  /// the above.
   void checkMoves(std::span<PoseReport> poses);
 
   /// Tells which poses are free: their verdict is clear or intended contact under rules whose near_miss, the
@@ -70,8 +69,7 @@ class Judge {
   std::vector<PoseState> statesOf(std::span<const Pose> tool_in_blisk);
 
   /// For each motion between free poses, the first obstacle that blocks it, if any. A motion is free if the
-  /// tool
-  /// keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
+  /// tool keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
   /// MoveCheck finds no part deeper than allowed.
   std::vector<std::optional<Hindrance>> obstaclesOf(std::span<const Move> moves);
 

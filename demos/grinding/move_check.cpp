@@ -49,10 +49,10 @@ struct MoveCheck::Stretch {
   std::size_t part = 0;
   double begin = 0.0, end = 1.0;  ///< fractions of the motion
   Touch at_begin = {}, at_end = {};
-  double way = 0.0;  ///< path length over the whole motion: no point that may touch goes farther
+  double path_length = 0.0;  ///< path length over the whole motion: no point that may touch goes farther
   bool is_proved = false;
 
-  double length() const { return (end - begin) * way; }
+  double length() const { return (end - begin) * path_length; }
   double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
   /// Depths are known at both ends; from each end, half of the path length adds to them.
   double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
@@ -98,12 +98,12 @@ MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
 }
 
 /// The greatest path length of the part's points, except points that touch nothing during the whole motion.
-double MoveCheck::wayOfTouch(std::size_t part, const Motion& way) const {
+double MoveCheck::lengthOfTouch(std::size_t part, const Motion& motion) const {
   const FarPart& far = far_parts_[part];
-  const double of_all = way.lengthBound(*parts_[part].tree);
-  const double of_near = way.advance().norm() + way.angle() * far.near_radius;
+  const double of_all = motion.lengthBound(*parts_[part].tree);
+  const double of_near = motion.advance().norm() + motion.angle() * far.near_radius;
   if (!far.tree || of_near >= of_all || of_all <= kDepthStep) return of_all;
-  return sweep(*blisk_, *far.tree, way, kMoveTolerance) ? of_all : of_near;
+  return sweep(*blisk_, *far.tree, motion, kMoveTolerance) ? of_all : of_near;
 }
 
 std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
@@ -134,7 +134,7 @@ std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
 
 void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double clearance,
                           MoveReport& move) const {
-  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
   const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const Obstacle* const obstacle = obstacles_.of(part);
@@ -142,9 +142,9 @@ void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double c
     if (has_clearances) {
       const double at_from = from.part_clearances[part], at_to = to.part_clearances[part];
       if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts cover this
-      if (at_from + at_to > way.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
+      if (at_from + at_to > motion.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
     }
-    auto met = sweep(obstacle->tree(), *parts_[part].tree, way, clearance);
+    auto met = sweep(obstacle->tree(), *parts_[part].tree, motion, clearance);
     if (!met) continue;
     met->clearance.triangle_a = obstacle->triangleOfAll(met->clearance.triangle_a);
     MoveReport report;
@@ -158,21 +158,21 @@ void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double c
 /// The sections of the motion in which parts that may touch can do so.
 std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
                                                        MoveReport& move) const {
-  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
-    Stretch stretch{.motion = way, .move = &move, .part = part};
+    Stretch stretch{.motion = motion, .move = &move, .part = part};
     const PartDepth *const at_begin = depthOf(from, part), *const at_end = depthOf(to, part);
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
     if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts cover this
-      stretch.way = way.lengthBound(*parts_[part].tree);
+      stretch.path_length = motion.lengthBound(*parts_[part].tree);
       stretch.leaveUnproved();
       continue;
     }
     if (!at_begin) {
-      const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
+      const auto met = sweep(*blisk_, *parts_[part].tree, motion, kMoveTolerance);
       if (!met) continue;
       stretch.begin = met->fraction;
     }
@@ -214,7 +214,7 @@ void MoveCheck::halve(std::vector<Stretch>& unproved) {
   constexpr double kLeastPart = 1.0 / 256;
   std::vector<Stretch> long_ones;
   for (Stretch& stretch : unproved) {
-    if (stretch.way == 0.0) stretch.way = wayOfTouch(stretch.part, stretch.motion);
+    if (stretch.path_length == 0.0) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
     const bool hopeful =
         depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
     const MoveReport& move = *stretch.move;

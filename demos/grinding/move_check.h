@@ -29,13 +29,12 @@ class MoveCheck {
             const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
 
   /// Checks the motions to some poses (`led_to`, ascending, above 0), each from the previous pose. The poses
-  /// need the
-  /// depths of the parts that may touch; their clearances (pose_clearances.h) save work. Conservative
-  /// advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses does: the tool
-  /// passes through nothing, and a distance below `clearance` (mm, >= kMoveTolerance) is a hit. The check
-  /// also proves that the parts that may touch stay within their depth limits. If it cannot prove this for
-  /// the whole motion, it measures the depth in the middle and checks each half. The answers do not depend on
-  /// the number of threads.
+  /// need the depths of the parts that may touch; their clearances (pose_clearances.h) save work.
+  /// Conservative advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses
+  /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMoveTolerance) is a
+  /// hit. The check also proves that the parts that may touch stay within their depth limits. If it cannot
+  /// prove this for the whole motion, it measures the depth in the middle and checks each half. The answers
+  /// do not depend on the number of threads.
   std::vector<MoveReport> check(std::span<const PoseReport> poses, std::span<const std::size_t> led_to,
                                 double clearance);
 
@@ -49,7 +48,7 @@ class MoveCheck {
   };
 
   static FarPart farPartOf(const TriangleMesh& part);
-  double wayOfTouch(std::size_t part, const Motion& way) const;
+  double lengthOfTouch(std::size_t part, const Motion& motion) const;
   void sweepMove(const PoseReport& from, const PoseReport& to, double clearance, MoveReport& move) const;
   std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MoveReport& move) const;
   bool isProved(const Stretch& stretch) const;

@@ -23,8 +23,7 @@ struct PartDepth {
   Vec3 point_on_blisk = Vec3::Zero();  ///< on that triangle
   bool is_inside = false;              ///< the surfaces do not meet: one lies wholly in the other
   /// False if the part is at a place where the blisk's surface does not bound a solid
-  /// (octoblisk/solid_boundary.h), for
-  /// example at a hole: it may be deeper, or not in the blisk at all.
+  /// (octoblisk/solid_boundary.h), for example at a hole: it may be deeper, or not in the blisk at all.
   bool is_known = true;
 };
 
@@ -39,9 +38,9 @@ enum class DepthKind {
 class PartDepths {
  public:
   /// `limit` (mm) is the depth that the verdict compares with. The depth is the greater of two: that of the
-  /// part's
-  /// deepest point in the blisk, and that of the blisk's deepest point in the part. Each is measured to
-  /// within 1 % of the limit, or 0.1 µm if that is more; to 0.1 % if it may lie on either side of the limit.
+  /// part's deepest point in the blisk, and that of the blisk's deepest point in the part. Each is measured
+  /// to within 1 % of the limit, or 0.1 µm if that is more; to 0.1 % if it may lie on either side of the
+  /// limit.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 
@@ -64,16 +63,14 @@ class PartDepths {
                                                 std::span<const Pose> tool_in_blisk);
 
   /// For a part that touches the blisk with a triangle pair (`touch.a` on the blisk): whether it is deeper
-  /// than its
-  /// limit, or its depth is unknown. Gives the same answer as measure, but tries cheaper checks first.
-  /// `deep_corner` is memory from pose to pose: a corner of the part that was too deep. Each thread (numbered
-  /// from 0) may call it only once at a time.
+  /// than its limit, or its depth is unknown. Gives the same answer as measure, but tries cheaper checks
+  /// first. `deep_corner` is memory from pose to pose: a corner of the part that was too deep. Each thread
+  /// (numbered from 0) may call it only once at a time.
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
   /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it, or this is
-  /// unknown. An
-  /// open fixture contains nothing.
+  /// unknown. An open fixture contains nothing.
   bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
 
  private:

@@ -36,9 +36,8 @@ std::shared_ptr<const ClusteredOctree> onSpindle(std::shared_ptr<const Clustered
 class SpindleCell {
  public:
   /// `blisk` comes from onSpindle; `mesh_in_blisk` is from its mesh's frame to the frame whose Z is the
-  /// spindle. The belt
-  /// runs at `belt_speed` (m/s, of either sign). Throws std::invalid_argument if the blisk encloses no
-  /// volume.
+  /// spindle. The belt runs at `belt_speed` (m/s, of either sign). Throws std::invalid_argument if the blisk
+  /// encloses no volume.
   SpindleCell(std::shared_ptr<const ClusteredOctree> blisk, const Pose& mesh_in_blisk, const ToolPart& belt,
               double belt_speed, const SpindleOptions& options);
   ~SpindleCell();
@@ -46,11 +45,10 @@ class SpindleCell {
   SpindleCell& operator=(const SpindleCell&) = delete;
 
   /// The belt's load at a pose where it is `depth` (mm) deep in the blisk, which is at rest: the solver's
-  /// impulses in a
-  /// step of 0.1 ms, divided by the step. The normal force is stiffness · depth, shared by the contact
-  /// points, minus the effect of the blisk's motion in the step. Friction, up to the coefficient times the
-  /// normal force, acts along the belt's surface velocity; a belt at rest has none. Nothing if nothing
-  /// touches. The answer does not depend on earlier poses.
+  /// impulses in a step of 0.1 ms, divided by the step. The normal force is stiffness · depth, shared by the
+  /// contact points, minus the effect of the blisk's motion in the step. Friction, up to the coefficient
+  /// times the normal force, acts along the belt's surface velocity; a belt at rest has none. Nothing if
+  /// nothing touches. The answer does not depend on earlier poses.
   std::optional<SpindleLoad> loadAt(const Pose& tool_in_mesh, double depth);
 
  private:

@@ -16,8 +16,7 @@ class WholeFiles {
   WholeFiles& operator=(const WholeFiles&) = delete;
 
   /// Returns the name to write a file under: in the folder where links lead, with the same extension; a
-  /// device keeps its
-  /// name. Throws std::runtime_error naming a file that is a folder, or that has no folder.
+  /// device keeps its name. Throws std::runtime_error naming a file that is a folder, or that has no folder.
   std::filesystem::path add(const std::filesystem::path& file);
 
   /// Gives all files their names once all are on the disk. Throws std::runtime_error naming a file that

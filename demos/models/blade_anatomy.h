@@ -18,12 +18,10 @@ struct BladeAnatomy {
   std::size_t triangles = 0;
   double forward_area = 0.0, backward_area = 0.0, tip_area = 0.0;
   /// The forward bulge of the blade's middle line off its chord, in chords: the mean over a contour and over
-  /// the middle of
-  /// the height. A negative value is a backward bulge.
+  /// the middle of the height. A negative value is a backward bulge.
   double camber = 0.0;
   /// The least distance, at mid height, between the contours of this blade's forward side and the next
-  /// blade's backward
-  /// side. The two sides bound a channel.
+  /// blade's backward side. The two sides bound a channel.
   double channel_width = 0.0;
 };
 

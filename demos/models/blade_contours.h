@@ -27,13 +27,11 @@ struct BladeContour {
 class BladeContours {
  public:
   /// For the blade with that number in `sides`. The blisk's axis is Z. Throws std::invalid_argument with a
-  /// one-line message
-  /// if the blade's sides do not end in a root and a tip.
+  /// one-line message if the blade's sides do not end in a root and a tip.
   BladeContours(const TriangleMesh& blisk, const BladeSides& sides, int blade);
 
   /// The contour at a height from 0 to 1. Between two of its points it is straight and on one triangle.
-  /// Throws
-  /// std::invalid_argument if the contour is not closed.
+  /// Throws std::invalid_argument if the contour is not closed.
   BladeContour at(double height) const;
 
  private:

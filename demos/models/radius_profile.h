@@ -15,8 +15,7 @@ class RadiusProfile {
   };
 
   /// At least two points, z strictly increasing, radii positive. Throws std::invalid_argument naming the
-  /// first invalid
-  /// point, counted from 1.
+  /// first invalid point, counted from 1.
   explicit RadiusProfile(std::vector<Point> points);
 
   double radiusAt(double z) const;

@@ -29,8 +29,7 @@ class SectorMesh {
   SectorVertex addVertex(const CylindricalPoint& point);
 
   /// Adds a face with corners counter-clockwise from outside, divided along its shorter diagonal unless that
-  /// folds it. Two
-  /// neighbouring corners may be the same; then it is one triangle.
+  /// folds it. Two neighbouring corners may be the same; then it is one triangle.
   void addQuad(SectorVertex a, SectorVertex b, SectorVertex c, SectorVertex d, bool of_blade);
 
   /// All sectors. Faces of blades have their sector's number, from 1; the others have 0.

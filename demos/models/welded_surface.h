@@ -23,8 +23,7 @@ struct WeldedSurface {
   explicit WeldedSurface(const TriangleMesh& source);
 
   /// The triangles beside each triangle, over its three edges. If more than two share an edge, they form a
-  /// row of
-  /// neighbours.
+  /// row of neighbours.
   std::vector<std::vector<std::uint32_t>> neighbours() const;
 };
 

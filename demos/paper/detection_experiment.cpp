@@ -84,7 +84,7 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
       [&blisk, belt_box](const Pose& pose) { return leavesNear(blisk, pose * belt_box); }};
   detectors[kOursBothBoxes] = {"ours, boxes against the belt's boxes", our_range,
                                [&](const Pose& pose) { return leavesNear(blisk, belt, pose); }};
-  detectors[kOursPairs] = {"ours, exact: all pairs of triangles that touch", our_range,
+  detectors[kOursPairs] = {"ours, exact: all touching triangle pairs", our_range,
                            [&, pairs = std::vector<TrianglePair>()](const Pose& pose) mutable {
                              touchingPairs(blisk, belt, pose, pairs);
                              return BoxesLeft{0, pairs.size(), 0.0};

@@ -80,7 +80,7 @@ enum DetectionMethod : std::size_t {
   kImprovedPrincipal,
   kOursBoxes,      ///< leaf boxes of whole triangles against the belt's one box
   kOursBothBoxes,  ///< and against the belt's leaf boxes
-  kOursPairs,      ///< all pairs of triangles that touch
+  kOursPairs,      ///< all touching triangle pairs
   kOursVerdict,    ///< touching or not; each pose starts from the last
   kDetectionMethods
 };

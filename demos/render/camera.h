@@ -42,8 +42,7 @@ struct Ray {
 class View {
  public:
   /// `scene` must lie in front of an orthographic camera; it may be empty. Throws std::invalid_argument if
-  /// the camera's
-  /// direction, view size or field of view is invalid.
+  /// the camera's direction, view size or field of view is invalid.
   View(const Camera& camera, int width, int height, const Aabb& scene);
 
   int width() const { return width_; }

@@ -1,7 +1,7 @@
 // A report of sections with paragraphs, tables and figures, as CSV, Markdown and HTML.
 //
 //   const Section section{.title = "Nodes", .paragraphs = {"…"}, .tables = {{"nodes", "…", {"k", "nodes"},
-//   rows}}}; writeReport({.title = "The paper, run again", .sections = {section}}, "out");
+//   rows}}}; writeReport({.title = "The paper, rerun", .sections = {section}}, "out");
 #pragma once
 
 #include <filesystem>

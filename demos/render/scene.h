@@ -22,8 +22,7 @@ struct MarkStyle {
 class Scene {
  public:
   /// A surface of one colour. An opacity below 1 makes it transparent. Throws std::invalid_argument if the
-  /// opacity is not
-  /// in (0, 1].
+  /// opacity is not in (0, 1].
   void addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, Color color, float opacity = 1.0f);
 
   /// A surface with one colour per triangle. Throws std::invalid_argument if the numbers of colours and

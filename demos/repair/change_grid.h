@@ -49,8 +49,8 @@ class ChangeGrid {
   static constexpr std::size_t kMostNodes = 0xffff;
 
   /// Throws std::invalid_argument with a one-line message that names a limit out of range: a length or angle
-  /// that is
-  /// negative or not finite, a spacing not above 0 or above the change from pose to pose, too many nodes.
+  /// that is negative or not finite, a spacing not above 0 or above the change from pose to pose, too many
+  /// nodes.
   explicit ChangeGrid(const ChangeLimits& limits);
 
   const std::vector<double>& tilts() const { return tilts_; }
@@ -66,9 +66,8 @@ class ChangeGrid {
   std::uint32_t noChange() const { return no_change_; }
 
   /// The cost of a change at a pose, and of a difference between the changes of two neighbouring poses. A
-  /// degree of tilt
-  /// costs as much as a millimetre of slide; a millimetre of retraction costs twenty times that, because it
-  /// loses the contact.
+  /// degree of tilt costs as much as a millimetre of slide; a millimetre of retraction costs twenty times
+  /// that, because it loses the contact.
   double cost(const Change& change) const;
   double tiltStepCost(double degrees) const;
   double slideStepCost(double length) const;

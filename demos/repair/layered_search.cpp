@@ -114,10 +114,10 @@ std::vector<std::uint32_t> LayeredSearch::cheapest() const {
     for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] += nodeCost(pose, node);
     before[pose] = layer.before;
   }
-  std::vector<std::uint32_t> way(poses_);
-  way.back() = static_cast<std::uint32_t>(std::ranges::min_element(layer.cost) - layer.cost.begin());
-  for (std::size_t pose = poses_ - 1; pose > 0; --pose) way[pose - 1] = before[pose][way[pose]];
-  return way;
+  std::vector<std::uint32_t> route(poses_);
+  route.back() = static_cast<std::uint32_t>(std::ranges::min_element(layer.cost) - layer.cost.begin());
+  for (std::size_t pose = poses_ - 1; pose > 0; --pose) route[pose - 1] = before[pose][route[pose]];
+  return route;
 }
 
 }  // namespace octoblisk::demos

@@ -43,8 +43,7 @@ class LayeredSearch {
   void unblockSteps(std::size_t pose) { blocked_steps_.erase(pose); }
 
   /// Makes the route avoid a pose's nodes with a smaller retraction than the index, at any cost, unless the
-  /// others are
-  /// blocked.
+  /// others are blocked.
   void avoidBelow(std::size_t pose, std::size_t retract) { least_retract_[pose] = retract; }
 
   /// The node of each pose. Among routes of equal cost the choice is deterministic.

@@ -54,16 +54,16 @@ class Repairer {
   /// The route found; if stopped, the best so far.
   std::vector<std::uint32_t> run(const RunWatch& watch) {
     for (;;) {
-      std::vector<std::uint32_t> way = search_.cheapest();
+      std::vector<std::uint32_t> route = search_.cheapest();
       is_stopped_ = watch.isStopped();
-      if (is_stopped_) return way;
-      if (judgePoses(way)) {
-        watch.tell(kTask, settled(way));
+      if (is_stopped_) return route;
+      if (judgePoses(route)) {
+        watch.tell(kTask, settled(route));
         continue;
       }
-      if (judgeMoves(way)) continue;
+      if (judgeMoves(route)) continue;
       watch.tell(kTask, path_.size());
-      return way;
+      return route;
     }
   }
   bool isStopped() const { return is_stopped_; }
@@ -73,8 +73,8 @@ class Repairer {
     const Change change = grid_.change(node);
     return change.isNone() ? path_[index] : changedPose(path_[index], off_surface_[index], change);
   }
-  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& way) const {
-    return free_moves_.contains({pose, way[pose - 1], way[pose]});
+  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& route) const {
+    return free_moves_.contains({pose, route[pose - 1], route[pose]});
   }
   const ChangeGrid& grid() const { return grid_; }
   std::size_t asked(std::size_t pose) const {
@@ -92,29 +92,28 @@ class Repairer {
     return known(pose, node) == kFree || known(pose, node) == kLosing;
   }
 
-  std::size_t settled(const std::vector<std::uint32_t>& way) {
+  std::size_t settled(const std::vector<std::uint32_t>& route) {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < way.size(); ++p) count += isFree(p, way[p]);
+    for (std::size_t p = 0; p < route.size(); ++p) count += isFree(p, route[p]);
     return count;
   }
 
   /// Judges the unknown nodes of the route. At poses whose nodes turned out blocked or losing contact before,
-  /// it also
-  /// judges the next cheapest nodes. Returns true if a node of the route is newly found to be blocked or
-  /// losing contact.
-  bool judgePoses(const std::vector<std::uint32_t>& way) {
+  /// it also judges the next cheapest nodes. Returns true if a node of the route is newly found to be blocked
+  /// or losing contact.
+  bool judgePoses(const std::vector<std::uint32_t>& route) {
     std::vector<std::pair<std::size_t, std::uint32_t>> asked;
     std::vector<Pose> poses;
     const auto ask = [&](std::size_t p, std::uint32_t node) {
       asked.emplace_back(p, node);
       poses.push_back(pose(p, node));
     };
-    for (std::size_t p = 0; p < way.size(); ++p) {
-      if (known(p, way[p]) != kUnknown) continue;
-      ask(p, way[p]);
+    for (std::size_t p = 0; p < route.size(); ++p) {
+      if (known(p, route[p]) != kUnknown) continue;
+      ask(p, route[p]);
       for (std::size_t more = 1; more < at_once_[p] && next_[p] < by_cost_.size(); ++next_[p]) {
         const std::uint32_t node = by_cost_[next_[p]];
-        if (node == way[p] || known(p, node) != kUnknown) continue;
+        if (node == route[p] || known(p, node) != kUnknown) continue;
         ask(p, node);
         ++more;
       }
@@ -133,7 +132,7 @@ class Repairer {
         known(p, node) = kFree;
         continue;
       }
-      if (node != way[p]) continue;
+      if (node != route[p]) continue;
       any_worse = true;
       at_once_[p] = std::min(2 * at_once_[p], kMostAtOnce);
     }
@@ -141,43 +140,44 @@ class Repairer {
   }
 
   /// The same for the motions between free poses.
-  bool judgeMoves(const std::vector<std::uint32_t>& way) {
+  bool judgeMoves(const std::vector<std::uint32_t>& route) {
     std::vector<std::size_t> asked;
     std::vector<Move> moves;
-    for (std::size_t p = 1; p < way.size(); ++p) {
+    for (std::size_t p = 1; p < route.size(); ++p) {
       if (hasGivenUp(p)) continue;
-      if (!isFree(p - 1, way[p - 1]) || !isFree(p, way[p])) continue;
-      if (isFreeMove(p, way)) continue;
+      if (!isFree(p - 1, route[p - 1]) || !isFree(p, route[p])) continue;
+      if (isFreeMove(p, route)) continue;
       asked.push_back(p);
-      moves.push_back({pose(p - 1, way[p - 1]), pose(p, way[p])});
+      moves.push_back({pose(p - 1, route[p - 1]), pose(p, route[p])});
     }
     const auto found = judge_.obstaclesOf(moves);
     bool any_blocked = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const std::size_t p = asked[k];
       if (!found[k]) {
-        free_moves_.insert({p, way[p - 1], way[p]});
+        free_moves_.insert({p, route[p - 1], route[p]});
         continue;
       }
       any_blocked = true;
-      search_.blockStep(p, way[p - 1], way[p]);
+      search_.blockStep(p, route[p - 1], route[p]);
       ++tries_[p];
       const std::size_t patience = patienceFor(p);
       if (hasGivenUp(p)) {
         giveUpMove(p);
       } else if (tries_[p] > patience && (tries_[p] - patience) % kTriesBeforeRetracting == 0) {
-        retractMove(p, way, (tries_[p] - patience) / kTriesBeforeRetracting);
+        retractMove(p, route, (tries_[p] - patience) / kTriesBeforeRetracting);
       }
     }
     return any_blocked;
   }
 
   /// Retracts both ends of a motion that is blocked again and again, each time by twice as many steps.
-  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way, std::size_t times) {
+  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& route, std::size_t times) {
     const std::size_t retracts = grid_.retracts().size();
     const std::size_t more = std::size_t{1} << std::min(times - 1, kMostDoublings);
     for (const std::size_t end : {pose - 1, pose}) {
-      least_retract_[end] = std::min(retracts - 1, std::max(least_retract_[end], way[end] % retracts + more));
+      least_retract_[end] =
+          std::min(retracts - 1, std::max(least_retract_[end], route[end] % retracts + more));
       search_.avoidBelow(end, least_retract_[end]);
     }
   }
@@ -276,14 +276,14 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
   const std::vector<bool> works = workingPoses(judge, path);
   Repairer repairer(judge, path, off_surface, limits,
                     keep_contact ? works : std::vector<bool>(path.size(), false));
-  const std::vector<std::uint32_t> way = repairer.run(watch);
+  const std::vector<std::uint32_t> route = repairer.run(watch);
 
   PathRepair repair;
   repair.is_partial = repairer.isStopped();
   for (std::size_t p = 0; p < path.size(); ++p) {
-    repair.path.push_back(repairer.pose(p, way[p]));
+    repair.path.push_back(repairer.pose(p, route[p]));
     repair.poses.push_back({});
-    repair.poses.back().change = repairer.grid().change(way[p]);
+    repair.poses.back().change = repairer.grid().change(route[p]);
     repair.poses.back().asked = repairer.asked(p);
     repair.poses.back().works = works[p];
   }
@@ -294,12 +294,12 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
     repair.poses[p].before = before[p];
     repair.poses[p].after = after[p];
     if (p == 0 || repair.is_partial || after[p - 1].obstacle || after[p].obstacle) continue;
-    if (repairer.isFreeMove(p, way)) continue;
+    if (repairer.isFreeMove(p, route)) continue;
     moves.push_back({repair.path[p - 1], repair.path[p]});
     move_to.push_back(p);
   }
-  const auto in_the_way = judge.obstaclesOf(moves);
-  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = in_the_way[k];
+  const auto blocking = judge.obstaclesOf(moves);
+  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = blocking[k];
   return repair;
 }
 

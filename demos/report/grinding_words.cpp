@@ -71,7 +71,7 @@ std::string inWords(const GrindingRun& run) {
   text << '\n';
   if (run.blisk->options().partition == PartitionKind::paper) {
     text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
-         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us a pose\n";
+         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us per pose\n";
   }
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict >= Verdict::unknown) {

@@ -19,8 +19,7 @@ namespace octoblisk::demos {
 class Ranks {
  public:
   /// Joins MPI if this process is one of several, and leaves MPI after the last shared memory is released.
-  /// Throws
-  /// std::runtime_error if it is one of several but was built without MPI.
+  /// Throws std::runtime_error if it is one of several but was built without MPI.
   Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;
@@ -38,17 +37,15 @@ class Ranks {
   void together(const std::function<void()>& step);
 
   /// Calls `make` on one rank of each node. All ranks of the node then read the result, in the same memory if
-  /// the system
-  /// permits. Throws as together() does.
+  /// the system permits. Throws as together() does.
   SharedBytes onceANode(const std::function<std::vector<std::byte>()>& make);
 
   /// Whether all ranks have the same number.
   bool haveAllTheSame(std::uint64_t number);
 
   /// Has the ranks answer the whole handout, which only the first rank needs. The first rank takes the
-  /// answers as they
-  /// arrive, in any order, and calls `stop` repeatedly; once that is true, it only waits for the answers
-  /// already begun. Throws what `take` throws on the first rank, and what `answer` throws.
+  /// answers as they arrive, in any order, and calls `stop` repeatedly; once that is true, it only waits for
+  /// the answers already begun. Throws what `take` throws on the first rank, and what `answer` throws.
   using Take = std::function<void(std::span<const AnsweredGroup>)>;
   void answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
                  const std::function<bool()>& stop);

@@ -19,10 +19,9 @@ class StudyJournal {
   enum class Form { table, part };
 
   /// Begins a file or, with `resume`, continues that of an unfinished run: a truncated or damaged end is
-  /// dropped. A finished
-  /// part is then kept as it is. Throws std::runtime_error naming the file if OUT cannot be written, another
-  /// run is writing it, or an unfinished run exists but is not to be continued or belongs to another study or
-  /// part.
+  /// dropped. A finished part is then kept as it is. Throws std::runtime_error naming the file if OUT cannot
+  /// be written, another run is writing it, or an unfinished run exists but is not to be continued or belongs
+  /// to another study or part.
   StudyJournal(Study study, ItemRange part, std::filesystem::path out, Form form, bool resume);
 
   /// Keeps OUT.partial, unless it has no answers.

@@ -26,9 +26,8 @@ class AptText {
   explicit AptText(std::filesystem::path file);
 
   /// Reads the next statement; false at the end of the file. Throws std::runtime_error naming file and line
-  /// for binary
-  /// bytes, a statement that continues beyond the end of the file, a statement that does not begin with a
-  /// word, and an assignment or label (=, parentheses).
+  /// for binary bytes, a statement that continues beyond the end of the file, a statement that does not begin
+  /// with a word, and an assignment or label (=, parentheses).
   bool next(AptStatement& statement);
 
   /// Throws std::runtime_error, "FILE:LINE: message".

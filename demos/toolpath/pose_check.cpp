@@ -55,8 +55,8 @@ std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size
               [&](std::size_t i, std::size_t worker) {
                 if (options_.depth) answers[i].depth = depthAt(asked[i], worker);
                 if (options_.continuous && begin + i > 0) {
-                  const Motion way(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
-                  answers[i].on_the_way = sweep(fixed_, moving_, way, options_.tolerance);
+                  const Motion motion(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
+                  answers[i].hit_on_motion = sweep(fixed_, moving_, motion, options_.tolerance);
                 }
               });
   return answers;

@@ -23,19 +23,18 @@ struct PoseCheckOptions {
 };
 
 struct PoseAnswer {
-  std::optional<TrianglePair> touching;  ///< a pair of triangles that meet, of the fixed and the moving mesh
+  std::optional<TrianglePair> touching;  ///< a triangle pair that meets, of the fixed and the moving mesh
   std::optional<double> clearance;       ///< if asked for: the least distance, 0 where they touch
   std::optional<double> depth;           ///< if asked for: the penetration depth
   std::optional<SignedDistance> signed_distance;  ///< if asked for, with its derivative
-  std::optional<TimeOfImpact> on_the_way;  ///< if asked for: the hit on the motion from the previous pose
+  std::optional<TimeOfImpact> hit_on_motion;  ///< if asked for: the hit on the motion from the previous pose
 };
 
 /// Answers for poses of the moving mesh in the fixed mesh's frame, in parallel.
 class PoseCheck {
  public:
   /// The trees must outlive it. Throws std::invalid_argument if depths are asked for and the fixed mesh is
-  /// open, or if
-  /// signed distances are asked for and both meshes are open.
+  /// open, or if signed distances are asked for and both meshes are open.
   PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
   ~PoseCheck();
 

@@ -53,8 +53,8 @@ WheelSeat::WheelSeat(const TriangleMesh& blisk, std::span<const int> blade_of_tr
 
 Pose WheelSeat::seated(const Pose& tool_in_blisk, const Vec3& normal, double depth) const {
   constexpr double kTouch = 1e-3;  // mm
-  const auto shifted = [&](double way) {
-    return Pose{tool_in_blisk.rotation, tool_in_blisk.translation + way * normal};
+  const auto shifted = [&](double distance) {
+    return Pose{tool_in_blisk.rotation, tool_in_blisk.translation + distance * normal};
   };
   for (const double lift : {1.0, 4.0, 16.0}) {
     // The given pose touches at one point at least, so this motion ends inside the blade.

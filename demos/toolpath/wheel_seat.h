@@ -17,9 +17,8 @@ class WheelSeat {
             double width);
 
   /// The pose shifted along `normal` (of unit length, off the surface): the wheel moves in from outside along
-  /// it until
-  /// it touches the blade, to within 1 µm, and then farther by `depth`. So no point of either is deeper in
-  /// the other. If the wheel is in the blade 16 mm off already, the pose is returned as it is.
+  /// it until it touches the blade, to within 1 µm, and then farther by `depth`. So no point of either is
+  /// deeper in the other. If the wheel is in the blade 16 mm off already, the pose is returned as it is.
   Pose seated(const Pose& tool_in_blisk, const Vec3& normal, double depth) const;
 
  private:

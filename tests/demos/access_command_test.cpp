@@ -1,4 +1,4 @@
-// octoblisk access, run as its users run it.
+// octoblisk access, run as users run it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
       outcome.exit_code,
       std::ranges::any_of(points, [](const auto& row) { return row.at("free_fraction") == "0"; }) ? 1 : 0);
 
-  // The same bytes from one thread.
+  // One thread must give the same bytes.
   ASSERT_LE(run(grid + "--threads 1 --no-picture --out alone").exit_code, 1);
   for (const char* table : {"points.csv", "ranges.csv"}) {
     EXPECT_EQ(contentOf(file("map") / table), contentOf(file("alone") / table));
@@ -95,7 +95,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
 TEST_F(AccessCommand, ofAPathTakesThePosesThatTouchAndTellsTiltsAgainstThem) {
   ASSERT_LE(runOctoblisk(folder_.path(), "grind --no-pictures --out first").exit_code, 1);
   std::vector<Pose> path = readPoses(file("first/path.csv"));
-  path = {path[0], path[100], path[140], path[432]};  // away, two at work, away
+  path = {path[0], path[100], path[140], path[432]};  // away, two working poses, away
   writePoses(file("four.csv"), path);
   const Outcome outcome = run("--path four.csv --tilt-from -2 --tilt-to 2 --tilt-step 2 --out map");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -143,7 +143,7 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
     expectRefusal(run(arguments), "octoblisk: --");
   }
   const std::string help = run("--help").out;
-  for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "Degrees"})
+  for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "DEG"})
     EXPECT_THAT(help, HasSubstr(told));
 }
 

@@ -1,4 +1,4 @@
-// octoblisk check by the ranks of mpirun.
+// octoblisk check on the ranks of mpirun.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// On one machine, whoever the user is and however many processors it has.
+/// On one machine, for any user and any number of processors.
 const std::string kMpirun = std::string(MPIRUN " --oversubscribe --bind-to none ") +
                             "--mca btl_vader_single_copy_mechanism none --mca btl self,vader " +
                             (::geteuid() == 0 ? "--allow-run-as-root " : "");
@@ -32,7 +32,7 @@ class CheckRanks : public CheckParts {
   }
 };
 
-/// The process of a rank below another process; 0 where there is none.
+/// The process of a rank, a descendant of another process; 0 if there is none.
 pid_t processOfRank(pid_t above, int rank) {
   const std::string task = "/proc/" + std::to_string(above);
   const std::string children = contentOf(task + "/task/" + std::to_string(above) + "/children");

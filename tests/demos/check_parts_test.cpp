@@ -1,4 +1,4 @@
-// octoblisk check by parts, with breaks, and octoblisk merge.
+// octoblisk check in parts and with interruptions, and octoblisk merge.
 #include "demos/check_parts.h"
 
 #include <signal.h>
@@ -24,7 +24,7 @@ TEST_F(CheckParts, shardsMergeToTheFileAndTheWordsOfThePlainRun) {
     ASSERT_EQ(plain.exit_code, 1) << plain.error;
     for (const int count : {1, 2, 3, 7}) {
       std::string parts;
-      for (int i = count; i >= 1; --i) {  // the order does not count
+      for (int i = count; i >= 1; --i) {  // the order must not matter
         const std::string name = "part" + std::to_string(i);
         const Outcome part = run(check_ + columns + "--threads " + std::to_string(i) + " --shard " +
                                  std::to_string(i) + "/" + std::to_string(count) + " --out " + name);
@@ -61,8 +61,8 @@ TEST_F(CheckParts, partsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
        {std::pair("columns", "options"), {"fixed", "fixed"}, {"moving", "moving"}, {"poses", "poses"}}) {
     const Outcome outcome = run(std::string("merge first ") + name + " --out merged.csv");
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.error,
-              std::string("octoblisk: ") + name + ": is of another study than first: other " + what + "\n");
+    EXPECT_EQ(outcome.error, std::string("octoblisk: ") + name +
+                                 ": belongs to another study than first: other " + what + "\n");
     EXPECT_FALSE(exists("merged.csv"));
   }
   EXPECT_LE(run("merge second first --out merged.csv").exit_code, 1)
@@ -78,7 +78,7 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
                   "missing/out.csv: cannot be written: there is no folder missing\n");
-    expectRefused(check_.substr(6) + options + "--out .", ".: this is a folder");
+    expectRefused(check_.substr(6) + options + "--out .", ".: is a folder");
     expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: is also");
   }
   expectRefused(check_.substr(6) + "--resume --out /dev/null",
@@ -92,13 +92,13 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   EXPECT_FALSE(exists("out.csv.partial"));
 }
 
-/// A part of one item, of right checksums.
+/// A part of one item with right checksums.
 std::string partOf(const Study& study, const std::string& rows, const std::string& tally) {
   const std::string head = headOf(study, {0, 1});
   return head + textOf({{0, 1}, rows, tally}, head);
 }
 
-/// Checksums are no proof that octoblisk wrote it.
+/// Right checksums do not prove that octoblisk wrote the part.
 TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string columns = "pose,colliding,triangle_fixed,triangle_moving", rows = "0,0,,\n";
   const std::string right = "1 0 0 0 0 0";
@@ -130,7 +130,7 @@ TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   EXPECT_EQ(content("merged.csv"), "of an earlier run");
 }
 
-/// Its other files are made of the table, once that is written.
+/// The other files of access are made from the finished table.
 TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string row = "0,,1,2,3,0,0,1,5,7,0.5,0,-10,20,0,0,,,0.5,0.5,0 -10 20";
   const std::string right = "1 180 1\t1 belt on blade 2";

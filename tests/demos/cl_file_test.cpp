@@ -139,9 +139,9 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"CYCLE/DRILL,5", "CYCLE makes motions"},
       {"GOFWD/C1,PAST,L2", "GOFWD makes motions"},
       {"CALL/SUB", "CALL makes motions"},
-      {"TRACUT/MAT1", "TRACUT moves or turns"},
-      {"ORIGIN/0,0,5", "ORIGIN moves or turns"},
-      {"COPY/1,TRANSL,0,0,5,4", "COPY moves or turns"},
+      {"TRACUT/MAT1", "TRACUT transforms the"},
+      {"ORIGIN/0,0,5", "ORIGIN transforms the"},
+      {"COPY/1,TRANSL,0,0,5,4", "COPY transforms the"},
       {"MSYS/0,0,5,1,0,0,0,1,0", "MSYS"},
       {"MODE/INCR", "incremental"},
       {"P1 = POINT/1,2,3", "APT source"},
@@ -227,7 +227,7 @@ TEST_F(ClFiles, knowsEitherKindOfFileByExtensionOrContent) {
 TEST_F(ClFiles, sixNumbersAreCompletedByTheSurface) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(blisk.mesh));
-  // Over the hub's cylinder the wheel must lie along its axis or round it, square to the arm.
+  // Over the hub's cylinder the wheel must lie along its axis or around it, perpendicular to the arm.
   const ClFile file = read(
       "GOTO/300,0,90,1,0,0\nGOTO/138,0,90,0,1,0\nGOTO/138,0,91,0,0.6,0.8\nGOTO/138,0,92,0.9998,0.02,0\n");
   const std::vector<ToolMove> moves = toolMovesOf(file, tree);

@@ -1,4 +1,4 @@
-// octoblisk grind: bad input is one line that names it, and leaves what is there as it was.
+// octoblisk grind: bad input gives a one-line message that names it, and existing files stay as they are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

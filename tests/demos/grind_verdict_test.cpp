@@ -1,4 +1,4 @@
-// octoblisk grind: what it calls interference.
+// octoblisk grind: the verdicts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_EQ(summary["limits"]["ground_blade"], 1);
   EXPECT_THAT(outcome.out, HasSubstr("ground blade 1 of 24 (intended up to 0.1 mm deep)"));
 
-  // Each pose has the worst of its contacts' verdicts, and the runs that interfere are those of the summary.
+  // Each pose has the worst of its contacts' verdicts, and the interfering runs match the summary.
   const auto table = readTable(file("run/poses.csv"));
   ASSERT_EQ(table.size(), path.size());
   std::set<std::size_t> interfering, of_contacts, of_summary;
@@ -112,7 +112,7 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_THAT(outcome.out, HasSubstr("\nGround: " + std::to_string(std::lround(100.0 * ground / area)) +
                                      " % of the convex side of blade 1; not reached: root below 0.4"));
 
-  // The belt alone touches: a sample of its depths, and where pairs of triangles mislead.
+  // Only the belt touches: a sample of its depths, and places where triangle pairs mislead.
   const TriangleMesh belt_mesh = embeddedBeltGrinder().front().mesh;
   const auto belt = treeOf(belt_mesh);
   const octoblisk::Surface blisk_surface(*blisk), belt_surface(*belt);
@@ -184,7 +184,7 @@ TEST_F(GrindCommand, theDepthOfATouchIsThatOfTheSolidsHoweverFineTheMeshes) {
 }
 
 TEST_F(GrindCommand, aMoveThroughABladeIsInterferenceAtClearPoses) {
-  // In by the axis of a channel, and round the rim to the next: straight through the blades.
+  // In along the axis of a channel, and around the rim to the next channel: straight through the blades.
   folder_.write("jump.csv",
                 "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n0,300,0,0.7071067811865476,0,0,0.7071067811865476\n");
   const Outcome outcome = run("--path jump.csv --no-pictures --out run");

@@ -1,4 +1,4 @@
-// Studies by parts, with breaks: the table is that of one run.
+// Studies in parts and with interruptions: the table equals that of one run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ class StudyFiles : public ::testing::Test {
     return run(squaresStudy(kItems), target, [](ItemRange items) { return squaresOf(items); });
   }
 
-  /// Runs until so many items at least are answered, then breaks.
+  /// Runs until at least this many items are answered, then stops.
   void runUntil(const StudyTarget& target, std::size_t items) {
     const auto break_there = [&](ItemRange asked) {
       if (asked.begin >= items) throw std::runtime_error("the machine is gone");
@@ -56,7 +56,7 @@ class StudyFiles : public ::testing::Test {
               "the machine is gone");
   }
 
-  /// Writes a part for each of `count` shards and returns their names.
+  /// Writes one part per shard and returns their names.
   std::vector<std::filesystem::path> writeParts(std::size_t count, const Study& study) {
     std::vector<std::filesystem::path> parts;
     for (std::size_t i = 1; i <= count; ++i) {

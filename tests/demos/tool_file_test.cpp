@@ -1,4 +1,4 @@
-// Tool files: what is read and written, and what is refused in which words.
+// Tool files: reading, writing, and the messages for invalid files.
 #include "grinding/tool_file.h"
 
 #include <gmock/gmock.h>

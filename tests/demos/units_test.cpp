@@ -72,13 +72,13 @@ TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
     EXPECT_EQ(given.error, "");
     const Outcome found = run("grind --units auto --blisk " + unit + ".ply" + kGrind);
     EXPECT_EQ(firstLine(found), firstLine(expected));
-    EXPECT_THAT(found.error, HasSubstr("note: " + unit + ".ply: read in " + unit + ": "));
+    EXPECT_THAT(found.error, HasSubstr("note: " + unit + ".ply: read in " + unit + ", because "));
     EXPECT_THAT(run("blades --units auto --blisk " + unit + ".ply --no-picture --out blades").out,
                 HasSubstr("24 blades "));
     EXPECT_EQ(run("path --units " + unit + " --blisk " + unit + ".ply --out " + unit + ".csv").exit_code, 0);
   }
   EXPECT_THAT(run("grind --units auto --blisk mm.ply" + std::string(kGrind)).error,
-              HasSubstr("note: mm.ply: read in mm: "));
+              HasSubstr("note: mm.ply: read in mm, because "));
 }
 
 TEST_F(Units, ofTheToolAreGivenOrFound) {
@@ -105,13 +105,13 @@ TEST_F(Units, ofTheToolAreGivenOrFound) {
     EXPECT_EQ(given.error, "");
     const Outcome found = run(std::string("grind --tool-units auto ") + in + tables + "auto");
     EXPECT_EQ(firstLine(found), firstLine(expected));
-    EXPECT_THAT(found.error, HasSubstr(": read in in: "));
+    EXPECT_THAT(found.error, HasSubstr(": read in in, because "));
   }
   expectRefusal(run("grind --tool-units in" + tables + "run"), "--tool-units: the built-in tool is in mm");
 }
 
 TEST_F(Units, ofObstaclesAreTheBlisks) {
-  // 51 mm of bar, which by its own size might be inches, far from the tool.
+  // A bar of 51 mm, which by its own size could be in inches, far from the tool.
   ASSERT_EQ(
       runOctoblisk(folder_.path(), "make arm --arm-start 300 --wheel-distance 340 --out clamp.ply").exit_code,
       0);
@@ -131,7 +131,7 @@ TEST_F(Units, ofAccessRepairAndCheck) {
   const Outcome repair = run("repair --blisk mm.ply" + path + "mm");
   EXPECT_LE(repair.exit_code, 1) << repair.error;
   EXPECT_EQ(firstLine(run("repair --units in --blisk in.ply" + path + "in")), firstLine(repair));
-  // Boxes of 4 and 2 mm, in mm and in metres, 1 mm in each other.
+  // Boxes of 4 and 2 mm, in mm and in metres, 1 mm deep in each other.
   folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n2,0,0,1,0,0,0\n5,0,0,1,0,0,0\n");
   for (const auto& [name, size] : {std::pair("large", 2.0), std::pair("small", 1.0)}) {
     writeMesh(folder_.path() / (std::string(name) + ".obj"), block(Vec3::Constant(size), 1));

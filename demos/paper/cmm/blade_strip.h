@@ -36,8 +36,7 @@ struct BladeStripOptions {
 /// edges.
 struct BladeStrip {
   /// The share of each area in a station, in the order of kBladeAreas; their sum is 1. Shares change smoothly
-  /// across a
-  /// border.
+  /// across a border.
   using Shares = std::array<double, kBladeAreas.size()>;
 
   SectionGrid grid;

@@ -44,8 +44,7 @@ struct ProcessErrors {
 class GrindingPass {
  public:
   /// The grid must outlive it. Finds the contact at every pose. Throws std::invalid_argument with a one-line
-  /// message naming a
-  /// parameter that is not above 0.
+  /// message naming a parameter that is not above 0.
   GrindingPass(const SectionGrid& grid, const GrindingProcess& process);
 
   std::size_t poses() const { return poses_.size(); }
@@ -58,15 +57,13 @@ class GrindingPass {
   std::vector<double> dwellsOfFeed(double feed) const;
 
   /// The mean removal (mm, over each point's cell) for dwells (s) at the poses. `loads`, if not empty, are
-  /// the forces divided
-  /// by the planned ones.
+  /// the forces divided by the planned ones.
   std::vector<double> removal(std::span<const double> dwells, std::span<const double> loads = {}) const;
 
   /// Dwells (s) that remove approximately the wanted depths (mm; negative ones count as 0) in the model,
-  /// within the limits of
-  /// the feed: the least-squares solution with dwells >= 0, by repeated multiplication with (Hᵀ wanted) / (Hᵀ
-  /// H dwells) (M. E. Daube-Witherspoon, G. Muehllehner, 1986), where H is the removal of one second at each
-  /// pose.
+  /// within the limits of the feed: the least-squares solution with dwells >= 0, by repeated multiplication
+  /// with (Hᵀ wanted) / (Hᵀ H dwells) (M. E. Daube-Witherspoon, G. Muehllehner, 1986), where H is the removal
+  /// of one second at each pose.
   std::vector<double> plan(std::span<const double> wanted, int rounds = 30) const;
 
   /// The actual removal, with the errors.

@@ -23,8 +23,7 @@ class SectionGrid {
   };
 
   /// The rows' heights must ascend. In space, along × up must point to the left of the section in its plane,
-  /// as
-  /// z × e_r = e_theta does on a blade. Outwards means out of a closed section, and to the left of an open
+  /// as z × e_r = e_theta does on a blade. Outwards means out of a closed section, and to the left of an open
   /// one. Throws std::invalid_argument: fewer than two rows or three stations, rows of different lengths,
   /// heights that do not ascend, neighbours at the same place.
   SectionGrid(std::vector<double> heights, const std::vector<std::vector<SectionPoint>>& rows, bool closed);

@@ -69,8 +69,7 @@ class RobotCell {
   void place(const Joints& joints);
 
   /// Lets the motors follow a command that runs evenly from one position to the next, for `seconds`, in
-  /// `steps` steps of the
-  /// world. The servos see the joints with the encoders' error.
+  /// `steps` steps of the world. The servos see the joints with the encoders' error.
   void drive(const Joints& from, const Joints& to, double seconds, int steps, const Joints& encoder_error);
 
   Joints joints() const;
@@ -84,9 +83,8 @@ class RobotCell {
   Pose toolInBlisk(const Belief& belief) const;
 
   /// Bullet's contacts of all moving bodies with the blisk, with all bodies at their believed poses: pairs
-  /// from the
-  /// broadphase, then the closest-points query for each, up to the distance `reach` (mm, >= 0). The arm
-  /// itself does not move. The result is valid until the next call.
+  /// from the broadphase, then the closest-points query for each, up to the distance `reach` (mm, >= 0). The
+  /// arm itself does not move. The result is valid until the next call.
   std::span<const CellContact> detect(const Belief& belief, double reach);
 
  private:

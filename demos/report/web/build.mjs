@@ -1,5 +1,5 @@
-// Builds the page of the replay, one file, from src/: node build.mjs [OUT]. The page is checked in as ../replay_page.html,
-// so that building the program needs no npm; octoblisk inserts a run.
+// Builds the page of the replay, one file, from src/: node build.mjs [OUT]. The page is checked in as
+// ../replay_page.html, so that building the program needs no npm; octoblisk inserts a run.
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
 
