@@ -5,7 +5,7 @@ import { bladeText, millimetres } from "./run.js";
 const kRows = 100;
 const kSides = ["–", "forward", "backward", "convex", "concave"];
 
-/** A finding is [place, verdict, part, blade, side, depth or null, pose]: the pose that a motion leads to, otherwise -1. */
+/** A finding is [place, verdict, part, blade, side, depth or null, pose]; pose is where a motion leads, or -1. */
 export class FindingsTable {
   constructor(run, player) {
     this.run = run;
