@@ -4,6 +4,7 @@
 #include <exception>
 #include <ios>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,14 +24,32 @@ std::string commandAskedFor(const CLI::App& app) {
   return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
 }
 
+/// CLI11's help without "{false}", which it adds to the names of flags that switch something off.
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    label("REQUIRED", "(required)");
+    label("Needs", "needs");
+    label("Excludes", "excludes");
+  }
+
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::string_view kFalse = "{false}";
+    std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    const std::size_t place = name.find(kFalse);
+    return place == std::string::npos ? name : name.erase(place, kFalse.size());
+  }
+};
+
 /// CLI11's message, in the style of ours.
 std::string messageOf(const CLI::ParseError& error) {
   struct Rewritten {
-    std::string_view error, theirs, ours;
+    std::string_view error;  // empty: any, because errors about extra arguments have the command's name
+    std::string_view theirs, ours;
   };
   constexpr Rewritten kRewritten[] = {
-      {"ExtrasError", "The following argument was not expected:", "unknown argument:"},
-      {"ExtrasError", "The following arguments were not expected:", "unknown arguments:"},
+      {"", "The following argument was not expected:", "unknown argument:"},
+      {"", "The following arguments were not expected:", "unknown arguments:"},
       {"ExcludesError", " excludes ", " cannot be used with "},
       {"RequiresError", " requires ", " needs "},
       {"ArgumentMismatch", ": 1 required ", ": "},
@@ -39,7 +58,8 @@ std::string messageOf(const CLI::ParseError& error) {
   std::string message = error.what();
   for (const auto& [name, theirs, ours] : kRewritten) {
     const std::size_t place = message.find(theirs);
-    if (error.get_name() == name && place != std::string::npos) message.replace(place, theirs.size(), ours);
+    const bool is_this = name.empty() ? place == 0 : place != std::string::npos && error.get_name() == name;
+    if (is_this) message.replace(place, theirs.size(), ours);
   }
   return message;
 }
@@ -51,6 +71,7 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   const Help& help = helpOf("octoblisk");
   CLI::App app{help.about};
   app.name("octoblisk");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.set_version_flag("--version", "octoblisk " + version, "Print the version and exit");

@@ -7,7 +7,7 @@
 namespace octoblisk::demos {
 
 void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help) {
-  command.add_option("-o,--out", target.out, out_help)->required()->check(notEmpty());
+  command.add_option("-o,--out", target.out, out_help)->type_name("FILE")->required()->check(notEmpty());
   addShardOptions(command, target);
 }
 

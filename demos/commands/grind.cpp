@@ -240,13 +240,13 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
         ->needs(has_spindle)
         ->group(forces);
   };
-  add_number("--stiffness", spindle.stiffness, "Stiffness of belt and contact wheel, by the belt's depth",
-             "N/MM", 1e6, true);
+  add_number("--stiffness", spindle.stiffness,
+             "Stiffness of belt and contact wheel in N/mm, by the belt's depth", "N/MM", 1e6, true);
   add_number("--friction", spindle.friction, "Coefficient of friction between belt and blisk", "MU", 10.0,
              false);
   add_number("--hold", spindle.hold, "Torque that the spindle's brake holds, in N·m; 0: it turns freely",
              "NM", 1e6, false);
-  add_number("--density", spindle.density, "Density of the blisk", "KG/MM3", 1e-3, true);
+  add_number("--density", spindle.density, "Density of the blisk in kg/mm³", "KG/MM3", 1e-3, true);
   command.add_flag("--no-pictures", request->no_pictures, "Do not write the pictures");
   addReportOption(command, request->report);
   command

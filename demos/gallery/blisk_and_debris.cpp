@@ -45,8 +45,8 @@ class BliskAndDebris final : public RigidScene {
 
   demos::Picture picture() const override {
     demos::Picture picture = RigidScene::picture();
-    const Pose blisk =
-        fromBullet(blisk_->getWorldTransform());  // the line shows how far the blisk has turned
+    // The line shows how far the blisk has turned.
+    const Pose blisk = fromBullet(blisk_->getWorldTransform());
     const Vec3 line[] = {blisk * Vec3(68, 0, 101), blisk * Vec3(120, 0, 101)};
     picture.scene.addPolyline(line, {.color = demos::palette::kInk, .width = 9.0f});
     return picture;

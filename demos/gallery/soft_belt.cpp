@@ -107,8 +107,8 @@ void SoftBelt::makeBelt() {
   }
   belt.setTotalMass(btScalar(mass));
   belt.updateConstants();
-  belt.m_bUpdateRtCst =
-      false;  // otherwise the first step would take the rest lengths from the tensioned belt
+  // If this were true, the first step would take the rest lengths from the tensioned belt.
+  belt.m_bUpdateRtCst = false;
   for (int l = 0; l < belt.m_links.size(); ++l) {
     btSoftBody::Link& link = belt.m_links[l];
     const int steps = std::abs(static_cast<int>(link.m_n[0] - link.m_n[1]));

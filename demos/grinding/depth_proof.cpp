@@ -20,8 +20,8 @@ constexpr int kMostDistances = 200;           // of a shell
 bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& move, double begin,
               double end, const Vec3& lift) {
   const double length = move.lengthBound(shell);
-  double reach =
-      0.5 * (end - begin) * length;  // the path length that the next distance must prove, on either side
+  // The path length that the next distance must prove, on either side.
+  double reach = 0.5 * (end - begin) * length;
   TrianglePair hint;
   for (int asked = 0; asked < kMostDistances; ++asked) {
     const double left = std::max(0.0, 0.5 * (end - begin) * length);

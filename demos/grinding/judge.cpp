@@ -15,8 +15,8 @@ using namespace detail;
 
 namespace {
 
-constexpr std::size_t kPosesOfTrail =
-    64;                                 // then the memory is reset, so the answers do not depend on threads
+// The memory is reset after this many poses, so the answers do not depend on the number of threads.
+constexpr std::size_t kPosesOfTrail = 64;
 constexpr double kMarginOfMoves = 0.5;  // fraction of the poses' margin
 
 std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {

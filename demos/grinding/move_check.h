@@ -62,8 +62,8 @@ class MoveCheck {
   const Obstacles& obstacles_;
   PartDepths& depths_;
   std::vector<FarPart> far_parts_;  // per part
-  std::vector<std::optional<DepthProof>>
-      depth_proofs_;  // per part that may touch, if the blisk has no defects
+  // Per part that may touch, if the blisk has no defects.
+  std::vector<std::optional<DepthProof>> depth_proofs_;
   int threads_;
 };
 

@@ -18,8 +18,8 @@ namespace octoblisk::demos {
 struct PartDepth {
   std::size_t part = 0;
   double depth = 0.0;  ///< mm
-  std::uint32_t triangle_of_blisk =
-      0;  ///< of the deepest point if it is on the blisk, otherwise the nearest one to it
+  /// Of the deepest point if it is on the blisk, otherwise the nearest one to it.
+  std::uint32_t triangle_of_blisk = 0;
   Vec3 point_on_blisk = Vec3::Zero();  ///< on that triangle
   bool is_inside = false;              ///< the surfaces do not meet: one lies wholly in the other
   /// False if the part is at a place where the blisk's surface does not bound a solid
@@ -53,9 +53,8 @@ class PartDepths {
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
   /// For each pose, in the order of the parts: the parts that touch the blisk, contain it or lie inside it.
-  /// After these,
-  /// the parts that contain a fixture or lie inside it without touching it: their depth is 0, and the
-  /// triangle is one of the surroundings (fixture.h).
+  /// After these, the parts that contain a fixture or lie inside it without touching it: their depth is 0,
+  /// and the triangle is one of the surroundings (fixture.h).
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
   /// The same for single parts: parts[i] at tool_in_blisk[i].

@@ -31,8 +31,8 @@ struct VerdictRules {
   std::vector<AllowedPair> allowed = {};  ///< further pairs that may touch
   /// A clearance below this is a near miss; by default every contact that is apart is one.
   double near_miss = std::numeric_limits<double>::infinity();
-  std::vector<PairMargin> margins =
-      {};  ///< for some pairs; if several rows match a pair, the last one counts
+  /// For some pairs; if several rows match a pair, the last one counts.
+  std::vector<PairMargin> margins = {};
 
   int blade_count = std::numeric_limits<int>::max();  ///< bodies above are fixtures: nothing may touch them
 
@@ -71,8 +71,7 @@ struct MoveReport {
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.
   double depth_bound = 0.0;
   /// Whether all of these parts are proved to stay within their limits (depth_proof.h). Otherwise one exceeds
-  /// its limit,
-  /// or the depth was only measured at some places.
+  /// its limit, or the depth was only measured at some places.
   bool depth_proved = true;
 };
 

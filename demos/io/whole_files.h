@@ -20,8 +20,7 @@ class WholeFiles {
   std::filesystem::path add(const std::filesystem::path& file);
 
   /// Gives all files their names once all are on the disk. Throws std::runtime_error naming a file that
-  /// cannot be written,
-  /// and the cause.
+  /// cannot be written, and the cause.
   void finish();
 
  private:

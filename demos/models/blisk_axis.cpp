@@ -22,8 +22,8 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kGreatestError = 0.005;  // of the tip radius
-constexpr int kLeastBlades =
-    3;  // about a tried axis: any ring consists of two equal halves about its diameter
+// Two would not do: any ring consists of two equal halves about its diameter.
+constexpr int kLeastBlades = 3;
 
 struct SurfaceMoments {
   double area = 0.0;

@@ -20,8 +20,8 @@ struct SurfaceDefects {
   FaultyEdges non_manifold = {};  ///< edges of more than two triangles
   std::size_t duplicates = 0;     ///< triangles with the same three corners as a lower one
   std::size_t first_duplicate = 0;
-  bool is_closed =
-      true;  ///< every edge has an even number of triangles, which octoblisk::Surface calls closed
+  /// Every edge has an even number of triangles, which octoblisk::Surface calls closed.
+  bool is_closed = true;
 
   bool none() const { return open.count + non_manifold.count + duplicates == 0; }
 };

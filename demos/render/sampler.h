@@ -54,8 +54,7 @@ class Sampler {
 
   static constexpr unsigned kPatterns = 16;
   /// The share of the sky visible from a surface, 0 to 1, estimated with a few rays. Each pattern is another
-  /// set of rays;
-  /// together they cover the sky evenly.
+  /// set of rays; together they cover the sky evenly.
   float skyShare(const Surface& surface, unsigned pattern) const;
 
   /// The sample's linear colour if its opaque surface sees this share of the sky.

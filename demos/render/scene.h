@@ -26,8 +26,7 @@ class Scene {
   void addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, Color color, float opacity = 1.0f);
 
   /// A surface with one colour per triangle. Throws std::invalid_argument if the numbers of colours and
-  /// triangles differ,
-  /// or as above.
+  /// triangles differ, or as above.
   void addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, std::span<const Color> triangle_colors,
                float opacity = 1.0f);
 

@@ -16,7 +16,7 @@ namespace {
 std::string listOf(const std::vector<PoseRange>& ranges) {
   constexpr std::size_t kMost = 12;
   std::ostringstream text;
-  text << "poses ";
+  text << (ranges.size() == 1 && ranges[0].first == ranges[0].last ? "pose " : "poses ");
   for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
     text << (i > 0 ? ", " : "") << ranges[i].first;
     if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;

@@ -26,8 +26,8 @@ struct BladeStripOptions {
   double row_spacing = 0.5;  ///< of the grid, at most
   double margin = 6.0;       ///< of the grid beyond the lowest and the highest section
   double edge_part = 0.08;   ///< fraction of a side's length that belongs to the edge at either end
-  double border_part =
-      0.02;  ///< fraction of a side's length that is not measured around a border between areas
+  /// Fraction of a side's length that is not measured around a border between areas.
+  double border_part = 0.02;
   int points_per_area = 20;  ///< measured per section, at most
 };
 

@@ -14,8 +14,8 @@ namespace octoblisk::demos {
 /// Units: mm, s, N.
 struct GrindingProcess {
   ContactWheel wheel;
-  double set_force =
-      20.0;  ///< N on a flat: the value set for a turbine blade in doi 10.1177/1687814017700827
+  /// N on a flat: the value set for a turbine blade in doi 10.1177/1687814017700827.
+  double set_force = 20.0;
   double belt_speed = 10'000;  ///< v, mm/s, along the blade's height; assumed
                                /// K_p of dh = K_p p v dt (F. W. Preston, 1927), mm²/N; assumed: 20 N then
                                /// remove 1 mm³/s. Its value cancels out in a

@@ -55,8 +55,7 @@ class RobotCell {
   static constexpr std::size_t kLinks = 6;
 
   /// Throws std::invalid_argument for a missing blisk, a tool without parts, or a negative position gain,
-  /// feedforward,
-  /// torque or mass.
+  /// feedforward, torque or mass.
   explicit RobotCell(RobotCellSetup setup);
   ~RobotCell();
   RobotCell(const RobotCell&) = delete;

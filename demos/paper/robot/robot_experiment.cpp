@@ -182,8 +182,8 @@ class RobotLoop {
     tick.forbidden = touches.forbidden;
     run_.arm.true_ticks += truth_.ofArm(linksInBlisk(cell_));
     for (std::size_t turn = 0; turn < kRobotMethods; ++turn) {
-      const std::size_t m =
-          (k + turn) % kRobotMethods;  // rotates, because the first method finds cold caches
+      // Rotates, because the first method finds cold caches.
+      const std::size_t m = (k + turn) % kRobotMethods;
       const auto method = static_cast<RobotMethod>(m);
       const RobotAnswer answer = methods_.ask(method, belief);
       tallies_[m].add(answer, touches);

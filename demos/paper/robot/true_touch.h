@@ -13,8 +13,8 @@ namespace octoblisk::demos {
 
 struct Touches {
   bool belt = false;  ///< the tool's first part touches the blisk
-  bool forbidden =
-      false;  ///< it touches another blade than the ground one, or the hub; or another part touches
+  /// It touches another blade than the ground one, or the hub; or another part touches.
+  bool forbidden = false;
 };
 
 class TrueTouch {
