@@ -187,8 +187,8 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
           const double value = reader.number(property.type);
           if (is_index && !(value >= 0 && value < vertices)) {
             reader.fail(inQuotes(element.name) + " " + std::to_string(static_cast<std::uint64_t>(k) + 1) +
-                        " uses vertex " + textOf(value) + ", but the file has only " +
-                        std::to_string(static_cast<std::uint64_t>(vertices)));
+                        " uses vertex " + textOf(value) + ", but there are only " +
+                        std::to_string(static_cast<std::uint64_t>(vertices)) + " vertices, counted from 0");
           }
         }
       }

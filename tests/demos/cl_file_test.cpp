@@ -132,7 +132,7 @@ TEST_F(ClFiles, rapidIsForOneMove) {
 TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
   const std::string good = "GOTO/0,0,0\n";
   const std::pair<const char*, const char*> cases[] = {
-      {"CIRCLE/0,0,0,0,0,1,5", "CIRCLE is of an arc"},
+      {"CIRCLE/0,0,0,0,0,1,5", "CIRCLE belongs to an arc"},
       {"INDIRV/1,0,0\n", "arc"},
       {"TLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "arc"},
       {"MOVARC/0,0,0,0,0,1,5,ANGLE,90", "arc"},

@@ -122,7 +122,7 @@ TEST(CellLayout, tellsHowFarTheArmGets_whereItCannotFollow) {
     chooseLayout({}, path, bounds, stand);
     FAIL() << "it reached 4 m";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("pose 0 (from 0), which is out of reach"));
+    EXPECT_THAT(error.what(), HasSubstr("pose 0 (counted from 0), which is out of reach"));
   }
   EXPECT_THROW(chooseLayout({}, {}, bounds), std::invalid_argument);
 }
