@@ -40,7 +40,7 @@ std::vector<Slot> slotsBelow(const Tree& tree, Slot slot) {
   return below;
 }
 
-/// The boxes so many levels below a slot, or of leaves above.
+/// The boxes a number of levels below a slot, and leaves above that level.
 std::vector<Slot> slotsBelow(const Tree& tree, Slot slot, int levels) {
   const std::vector<Slot> below = slotsBelow(tree, slot);
   if (levels == 0 || below.empty()) return {slot};
@@ -66,9 +66,9 @@ std::string percentText(double part) {
   return std::to_string(static_cast<int>(std::lround(100.0 * part))) + " %";
 }
 
-const Vec3 kSideways(-0.35, -1.0, 0.55);  // on a side of the blade, from one edge
+const Vec3 kSideways(-0.35, -1.0, 0.55);  // towards a side of the blade, from one edge
 
-/// The blade's boxes at four depths, coloured by the root's child that they are below.
+/// The blade's boxes at four depths, coloured by the root's child that contains them.
 Image depthsPicture(const Tree& tree) {
   const Camera camera =
       frame(tree.mesh().vertices(), kSideways, Vec3::UnitX(), Projection::orthographic, 1.15);
@@ -109,7 +109,7 @@ std::vector<std::uint32_t> trianglesBelow(const Tree& tree, Slot slot) {
   return all;
 }
 
-/// Of the triangles below a slot, along the axis.
+/// The mean normal of the triangles below a slot, along the axis.
 double meanNormal(const Tree& tree, Slot slot, const Vec3& axis) {
   double sum = 0.0;
   const std::vector<std::uint32_t> triangles = trianglesBelow(tree, slot);
@@ -117,7 +117,7 @@ double meanNormal(const Tree& tree, Slot slot, const Vec3& axis) {
   return sum / static_cast<double>(triangles.size());
 }
 
-/// The first whose children face one side or the other of what their parent holds both of.
+/// The first node that has both sides of the blade and whose children each have only one.
 Slot dividedByNormals(const Tree& tree) {
   for (int depth = 0; depth < tree.stats().depth; ++depth) {
     for (const Slot slot : slotsBelow(tree, Tree::kRoot, depth)) {
@@ -131,7 +131,7 @@ Slot dividedByNormals(const Tree& tree) {
   throw std::logic_error("no node is divided by normals");
 }
 
-/// A node's triangles in the colours of its children: where they are, drawn apart, and by place and normal.
+/// A node's triangles in the colours of its children: in place, drawn apart, and by place and normal.
 Image divisionPicture(const Tree& tree) {
   const TriangleMesh& mesh = tree.mesh();
   const Slot node = dividedByNormals(tree);
@@ -165,23 +165,23 @@ Image divisionPicture(const Tree& tree) {
   on_blade.addBoxes(std::span(&box, 1), {.color = palette::kInk, .width = 2.4f, .hidden_opacity = 0.3f});
   frames[0].caption = "a node with both sides of a blade";
   frames[0].picture.camera = frame(mesh.vertices(), kSideways, Vec3::UnitX());
-  frames[1].caption = "its 8 children, drawn apart: 4 a side";
+  frames[1].caption = "its 8 children, drawn apart: 4 per side";
   frames[1].picture.camera = frame(apart.points(), kSideways, Vec3::UnitX());
-  frames[2].caption = "a dot a triangle: by place, up by normal";
+  frames[2].caption = "one dot per triangle: by place, up by normal";
   frames[2].picture.camera = frame(dots.points(), {-0.4, 1.0, -0.5}, Vec3::UnitZ());
   return contactSheet(
       frames, "A node's triangles are divided by place and normal",
-      "One colour for each child. Where the blade is thin its two sides are near in place, and "
+      "One colour for each child. Where the blade is thin, its two sides are near in place and "
       "far apart by normal",
       3, kFrameWidth, kFrameHeight);
 }
 
-/// A box of each tree.
+/// One box of each tree.
 struct Pair {
   Slot a, b;
 };
 
-/// The pairs of boxes that overlap after so many steps down, of which each opens the larger box of a pair.
+/// The pairs of boxes that overlap after a number of steps down; each step opens the larger box of a pair.
 std::vector<Pair> step(const Tree& a, const Tree& b, const Pose& b_in_a, const std::vector<Pair>& pairs,
                        std::size_t& tests) {
   std::vector<Pair> next;
@@ -208,7 +208,7 @@ std::string countText(std::size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-/// What is left of the walk down two trees after some steps: the boxes that overlap one of the other body.
+/// The descent of two trees after some steps: the boxes that overlap a box of the other body.
 Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& belt_octree,
                   const Pose& belt_in_blisk) {
   const Tree &blisk = treeOf(blisk_octree), &belt = treeOf(belt_octree);
@@ -222,7 +222,7 @@ Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& be
   std::vector<SheetFrame> frames;
   std::vector<Pair> pairs = {{Tree::kRoot, Tree::kRoot}};
   std::size_t tests = 0;
-  const std::array<double, 6> half_sides = {320.0, 320.0, 90.0, 45.0, 22.0, 12.0};  // of what is seen, mm
+  const std::array<double, 6> half_sides = {320.0, 320.0, 90.0, 45.0, 22.0, 12.0};  // of the view, mm
   for (std::size_t f = 0, steps = 0; f < half_sides.size(); ++f) {
     SheetFrame frame;
     Scene& scene = frame.picture.scene;
@@ -240,7 +240,7 @@ Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& be
     frame.caption = std::to_string(steps) + " steps: " + countText(pairs.size(), "pair") + " left, " +
                     std::to_string(tests) + " compared";
     frames.push_back(std::move(frame));
-    // By two steps; before the last frame by all that are left.
+    // Two steps per frame; all remaining steps before the last frame.
     const bool is_last = f + 2 >= half_sides.size();
     for (int k = 0; (is_last || k < 2) && !isDone(blisk, belt, pairs); ++k, ++steps) {
       pairs = step(blisk, belt, belt_in_blisk, pairs, tests);

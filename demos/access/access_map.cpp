@@ -8,7 +8,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The runs of free tilts at a lead; a run that goes on beyond the last tilt is joined with the first.
+/// The runs of free tilts at a lead; a run that continues past the last tilt is joined with the first.
 std::vector<FreeRange> rangesOf(std::span<const PoseState> states, std::size_t lead,
                                 const AccessOptions& options) {
   const int count = options.tilts;
@@ -28,7 +28,7 @@ std::vector<FreeRange> rangesOf(std::span<const PoseState> states, std::size_t l
   return ranges;
 }
 
-/// Each part and blade once, the most often first.
+/// Each part and blade once, the most frequent first.
 std::vector<ObstacleCount> countsOf(std::span<const PoseState> states) {
   std::map<std::pair<std::size_t, int>, ObstacleCount> known;
   for (const PoseState& state : states) {
@@ -52,7 +52,7 @@ SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& opti
   }
   access.free = static_cast<std::size_t>(
       std::ranges::count_if(states, [](const PoseState& state) { return !state.obstacle; }));
-  access.in_the_way = countsOf(states);
+  access.obstacles = countsOf(states);
   for (std::size_t k = 0; k < access.ranges.size(); ++k) {
     if (!access.widest || access.ranges[k].width() > access.ranges[*access.widest].width()) access.widest = k;
   }

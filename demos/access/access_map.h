@@ -1,4 +1,4 @@
-// Where the tool may stand at each contact point: which tilts and leads are free.
+// Finds the tilts and leads at which the tool is free at each contact point.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace octoblisk::demos {
 
-/// Sites that are asked for together: which of several obstacles is named may depend on those before in the
-/// same group.
+/// Sites that are answered together. If several obstacles block a site, the one named may depend on the sites
+/// before it in the same group.
 inline constexpr std::size_t kSitesAtOnce = 8;
 
-/// Degrees.
+/// In degrees.
 struct AccessOptions {
   double tilt_from = -180.0;
   double tilt_step = 1.0;
@@ -24,11 +24,11 @@ struct AccessOptions {
   std::vector<double> leads = {0.0};  ///< ascending
 
   double tilt(int index) const { return tilt_from + index * tilt_step; }
-  /// Whether the last tilt is followed by the first.
+  /// True if the first tilt follows the last one in the circle.
   bool goesRound() const;
 };
 
-/// Tilts that are free one after another, both ends among them; the last may be beyond a full turn.
+/// A run of consecutive free tilts, both ends included; the last may be beyond a full turn.
 struct FreeRange {
   std::size_t lead = 0;  ///< index of AccessOptions::leads
   double tilt_from = 0.0, tilt_to = 0.0;
@@ -36,23 +36,23 @@ struct FreeRange {
   double width() const { return tilt_to - tilt_from; }
 };
 
-/// How often a part is in the way of a blade; of several kinds of being so, the first found.
+/// How often a part is blocked by a blade, whatever the reason; the first reason found is kept.
 struct ObstacleCount {
   Hindrance obstacle;
   std::size_t times = 0;
 };
 
 struct SiteAccess {
-  std::size_t free = 0;                   ///< of all tilts and leads
+  std::size_t free = 0;                   ///< number of free combinations of tilt and lead
   std::vector<FreeRange> ranges;          ///< by lead, then by tilt
-  std::optional<std::size_t> widest;      ///< of the ranges: the first of the widest
-  double lead_from = 0.0, lead_to = 0.0;  ///< the leads round the widest range's that are free at its
+  std::optional<std::size_t> widest;      ///< index of the widest range, the first if several are
+  double lead_from = 0.0, lead_to = 0.0;  ///< the leads around the widest range's that are free at its
                                           ///< middle tilt
-  std::vector<ObstacleCount> in_the_way;  ///< each part and blade once, the most often first
+  std::vector<ObstacleCount> obstacles;   ///< each part and blade once, the most frequent first
 };
 
-/// Asks for every tilt at every lead of every site; the answer does not depend on the judge's threads.
-/// `progress` is told how many sites are done.
+/// Tries every tilt at every lead of every site; the answer does not depend on the judge's threads.
+/// `progress` receives the number of finished sites.
 std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
                                  const AccessOptions& options,
                                  const std::function<void(std::size_t)>& progress = {});

@@ -13,14 +13,14 @@
 namespace octoblisk::demos {
 namespace {
 
-/// A step of the picture's colours: ranges of tilt up to so many degrees.
+/// A step of the picture's colour scale: ranges of tilt up to this width in degrees.
 struct WidthStep {
   double most;
   Color color;
   const char* text;
 };
 
-/// Light to dark but for "none", which stands out.
+/// From light to dark; only "none" has a contrasting colour.
 constexpr std::array kWidthSteps = {WidthStep{-1.0, palette::kVermilion, "nowhere free"},
                                     WidthStep{10.0, {0.94f, 0.89f, 0.62f}, "up to 10° free"},
                                     WidthStep{30.0, {0.70f, 0.83f, 0.58f}, "30°"},
@@ -33,7 +33,7 @@ Color widthColor(const AccessRow& row) {
       ->color;
 }
 
-/// Points of a path have no cells: half of the way to the nearest other that is not at the same place.
+/// Points of a path have no cells: half of the distance to the nearest point at another place.
 double halfSpacing(std::span<const AccessRow> sites) {
   constexpr double kSamePlace = 0.05;  // mm
   constexpr double kAlone = 1.0;       // mm
@@ -66,8 +66,8 @@ Image accessPicture(std::span<const AccessRow> rows, const AccessQuestion& quest
   Annotation annotation;
   annotation.title = "Accessibility of blade " + std::to_string(question.rules.ground_blade);
   std::ostringstream subtitle;
-  subtitle << "widest free range of tilt at each point; right: arc length from the leading edge, up: height "
-              "above the blade's root";
+  subtitle << "widest free range of tilt at each point; horizontal: arc length from the leading edge, "
+              "vertical: height above the blade's root";
   if (question.rules.near_miss > 0.0) subtitle << "; margin " << question.rules.near_miss << " mm";
   annotation.subtitle = subtitle.str();
   for (const WidthStep& step : kWidthSteps) annotation.legend.push_back({step.color, step.text});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNarrow = 30.0;  // degrees
 
-// Of accessVerdicts().
+// Indices into accessVerdicts().
 enum AccessVerdict : std::size_t { kFreeWidely, kFreeNarrowly, kFreeAtOneTilt, kNowhereFree };
 
 std::vector<ReplayVerdict> accessVerdicts() {
@@ -38,7 +38,7 @@ std::string degreesText(double value) {
   return text.str();
 }
 
-/// What may be done at a site, and what is in the way there.
+/// The free range of a site, and its most frequent obstacle.
 std::string siteText(const AccessMap& map, const SiteAccess& access) {
   std::string text;
   if (access.widest) {
@@ -48,9 +48,9 @@ std::string siteText(const AccessMap& map, const SiteAccess& access) {
                                 : "tilt " + degreesText(range.tilt_from) + " to " +
                                       degreesText(range.tilt_to) + lead + ", shown at their middle";
   }
-  if (!access.in_the_way.empty()) {
-    text += (text.empty() ? "most often in the way: " : "; else most often in the way: ") +
-            describe(access.in_the_way.front().obstacle, map.parts, BodyNames(map.blade_count, map.fixtures));
+  if (!access.obstacles.empty()) {
+    text += (text.empty() ? "most frequent obstacle: " : "; otherwise most frequent obstacle: ") +
+            describe(access.obstacles.front().obstacle, map.parts, BodyNames(map.blade_count, map.fixtures));
   }
   return text;
 }
@@ -65,7 +65,7 @@ ReplayTrack accessTrack(const AccessMap& map) {
   ReplayTrack track{.name = "points"};
   ReplaySeries widest{.name = "widest free range of tilt", .unit = "degrees"};
   const double asked = static_cast<double>(map.question.options.leads.size()) * map.question.options.tilts;
-  ReplaySeries share{.name = "part of all tilts and leads that is free", .unit = "%"};
+  ReplaySeries share{.name = "free fraction of all tilts and leads", .unit = "%"};
   share.chart = 1;
   for (std::size_t s = 0; s < map.sites.size(); ++s) {
     const ContactSite& site = map.sites[s];
@@ -77,15 +77,15 @@ ReplayTrack accessTrack(const AccessMap& map) {
     pose.contacts.push_back({verdict, map.question.rules.grinding_part, map.question.rules.ground_blade,
                              site.point, Vec3(-site.normal), 0.0});
     pose.text = siteText(map, access);
-    if (pose.text.empty()) pose.text = "nothing is in the way at any tilt";
+    if (pose.text.empty()) pose.text = "no obstacle at any tilt";
     track.poses.push_back(std::move(pose));
     widest.values.push_back(widestRange(access));
     share.values.push_back(100.0 * static_cast<double>(access.free) / asked);
     if (verdict == kFreeWidely) continue;
     ReplayFinding finding{.at = static_cast<double>(s), .verdict = verdict, .value = widestRange(access)};
-    if (!access.in_the_way.empty()) {
-      finding.part = access.in_the_way.front().obstacle.part;
-      finding.blade = access.in_the_way.front().obstacle.blade;
+    if (!access.obstacles.empty()) {
+      finding.part = access.obstacles.front().obstacle.part;
+      finding.blade = access.obstacles.front().obstacle.blade;
     }
     track.findings.push_back(std::move(finding));
   }
@@ -109,18 +109,18 @@ std::vector<Table> accessFacts(const AccessMap& map, const ClusteredOctree& blis
       {.name = "limits",
        .caption = "Limits and tolerances",
        .rows = {{"Ground blade", std::to_string(map.question.rules.ground_blade)},
-                {"Belt in it, at most", depth.str()},
-                {"All else keeps apart", margin.str()},
+                {"Greatest depth of the belt in it", depth.str()},
+                {"Margin of all other pairs", margin.str()},
                 {"Tilts", degreesText(options.tilt_from) + " to " +
                               degreesText(options.tilt(options.tilts - 1)) + ", every " +
                               degreesText(options.tilt_step)},
                 {"Leads", degreesText(options.leads.front()) + " to " + degreesText(options.leads.back()) +
                               ", " + std::to_string(options.leads.size())},
-                {"Free of all that were asked", free.str()}}},
+                {"Free fraction of all of these", free.str()}}},
       {.name = "input",
        .caption = "Input",
        .rows = {{"Blisk", blisk_name},
-                {"its triangles", std::to_string(blisk.stats().triangles)},
+                {"Triangles of the blisk", std::to_string(blisk.stats().triangles)},
                 {"Points", map.question.of_path ? "poses of a path" : "a grid on a blade's side"}}},
       versionsTable()};
 }
@@ -143,15 +143,15 @@ Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree>
   const std::size_t none = map.nowhereFree(), points = map.sites.size();
   replay.command = "access";
   replay.title =
-      none == 0 ? "Every one of " + std::to_string(points) + " points can be reached"
-                : "Nowhere free at " + std::to_string(none) + " of " + std::to_string(points) + " points";
-  replay.subtitle = "Where the belt grinder may stand at points of blade " +
+      none == 0 ? "All " + std::to_string(points) + " points can be reached"
+                : "No free pose at " + std::to_string(none) + " of " + std::to_string(points) + " points";
+  replay.subtitle = "Orientations in which the belt grinder reaches the points of blade " +
                     std::to_string(map.question.rules.ground_blade) + " of " + std::to_string(blades.count);
   replay.one = "point";
   replay.many = "points";
-  replay.findings_title = "Points with little or no room";
+  replay.findings_title = "Points with few free orientations";
   replay.findings_value = "Widest, °";
-  replay.no_findings = "Every point has more than 30° of tilt free.";
+  replay.no_findings = "Every point is free over more than 30° of tilt.";
   replay.verdicts = accessVerdicts();
   for (std::size_t v = 0; v < replay.verdicts.size(); ++v) {
     const auto count =
@@ -166,7 +166,7 @@ Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree>
   replay.parts = map.parts;
   replay.charts = {
       {.title = "Widest free range of tilt at each point", .unit = "degrees", .limits = {{kNarrow, "30°"}}},
-      {.title = "Share of tilts and leads that is free", .unit = "%"}};
+      {.title = "Free fraction of tilts and leads at each point", .unit = "%"}};
   replay.tracks.push_back(accessTrack(map));
   replay.contacts_of_all_poses = true;
   const std::vector<ReplayFinding>& findings = replay.tracks.front().findings;
@@ -174,8 +174,8 @@ Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree>
   if (nowhere != findings.end()) replay.start_at = nowhere->at;
   replay.facts = accessFacts(map, *blisk, blisk_name);
   replay.notes.push_back(
-      "At each point the tool is shown at the middle of its widest free range of tilt, and where nothing is "
-      "free at tilt 0 and lead 0. Points are counted from 0.");
+      "At each point the tool is shown at the middle of its widest free range of tilt; if no orientation is "
+      "free, at tilt 0 and lead 0. Points are counted from 0.");
   replay.blisk = std::move(blisk);
   return replay;
 }

@@ -1,4 +1,4 @@
-// An accessibility map as a replay: the tool at each point, at the middle of its widest free range.
+// Shows an accessibility map as a replay: the tool at each point, at the middle of its widest free range.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@
 
 namespace octoblisk::demos {
 
-/// A map that is at hand, of at least one point.
+/// A complete map of at least one point.
 struct AccessMap {
   AccessQuestion question;
   std::vector<ContactSite> sites;
-  std::vector<SiteAccess> access;  ///< of each site
+  std::vector<SiteAccess> access;  ///< per site
   std::vector<ToolPart> parts;
   int blade_count = 0;
   std::vector<Fixture> fixtures = {};
 
   std::size_t nowhereFree() const;
-  double freeFraction() const;  ///< of all tilts and leads of all sites
+  double freeFraction() const;  ///< over all tilts and leads of all sites
 };
 
-/// `blisk_name` as it is to be told.
+/// `blisk_name` is shown as it is.
 Replay accessReplay(const AccessMap& map, std::shared_ptr<const ClusteredOctree> blisk,
                     const BladesFound& blades, const std::string& blisk_name);
 

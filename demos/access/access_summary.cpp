@@ -23,21 +23,21 @@ void AccessSummary::count(const SiteAccess& access, std::span<const ToolPart> pa
   free_poses += access.free;
   if (access.free > 0) return;
   ++nowhere_free;
-  ++in_the_way[describe(access.in_the_way.front().obstacle, parts, names)];
+  ++obstacles[describe(access.obstacles.front().obstacle, parts, names)];
 }
 
 void AccessSummary::add(const AccessSummary& other) {
   points += other.points;
   free_poses += other.free_poses;
   nowhere_free += other.nowhere_free;
-  for (const auto& [what, times] : other.in_the_way) in_the_way[what] += times;
+  for (const auto& [what, times] : other.obstacles) obstacles[what] += times;
 }
 
 std::string tallyOf(const AccessSummary& summary) {
   std::string line = std::to_string(summary.points) + ' ' + std::to_string(summary.free_poses) + ' ' +
                      std::to_string(summary.nowhere_free);
   // Names of parts have no tabs.
-  for (const auto& [what, times] : summary.in_the_way) line += '\t' + std::to_string(times) + ' ' + what;
+  for (const auto& [what, times] : summary.obstacles) line += '\t' + std::to_string(times) + ' ' + what;
   return line;
 }
 
@@ -55,13 +55,13 @@ AccessSummary accessSummaryOfTally(const std::string& tally) {
     words >> times;
     words.ignore();
     std::getline(words, what);
-    summary.in_the_way[what] += times;
+    summary.obstacles[what] += times;
   }
   const bool is_printable = std::ranges::all_of(
       tally, [](char letter) { return letter == '\t' || (letter >= ' ' && letter <= '~'); });
-  // What is read in part, or not as it is written, is another line.
+  // The line must match exactly, so a line that is only partly understood is refused.
   if (!is_printable || tallyOf(summary) != tally)
-    throw std::invalid_argument("has a tally of no accessibility map: " + inQuotes(tally));
+    throw std::invalid_argument("has a tally that is not from an accessibility map: " + inQuotes(tally));
   return summary;
 }
 
@@ -75,9 +75,9 @@ std::string inWords(const AccessSummary& summary, const AccessQuestion& question
        << numberOf(static_cast<std::size_t>(question.options.tilts), "tilt") << " at "
        << numberOf(question.options.leads.size(), "lead")
        << " each: " << std::round(1000.0 * static_cast<double>(summary.free_poses) / asked) / 10.0
-       << " % free; " << summary.nowhere_free << " nowhere free\n";
-  for (const auto& [what, times] : summary.in_the_way) {
-    text << "  mostly in the way there: " << what << ", at " << numberOf(times, "point") << '\n';
+       << " % free; " << summary.nowhere_free << " without a free pose\n";
+  for (const auto& [what, times] : summary.obstacles) {
+    text << "  most frequent obstacle there: " << what << ", at " << numberOf(times, "point") << '\n';
   }
   return text.str();
 }
@@ -103,12 +103,10 @@ std::string reachInWords(std::span<const AccessRow> rows) {
   std::ostringstream text;
   text.precision(3);
   text << "Can be ground: " << std::round(100.0 * free / std::max(all, 1e-300)) << " % of the "
-       << (has_areas ? "area round the points" : "points");
+       << (has_areas ? "area around the points" : "points");
   if (free == 0.0) return text.str();
-  if (std::isfinite(highest_below))
-    text << "; of those up to " << highest_below << " mm above the root, none";
-  if (std::isfinite(lowest_above))
-    text << "; of those from " << lowest_above << " mm above the root on, none";
+  if (std::isfinite(highest_below)) text << "; none up to " << highest_below << " mm above the root";
+  if (std::isfinite(lowest_above)) text << "; none from " << lowest_above << " mm above the root";
   return text.str();
 }
 

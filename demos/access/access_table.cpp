@@ -22,7 +22,7 @@ constexpr const char* kAccessColumns =
     "lead_deg,tilt_from_deg,tilt_to_deg,lead_from_deg,lead_to_deg,part,blade,"
     "half_width_mm,half_height_mm,free_ranges";
 
-/// Where columns are that are read back.
+/// The columns that are read back.
 enum AccessColumn {
   kHeightColumn = 8,
   kArcColumn = 9,
@@ -92,9 +92,9 @@ AccessQuestion questionOfLine(const std::string& line) {
   of_path = kind == "path";
   options.leads.clear();
   for (double lead = 0.0; words >> lead;) options.leads.push_back(lead);
-  // What is read in part, or not as it is written, is another line.
+  // The line must match exactly, so a line that is only partly understood is refused.
   if (lineOf(question) != line) {
-    throw std::invalid_argument("has options of no accessibility map: " + inQuotes(line));
+    throw std::invalid_argument("has options that are not from an accessibility map: " + inQuotes(line));
   }
   return question;
 }
@@ -120,10 +120,10 @@ std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAcce
   } else {
     stream << ",,,,,";
   }
-  if (access.in_the_way.empty()) {
+  if (access.obstacles.empty()) {
     stream << ",,";
   } else {
-    const Hindrance& most = access.in_the_way.front().obstacle;
+    const Hindrance& most = access.obstacles.front().obstacle;
     stream << ',' << parts[most.part].name << ',' << names.cellOf(most.blade);
   }
   stream << ',' << site.half_width << ',' << site.half_height << ',';
@@ -140,7 +140,7 @@ AccessRow rowOfLine(std::string_view line) {
   try {
     return rowOfCells(cellsOf(line, ','));
   } catch (const std::invalid_argument&) {
-    throw std::invalid_argument("has a row of no accessibility map: " + inQuotes(line));
+    throw std::invalid_argument("has a row that is not from an accessibility map: " + inQuotes(line));
   }
 }
 
@@ -149,7 +149,7 @@ std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
   std::string line;
   std::size_t number = 1;
   if (!std::getline(stream, line) || line != kAccessColumns) {
-    throw std::runtime_error(atLine(file, number, "this is no table of an accessibility map"));
+    throw std::runtime_error(atLine(file, number, "this is not the header of an accessibility map"));
   }
   std::vector<AccessRow> rows;
   while (std::getline(stream, line)) {
@@ -157,7 +157,7 @@ std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
     try {
       rows.push_back(rowOfLine(line));
     } catch (const std::invalid_argument&) {
-      throw std::runtime_error(atLine(file, number, "this is no row of an accessibility map"));
+      throw std::runtime_error(atLine(file, number, "this is not a row of an accessibility map"));
     }
   }
   return rows;

@@ -22,7 +22,7 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 
 double radialOf(const Vec3& point) { return std::hypot(point.x(), point.y()); }
 
-/// The triangles of a blade, or of one of its sides, with a normal that changes smoothly over them.
+/// The triangles of a blade, or of one of its sides, with normals that change smoothly over them.
 class SmoothSide {
  public:
   enum class Side { both, forward, backward };
@@ -40,7 +40,7 @@ class SmoothSide {
 
   const ClusteredOctree& tree() const { return *tree_; }
 
-  /// At a point of a triangle: the corners' normals, weighted.
+  /// At a point of a triangle: the weighted mean of the corners' normals.
   Vec3 normalAt(const ClosestPoint& at) const {
     const Triangle corners = tree_->mesh().triangle(at.triangle);
     const Vec3 face = scaledNormal(corners);
@@ -54,7 +54,7 @@ class SmoothSide {
   }
 
  private:
-  using Key = std::array<double, 3>;  // by position: the mesh may repeat its vertices
+  using Key = std::array<double, 3>;  // the position, because the mesh may repeat its vertices
   static Key keyOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
   static TriangleMesh trianglesOf(const TriangleMesh& blisk, const BladesFound& blades, int blade,
@@ -79,17 +79,17 @@ class SmoothSide {
 void requireBlade(const TriangleMesh& blisk, const BladesFound& blades, int blade) {
   require(blades.blade_of_triangle.size() == blisk.triangleCount(), "the blades are not those of this mesh");
   require(blade >= 1 && blade <= blades.count, "there is no blade " + std::to_string(blade) +
-                                                   ": they are numbered 1 to " +
+                                                   ": the blades are numbered 1 to " +
                                                    std::to_string(blades.count));
 }
 
 void requireUsable(const SiteGridOptions& options) {
   require(options.rows > 0 && options.columns > 0, "the numbers of rows and columns must be above 0");
   for (const double span : {options.span_from, options.span_to}) {
-    require(span >= 0.0 && span <= 1.0, "the parts of the span must be from 0 to 1");
+    require(span >= 0.0 && span <= 1.0, "the fractions of the span must be from 0 to 1");
   }
   require(options.clear_of_edges >= 0.0 && options.clear_of_edges < 0.5,
-          "the part clear of the edges must be at least 0 and below 0.5");
+          "the fraction left out at the edges must be at least 0 and below 0.5");
   require(std::isfinite(options.wheel_radius) && options.wheel_radius > 0.0,
           "the wheel radius must be above 0 mm");
   require(std::abs(options.depth) < options.wheel_radius, "the depth must be below the wheel radius");
@@ -112,7 +112,7 @@ Vec3 pointAlong(const std::vector<SectionPoint>& side, double arc) {
   return side.back().position;
 }
 
-/// How far along a side of a section a point lies, and how far off it.
+/// A point's arc length along a side of a section, and its distance from that side.
 struct PlaceOnSide {
   double arc = 0.0, off = std::numeric_limits<double>::infinity();
 };
@@ -135,7 +135,7 @@ PlaceOnSide placeOn(const std::vector<SectionPoint>& side, const Vec3& point) {
 std::optional<BladeSection> sectionAt(const BladeCutter& cutter, double radius) {
   try {
     return cutter.at(radius);
-  } catch (const std::invalid_argument&) {  // no closed curve there: the mesh is open, or it is the root
+  } catch (const std::invalid_argument&) {  // no closed curve: the mesh is open there, or this is the root
     return std::nullopt;
   }
 }
@@ -208,7 +208,7 @@ std::vector<ContactSite> sitesOfPath(const TriangleMesh& blisk, const BladesFoun
     ContactSite site;
     site.pose = p;
     site.point = closest->point;
-    const Vec3 off = path[p].translation - site.point;  // the wheel's middle is square over the point
+    const Vec3 off = path[p].translation - site.point;  // the wheel's centre is on the normal of the point
     site.normal = off.isZero() ? whole.normalAt(*closest) : off.normalized();
     site.base = path[p];
     site.height = radialOf(site.point) - blades.root_radius;

@@ -17,7 +17,7 @@ namespace {
 BliskAxis axisOf(const std::string& text) {
   const auto refuse = [&] {
     throw std::invalid_argument("--axis: " + inQuotes(text) +
-                                " is no direction x,y,z, nor one with a point x,y,z,px,py,pz");
+                                " is neither a direction x,y,z nor a direction and a point x,y,z,px,py,pz");
   };
   std::vector<double> numbers;
   std::string_view rest = text;
@@ -42,10 +42,10 @@ BliskAxis axisOf(const std::string& text) {
 
 void addAxisOption(CLI::App& command, std::string& axis) {
   command
-      .add_option(
-          "--axis", axis,
-          "The blisk's axis x,y,z[,px,py,pz]: a direction, leading to trailing edge, and a point on it "
-          "(default 0,0,0), in the mesh's frame; default: found from the mesh")
+      .add_option("--axis", axis,
+                  "Axis of the blisk, x,y,z[,px,py,pz]: the direction from leading to trailing edge, and a "
+                  "point on the axis (0,0,0 if not given), in the mesh's frame. Default: found from the mesh")
+      ->type_name("AXIS")
       ->check(notEmpty());
 }
 
@@ -55,7 +55,7 @@ BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const s
       return findBlisk(mesh);
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(mesh_name + ": " + error.what() +
-                               "; if it is a blisk, tell its axis by --axis");
+                               "; if it is a blisk, give its axis with --axis");
     }
   }
   const BliskAxis told = axisOf(axis);

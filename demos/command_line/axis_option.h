@@ -1,4 +1,4 @@
-// The option by which a user tells the axis of a blisk.
+// The option --axis, the axis of a blisk.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,12 +8,12 @@
 
 namespace octoblisk::demos {
 
-/// Adds `--axis x,y,z[,px,py,pz]`; the text is left as it is given.
+/// Adds `--axis x,y,z[,px,py,pz]`; the text is stored as it is given.
 void addAxisOption(CLI::App& command, std::string& axis);
 
-/// The blisk of a mesh, about the axis that the option's text tells, or found where it is empty.
-/// Throws std::runtime_error in one line that begins with the mesh's name where there is none, and
-/// std::invalid_argument naming the option where its text is no axis.
+/// The blisk of a mesh, about the axis in the option's text, or about the axis found from the mesh if the
+/// text is empty. Throws std::runtime_error with a one-line message that begins with the mesh's name if the
+/// mesh is not a blisk, and std::invalid_argument naming the option if its text is not an axis.
 BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const std::string& mesh_name);
 
 }  // namespace octoblisk::demos

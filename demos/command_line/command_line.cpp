@@ -4,7 +4,9 @@
 #include <exception>
 #include <ios>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line/complain.h"
@@ -16,10 +18,50 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The command with the subcommands that were given: "octoblisk make belt".
+/// The command with its given subcommands: "octoblisk make belt".
 std::string commandAskedFor(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
+}
+
+/// CLI11's help without "{false}", which it adds to the names of flags that switch something off.
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    label("REQUIRED", "(required)");
+    label("Needs", "needs");
+    label("Excludes", "excludes");
+  }
+
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    constexpr std::string_view kFalse = "{false}";
+    std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    const std::size_t place = name.find(kFalse);
+    return place == std::string::npos ? name : name.erase(place, kFalse.size());
+  }
+};
+
+/// CLI11's message, in the style of ours.
+std::string messageOf(const CLI::ParseError& error) {
+  struct Rewritten {
+    std::string_view error;  // empty: any, because errors about extra arguments have the command's name
+    std::string_view theirs, ours;
+  };
+  constexpr Rewritten kRewritten[] = {
+      {"", "The following argument was not expected:", "unknown argument:"},
+      {"", "The following arguments were not expected:", "unknown arguments:"},
+      {"ExcludesError", " excludes ", " cannot be used with "},
+      {"RequiresError", " requires ", " needs "},
+      {"ArgumentMismatch", ": 1 required ", ": "},
+      {"ArgumentMismatch", " missing", " is missing"},
+      {"RequiredError", "A subcommand", "a subcommand"}};
+  std::string message = error.what();
+  for (const auto& [name, theirs, ours] : kRewritten) {
+    const std::size_t place = message.find(theirs);
+    const bool is_this = name.empty() ? place == 0 : place != std::string::npos && error.get_name() == name;
+    if (is_this) message.replace(place, theirs.size(), ours);
+  }
+  return message;
 }
 
 }  // namespace
@@ -29,15 +71,17 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   const Help& help = helpOf("octoblisk");
   CLI::App app{help.about};
   app.name("octoblisk");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
-  app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
-  app.set_help_all_flag("--help-all", "Help of every subcommand");
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag("--version", "octoblisk " + version, "Print the version and exit");
+  app.set_help_all_flag("--help-all", "Print the help of all subcommands and exit");
   app.footer(help.footer);
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);
 
-  // Of several processes, one speaks, and its exit code counts.
+  // Only the first of several processes prints, and only its exit code counts.
   const bool is_first = launchedAs().rank == 0;
   if (!is_first) {
     std::cout.setstate(std::ios::failbit);
@@ -49,7 +93,7 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   } catch (const CLI::Success& help_or_version) {
     exit_code = app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    complain(error.what() + ("; see " + commandAskedFor(app) + " --help"));
+    complain(messageOf(error) + "; see " + commandAskedFor(app) + " --help");
     exit_code = 2;
   } catch (const Stopped& stopped) {
     complain(stopped.what());

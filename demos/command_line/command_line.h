@@ -1,4 +1,4 @@
-// The octoblisk command: one file a subcommand, beside this one.
+// The octoblisk command line.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,11 +7,11 @@
 
 namespace octoblisk::demos {
 
-/// Adds a subcommand, which leaves its exit code when it ran: see commands.h.
+/// Adds a subcommand, which sets the exit code when it has run: see commands.h.
 using AddCommand = void (*)(CLI::App& app, int& exit_code);
 
-/// Runs what main() is asked for, one of the subcommands, which --help lists in this order. Returns its exit
-/// code: 0 clean, 1 interference found, 2 bad input.
+/// Runs the subcommand that the arguments of main() name; --help lists the subcommands in this order. Returns
+/// the exit code: 0 clean, 1 interference found, 2 bad input.
 int runCommandLine(int argc, char** argv, const std::string& version,
                    std::initializer_list<AddCommand> subcommands);
 

@@ -1,4 +1,4 @@
-// What the command says of what is wrong.
+// Error messages of the command.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// One line on the standard error, whatever control bytes a user's words and file names brought along.
+/// Writes one line to standard error, even if the message quotes control bytes from the user's input.
 inline void complain(std::string message) {
   std::ranges::replace_if(
       message, [](unsigned char byte) { return byte < ' ' || byte == 127; }, '?');

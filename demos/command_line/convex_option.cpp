@@ -3,15 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "command_line/option_checks.h"
+
 namespace octoblisk::demos {
 
 void addConvexOption(CLI::App& command, std::string& convex) {
   command
-      .add_option(
-          "--convex", convex,
-          "The side that is convex: forward, towards greater angles, or backward; default: told by the "
-          "blades' camber")
-      ->check(CLI::IsMember({"forward", "backward"}));
+      .add_option("--convex", convex,
+                  "Convex side of the blades: forward, towards greater angles, or backward. Default: found "
+                  "from the blades' camber")
+      ->type_name("SIDE")
+      ->check(oneOf({"forward", "backward"}));
 }
 
 BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name) {
@@ -27,7 +29,7 @@ BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, con
   if (convex == "backward") return BladeSide::backward;
   if (anatomy.convex_side) return *anatomy.convex_side;
   throw std::runtime_error(mesh_name +
-                           ": the blades are too straight to tell their convex side: give --convex");
+                           ": the blades are too straight to find their convex side: give it with --convex");
 }
 
 std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input) {

@@ -1,4 +1,4 @@
-// The option by which a user tells which sides of the blades are convex.
+// The option --convex, the convex side of the blades.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,17 +11,18 @@
 
 namespace octoblisk::demos {
 
-/// Adds `--convex forward|backward`; the text is empty where it is not given.
+/// Adds `--convex forward|backward`; the text is empty if the option is not given.
 void addConvexOption(CLI::App& command, std::string& convex);
 
-/// findAnatomy. What it throws becomes a std::runtime_error that begins with the mesh's name.
+/// Calls findAnatomy. Its exceptions become std::runtime_error with a message that begins with the mesh's
+/// name.
 BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name);
 
-/// The convex side, as told or as found. Throws std::runtime_error in one line that begins with the mesh's
-/// name where it is neither.
+/// The convex side, as given or as found. Throws std::runtime_error with a one-line message that begins with
+/// the mesh's name if it is neither given nor found.
 BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, const std::string& mesh_name);
 
-/// The same of a grinder's blisk; none where it is neither.
+/// The same for a grinder's blisk; none if it is neither given nor found.
 std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input);
 
 }  // namespace octoblisk::demos

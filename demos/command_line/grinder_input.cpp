@@ -43,7 +43,8 @@ const ToolPart& largestPart(const ToolAssembly& tool) {
 void readInMillimetres(const GrinderFiles& files, ToolAssembly& tool) {
   if (files.tool_units.empty()) return;
   if (files.tool.empty() && files.belt.empty()) {
-    throw std::invalid_argument("--tool-units: the built-in tool is in mm; it goes with --tool or --belt");
+    throw std::invalid_argument(
+        "--tool-units: the built-in tool is in mm; the option needs --tool or --belt");
   }
   const std::string units =
       unitsFor(files.tool_units, sizeOf(largestPart(tool).tree->mesh()), files.toolName());
@@ -53,7 +54,8 @@ void readInMillimetres(const GrinderFiles& files, ToolAssembly& tool) {
   }
 }
 
-/// With the unit that "auto" selects by the blisk: the obstacles are in its frame, and so in its unit.
+/// Replaces "auto" by the unit found from the blisk's size. The obstacles share the blisk's frame, and so its
+/// unit.
 GrinderFiles withUnitsFound(GrinderFiles files) {
   if (files.units != "auto") return files;
   files.units =
@@ -74,7 +76,7 @@ TriangleMesh bliskOfFiles(const GrinderFiles& files) {
   return files.blisk.empty() ? embeddedBlisk() : readUsersMesh(files.blisk, files.units);
 }
 
-/// "mesh" or "mesh,name"; the name is else the file's, without its extension.
+/// Reads "mesh" or "mesh,name". The default name is the file's, without its extension.
 Fixture fixtureOf(const std::string& text, const std::string& units) {
   std::filesystem::path file = text;
   std::string name = file.stem().string();
@@ -85,7 +87,7 @@ Fixture fixtureOf(const std::string& text, const std::string& units) {
   }
   if (!isTableName(name) || (name.front() >= '0' && name.front() <= '9')) {
     throw std::invalid_argument("--obstacle " + text + ": " + inQuotes(name) + ": " + kTableNameRule +
-                                ", and begin with no digit: say MESH,NAME");
+                                ", and must not begin with a digit: give a name as MESH,NAME");
   }
   return {name, treeOf(readUsersMesh(file, units))};
 }
@@ -95,12 +97,12 @@ std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
   for (const std::string& text : files.obstacles) {
     Fixture fixture = fixtureOf(text, files.units);
     if (std::ranges::find(fixtures, fixture.name, &Fixture::name) != fixtures.end()) {
-      throw std::invalid_argument("--obstacle " + text + ": there are two of the name " +
-                                  inQuotes(fixture.name));
+      throw std::invalid_argument("--obstacle " + text + ": two obstacles have the name " +
+                                  inQuotes(fixture.name) + ": give another name as MESH,NAME");
     }
     const SurfaceDefects defects = defectsOf(fixture.tree->mesh());
     if (!defects.is_closed) {
-      warnOf(text, describe(defects) + ": it is a surface that bounds no solid, and nothing is inside it");
+      warnOf(text, describe(defects) + ": the obstacle is an open mesh, so no part is ever inside it");
     }
     fixtures.push_back(std::move(fixture));
   }
@@ -118,7 +120,7 @@ void findBladesOf(const GrinderFiles& files, const TriangleMesh& mesh, GrinderIn
   }
 }
 
-/// For a closed blisk, which only the ends of the channels lead out of: near those, with the arm out of them.
+/// A closed blisk opens only at the ends of its channels: grinds near one end, with the arm out of it.
 void leaveDownstream(GrindingPathOptions& options) {
   options.arm = PathArm::downstream;
   options.chord_from = 0.7;
@@ -141,7 +143,7 @@ void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
     throw std::invalid_argument("--ground-blade " + std::to_string(*files.ground_blade) + there);
   }
   if (files.ground_blade && input.tool.rules.grinding_part == kNoPart) {
-    throw std::invalid_argument("--ground-blade: no part may touch it: " + files.tool +
+    throw std::invalid_argument("--ground-blade: no part may touch that blade: " + files.tool +
                                 " has no row of \"allowed\" with \"ground\"");
   }
   if (const int named = greatestBladeNamed(input.tool.rules); named > blades) {
@@ -160,62 +162,70 @@ TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string&
 
 void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
   command
-      .add_option("--blisk", files.blisk, "Mesh file, wherever it lies in space; default: the built-in blisk")
+      .add_option("--blisk", files.blisk,
+                  "Mesh file of the blisk, in any position. Default: the built-in blisk")
+      ->type_name("FILE")
       ->check(notEmpty());
   addAxisOption(command, files.axis);
+  addUnitsOption(command, files.units,
+                 "Length unit of the meshes of blisk and obstacles: mm, m, in, or auto, which selects the "
+                 "unit by the blisk's size. Default: mm. Paths and results are in mm");
   addUnitsOption(
-      command, files.units,
-      "The length unit of the meshes of blisk and obstacles: mm, m, in, or auto, which selects the "
-      "unit by the blisk's size; default: mm. Paths and results are in mm");
-  addUnitsOption(command, files.tool_units,
-                 "The same of the meshes of --belt or --tool; auto goes by the largest; default: mm",
-                 "--tool-units");
+      command, files.tool_units,
+      "Length unit of the meshes of --belt or --tool; auto selects it by the largest mesh. Default: mm",
+      "--tool-units");
   CLI::Option* const belt =
       command
-          .add_option(
-              "--belt", files.belt,
-              "Mesh file of a belt (mm, contact wheel at the origin, arm along +x), taken alone; default: "
-              "the built-in grinder with belt, wheels and arm")
+          .add_option("--belt", files.belt,
+                      "Mesh file of a belt to be used alone (mm, contact wheel at the origin, arm along +x). "
+                      "Default: the built-in grinder with belt, wheels and arm")
+          ->type_name("FILE")
           ->check(notEmpty());
   command
       .add_option("--tool", files.tool,
-                  "JSON file of a tool's parts, what each may touch and how far it must keep from the rest; "
-                  "'octoblisk make grinder' writes one")
+                  "JSON file with a tool's parts, what each may touch and the distance that it must keep "
+                  "from the rest; 'octoblisk make grinder' writes an example")
+      ->type_name("FILE")
       ->check(notEmpty())
       ->excludes(belt);
   command
-      .add_option(
-          "--obstacle", files.obstacles,
-          "MESH[,NAME]: mesh file (mm, in the blisk's frame) of a clamp, a table or the like, which does "
-          "not move and which the tool must not touch; may be repeated")
+      .add_option("--obstacle", files.obstacles,
+                  "Mesh file of a fixed body (mm, in the blisk's frame) that the tool must not touch, for "
+                  "example a clamp or a table; may be repeated")
       ->type_name("MESH[,NAME]")
       ->allow_extra_args(false)
       ->check(notEmpty());
-  command.add_option("-o,--out", files.out, "Folder for what is written; made where missing")
+  command.add_option("-o,--out", files.out, "Folder to write to; created if missing")
+      ->type_name("DIR")
       ->required()
       ->check(notEmpty());
   command
-      .add_option(
-          "--ground-blade", files.ground_blade,
-          "Number of the blade that the belt is to touch; default: 1, or with --path the blade touched most")
+      .add_option("--ground-blade", files.ground_blade,
+                  "Number of the blade to be ground. Default: 1, or with --path the blade that the belt "
+                  "touches at most poses")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, kMostBladesOfBlisk));
   command
       .add_option("--max-depth", files.max_depth,
-                  "mm that the belt may be pressed into the ground blade: how deep the deepest point of one "
-                  "lies in the other; a tool's file may say otherwise")
+                  "Greatest depth to which the belt may be pressed into the ground blade: the depth of the "
+                  "deepest point of belt or blade in the other; a tool file may give a depth for each part")
+      ->type_name("MM")
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str();
   command
       .add_option("--threads", files.threads,
-                  "Threads; 0: all that the machine has. The answers are the same")
+                  "Number of threads; 0: all cores of the machine. The answers are the same for any number")
+      ->type_name("N")
       ->check(wholeNumberFrom(0, 1024))
       ->capture_default_str();
 }
 
 void addMarginOption(CLI::App& command, double& margin) {
   command
-      .add_option("--margin", margin,
-                  "mm that all must keep apart but the belt and the ground blade; 0: they must not touch")
+      .add_option(
+          "--margin", margin,
+          "Clearance that all parts must keep, except the belt from the ground blade; 0: they must not touch")
+      ->type_name("MM")
       ->check(numberFrom(0.0, kMostMargin))
       ->capture_default_str();
 }
@@ -263,8 +273,8 @@ GrinderInput readGrinder(const GrinderFiles& files_asked, Ranks& ranks) {
 
 std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {
-    throw std::invalid_argument(files.bliskName() +
-                                ": no blades were found, so no path can be made: give one by --path");
+    throw std::invalid_argument(
+        files.bliskName() + ": no blades were found, so there is no built-in path: give a path with --path");
   }
   const BeltParameters belt;
   GrindingPathOptions options;
@@ -281,7 +291,7 @@ std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& inp
 PathFile readPath(const std::string& file, const ClusteredOctree& blisk) {
   PathFile path = readPathFile(file, blisk);
   for (const ClSkipped& skipped : path.unknown) {
-    warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is passed over");
+    warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is ignored");
   }
   return path;
 }
@@ -301,13 +311,14 @@ VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, 
   const VerdictRules& rules = input.tool.rules;
   requireMarginFits(input, "--margin", margin);
   if (rules.grinding_part == kNoPart) {
-    throw std::runtime_error(files.tool + ": allowed: there is no row with \"ground\"");
+    throw std::runtime_error(files.tool +
+                             ": allowed: no row has \"blade\": \"ground\"; access and repair need one");
   }
   for (std::size_t row = 0; row < rules.allowed.size(); ++row) {
     const AllowedPair& pair = rules.allowed[row];
     if (pair.blade.kind == BladeChoice::Kind::ground && pair.part == rules.grinding_part) continue;
     throw std::runtime_error(files.tool + ": allowed[" + std::to_string(row) +
-                             "]: here one part may touch, and the ground blade alone");
+                             "]: access and repair allow only one part to touch, and only the ground blade");
   }
   return {.grinding_part = rules.grinding_part,
           .ground_blade = ground_blade,
@@ -324,9 +335,9 @@ void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& t
       inputs.push_back(text.substr(0, text.rfind(',')));
     }
     for (const std::string& input : inputs) {
-      std::error_code ignored;  // mostly there is no such file
+      std::error_code ignored;  // usually the file does not exist
       if (!input.empty() && std::filesystem::equivalent(input, file, ignored)) {
-        throw std::runtime_error(file.string() + ": cannot be both read and written");
+        throw std::runtime_error(file.string() + ": is also an input file: choose another --out");
       }
     }
   }
@@ -336,9 +347,8 @@ void requireMarginFits(const GrinderInput& input, const std::string& option, dou
   constexpr double kGreatestPart = 0.02;
   const double greatest = kGreatestPart * sizeOf(input.blisk->mesh());
   if (margin <= greatest) return;
-  throw std::invalid_argument(option + " " + shortText(margin) + ": for a blisk of " +
-                              shortText(sizeOf(input.blisk->mesh())) + " mm it may be at most " +
-                              shortText(greatest));
+  throw std::invalid_argument(option + " " + shortText(margin) + ": must be at most " + shortText(greatest) +
+                              " for a blisk of " + shortText(sizeOf(input.blisk->mesh())) + " mm");
 }
 
 void warnOf(const std::string& of, const std::string& what) { complain("warning: " + of + ": " + what); }
@@ -349,11 +359,10 @@ void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   }
   const SurfaceDefects defects = defectsOf(input.blisk->mesh());
   if (!defects.none()) {
-    warnOf(
-        files.bliskName(),
-        describe(defects) +
-            ". Near them the surface bounds no solid: where the tool touches it there, its depth, and so the "
-            "verdict, is unknown, which counts as interference");
+    warnOf(files.bliskName(),
+           describe(defects) +
+               ". Near these places the surface does not bound a solid: where the tool touches there, its "
+               "depth and verdict are unknown, which counts as interference");
   }
 }
 

@@ -1,4 +1,4 @@
-// What grind, access and repair read: the blisk with its blades, the tool and the path.
+// The input of grind, access and repair: the blisk with its blades, the tool and the path.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -18,13 +18,13 @@
 
 namespace octoblisk::demos {
 
-/// Options that the three have in common.
+/// The options that the three subcommands share.
 struct GrinderFiles {
   std::string blisk, belt, tool, path;  ///< files; empty: the defaults
   std::vector<std::string> obstacles;   ///< "mesh" or "mesh,name" of each
-  std::string axis;                     ///< as axis_option.h reads it; empty: to be found
+  std::string axis;                     ///< as axis_option.h reads it; empty: found from the mesh
   std::string units;                    ///< of blisk and obstacles, as units_option.h reads it; empty: mm
-  std::string tool_units;               ///< of the meshes of belt or tool, likewise
+  std::string tool_units;               ///< of the meshes of belt or tool
   std::string out;                      ///< a folder
   std::optional<int> ground_blade;
   double max_depth = 0.1;  ///< mm
@@ -35,64 +35,63 @@ struct GrinderFiles {
   std::string toolName() const { return !tool.empty() ? tool : belt.empty() ? "default" : belt; }
 };
 
-/// A user's mesh in mm, facing outward: readOutward (models/outward_mesh.h), with its notes as warnings on
-/// standard error, then inMillimetres (units_option.h).
+/// A user's mesh in mm, facing outward. Notes of readOutward (models/outward_mesh.h) become warnings on
+/// standard error; inMillimetres (units_option.h) converts the unit.
 TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string& units);
 
-/// Adds them but for --path, whose default differs.
+/// Adds all of them except --path, whose default differs between the subcommands.
 void addGrinderOptions(CLI::App& command, GrinderFiles& files);
 
-/// Adds --margin (mm) of access and repair.
+/// Adds --margin (mm) for access and repair.
 void addMarginOption(CLI::App& command, double& margin);
 
 struct GrinderInput {
-  std::shared_ptr<const ClusteredOctree> blisk;  ///< as in its file, but facing outward
-  Pose mesh_in_blisk;                            ///< from the file's frame to that with the axis Z
-  BladesFound blades;                            ///< none: count 0
+  std::shared_ptr<const ClusteredOctree> blisk;  ///< in its file's frame, facing outward
+  Pose mesh_in_blisk;                            ///< from the file's frame to the frame whose Z is the axis
+  BladesFound blades;                            ///< count 0 if none were found
   ToolAssembly tool;
   std::vector<Fixture> fixtures;
-  double tree_seconds = 0.0;  ///< to build the blisk's tree
+  double tree_seconds = 0.0;  ///< time to build the blisk's tree
 
   BodyNames names() const { return BodyNames(blades.count, fixtures); }
 };
 
-/// Reads blisk and tool; tells where triangles face inward, and are turned. The blades are those of findBlisk
-/// (models/blisk_axis.h) or, where it proves none, of findBlades round the Z axis; about --axis if it is
-/// given. Throws naming the file, or the blade that there is not, and if --units is not given and the sizes
-/// of blisk and tool do not fit (units_option.h).
+/// Reads blisk and tool, and warns about triangles that faced inward and are now reversed. The blades are
+/// those of findBlisk (models/blisk_axis.h), about --axis if it is given; if findBlisk proves none, those of
+/// findBlades about the Z axis. Throws naming the file, or the blade that does not exist; also if --units is
+/// not given and the sizes of blisk and tool do not fit (units_option.h).
 GrinderInput readGrinder(const GrinderFiles& files);
 
-/// The same at all of several ranks, with the blisk's tree built once a node (study/node_inputs.h).
+/// The same on several ranks, with the blisk's tree built once per node (study/node_inputs.h).
 GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks);
 
-/// The built-in path over a blade's side, in the file's frame. Throws naming the blisk where it has no
-/// blades.
+/// The built-in path over a blade's side, in the file's frame. Throws naming the blisk if it has no blades.
 std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input);
 
-/// The user's file, a table or a CL file; warns of words of it that are passed over.
+/// The user's file, a table or a CL file. Warns about words in it that are ignored.
 PathFile readPath(const std::string& file, const ClusteredOctree& blisk);
 
-/// The blade asked for; else of a path of one's own the blade that the grinding part touches at the most of
-/// its poses, 0 where it touches none, nothing where the watch stopped it; else 1.
+/// The blade that was asked for. Otherwise, for a user's path, the blade that the grinding part touches at
+/// most poses: 0 if it touches none, nothing if the watch stopped the search. Otherwise 1.
 std::optional<int> groundBladeOf(const GrinderFiles& files, const GrinderInput& input,
                                  const std::vector<Pose>& path, const RunWatch& watch = {});
 
-/// What access and repair judge by: the margin (mm) is the near_miss of every pair. They know of one part
-/// that may touch one blade: throws naming the tool's file where its table allows more, or nothing.
+/// The rules of access and repair: the margin (mm) is the near_miss of every pair. Only one part may touch,
+/// and only one blade: throws naming the tool's file if its table allows more, or nothing.
 VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, int ground_blade,
                           double margin);
 
-/// Throws naming one of the tables in the folder if it is a file that is read.
+/// Throws naming one of the output tables if that file is also an input.
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables);
 
-/// On standard error, a line.
+/// Writes a warning about a file or part to standard error.
 void warnOf(const std::string& of, const std::string& what);
 
 /// Throws std::invalid_argument naming the option if a margin (mm) is more than a fiftieth of the blisk's
 /// size: nearly all triangles would then be near at every pose.
 void requireMarginFits(const GrinderInput& input, const std::string& option, double margin);
 
-/// Warns of what is judged otherwise than one may think: an open blisk, no blades.
+/// Warns about an open or defective blisk, and about a blisk without blades.
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input);
 
 }  // namespace octoblisk::demos

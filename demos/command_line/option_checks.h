@@ -1,18 +1,23 @@
-// What the options' values may be: checks with short messages of our own.
+// Checks of option values, with short messages.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace octoblisk::demos {
 
-/// A finite number from `least` to `greatest`; not `least` itself where `above` is set.
+/// A finite number from `least` to `greatest`; excludes `least` itself if `above` is set.
 CLI::Validator numberFrom(double least, double greatest, bool above = false);
 
 /// A whole number from `least` to `greatest`, in digits.
 CLI::Validator wholeNumberFrom(std::int64_t least, std::int64_t greatest);
 
-/// The name of a file or folder: not empty, as it becomes where a script's variable is not set.
+/// One of the values, which the help lists.
+CLI::Validator oneOf(const std::vector<std::string>& values);
+
+/// The name of a file or folder. An unset variable in a script often makes it empty.
 CLI::Validator notEmpty();
 
 }  // namespace octoblisk::demos

@@ -7,11 +7,11 @@
 
 namespace octoblisk::demos {
 
-/// Makes the folder where it is missing. Throws std::runtime_error naming it.
+/// Creates the folder if it is missing. Throws std::runtime_error naming it.
 inline void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder.string() + ": the folder cannot be made: " + error.message());
+  if (error) throw std::runtime_error(folder.string() + ": cannot create the folder: " + error.message());
 }
 
 }  // namespace octoblisk::demos

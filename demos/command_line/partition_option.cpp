@@ -10,7 +10,7 @@ namespace octoblisk::demos {
 
 namespace {
 
-/// Takes ":N" with N from 1 to `most` off the front of a text.
+/// Removes ":N" with N from 1 to `most` from the front of a text.
 bool takeNumber(std::string& text, int most, int& number) {
   if (!text.starts_with(':')) return false;
   const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
@@ -34,16 +34,15 @@ void addPartitionOption(CLI::App& command, BuildOptions& options) {
     }();
     if (!is_read) {
       throw CLI::ValidationError("--partition",
-                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]], K 1 to 8");
+                                 inQuotes(text) + " is not clustered or paper[:K[:FNOP]], K from 1 to 8");
     }
   };
   command
-      .add_option_function<std::string>("--partition", read,
-                                        "How trees divide triangles: clustered, or the paper's "
-                                        "paper[:K[:FNOP]], K clusters a part (a blade), "
-                                        "each by an octree of FNOP triangles a leaf; without K the best of 2 "
-                                        "to 8, FNOP 8. The verdicts are "
-                                        "the same")
+      .add_option_function<std::string>(
+          "--partition", read,
+          "Division of the triangles into trees: clustered, or the paper's method paper[:K[:FNOP]], which "
+          "makes K clusters per part (a blade) and an octree with FNOP triangles per leaf for each. Default: "
+          "the best K from 2 to 8, and FNOP 8. The verdicts are the same")
       ->type_name("PARTITION");
 }
 

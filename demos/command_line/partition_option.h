@@ -1,4 +1,4 @@
-// The option that chooses the partition of trees: our own, or the paper's.
+// The option --partition: our division of triangles into trees, or the paper's.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// Adds --partition clustered|paper[:K[:FNOP]]. Without K each part has its k_opt.
+/// Adds --partition clustered|paper[:K[:FNOP]]. Without K, each part gets its k_opt.
 void addPartitionOption(CLI::App& command, BuildOptions& options);
 
 }  // namespace octoblisk::demos

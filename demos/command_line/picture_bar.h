@@ -1,4 +1,4 @@
-// Pictures that take a while, with a bar for people.
+// Renders slow pictures with a progress bar.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// Renders the page to a PNG file, and shows how far it is. Throws as writePng (picture.h).
+/// Renders the page to a PNG file and shows the progress. Throws as writePng (picture.h).
 void writePngWatched(const Picture& picture, const std::string& path);
 
 }  // namespace octoblisk::demos

@@ -7,7 +7,7 @@
 namespace octoblisk::demos {
 
 void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help) {
-  command.add_option("-o,--out", target.out, out_help)->required()->check(notEmpty());
+  command.add_option("-o,--out", target.out, out_help)->type_name("FILE")->required()->check(notEmpty());
   addShardOptions(command, target);
 }
 
@@ -15,9 +15,9 @@ void addShardOptions(CLI::App& command, StudyTarget& target) {
   command
       .add_option_function<std::string>(
           "--shard", [&target](const std::string& text) { target.shard = parseShard(text); },
-          "i/n: only the i-th of n parts, e.g. one a task of a job array. OUT is a part then: octoblisk "
-          "merge "
-          "makes the table of all parts")
+          "Compute only part I of N, for example as one task of a job array. OUT is then a part file: "
+          "octoblisk merge makes the table from all parts")
+      ->type_name("I/N")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             try {
@@ -30,8 +30,7 @@ void addShardOptions(CLI::App& command, StudyTarget& target) {
           ""));
   command.add_flag(
       "--resume", target.resume,
-      "Go on from the .partial file, which a run that did not come to its end leaves; begin where there "
-      "is none");
+      "Continue from the .partial file of an interrupted run; without such a file, start from the beginning");
 }
 
 }  // namespace octoblisk::demos

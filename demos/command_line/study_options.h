@@ -1,4 +1,4 @@
-// The options of subcommands that are studies: where the table goes, which part of it.
+// The options of subcommands that are studies: the table's file, and the part of it to compute.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,10 @@
 
 namespace octoblisk::demos {
 
-/// Adds --out, with its help, --shard and --resume.
+/// Adds --out with the given help, --shard and --resume.
 void addStudyOptions(CLI::App& command, StudyTarget& target, const std::string& out_help);
 
-/// Adds --shard and --resume alone.
+/// Adds only --shard and --resume.
 void addShardOptions(CLI::App& command, StudyTarget& target);
 
 }  // namespace octoblisk::demos

@@ -12,7 +12,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The number of letters to insert, drop or replace to come from one word to the other.
+/// The number of letters to insert, delete or replace to turn one word into the other.
 std::size_t editDistance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -39,9 +39,9 @@ std::size_t editDistance(std::string_view from, std::string_view to) {
     least = distance;
     nearest = name;
   }
-  throw std::invalid_argument(inQuotes(word) + " is no subcommand" +
-                              (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
-                              (nearest.empty() ? "; there are: " : " There are: ") + names);
+  throw std::invalid_argument(
+      inQuotes(word) + " is not a subcommand" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
+      (nearest.empty() ? "; the subcommands are: " : " The subcommands are: ") + names);
 }
 
 }  // namespace

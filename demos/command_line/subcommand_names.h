@@ -1,4 +1,4 @@
-// The names of subcommands, and what is near them.
+// Checks the names of subcommands and suggests the nearest one.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 namespace octoblisk::demos {
 
 /// Throws std::invalid_argument naming the first word of the command line that should be a subcommand and is
-/// none, with those that there are.
+/// not, with a list of those that exist.
 void requireKnownSubcommands(const CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace octoblisk::demos

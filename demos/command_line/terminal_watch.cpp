@@ -8,7 +8,7 @@ RunWatch TerminalWatch::watch() {
   RunWatch watch;
   watch.progress = [this](const std::string& task, std::size_t done) {
     if (!bar_ || task != task_) {
-      bar_.reset();  // wipes its line
+      bar_.reset();  // erases its line
       bar_.emplace(std::cerr, steps_);
     }
     task_ = task;

@@ -1,4 +1,4 @@
-// What someone at a terminal sees of something long, and how he stops it.
+// Shows the progress of long tasks at a terminal, and lets Ctrl-C stop them.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,20 @@
 
 namespace octoblisk::demos {
 
-/// While it lives, each task has a bar, and Ctrl-C stops what is watched. One at a time.
+/// During its lifetime each task has a progress bar, and Ctrl-C stops the watched task. Only one may exist at
+/// a time.
 class TerminalWatch {
  public:
-  /// Of tasks of so many steps each.
+  /// For tasks of `steps` steps each.
   explicit TerminalWatch(std::size_t steps) : steps_(steps) {}
 
-  /// Refers to this.
+  /// The result refers to this object.
   RunWatch watch();
 
-  /// Takes the bar away, e.g. before something is told.
+  /// Removes the bar, for example before printing.
   void endTask() { bar_.reset(); }
 
-  /// What to throw after a stop.
+  /// The exception to throw after a stop.
   static Stopped stopped(const std::string& message) { return {message, StopSignal::received()}; }
 
  private:

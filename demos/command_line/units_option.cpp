@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "command_line/complain.h"
+#include "command_line/option_checks.h"
 #include "io/number_text.h"
 
 namespace octoblisk::demos {
@@ -29,14 +30,14 @@ LengthUnit unitOf(const std::string& units) {
 }  // namespace
 
 void addUnitsOption(CLI::App& command, std::string& units, const std::string& help, const std::string& name) {
-  command.add_option(name, units, help)->check(CLI::IsMember({"mm", "m", "in", "auto"}))->type_name("UNIT");
+  command.add_option(name, units, help)->check(oneOf({"mm", "m", "in", "auto"}))->type_name("UNIT");
 }
 
 std::string unitsFor(const std::string& units, double size, const std::filesystem::path& file) {
   if (units != "auto") return units;
   const LengthUnit unit = unitBySize(size);
-  complain("note: " + file.string() + ": read in " + unit.name + ": its bounding box has a diagonal of " +
-           shortText(size));
+  complain("note: " + file.string() + ": read in " + unit.name +
+           ", because its bounding box has a diagonal of " + shortText(size));
   return unit.name;
 }
 
@@ -56,7 +57,8 @@ void requireSizesFit(const std::string& blisk_file, double blisk_size, const std
   const bool is_blisk_small = ratio < kLeastRatio;
   const LengthUnit unit = unitBySize(is_blisk_small ? blisk_size : part_size);
   const std::string sizes = blisk_file + ": the blisk is " + shortText(blisk_size) + " mm across, the " +
-                            part_name + " " + shortText(part_size) + " mm: one of the two is not in mm. ";
+                            part_name + " is " + shortText(part_size) +
+                            " mm: one of them is probably not in mm. ";
   const std::string factor = " (a factor of " + shortText(unit.millimetres) + ")";
   throw std::runtime_error(sizes +
                            (is_blisk_small
@@ -64,7 +66,7 @@ void requireSizesFit(const std::string& blisk_file, double blisk_size, const std
                                       shortText(blisk_size * unit.millimetres) + " mm"
                                 : part_option + " " + unit.name + factor + " would make the " + part_name +
                                       " " + shortText(part_size * unit.millimetres) + " mm") +
-                           "; --units mm takes the sizes as they are");
+                           "; --units mm accepts the sizes as they are");
 }
 
 double sizeOf(const TriangleMesh& mesh) { return 2.0 * mesh.bounds().halfExtents().norm(); }

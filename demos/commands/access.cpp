@@ -1,4 +1,4 @@
-// octoblisk access: how the belt grinder may stand at each point of a blade's side.
+// octoblisk access: finds the orientations in which the belt grinder can reach each point of a blade's side.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -29,10 +29,10 @@ namespace {
 
 constexpr std::int64_t kMostRows = 10'000;
 
-/// Of a map of which every point was answered by this process: shards, ranks and what is resumed have none.
+/// Writes the report only if this process answered every point: shards, ranks and resumed runs lack answers.
 void writeReport(AccessTask& task, const GrinderFiles& files) {
   if (task.answered_here != task.sites.size()) {
-    std::cout << "Report: none, as not all points were answered here\n";
+    std::cout << "Report: not written, because this process did not answer all points\n";
     return;
   }
   const AccessMap map{task.question,         std::move(task.sites),   std::move(task.answered),
@@ -44,7 +44,7 @@ void writeReport(AccessTask& task, const GrinderFiles& files) {
   std::cout << tellReplayFiles(files.out);
 }
 
-/// The exit code; 0 at all ranks but the first.
+/// Returns the exit code; 0 on all ranks but the first.
 int access(AccessRequest request) {
   GrinderFiles& files = request.files;
   AccessTask task;
@@ -86,53 +86,61 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
   addMarginOption(command, request->margin);
   command
       .add_option("--path", request->files.path,
-                  "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file. Its "
-                  "poses that touch the "
-                  "ground blade, or come within 0.5 mm, are the points, and their own tilt and lead are 0; "
-                  "default: a grid")
+                  "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL "
+                  "file. The points are its poses that touch the ground blade or come within 0.5 mm of it; a "
+                  "pose's own tilt and lead are 0. Default: a grid")
+      ->type_name("FILE")
       ->check(notEmpty());
   const auto add_angle = [&](const std::string& name, double& value, const std::string& help, bool step) {
     command.add_option(name, value, help)
+        ->type_name("DEG")
         ->check(step ? numberFrom(0.0, 360.0, true) : numberFrom(-360.0, 360.0))
         ->capture_default_str()
         ->group("Angles");
   };
-  add_angle("--tilt-from", request->tilt_from, "Degrees about the wheels' axis", false);
-  add_angle("--tilt-to", request->tilt_to, "Degrees", false);
-  add_angle("--tilt-step", request->tilt_step, "Degrees; between them nothing is asked", true);
-  add_angle("--lead-from", request->lead_from, "Degrees about the normal of the surface", false);
-  add_angle("--lead-to", request->lead_to, "Degrees", false);
-  add_angle("--lead-step", request->lead_step, "Degrees", true);
+  add_angle("--tilt-from", request->tilt_from, "First tilt, about the wheels' axis", false);
+  add_angle("--tilt-to", request->tilt_to, "Last tilt", false);
+  add_angle("--tilt-step", request->tilt_step, "Step of the tilt; angles between steps are not checked",
+            true);
+  add_angle("--lead-from", request->lead_from, "First lead, about the normal of the surface", false);
+  add_angle("--lead-to", request->lead_to, "Last lead", false);
+  add_angle("--lead-step", request->lead_step, "Step of the lead", true);
   SiteGridOptions& grid = request->grid;
   const std::string grid_group = "Grid, without --path";
   command
       .add_option("--side", request->side,
-                  "convex or concave, or: forward (towards greater angles about Z) or backward")
-      ->check(CLI::IsMember({"convex", "concave", "forward", "backward"}))
+                  "Side of the blade: convex, concave, forward (towards greater angles about Z) or backward")
+      ->type_name("SIDE")
+      ->check(oneOf({"convex", "concave", "forward", "backward"}))
       ->capture_default_str()
       ->group(grid_group);
   command.add_option("--rows", grid.rows, "Number of points over the blade's height")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, kMostRows))
       ->capture_default_str()
       ->group(grid_group);
   command.add_option("--columns", grid.columns, "Number of points along a section")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, kMostRows))
       ->capture_default_str()
       ->group(grid_group);
-  command.add_option("--span-from", grid.span_from, "Part of the height, root 0 to tip 1, of the lowest row")
+  command.add_option("--span-from", grid.span_from, "Lowest row, as a fraction of the height: root 0, tip 1")
+      ->type_name("FRACTION")
       ->check(numberFrom(0.0, 1.0))
       ->capture_default_str()
       ->group(grid_group);
-  command.add_option("--span-to", grid.span_to, "Part of the height of the highest row")
+  command.add_option("--span-to", grid.span_to, "Highest row, as a fraction of the height")
+      ->type_name("FRACTION")
       ->check(numberFrom(0.0, 1.0))
       ->capture_default_str()
       ->group(grid_group);
-  command.add_option("--press", grid.depth, "mm that the belt is pressed into the surface")
+  command.add_option("--press", grid.depth, "Depth to which the belt is pressed into the surface")
+      ->type_name("MM")
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str()
       ->group(grid_group);
   addShardOptions(command, request->study);
-  command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
+  command.add_flag("--no-picture", request->no_picture, "Do not write the picture");
   addReportOption(command, request->report);
   command.callback([request, &exit_code] { exit_code = access(*request); });
 }

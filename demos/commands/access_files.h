@@ -1,4 +1,4 @@
-// What octoblisk access leaves beside its table of points, and tells: by itself, and by octoblisk merge.
+// The files and the summary that octoblisk access adds to its table of points; octoblisk merge adds the same.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 
 namespace octoblisk::demos {
 
-/// The name of its studies.
+/// The study's name in the part files.
 inline constexpr const char* kAccessName = "access";
 
-/// Writes ranges.csv and, if wanted, map.png beside the table of points, of which they are made; tells so.
+/// Makes ranges.csv and, if wanted, map.png from the table of points, beside it, and prints their names.
 /// Throws naming a file that cannot be read or written.
 void finishAccess(const std::filesystem::path& points, const AccessQuestion& question, bool picture);
 
-/// Tells the summary of a study's tallies; the exit code.
+/// Prints the summary of a study's tallies and returns the exit code.
 int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words);
 
 }  // namespace octoblisk::demos

@@ -19,11 +19,11 @@ namespace {
 constexpr int kMostAngles = 3600;
 
 int stepsOf(const std::string& name, double from, double to, double step) {
-  if (to < from) throw std::invalid_argument("--" + name + "-to: is below --" + name + "-from");
+  if (to < from) throw std::invalid_argument("--" + name + "-to: must not be below --" + name + "-from");
   const double steps = std::floor((to - from) / step + 1e-9) + 1.0;
   if (steps > kMostAngles) {
-    throw std::invalid_argument("--" + name + "-step: that are more than " + std::to_string(kMostAngles) +
-                                " steps");
+    throw std::invalid_argument("--" + name + "-step: too small: it makes more than " +
+                                std::to_string(kMostAngles) + " steps");
   }
   return static_cast<int>(steps);
 }
@@ -36,7 +36,7 @@ bool isForward(const AccessRequest& request, const TriangleMesh& blisk, const Bl
     return convexIsForward(cutter.at(middle)) == (request.side == "convex");
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(request.files.bliskName() + ": " + error.what() +
-                                ", so which side is convex is not known: say --side forward or backward");
+                                ", so the convex side is unknown: give --side forward or --side backward");
   }
 }
 
@@ -44,23 +44,24 @@ const ClusteredOctree& beltOf(const GrinderInput& input) {
   return *input.tool.parts[input.tool.rules.grinding_part].tree;
 }
 
-/// The grid over the side, for a belt whose contact wheel is at the origin.
+/// The grid over the side, for a belt with its contact wheel at the origin.
 std::vector<ContactSite> gridOf(AccessRequest request, const GrinderInput& input, const TriangleMesh& blisk,
                                 int blade) {
   if (input.blades.count == 0) {
-    throw std::invalid_argument(request.files.bliskName() + ": no blades were found: give a --path");
+    throw std::invalid_argument(request.files.bliskName() +
+                                ": no blades were found: give a path with --path");
   }
   request.grid.blade = blade;
   request.grid.forward_side = isForward(request, blisk, input.blades);
   request.grid.wheel_radius = -beltOf(input).mesh().bounds().min.x();
   if (request.grid.wheel_radius <= request.grid.depth) {
     throw std::invalid_argument(request.files.toolName() +
-                                ": the belt has no contact wheel at the origin towards -x");
+                                ": the belt has no contact wheel at the origin, on its -x side");
   }
   return sitesOnBlade(blisk, input.blades, request.grid);
 }
 
-/// Of the grid or the path, in the frame of the blisk's file.
+/// The sites of the grid or of the path, in the frame of the blisk's file.
 std::vector<ContactSite> sitesAsked(const AccessRequest& request, const GrinderInput& input, int blade,
                                     std::vector<Pose> path) {
   const TriangleMesh blisk = moved(input.blisk->mesh(), input.mesh_in_blisk);
@@ -85,7 +86,7 @@ AccessOptions anglesOf(const AccessRequest& request) {
   options.tilt_step = request.tilt_step;
   options.tilts = stepsOf("tilt", request.tilt_from, request.tilt_to, request.tilt_step);
   if ((options.tilts - 1) * options.tilt_step > 360.0 - 1e-9) {
-    throw std::invalid_argument("--tilt-to: goes round to --tilt-from again, or beyond it");
+    throw std::invalid_argument("--tilt-to: must be less than a full turn beyond --tilt-from");
   }
   options.leads.clear();
   const int leads = stepsOf("lead", request.lead_from, request.lead_to, request.lead_step);
@@ -103,12 +104,12 @@ void prepareTask(const AccessRequest& request, AccessTask& task) {
   question.rules = reachRulesOf(files, input, groundBladeOf(files, input, path).value(), request.margin);
   const int blade = question.rules.ground_blade;
   if (question.of_path && blade == 0) {
-    throw std::invalid_argument(files.path +
-                                ": the belt touches no blade at any of its poses: say --ground-blade");
+    throw std::invalid_argument(
+        files.path + ": the belt touches no blade at any pose: name the blade with --ground-blade");
   }
   task.sites = sitesAsked(request, input, blade, path);
   if (task.sites.empty()) {
-    throw std::invalid_argument(files.path + ": at no pose is the belt within 0.5 mm of blade " +
+    throw std::invalid_argument(files.path + ": the belt never comes within 0.5 mm of blade " +
                                 std::to_string(blade));
   }
   task.judge = std::make_unique<Judge>(input.blisk, input.tool.parts, input.blades.blade_of_triangle,

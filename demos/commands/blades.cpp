@@ -76,9 +76,9 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
           BladeSide convex_side) {
   const BladesFound& blades = found.blades;
   const auto of_hub = std::ranges::count(anatomy.sides.blade_of_triangle, 0);
-  std::cout << blades.count << " blades round the axis " << textOf(found.axis.direction) << " through "
-            << textOf(found.axis.point) << (request.axis.empty() ? ", found" : ", as told")
-            << "; turned by one pitch they lie on the mesh within " << found.repeat_error << " mm\n";
+  std::cout << blades.count << " blades about the axis " << textOf(found.axis.direction) << " through "
+            << textOf(found.axis.point) << (request.axis.empty() ? ", found" : ", as given")
+            << "; rotated by one pitch, the blades match the mesh within " << found.repeat_error << " mm\n";
   std::cout << (blades.shrouded ? "Hub and shroud: " : "Hub: ") << of_hub << " triangles, hub up to radius "
             << blades.root_radius << " mm; blades up to " << blades.tip_radius << " mm\n";
   const auto by_width = [](const BladeAnatomy& a, const BladeAnatomy& b) {
@@ -88,10 +88,10 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
   const bool forward_convex = convex_side == BladeSide::forward;
   std::cout << "Convex sides face "
             << (forward_convex ? "forward, towards greater" : "backward, towards lesser") << " angles"
-            << (request.convex.empty() ? "" : ", as told")
-            << "; leading edges are taken to be where the axis begins (--axis turns it round)\n";
+            << (request.convex.empty() ? "" : ", as given")
+            << "; leading edges are assumed to be where the axis begins (reverse it with --axis)\n";
   std::cout << "Channels, from a blade's " << (forward_convex ? "convex" : "concave")
-            << " side to the next one's " << (forward_convex ? "concave" : "convex")
+            << " side to the next blade's " << (forward_convex ? "concave" : "convex")
             << " side: " << narrow->channel_width << " to " << wide->channel_width << " mm at mid height\n";
 }
 
@@ -125,15 +125,17 @@ void addBladesCommand(CLI::App& app, int& exit_code) {
   const auto request = std::make_shared<BladesRequest>();
   command
       .add_option("--blisk", request->blisk,
-                  "Mesh file, wherever it lies in space; default: the built-in blisk")
+                  "Mesh file of the blisk, in any position. Default: the built-in blisk")
+      ->type_name("FILE")
       ->check(notEmpty());
   addAxisOption(command, request->axis);
   addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
-  command.add_option("-o,--out", request->out, "Folder for blades.csv and blades.png; made where missing")
+  command.add_option("-o,--out", request->out, "Folder for blades.csv and blades.png; created if missing")
+      ->type_name("DIR")
       ->required()
       ->check(notEmpty());
-  command.add_flag("--no-picture", request->no_picture, "Leave the picture out");
+  command.add_flag("--no-picture", request->no_picture, "Do not write the picture");
   command.callback([request, &exit_code] { exit_code = findAndTell(*request); });
 }
 

@@ -1,4 +1,4 @@
-// octoblisk check: tells for each pose of a file whether two meshes collide, exactly.
+// octoblisk check: checks exactly whether two meshes collide, at each pose of a file.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct CheckRequest {
   std::string moving;
   std::string poses;
   StudyTarget target;
-  std::string units;  // empty: those of the poses
+  std::string units;  // empty: the unit of the poses
   BuildOptions tree;
   PoseCheckOptions options;
 };
@@ -50,7 +50,7 @@ std::string columnsOf(const PoseCheckOptions& options) {
          (options.continuous ? ",fraction" : "");
 }
 
-/// Nothing for none.
+/// An empty field for no value.
 std::string poseField(const std::optional<double>& value) { return value ? ',' + exactText(*value) : ","; }
 
 std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options) {
@@ -68,14 +68,14 @@ std::string rowOfPose(std::size_t pose, const PoseAnswer& answer, const PoseChec
     }
   }
   if (options.continuous) {
-    const bool has_way = pose > 0;
-    const double free = answer.on_the_way ? answer.on_the_way->fraction : 1.0;
-    row += poseField(has_way ? std::optional(free) : std::nullopt);
+    const bool has_motion = pose > 0;
+    const double free = answer.hit_on_motion ? answer.hit_on_motion->fraction : 1.0;
+    row += poseField(has_motion ? std::optional(free) : std::nullopt);
   }
   return row + '\n';
 }
 
-/// Says which file cannot be asked for depths.
+/// Throws naming the file that does not support depths.
 std::unique_ptr<PoseCheck> poseCheck(const CheckRequest& request, const ClusteredOctree& fixed,
                                      const ClusteredOctree& moving) try {
   return std::make_unique<PoseCheck>(fixed, moving, request.options);
@@ -83,7 +83,7 @@ std::unique_ptr<PoseCheck> poseCheck(const CheckRequest& request, const Clustere
   throw std::runtime_error(request.fixed + ": " + error.what());
 }
 
-/// What the file of answers depends on.
+/// Everything that the table of answers depends on.
 Study studyOf(const CheckRequest& request, const ClusteredOctree& fixed, const ClusteredOctree& moving,
               std::span<const Pose> poses) {
   Study study;
@@ -94,7 +94,7 @@ Study studyOf(const CheckRequest& request, const ClusteredOctree& fixed, const C
   study.inputs = {{"fixed", fingerprintOf(fixed.mesh())},
                   {"moving", fingerprintOf(moving.mesh())},
                   {"poses", fingerprintOf(poses)}};
-  // Of several pairs that meet, the tree decides which is told.
+  // If several pairs meet, the tree decides which pair the table names.
   if (request.tree.partition == PartitionKind::paper) {
     study.inputs.push_back({"clusters", static_cast<std::uint64_t>(request.tree.clusters)});
     study.inputs.push_back({"fnop", static_cast<std::uint64_t>(request.tree.leaf_capacity)});
@@ -121,7 +121,7 @@ std::vector<AnsweredGroup> answerPoses(PoseCheck& poses_check, std::span<const P
   return groups;
 }
 
-/// The exit code; 0 at all ranks but the first.
+/// Returns the exit code; 0 on all ranks but the first.
 int check(CheckRequest request) {
   Ranks ranks;
   PoseCheckOptions& options = request.options;
@@ -149,54 +149,62 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "check");
   const auto request = std::make_shared<CheckRequest>();
   const std::string mesh_help = ", in mesh units: .stl, .obj or .ply";
-  command.add_option("--fixed", request->fixed, "Mesh that stays" + mesh_help)->required()->check(notEmpty());
+  command.add_option("--fixed", request->fixed, "Mesh that stays in place" + mesh_help)
+      ->type_name("FILE")
+      ->required()
+      ->check(notEmpty());
   command.add_option("--moving", request->moving, "Mesh that moves" + mesh_help)
+      ->type_name("FILE")
       ->required()
       ->check(notEmpty());
   command
-      .add_option(
-          "--poses", request->poses,
-          "Poses of the moving mesh in the fixed one's frame, CSV file: x,y,z,qw,qx,qy,qz, a translation "
-          "in mesh units and a unit quaternion")
+      .add_option("--poses", request->poses,
+                  "Poses of the moving mesh in the fixed mesh's frame, a CSV file x,y,z,qw,qx,qy,qz: a "
+                  "translation in mesh units and a unit quaternion")
+      ->type_name("FILE")
       ->required()
       ->check(notEmpty());
-  addUnitsOption(command, request->units,
-                 "The length unit of the two meshes: mm, m, in, or auto, which selects it of each by its "
-                 "size; poses, tolerance and results are then in mm. Default: all is in one unit, whichever");
+  addUnitsOption(
+      command, request->units,
+      "Length unit of both meshes: mm, m, in, or auto, which selects each mesh's unit by its size. Poses, "
+      "tolerance and results are then in mm. Default: all lengths share one unit, whichever it is");
   addStudyOptions(command, request->target,
-                  "CSV file to write, -: standard output: pose,colliding,triangle_fixed,triangle_moving, all "
-                  "counted from 0; a pair "
-                  "of triangles that meet where colliding is 1; then the columns of the options below");
-  addPartitionOption(command, request->tree);
+                  "CSV file to write, or - for standard output: "
+                  "pose,colliding,triangle_fixed,triangle_moving, all counted from 0. Where colliding is 1, "
+                  "the row names a triangle pair that meets. The columns of the options below follow");
   PoseCheckOptions& options = request->options;
-  command.add_flag("--clearance", options.clearance,
-                   "Column clearance: the least distance of the surfaces, in mesh units; 0 where they meet");
+  command.add_flag(
+      "--clearance", options.clearance,
+      "Add the column clearance: the least distance between the surfaces, in mesh units; 0 where they meet");
   command.add_flag(
       "--depth", options.depth,
-      "Column depth: how deep the deepest point of one mesh lies inside the other, which is its distance "
-      "from the other's surface, in mesh units, to the tolerance; the greater of both ways. It is 0 where "
-      "surfaces are apart or just touch, and where equal solids coincide. Above 0 with surfaces that do not "
-      "meet, one mesh is wholly inside the other. The fixed mesh must be closed; in an open moving one "
-      "nothing is inside");
+      "Add the column depth: the penetration depth, in mesh units, to within the tolerance. It is the "
+      "greater of the depth of the deepest point of the moving mesh in the fixed one and that of the deepest "
+      "point of the fixed mesh in the moving one; a point's depth is its distance from the other surface. "
+      "The depth is 0 where the surfaces are apart or just touch, and where equal solids coincide. A depth "
+      "above 0 without meeting surfaces means that one mesh is wholly inside the other. The fixed mesh must "
+      "be closed; an open moving mesh contains nothing");
+  command.add_flag("--signed", options.signed_distance,
+                   "Add the column signed_distance: the clearance where the meshes are apart, minus the "
+                   "penetration depth where they are not. Also add its derivatives: by_x,by_y,by_z by the "
+                   "translation of the moving mesh, by_rx,by_ry,by_rz by its rotation about its own origin, "
+                   "in radians about the fixed mesh's axes. One mesh must be closed");
   command.add_flag(
-      "--signed", options.signed_distance,
-      "Columns signed_distance, the clearance where the meshes are apart, less the depth where they are not; "
-      "and its derivative by the pose: by_x,by_y,by_z where the moving mesh is displaced, by_rx,by_ry,by_rz "
-      "where it is turned about its own origin, by radians about the fixed mesh's axes. One mesh must be "
-      "closed");
-  command.add_flag("--continuous", options.continuous,
-                   "Column fraction: of the way from the pose before, straight and turning evenly, the part "
-                   "that is proved to keep the tolerance; 1 where all of it does, empty at the first pose");
+      "--continuous", options.continuous,
+      "Add the column fraction: the fraction of the motion from the previous pose that is proved to keep the "
+      "tolerance; 1 for the whole motion, empty at the first pose. A motion is straight and turns evenly");
   command
       .add_option("--tolerance", options.tolerance,
-                  "Of depths, and the distance that ways must keep, in mesh units. Ways that slide at little "
-                  "more than this take long to prove")
+                  "Accuracy of depths, and the distance that motions must keep, in mesh units. Motions that "
+                  "slide at little more than this distance take long to prove")
+      ->type_name("LENGTH")
       ->capture_default_str()
       ->check(numberFrom(1e-9, 1e9));
   command
       .add_option("--threads", options.threads,
-                  "Threads; 0: all that the machine has, or a share of them each under mpirun. The answers "
-                  "are the same")
+                  "Number of threads; 0: all cores of the machine, or a share of them under mpirun. The "
+                  "answers are the same for any number")
+      ->type_name("N")
       ->capture_default_str()
       ->check(wholeNumberFrom(0, 1024));
   command.callback([request, &exit_code] { exit_code = check(*request); });

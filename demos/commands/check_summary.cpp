@@ -30,9 +30,9 @@ void CheckSummary::count(std::size_t pose, const PoseAnswer& answer, const PoseC
   colliding += answer.touching.has_value();
   inside += !answer.touching && (answer.depth.value_or(0.0) > 0.0 ||
                                  (answer.signed_distance && answer.signed_distance->distance < 0.0));
-  ways += options.continuous && pose > 0;
-  met_on_the_way += answer.on_the_way.has_value();
-  unsettled += answer.on_the_way && !answer.on_the_way->converged;
+  motions += options.continuous && pose > 0;
+  motions_not_free += answer.hit_on_motion.has_value();
+  unsettled += answer.hit_on_motion && !answer.hit_on_motion->converged;
   if (answer.clearance) keepLess(least_clearance, Extreme{*answer.clearance, pose});
   if (answer.depth) keepGreater(greatest_depth, Extreme{*answer.depth, pose});
   if (answer.signed_distance) keepLess(least_signed, Extreme{answer.signed_distance->distance, pose});
@@ -42,8 +42,8 @@ void CheckSummary::add(const CheckSummary& later) {
   poses += later.poses;
   colliding += later.colliding;
   inside += later.inside;
-  ways += later.ways;
-  met_on_the_way += later.met_on_the_way;
+  motions += later.motions;
+  motions_not_free += later.motions_not_free;
   unsettled += later.unsettled;
   keepLess(least_clearance, later.least_clearance);
   keepGreater(greatest_depth, later.greatest_depth);
@@ -53,7 +53,7 @@ void CheckSummary::add(const CheckSummary& later) {
 std::string tallyOf(const CheckSummary& summary) {
   std::string line = std::to_string(summary.poses);
   for (const std::size_t number :
-       {summary.colliding, summary.inside, summary.ways, summary.met_on_the_way, summary.unsettled}) {
+       {summary.colliding, summary.inside, summary.motions, summary.motions_not_free, summary.unsettled}) {
     line += ' ' + std::to_string(number);
   }
   const auto append = [&](const std::string& name, const std::optional<Extreme>& extreme) {
@@ -69,8 +69,8 @@ std::string tallyOf(const CheckSummary& summary) {
 CheckSummary summaryOfTally(const std::string& tally) {
   CheckSummary summary;
   std::istringstream words(tally);
-  words >> summary.poses >> summary.colliding >> summary.inside >> summary.ways >> summary.met_on_the_way >>
-      summary.unsettled;
+  words >> summary.poses >> summary.colliding >> summary.inside >> summary.motions >>
+      summary.motions_not_free >> summary.unsettled;
   bool is_right = !words.fail();
   for (std::string name; is_right && words >> name;) {
     Extreme extreme;
@@ -81,7 +81,7 @@ CheckSummary summaryOfTally(const std::string& tally) {
     is_right = kept && words >> extreme.value >> extreme.pose;
     if (is_right) *kept = extreme;
   }
-  if (!is_right) throw std::invalid_argument("has a tally of no check: " + inQuotes(tally));
+  if (!is_right) throw std::invalid_argument("has a tally that is not from check: " + inQuotes(tally));
   return summary;
 }
 
@@ -113,8 +113,9 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
     options.continuous |= word == kContinuousWord;
     if (word == kToleranceWord) words >> options.tolerance;
   }
-  // What is read in part, or not as it is written, is another line.
-  if (optionsLine(options) != line) throw std::invalid_argument("has options of no check: " + inQuotes(line));
+  // The line must match exactly, so a line that is only partly understood is refused.
+  if (optionsLine(options) != line)
+    throw std::invalid_argument("has options that are not from check: " + inQuotes(line));
   return options;
 }
 
@@ -125,7 +126,7 @@ void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOpti
     stream << summary.inside << " with one mesh wholly inside the other, ";
   stream << summary.poses - summary.colliding - summary.inside << " clear";
   if (a_pose) {
-    stream << "; " << std::fixed << std::setprecision(2) << a_pose->count() << " us a pose"
+    stream << "; " << std::fixed << std::setprecision(2) << a_pose->count() << " us per pose"
            << std::defaultfloat << std::setprecision(6);
   }
   stream << '\n';
@@ -139,11 +140,11 @@ void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOpti
     stream << "Least signed distance: " << least->value << " at pose " << least->pose << '\n';
   }
   if (options.continuous) {
-    stream << countedText(summary.ways, "way", "ways")
-           << " between poses: " << summary.ways - summary.met_on_the_way << " free, "
-           << summary.met_on_the_way << " not proved to keep " << options.tolerance;
-    if (summary.met_on_the_way > 0) {
-      stream << " (" << summary.met_on_the_way - summary.unsettled << " come nearer, " << summary.unsettled
+    stream << countedText(summary.motions, "motion", "motions")
+           << " between poses: " << summary.motions - summary.motions_not_free << " free, "
+           << summary.motions_not_free << " not proved to keep " << options.tolerance;
+    if (summary.motions_not_free > 0) {
+      stream << " (" << summary.motions_not_free - summary.unsettled << " come nearer, " << summary.unsettled
              << " undecided)";
     }
     stream << '\n';

@@ -1,4 +1,4 @@
-// What a run of octoblisk check tells at its end.
+// The summary that octoblisk check prints at its end.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@
 
 namespace octoblisk::demos {
 
-/// The most remarkable of the poses' numbers.
+/// A least or greatest value, and the pose that has it.
 struct Extreme {
   double value = 0.0;
   std::size_t pose = 0;
@@ -21,35 +21,35 @@ struct Extreme {
 
 struct CheckSummary {
   std::size_t poses = 0;
-  std::size_t colliding = 0;       ///< surfaces meet
-  std::size_t inside = 0;          ///< they do not, yet one mesh lies in the other
-  std::size_t ways = 0;            ///< from a pose to the next
-  std::size_t met_on_the_way = 0;  ///< ways that come within the tolerance
-  std::size_t unsettled = 0;       ///< of these, not proved either way
+  std::size_t colliding = 0;         ///< poses where the surfaces meet
+  std::size_t inside = 0;            ///< poses where they do not meet, but one mesh is inside the other
+  std::size_t motions = 0;           ///< motions from a pose to the next
+  std::size_t motions_not_free = 0;  ///< motions that come within the tolerance
+  std::size_t unsettled = 0;         ///< those of them that are not proved either way
   std::optional<Extreme> least_clearance, greatest_depth, least_signed;
 
-  bool isClean() const { return colliding + inside + met_on_the_way == 0; }
+  bool isClean() const { return colliding + inside + motions_not_free == 0; }
 
   void count(std::size_t pose, const PoseAnswer& answer, const PoseCheckOptions& options);
-  void add(const CheckSummary& later);  ///< of poses behind these
+  void add(const CheckSummary& later);  ///< the summary of later poses
 };
 
-/// The name of its studies.
+/// The study's name in the part files.
 inline constexpr const char* kCheckName = "check";
 
-/// One line, and back. Throws std::invalid_argument where the line is another.
+/// Converts to one line and back. Throws std::invalid_argument for any other line.
 std::string tallyOf(const CheckSummary& summary);
 CheckSummary summaryOfTally(const std::string& tally);
 
-/// In order.
+/// The tallies must be in order.
 CheckSummary summaryOfTallies(std::span<const std::string> tallies);
 
-/// What a summary must know of the options, as the study's line of options; and back.
-/// Throws std::invalid_argument where the line is another.
+/// Converts the options that a summary depends on to the study's line of options and back. Throws
+/// std::invalid_argument for any other line.
 std::string optionsLine(const PoseCheckOptions& options);
 PoseCheckOptions optionsOfLine(const std::string& line);
 
-/// `a_pose` is the time that a pose took, if that is known.
+/// `a_pose` is the time per pose, if known.
 void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
           std::optional<std::chrono::duration<double, std::micro>> a_pose);
 

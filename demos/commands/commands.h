@@ -1,5 +1,5 @@
-// The subcommands of octoblisk. Each adds itself to the app and leaves its exit code when it ran.
-// Bad input is thrown as std::exception with one line that names the file and place.
+// The subcommands of octoblisk. Each adds itself to the app and sets the exit code when it has run.
+// Bad input is thrown as std::exception with a one-line message that names the file and place.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -32,7 +32,7 @@ std::string sceneNames() {
 void showAsked(const GalleryRequest& request) {
   std::error_code error;
   std::filesystem::create_directories(request.out, error);
-  if (error) throw std::runtime_error(request.out + ": the folder cannot be made: " + error.message());
+  if (error) throw std::runtime_error(request.out + ": cannot create the folder: " + error.message());
   bool is_known = false;
   for (const gallery::Exhibit& exhibit : gallery::exhibits()) {
     if (request.scene != "all" && request.scene != exhibit.name) continue;
@@ -44,7 +44,7 @@ void showAsked(const GalleryRequest& request) {
     std::cout << std::endl;
   }
   if (!is_known) {
-    throw std::invalid_argument(inQuotes(request.scene) + " is no scene; there are: " + sceneNames());
+    throw std::invalid_argument(inQuotes(request.scene) + " is not a scene; the scenes are: " + sceneNames());
   }
 }
 
@@ -53,8 +53,11 @@ void showAsked(const GalleryRequest& request) {
 void addGalleryCommand(CLI::App& app, int&) {
   CLI::App& command = addSubcommand(app, "gallery");
   const auto request = std::make_shared<GalleryRequest>();
-  command.add_option("scene", request->scene, "One of: " + sceneNames())->capture_default_str();
-  command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; made where missing")
+  command.add_option("scene", request->scene, "One of: " + sceneNames())
+      ->type_name("SCENE")
+      ->capture_default_str();
+  command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; created if missing")
+      ->type_name("DIR")
       ->required()
       ->check(notEmpty());
   addPartitionOption(command, request->tree);

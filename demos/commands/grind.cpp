@@ -1,4 +1,4 @@
-// octoblisk grind: moves the belt grinder along a path and tells what touches what.
+// octoblisk grind: moves the belt grinder along a path and reports every touch.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -50,13 +50,13 @@ struct GrindRequest {
   std::size_t frames = 0;
 };
 
-/// What is checked otherwise than one may think.
+/// Warns about parts whose depth is measured differently.
 void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
     warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
            describe(defectsOf(run.parts[part].tree->mesh())) +
-               ": its depth is that of its surface in the blisk");
+               ": only its own points inside the blisk count for its depth");
   }
 }
 
@@ -79,28 +79,29 @@ void tell(const GrindingRun& run, const std::optional<Coverage>& coverage, const
   }
 }
 
-/// None, with a warning, of a blade whose side has no contours.
+/// Returns none, with a warning, for a blade whose side has no contours.
 std::optional<Coverage> coverageOrWarning(const GrindingRun& run, const GrinderFiles& files) {
   try {
     return coverageOf(run, files.threads);
   } catch (const std::invalid_argument& error) {
-    warnOf(files.bliskName(), std::string("what is ground is not told: ") + error.what());
+    warnOf(files.bliskName(), std::string("the coverage is not computed: ") + error.what());
     return std::nullopt;
   }
 }
 
-/// The job done, with a bar and Ctrl-C.
+/// Runs the job with a progress bar; Ctrl-C stops it.
 GrindingRun runWatched(const GrindingJob& job) {
   TerminalWatch terminal(job.path.size());
   GrindingRun run = runGrinding(job, terminal.watch());
-  if (run.poses.empty()) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
+  if (run.poses.empty())
+    throw TerminalWatch::stopped("stopped before the first pose was done: no file was written");
   return run;
 }
 
 void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, const PathFile& path,
               const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
-  std::error_code ignored;  // mostly there is no such file
+  std::error_code ignored;  // usually the file does not exist
   WholeFiles files;
   if (!std::filesystem::equivalent(request.files.path, out / "path.csv", ignored)) {
     const bool has_feeds =
@@ -151,7 +152,8 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input, const 
   job.find_ground_blade = !files.ground_blade && !files.path.empty() && job.rules.grinding_part != kNoPart;
   if (request.belt_speed) {
     if (job.rules.grinding_part == kNoPart) {
-      throw std::invalid_argument("--belt-speed: " + files.tool + " has no part that grinds");
+      throw std::invalid_argument("--belt-speed: " + files.tool +
+                                  " has no part that may touch the \"ground\" blade");
     }
     job.parts[job.rules.grinding_part].belt_speed = request.belt_speed;
   }
@@ -185,7 +187,7 @@ int grind(const GrindRequest& request) {
   writeAll(run, coverage, path, request);
   tell(run, coverage, request);
   if (run.isPartial()) {
-    throw TerminalWatch::stopped("stopped: " + files.out + " has the poses that were done, marked partial");
+    throw TerminalWatch::stopped("stopped: " + files.out + " has the finished poses, marked as partial");
   }
   return run.interferes() ? 1 : 0;
 }
@@ -200,51 +202,58 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
   addConvexOption(command, request->convex);
   command
       .add_option("--path", request->files.path,
-                  "CSV file x,y,z,qw,qx,qy,qz[,feed]: the belt in the blisk's frame (mm); or an APT CL file, "
-                  "whose tool axis is the arm; default: along a blade's side")
+                  "CSV file x,y,z,qw,qx,qy,qz[,feed] with poses of the belt in the blisk's frame (mm), or an "
+                  "APT CL file, whose tool axis is the arm. Default: a path along a blade's side")
+      ->type_name("FILE")
       ->check(notEmpty());
   command
       .add_option("--near-miss", request->near_miss,
-                  "mm below which a clearance is reported, where the tool's file has no margin for the pair; "
-                  "above 0, at most 5")
+                  "Clearance below which a near miss is reported, for pairs without a margin in the tool "
+                  "file; above 0, at most 5")
+      ->type_name("MM")
       ->check(numberFrom(0.0, kMostNearMiss, true))
       ->capture_default_str();
   command
       .add_flag("--continuous,!--poses-only", request->continuous,
-                "Check the moves between the poses as well, or the poses alone")
+                "Check the motions between poses too, or only the poses")
       ->capture_default_str();
   command
       .add_option("--belt-speed", request->belt_speed,
-                  "m/s at which the belt runs, from its contact side at -x over +y; below 0 the other way. "
-                  "contacts.csv then has its surface velocity at each of its contacts; a tool's file may "
-                  "say it of each part")
+                  "Speed of the belt in m/s, from its contact side at -x over +y; a negative speed runs the "
+                  "other way. contacts.csv then has the surface velocity at each contact of the belt. A tool "
+                  "file may give each part's speed")
+      ->type_name("M/S")
       ->check(numberFrom(-kMostBeltSpeed, kMostBeltSpeed));
   SpindleOptions& spindle = request->spindle_options;
-  const std::string forces = "Forces (what they are found by is assumed)";
+  const std::string forces = "Forces (the defaults are assumed values)";
   CLI::Option* const has_spindle =
       command
           .add_flag("--spindle", request->spindle,
-                    "Find the force of the belt on the blisk, which may turn on its spindle: forces.csv")
+                    "Compute the force of the belt on the blisk, which may turn on its spindle: forces.csv")
           ->group(forces);
-  const auto add_number = [&](const std::string& name, double& value, const std::string& help, double most,
-                              bool above) {
+  const auto add_number = [&](const std::string& name, double& value, const std::string& help,
+                              const std::string& unit, double most, bool above) {
     command.add_option(name, value, help)
+        ->type_name(unit)
         ->check(numberFrom(0.0, most, above))
         ->capture_default_str()
         ->needs(has_spindle)
         ->group(forces);
   };
-  add_number("--stiffness", spindle.stiffness, "N/mm, of belt and contact wheel, by the belt's depth", 1e6,
-             true);
-  add_number("--friction", spindle.friction, "Coefficient of friction of belt and blisk", 10.0, false);
-  add_number("--hold", spindle.hold, "N·m that the spindle's brake holds; 0: it turns freely", 1e6, false);
-  add_number("--density", spindle.density, "kg/mm³, of the blisk", 1e-3, true);
-  command.add_flag("--no-pictures", request->no_pictures, "Leave the pictures out");
+  add_number("--stiffness", spindle.stiffness,
+             "Stiffness of belt and contact wheel in N/mm, by the belt's depth", "N/MM", 1e6, true);
+  add_number("--friction", spindle.friction, "Coefficient of friction between belt and blisk", "MU", 10.0,
+             false);
+  add_number("--hold", spindle.hold, "Torque that the spindle's brake holds, in N·m; 0: it turns freely",
+             "NM", 1e6, false);
+  add_number("--density", spindle.density, "Density of the blisk in kg/mm³", "KG/MM3", 1e-3, true);
+  command.add_flag("--no-pictures", request->no_pictures, "Do not write the pictures");
   addReportOption(command, request->report);
   command
-      .add_option(
-          "--frames", request->frames,
-          "Pictures of so many poses, evenly over the path, in OUT/frames, and contact_sheet.png of them all")
+      .add_option("--frames", request->frames,
+                  "Number of poses, evenly spaced over the path, to picture in OUT/frames and together in "
+                  "contact_sheet.png")
+      ->type_name("N")
       ->check(wholeNumberFrom(0, kMostFrames))
       ->capture_default_str();
   command.callback([request, &exit_code] { exit_code = grind(*request); });

@@ -1,4 +1,4 @@
-// octoblisk make: writes a generated blisk or a part of the belt grinder to a mesh file.
+// octoblisk make: writes a generated blisk, or a part of the belt grinder, to a mesh file.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -33,11 +33,12 @@ void writeAndTell(const std::string& file, const TriangleMesh& mesh) {
 
 void addOut(CLI::App& command, std::string& out) {
   command.add_option("-o,--out", out, "File to write: .stl (binary), .obj or .ply (binary)")
+      ->type_name("FILE")
       ->required()
       ->check(notEmpty());
 }
 
-/// Any length or angle; the generators tell what they make of it.
+/// Any length or angle; the generators report sizes that they cannot use.
 CLI::Validator size() { return numberFrom(-kMaxLength, kMaxLength); }
 
 struct BliskRequest {
@@ -52,13 +53,13 @@ struct BliskRequest {
 
 void makeBliskFile(const BliskRequest& request) {
   if (request.sections.empty() != request.hub_profile.empty()) {
-    throw std::invalid_argument("--sections and --hub-profile go together: give both, or neither");
+    throw std::invalid_argument("--sections and --hub-profile: give both or neither");
   }
   const bool from_files = !request.sections.empty();
   for (const CLI::Option* option : request.parametric) {
     if (from_files && option->count() > 0) {
       throw std::invalid_argument(option->get_name() +
-                                  " is of the parametric blade: it cannot go with --sections");
+                                  " belongs to the parametric blade: it cannot be used with --sections");
     }
   }
   const BladeSections sections =
@@ -69,7 +70,7 @@ void makeBliskFile(const BliskRequest& request) {
 }
 
 void addBlisk(CLI::App& make) {
-  CLI::App& command = *make.add_subcommand("blisk", "A bladed disk as one closed surface, axis Z");
+  CLI::App& command = *make.add_subcommand("blisk", "A bladed disk as one closed surface about the Z axis");
   const auto request = std::make_shared<BliskRequest>();
   BladeParameters& blade = request->blade;
   BliskOptions& blisk = request->blisk;
@@ -78,20 +79,28 @@ void addBlisk(CLI::App& make) {
   const std::string disk = "Disk";
   command
       .add_option("--triangles", blisk.target_triangles,
-                  "Triangles wanted, up to 10 million, met within 15 %")
+                  "Number of triangles wanted, up to 10 million; met within 15 %")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, 10'000'000))
       ->group(disk);
   command.add_option("--blades", blisk.blade_count, "Number of blades")
+      ->type_name("N")
       ->check(wholeNumberFrom(2, 10'000))
       ->group(disk);
-  command.add_option("--bore-radius", blisk.bore_radius, "mm")->check(size())->group(disk);
+  command.add_option("--bore-radius", blisk.bore_radius, "Radius of the bore")
+      ->type_name("MM")
+      ->check(size())
+      ->group(disk);
   CLI::Option* const shroud =
-      command.add_flag("--shroud", blisk.shroud, "Join the tips by a ring")->group(disk);
-  command.add_option("--shroud-thickness", blisk.shroud_thickness, "mm, radially")
+      command.add_flag("--shroud", blisk.shroud, "Join the blade tips with a ring")->group(disk);
+  command.add_option("--shroud-thickness", blisk.shroud_thickness, "Radial thickness of the shroud")
+      ->type_name("MM")
       ->check(size())
       ->needs(shroud)
       ->group(disk);
-  command.add_option("--shroud-overhang", blisk.shroud_overhang, "mm, axially beyond the tips")
+  command
+      .add_option("--shroud-overhang", blisk.shroud_overhang, "Axial overhang of the shroud beyond the tips")
+      ->type_name("MM")
       ->check(size())
       ->needs(shroud)
       ->group(disk);
@@ -99,10 +108,13 @@ void addBlisk(CLI::App& make) {
   const std::string files = "Blade and hub from files";
   command
       .add_option("--sections", request->sections,
-                  "Folder of blade sections, one CSV file each (x,y,z in mm), hub to tip by name")
+                  "Folder of blade sections, one CSV file each (x,y,z in mm); sorted by name, they run from "
+                  "hub to tip")
+      ->type_name("DIR")
       ->check(notEmpty())
       ->group(files);
-  command.add_option("--hub-profile", request->hub_profile, "Hub surface, CSV file (z,r in mm)")
+  command.add_option("--hub-profile", request->hub_profile, "Profile of the hub, a CSV file (z,r in mm)")
+      ->type_name("FILE")
       ->check(notEmpty())
       ->group(files);
 
@@ -111,23 +123,27 @@ void addBlisk(CLI::App& make) {
     request->parametric.push_back(option);
     return option;
   };
-  const auto addParameter = [&](const std::string& name, double& value, const std::string& help) {
-    addOption(name, value, help)->check(size());
+  const auto addLength = [&](const std::string& name, double& value, const std::string& help) {
+    addOption(name, value, help)->type_name("MM")->check(size());
   };
-  addParameter("--length", request->length, "mm, of the hub along Z");
-  addParameter("--hub-radius", blade.hub_radius, "mm");
-  addParameter("--tip-radius", blade.tip_radius, "mm");
-  addParameter("--chord-hub", blade.chord_hub, "mm");
-  addParameter("--chord-tip", blade.chord_tip, "mm");
-  addParameter("--stagger-hub", blade.stagger_hub, "Degrees from the axis to the chord");
-  addParameter("--stagger-tip", blade.stagger_tip, "Degrees from the axis to the chord");
-  addParameter("--thickness-hub", blade.thickness_hub, "mm");
-  addParameter("--thickness-tip", blade.thickness_tip, "mm");
-  addParameter("--camber-hub", blade.camber_hub, "mm, rise of the camber line");
-  addParameter("--camber-tip", blade.camber_tip, "mm, rise of the camber line");
-  addParameter("--edge-radius", blade.edge_radius, "mm, of leading and trailing edge");
-  addParameter("--lean", blade.lean, "Degrees about Z by which the tip leads the hub");
+  const auto addAngle = [&](const std::string& name, double& value, const std::string& help) {
+    addOption(name, value, help)->type_name("DEG")->check(size());
+  };
+  addLength("--length", request->length, "Length of the hub along Z");
+  addLength("--hub-radius", blade.hub_radius, "Radius of the hub");
+  addLength("--tip-radius", blade.tip_radius, "Radius of the blade tips");
+  addLength("--chord-hub", blade.chord_hub, "Chord at the hub");
+  addLength("--chord-tip", blade.chord_tip, "Chord at the tip");
+  addAngle("--stagger-hub", blade.stagger_hub, "Angle from the axis to the chord at the hub");
+  addAngle("--stagger-tip", blade.stagger_tip, "Angle from the axis to the chord at the tip");
+  addLength("--thickness-hub", blade.thickness_hub, "Thickness of the blade at the hub");
+  addLength("--thickness-tip", blade.thickness_tip, "Thickness of the blade at the tip");
+  addLength("--camber-hub", blade.camber_hub, "Rise of the camber line at the hub");
+  addLength("--camber-tip", blade.camber_tip, "Rise of the camber line at the tip");
+  addLength("--edge-radius", blade.edge_radius, "Radius of the leading and trailing edges");
+  addAngle("--lean", blade.lean, "Angle about Z by which the tip leads the hub");
   addOption("--section-count", blade.section_count, "Number of sections from hub to tip")
+      ->type_name("N")
       ->check(wholeNumberFrom(2, 1000));
 
   command.callback([request] { makeBliskFile(*request); });
@@ -138,27 +154,33 @@ struct GrinderRequest {
   BeltParameters belt;
 };
 
-/// Every part takes the whole grinder's sizes, so that the parts made with the same ones fit together.
+/// Every part takes all sizes of the grinder, so that parts made with the same sizes fit together.
 void addSizes(CLI::App& command, BeltParameters& belt) {
   const auto addOption = [&](const std::string& option, auto& value, const std::string& help) {
     return command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
   };
-  const auto addParameter = [&](const std::string& option, double& value, const std::string& help) {
-    addOption(option, value, help)->check(size());
+  const auto addLength = [&](const std::string& option, double& value, const std::string& help) {
+    addOption(option, value, help)->type_name("MM")->check(size());
   };
-  addParameter("--width", belt.width, "mm, of the belt");
-  addParameter("--thickness", belt.thickness, "mm, of the belt");
-  addParameter("--abrasive", belt.abrasive, "mm of the belt's thickness that are its contact side");
-  addParameter("--contact-wheel-radius", belt.contact_wheel_radius, "mm, of the belt's inner surface there");
-  addParameter("--drive-wheel-radius", belt.drive_wheel_radius, "mm, of the belt's inner surface there");
-  addParameter("--wheel-distance", belt.wheel_distance, "mm, between the wheels' centres");
-  addParameter("--wheel-gap", belt.wheel_gap, "mm, from wheel to belt");
-  addOption("--stations", belt.stations, "Stations round the belt")->check(wholeNumberFrom(16, 100'000));
-  addOption("--points-per-station", belt.points_per_station, "Points round the belt's cross-section")
+  addLength("--width", belt.width, "Width of the belt");
+  addLength("--thickness", belt.thickness, "Thickness of the belt");
+  addLength("--abrasive", belt.abrasive, "Thickness of the belt's contact side, a part of --thickness");
+  addLength("--contact-wheel-radius", belt.contact_wheel_radius,
+            "Radius of the belt's inner surface at the contact wheel");
+  addLength("--drive-wheel-radius", belt.drive_wheel_radius,
+            "Radius of the belt's inner surface at the drive wheel");
+  addLength("--wheel-distance", belt.wheel_distance, "Distance between the wheels' centres");
+  addLength("--wheel-gap", belt.wheel_gap, "Gap between wheel and belt");
+  addOption("--stations", belt.stations, "Number of stations along the belt")
+      ->type_name("N")
+      ->check(wholeNumberFrom(16, 100'000));
+  addOption("--points-per-station", belt.points_per_station,
+            "Number of points around the belt's cross-section")
+      ->type_name("N")
       ->check(wholeNumberFrom(4, 100'000));
-  addParameter("--arm-start", belt.arm_start, "mm, from the contact wheel's centre");
-  addParameter("--arm-width", belt.arm_width, "mm, along the wheels' axes");
-  addParameter("--arm-height", belt.arm_height, "mm, between the strands");
+  addLength("--arm-start", belt.arm_start, "Distance of the arm's start from the contact wheel's centre");
+  addLength("--arm-width", belt.arm_width, "Width of the arm along the wheels' axes");
+  addLength("--arm-height", belt.arm_height, "Height of the arm between the strands");
 }
 
 void addGrinderPart(CLI::App& make, const std::string& name, const std::string& description,
@@ -170,7 +192,7 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   command.callback([request, makePart] { writeAndTell(request->out, makePart(request->belt)); });
 }
 
-/// All parts, and the file for 'octoblisk grind --tool'.
+/// Writes all parts and the tool file for 'octoblisk grind --tool'.
 void makeGrinderFiles(const GrinderRequest& request) {
   constexpr double kOfBelt = 0.5, kOfOthers = 1.0, kOfBackAtWork = 0.2;  // near misses, mm: assumed
   const std::pair<const char*, TriangleMesh (*)(const BeltParameters&)> parts[] = {
@@ -179,7 +201,7 @@ void makeGrinderFiles(const GrinderRequest& request) {
       {"contact wheel", makeContactWheel},
       {"drive wheel", makeDriveWheel},
       {"arm", makeArm}};
-  std::vector<TriangleMesh> meshes;  // before any is written: sizes may be refused
+  std::vector<TriangleMesh> meshes;  // all made before any is written, because sizes may be refused
   for (const auto& [name, makePart] : parts) meshes.push_back(makePart(request.belt));
 
   const std::filesystem::path out = request.out;
@@ -201,14 +223,18 @@ void makeGrinderFiles(const GrinderRequest& request) {
                   {std::size_t{1}, {BladeChoice::Kind::ground, 0}, kOfBackAtWork}};
   writeToolFile(files.add(out / "tool.json"), tool);
   files.finish();
-  std::cout << (out / "tool.json").string() << ": " << tool.parts.size() << " parts, meshes beside it\n";
+  std::cout << (out / "tool.json").string() << ": " << tool.parts.size()
+            << " parts, with their meshes beside it\n";
 }
 
 void addGrinder(CLI::App& make) {
   CLI::App& command = *make.add_subcommand(
-      "grinder", "The whole grinder: a mesh a part, and the tool.json of 'octoblisk grind --tool'");
+      "grinder", "The whole grinder: one mesh per part, and a tool.json for 'octoblisk grind --tool'");
   const auto request = std::make_shared<GrinderRequest>();
-  command.add_option("-o,--out", request->out, "Folder; made where missing")->required()->check(notEmpty());
+  command.add_option("-o,--out", request->out, "Folder to write to; created if missing")
+      ->type_name("DIR")
+      ->required()
+      ->check(notEmpty());
   addSizes(command, request->belt);
   command.callback([request] { makeGrinderFiles(*request); });
 }
@@ -222,8 +248,8 @@ void addMakeCommand(CLI::App& app, int&) {
   addBlisk(make);
   addGrinder(make);
   addGrinderPart(make, "belt", "The abrasive belt: contact wheel at the origin, arm along +x", makeBelt);
-  addGrinderPart(make, "contact-wheel", "The small wheel at the origin, axis z", makeContactWheel);
-  addGrinderPart(make, "drive-wheel", "The great wheel at the arm's far end", makeDriveWheel);
+  addGrinderPart(make, "contact-wheel", "The small wheel, at the origin, its axis along z", makeContactWheel);
+  addGrinderPart(make, "drive-wheel", "The large wheel at the far end of the arm", makeDriveWheel);
   addGrinderPart(make, "arm", "The bar between the wheels", makeArm);
 }
 

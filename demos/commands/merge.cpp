@@ -1,4 +1,4 @@
-// octoblisk merge: makes the table of a study of the parts that --shard wrote.
+// octoblisk merge: joins the parts of a study that --shard wrote into one table.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -24,7 +24,7 @@ struct MergeRequest {
   std::string out;
 };
 
-/// Tells what the study's own subcommand does, and returns its exit code.
+/// Prints the summary of the study's own subcommand and returns its exit code.
 int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
   std::ostream& words = isStandardOutput(out) ? std::cerr : std::cout;
   if (merged.study.name == kCheckName) {
@@ -47,8 +47,12 @@ int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
 void addMergeCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "merge");
   const auto request = std::make_shared<MergeRequest>();
-  command.add_option("PART", request->parts, "All parts, in any order")->required()->check(notEmpty());
-  command.add_option("-o,--out", request->out, "CSV file to write; -: standard output")
+  command.add_option("PART", request->parts, "All parts of the study, in any order")
+      ->type_name("FILE")
+      ->required()
+      ->check(notEmpty());
+  command.add_option("-o,--out", request->out, "CSV file to write, or - for standard output")
+      ->type_name("FILE")
       ->required()
       ->check(notEmpty());
   command.callback([request, &exit_code] {

@@ -1,4 +1,4 @@
-// octoblisk paper: runs the paper's experiments again and sets its numbers beside ours.
+// octoblisk paper: reruns the paper's experiments and compares its numbers with ours.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -23,36 +23,43 @@ struct PaperSubcommand {
 
 constexpr PaperSubcommand kPaperSubcommands[] = {
     {"table1", kTable1,
-     "Nodes of traditional and improved octrees over one blade, with volumes and false alarms"},
-    {"table2", kTable2, "Times to split"},
+     "Nodes of the traditional and the improved octree over one blade, with volumes and false alarms"},
+    {"table2", kTable2, "Times to build both octrees"},
     {"table3", kTable3,
      "Detection over the grinding path of the blisk: range, time, false alarms and misses"},
-    {"table4", kTable4, "The same in the loop of a simulated robot, with its errors and times"},
+    {"table4", kTable4,
+     "The same detection in the control loop of a simulated robot, with its errors and times"},
     {"table5", kTable5,
      "A blade measured before and after a simulated grinding pass, with figures 13 and 14"},
     {"figures", kFigures, "Figures 2, 4, 5, 7, 8, 9 and 10"},
-    {"all", kAllParts, "All of these in one report"}};
+    {"all", kAllParts, "All tables and figures in one report"}};
 
 void addOptions(CLI::App& command, PaperRequest& request) {
   command
       .add_option("--blade", request.blade,
-                  "Mesh file: a blisk round the axis Z, of which blade 1 is taken, or a blade alone; "
-                  "default: the built-in blisk")
+                  "Mesh file: a blisk about the Z axis, whose blade 1 is used, or a single blade. Default: "
+                  "the built-in blisk")
+      ->type_name("FILE")
       ->check(notEmpty());
   addUnitsOption(command, request.units);
-  command.add_option("--points", request.points, "Points of a blade; the paper does not say how many it has")
+  command.add_option("--points", request.points, "Number of points on a blade; the paper does not give it")
+      ->type_name("N")
       ->check(wholeNumberFrom(kLeastPoints, kMostPoints))
       ->capture_default_str();
-  command.add_option("--seed", request.seed, "Of clouds, clusters, poses, stock and noise")
+  command.add_option("--seed", request.seed, "Seed of clouds, clusters, poses, stock and noise")
+      ->type_name("N")
       ->check(wholeNumberFrom(0, std::int64_t{1} << 62))
       ->capture_default_str();
   command
       .add_option("--starts", request.starts,
-                  "Runs of k-means from other initial centres, the best of which (eq. 5) counts; 1 is the "
-                  "paper's own start")
+                  "Number of k-means runs, each from different initial centres; the best by eq. 5 counts. 1 "
+                  "is the paper's method")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, 1000))
       ->capture_default_str();
-  command.add_option("-o,--out", request.out, "Folder for report, tables and figures; made where missing")
+  command
+      .add_option("-o,--out", request.out, "Folder for the report, tables and figures; created if missing")
+      ->type_name("DIR")
       ->required()
       ->check(notEmpty());
   command.footer(helpOf("paper").footer);

@@ -44,11 +44,11 @@ using namespace detail;
 
 namespace {
 
-constexpr double kLift = 1.0;             // mm, of the path held off the blade
+constexpr double kLift = 1.0;             // mm, of the lifted path off the blade
 constexpr std::size_t kPosesAbout = 400;  // seeded poses of the belt about the blade
 constexpr double kReachOfPoses = 40.0;    // mm
-constexpr std::size_t kSeeds = 32;        // of clouds and clusters, over which Tables 1 to 4 are spread
-constexpr int kRepeatsOfSeeds = 3;        // to be timed
+constexpr std::size_t kSeeds = 32;        // of clouds and clusters, for the spread in Tables 1 to 4
+constexpr int kRepeatsOfSeeds = 3;        // per timing
 
 constexpr const char* kReplayFile = "replay.html";  // of Table 3
 
@@ -56,16 +56,16 @@ constexpr unsigned kOfSplits = kTable1 | kTable2 | kFigures;
 constexpr unsigned kOfBlisk = kTable3 | kTable4 | kTable5;
 constexpr unsigned kWithPlots = kTable4 | kTable5 | kFigures;
 
-constexpr const char* kNoBlades = "no blades were found round the z axis";
+constexpr const char* kNoBlades = "no blades were found about the z axis";
 
-/// The folder of the report: made where missing, and gone again where nothing came of it.
+/// The folder of the report: created if missing, and removed again if the run fails and it is empty.
 class OutFolder {
  public:
   explicit OutFolder(const std::string& path) : path_(path) {
     std::error_code error;
     is_new_ = std::filesystem::create_directories(path_, error);
-    if (error) throw std::runtime_error(path + ": the folder cannot be made: " + error.message());
-    if (::access(path_.c_str(), W_OK) != 0) throw std::runtime_error(path + ": the folder cannot be written");
+    if (error) throw std::runtime_error(path + ": cannot create the folder: " + error.message());
+    if (::access(path_.c_str(), W_OK) != 0) throw std::runtime_error(path + ": the folder is not writable");
   }
   ~OutFolder() {
     std::error_code not_empty;
@@ -89,7 +89,7 @@ Points cloudOf(const PaperModel& model, const PaperRequest& request) {
   }
 }
 
-/// What a part gives to the report.
+/// What one part adds to the report.
 struct Findings {
   std::vector<Section> sections;
   std::vector<Claim> claims;
@@ -100,7 +100,7 @@ struct Findings {
   }
 };
 
-/// Makes the sections one after the other, from what several of them need.
+/// Makes the sections in order, and shares between them the results that several need.
 class PaperRun {
  public:
   PaperRun(const PaperRequest& request, PaperModel model, const std::filesystem::path& out)
@@ -187,11 +187,11 @@ class PaperRun {
   void sayWhatIsByConstruction(Section& section) const {
     if (!request_.blade.empty()) return;
     section.paragraphs.push_back(
-        "By construction: the built-in blisk is made as large as the paper's, 480 × 480 × 200 mm. Its "
-        "traditional range agrees with the paper's for that reason alone.");
+        "By construction: the built-in blisk is as large as the paper's, 480 × 480 × 200 mm. Only for that "
+        "reason does its traditional range agree with the paper's.");
   }
 
-  /// The path as it is ground, or held off the blade by so much.
+  /// The grinding path, lifted off the blade by `lift`.
   std::vector<Pose> grindingPath(double lift) const {
     GrindingPathOptions path;
     if (lift > 0.0) path.depth = -lift;
@@ -230,13 +230,14 @@ PaperModel modelOf(const PaperRequest& request) {
 }
 
 Document titlePage(const std::string& blade, std::uint64_t seed) {
-  return {.title = "The paper, run again",
-          .paragraphs = {"Z. Huang et al., Collision detection algorithm of belt grinding of the Blisk based "
-                         "on improved octree segmentation method: its experiments on " +
-                         blade +
-                         ", its numbers beside ours. Nothing is tuned to look like it; all that is not a "
-                         "time is the same again for the same --seed, " +
-                         std::to_string(seed) + " here."}};
+  return {
+      .title = "The paper's experiments, rerun",
+      .paragraphs = {"This report reruns the experiments of Z. Huang et al., Collision detection algorithm "
+                     "of belt grinding of the Blisk based on improved octree segmentation method, on " +
+                     blade +
+                     ", and compares the paper's numbers with ours. Nothing is tuned to match them. Apart "
+                     "from times, all results repeat exactly for the same --seed, " +
+                     std::to_string(seed) + " here."}};
 }
 
 }  // namespace
@@ -249,11 +250,10 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   const bool no_blisk = (parts & kOfBlisk) != 0 && !model.isBlisk();
   if (no_blisk && !all) {
     throw std::invalid_argument(name + ": " + kNoBlades +
-                                ", so there is no grinding path over them: Tables 3 to 5 need a blisk");
+                                ", so there is no grinding path: Tables 3 to 5 need a blisk");
   }
   const std::string left_out =
-      kNoBlades +
-      std::string(": it is taken for one blade, and Tables 3 to 5, which need a blisk, are left out");
+      kNoBlades + std::string(": it is treated as one blade; Tables 3 to 5 need a blisk and are left out");
   if (no_blisk) {
     messages << "octoblisk: warning: " << name << ": " << left_out << '\n';
     parts &= ~kOfBlisk;
@@ -261,11 +261,11 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   const OutFolder out(request.out);
   const PaperRun run(request, std::move(model), out.path());
   Document document = titlePage(run.nameOfBlade(), request.seed);
-  if (no_blisk) document.paragraphs.push_back("Of this mesh " + left_out + ".");
+  if (no_blisk) document.paragraphs.push_back("In this mesh, " + left_out + ".");
 
   struct Step {
     unsigned parts;
-    double work;  // about, in seconds
+    double work;  // roughly, in seconds
     std::string title;
     std::function<Findings(const Progress&)> run;
   };
@@ -288,7 +288,7 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
       Findings part = step.run(stretchOf(progress, done / work, (done + step.work) / work));
       for (Section& section : part.sections) found.add(std::move(section));
       std::ranges::move(part.claims, std::back_inserter(found.claims));
-    } catch (const std::invalid_argument& error) {  // the arm may not reach over it; a blade may be too small
+    } catch (const std::invalid_argument& error) {  // e.g. the arm does not reach, or a blade is too small
       if (!all || step.title.empty()) throw;
       document.paragraphs.push_back(step.title + " is left out: " + error.what() + ".");
     }

@@ -1,4 +1,4 @@
-// The paper's experiments run again, and the report on them.
+// Reruns the paper's experiments and writes the report on them.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// Parts of the report, to be joined by |.
+/// Parts of the report; combine them with |.
 enum PaperPart : unsigned {
   kTable1 = 1,
   kTable2 = 2,
@@ -21,18 +21,18 @@ enum PaperPart : unsigned {
 struct PaperRequest {
   std::string blade;          ///< mesh file; empty: the built-in blisk
   std::string units;          ///< of the mesh file, as units_option.h reads it; empty: mm
-  std::string out;            ///< folder; made where missing
+  std::string out;            ///< folder; created if missing
   std::size_t points = 1900;  ///< of a blade
   std::uint64_t seed = 1;     ///< of clouds, clusters, poses, stock and noise
-  int starts = 16;            ///< of k-means; 1 is the paper's own
+  int starts = 16;            ///< of k-means; 1 is the paper's method
 };
 
-/// Writes the report into the folder. Of all parts, those that the mesh is not made for are left out, which
-/// the report says; warnings and a progress bar go to `messages`.
+/// Writes the report into the folder. When all parts are asked for, those that do not apply to the mesh are
+/// left out, and the report says so. Warnings and a progress bar go to `messages`.
 ///
-/// Throws std::invalid_argument for a mesh that cannot be read, or one of which a part that was asked for by
-/// name cannot be made; std::runtime_error where gnuplot is missing or the folder cannot be written. A folder
-/// that was made for it is gone again then, unless something is in it.
+/// Throws std::invalid_argument for a mesh that cannot be read, or that does not support a part asked for by
+/// name; std::runtime_error if gnuplot is missing or the folder is not writable. If it throws, a folder that
+/// it created is removed again, unless it has files in it.
 void runPaper(const PaperRequest& request, unsigned parts, std::ostream& messages);
 
 }  // namespace octoblisk::demos

@@ -11,13 +11,13 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The other files of access are made of the table once that is written: too late to refuse a row.
+/// The other files of access are made from the finished table, when it is too late to refuse a row.
 void requireAccessRows(const GroupInText& group, std::string_view rows) {
   std::size_t count = 0;
   for (; !rows.empty(); ++count) {
     const std::size_t end = rows.find('\n');
     if (end == std::string_view::npos) {
-      throw std::invalid_argument("has a row without its end: " + inQuotes(rows));
+      throw std::invalid_argument("has an incomplete row: " + inQuotes(rows));
     }
     rowOfLine(rows.substr(0, end));
     rows.remove_prefix(end + 1);
@@ -39,7 +39,8 @@ void checkPart(const PartText& part, std::string_view text) {
   if (study.name == kAccessName) {
     questionOfLine(study.options);
     if (study.columns != accessColumns()) {
-      throw std::invalid_argument("has columns of no accessibility map: " + inQuotes(study.columns));
+      throw std::invalid_argument("has columns that are not from an accessibility map: " +
+                                  inQuotes(study.columns));
     }
     for (const GroupInText& group : part.groups) {
       accessSummaryOfTally(group.tally);

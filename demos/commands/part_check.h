@@ -1,4 +1,4 @@
-// Whether a part of a study could be of the subcommand that it names.
+// Checks that a part of a study comes from the subcommand that it names.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,9 @@
 
 namespace octoblisk::demos {
 
-/// Throws std::invalid_argument where the options or tallies of a part of check or access, or the columns or
-/// rows of one of access, are not as that writes them. `text` is the one that the part was read from.
+/// Throws std::invalid_argument if the options or tallies of a part of check or access, or the columns or
+/// rows of a part of access, are not as that subcommand writes them. `text` is the text that the part was
+/// read from.
 void checkPart(const PartText& part, std::string_view text);
 
 }  // namespace octoblisk::demos

@@ -32,7 +32,7 @@ struct PathRequest {
   int blade = 1;
   std::string side = "convex";
   std::string pattern = "transversal";
-  std::string arm;  // empty: as armAsked says
+  std::string arm;  // empty: see armAsked
   std::string format = "csv";
   double wheel_width = BeltParameters{}.width;  // mm
   std::string out;
@@ -46,8 +46,8 @@ PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, con
   return is_forward ? PathRegion::forward : PathRegion::backward;
 }
 
-/// Through a shroud nothing leads out: by default the arm then leaves a side downstream, and the leading edge
-/// upstream, where that is.
+/// The arm cannot leave through a shroud: by default it then leaves a side downstream, and the leading edge
+/// upstream.
 PathArm armAsked(const PathRequest& request, bool shrouded) {
   if (request.arm == "upstream") return PathArm::upstream;
   if (request.arm == "downstream") return PathArm::downstream;
@@ -62,9 +62,9 @@ void requireWheelFits(const std::string& blisk, double blisk_size, double wheel)
 
 int makePath(PathRequest request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
-  std::error_code ignored;  // mostly there is no such file
+  std::error_code ignored;  // usually the file does not exist
   if (std::filesystem::equivalent(request.out, request.blisk, ignored)) {
-    throw std::runtime_error(request.out + ": cannot be both read and written");
+    throw std::runtime_error(request.out + ": is also an input file: choose another --out");
   }
   const TriangleMesh mesh =
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
@@ -98,7 +98,7 @@ int makePath(PathRequest request) {
   const bool is_edge = request.side == "leading";
   std::ostream& words = isStandardOutput(request.out) ? std::cerr : std::cout;
   words << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
-        << (passes == 1 ? " pass " : " passes ") << (is_edge ? "round the leading edge" : "on the ")
+        << (passes == 1 ? " pass " : " passes ") << (is_edge ? "around the leading edge" : "on the ")
         << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
         << found.blades.count << ", at most " << options.step_over << " mm apart, from "
         << options.height_from << " to " << options.height_to << " of its height\n";
@@ -113,62 +113,75 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   SurfacePathOptions& options = request->options;
   command
       .add_option("--blisk", request->blisk,
-                  "Mesh file, wherever it lies in space; default: the built-in blisk")
+                  "Mesh file of the blisk, in any position. Default: the built-in blisk")
+      ->type_name("FILE")
       ->check(notEmpty());
   addAxisOption(command, request->axis);
   addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
   command
-      .add_option(
-          "--arm", request->arm,
-          "How the arm leaves the blades: outward, away from the axis, or by the channel's end, "
-          "upstream or downstream; default: outward; where there is a shroud, downstream, and upstream round "
-          "the leading edge")
-      ->check(CLI::IsMember({"outward", "upstream", "downstream"}));
+      .add_option("--arm", request->arm,
+                  "Direction in which the arm leaves the blades: outward, away from the axis; upstream or "
+                  "downstream, through the end of the channel. Default: outward; on a shrouded blisk, "
+                  "downstream, or upstream around the leading edge")
+      ->type_name("DIRECTION")
+      ->check(oneOf({"outward", "upstream", "downstream"}));
   command.option_defaults()->always_capture_default();
   command
-      .add_option("--blade", request->blade, "Number of the blade, from 1, as 'octoblisk blades' tells them")
+      .add_option("--blade", request->blade,
+                  "Number of the blade, from 1, as in the table of 'octoblisk blades'")
+      ->type_name("N")
       ->check(wholeNumberFrom(1, 10'000));
-  command.add_option("--side", request->side, "What is ground: convex or concave side, or leading edge")
-      ->check(CLI::IsMember({"convex", "concave", "leading"}));
   command
-      .add_option(
-          "--pattern", request->pattern,
-          "longitudinal: passes along the blade's length; transversal: along its chord, or round the edge")
-      ->check(CLI::IsMember({"longitudinal", "transversal"}));
+      .add_option("--side", request->side,
+                  "Surface to grind: the convex side, the concave side or the leading edge")
+      ->type_name("SIDE")
+      ->check(oneOf({"convex", "concave", "leading"}));
+  command
+      .add_option("--pattern", request->pattern,
+                  "longitudinal: passes along the blade's length; transversal: passes along its chord, or "
+                  "around the edge")
+      ->type_name("PATTERN")
+      ->check(oneOf({"longitudinal", "transversal"}));
   command.add_option("--format", request->format, "csv: a table of poses with feeds; apt: a CL file")
-      ->check(CLI::IsMember({"csv", "apt"}));
-  command.add_option("-o,--out", request->out, "File to write; -: standard output")
+      ->type_name("FORMAT")
+      ->check(oneOf({"csv", "apt"}));
+  command.add_option("-o,--out", request->out, "File to write, or - for standard output")
+      ->type_name("FILE")
       ->required()
       ->check(notEmpty());
   const auto addLength = [&](const std::string& option, double& value, const std::string& help, bool above) {
-    command.add_option(option, value, help)->check(numberFrom(0.0, kMaxLength, above));
+    command.add_option(option, value, help)->type_name("MM")->check(numberFrom(0.0, kMaxLength, above));
   };
-  addLength("--step-over", options.step_over, "mm from pass to pass at most, on the surface", true);
-  addLength("--pose-step", options.pose_step, "mm from pose to pose at most", true);
-  addLength("--edge-margin", options.edge_margin, "mm left out of a side along its leading and trailing edge",
+  addLength("--step-over", options.step_over, "Greatest distance between passes, on the surface", true);
+  addLength("--pose-step", options.pose_step, "Greatest distance between poses", true);
+  addLength("--edge-margin", options.edge_margin, "Width left out along a side's leading and trailing edge",
             false);
-  addLength("--edge-reach", options.edge_reach, "mm that passes reach to either side of the leading edge",
+  addLength("--edge-reach", options.edge_reach, "Reach of the passes to either side of the leading edge",
             true);
-  addLength("--depth", options.depth, "mm that the belt is pressed into the surface", false);
-  addLength("--wheel-radius", options.wheel_radius, "mm, of the contact wheel with the belt", true);
-  addLength("--wheel-width", request->wheel_width, "mm, of the belt on the contact wheel", true);
-  addLength("--retract", options.retract, "mm of approach and retraction, along the arm", false);
+  addLength("--depth", options.depth, "Depth to which the belt is pressed into the surface", false);
+  addLength("--wheel-radius", options.wheel_radius, "Radius of the contact wheel with the belt on it", true);
+  addLength("--wheel-width", request->wheel_width, "Width of the belt on the contact wheel", true);
+  addLength("--retract", options.retract, "Length of approach and retraction, along the arm", false);
   const auto addAngle = [&](const std::string& option, double& value, const std::string& help) {
-    command.add_option(option, value, help)->check(numberFrom(-89.0, 89.0));
+    command.add_option(option, value, help)->type_name("DEG")->check(numberFrom(-89.0, 89.0));
   };
-  addAngle("--tilt", options.tilt, "Degrees of the arm off the surface, about the contact wheel's axis");
-  addAngle("--lead", options.lead, "Degrees of the arm along the surface, towards the trailing edge");
-  command
-      .add_option("--turn-step", options.greatest_turn,
-                  "Degrees that the surface turns from pose to pose at most")
+  addAngle("--tilt", options.tilt, "Angle of the arm off the surface, about the contact wheel's axis");
+  addAngle("--lead", options.lead, "Angle of the arm along the surface, towards the trailing edge");
+  command.add_option("--turn-step", options.greatest_turn, "Greatest turn of the surface from pose to pose")
+      ->type_name("DEG")
       ->check(numberFrom(0.01, 90.0));
-  command.add_option("--feed", options.feed, "mm/min")->check(numberFrom(0.0, 1e9, true));
+  command.add_option("--feed", options.feed, "Feed rate in mm/min")
+      ->type_name("MM/MIN")
+      ->check(numberFrom(0.0, 1e9, true));
   command
       .add_option("--height-from", options.height_from,
-                  "Part of the blade's height, root 0 to tip 1, to grind from")
+                  "Lower end of the ground region, as a fraction of the blade's height: root 0, tip 1")
+      ->type_name("FRACTION")
       ->check(numberFrom(0.0, 1.0));
-  command.add_option("--height-to", options.height_to, "And to")->check(numberFrom(0.0, 1.0));
+  command.add_option("--height-to", options.height_to, "Upper end of the ground region")
+      ->type_name("FRACTION")
+      ->check(numberFrom(0.0, 1.0));
   command.callback([request, &exit_code] { exit_code = makePath(*request); });
 }
 

@@ -1,4 +1,4 @@
-// octoblisk repair: makes a path free of interference, changing as little as can be.
+// octoblisk repair: makes a path free of interference with as little change as possible.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,13 @@ void tellContact(const PathRepair& repair) {
             << " working poses: " << describeLost(repair) << '\n';
 }
 
-/// What the repaired path's file is called: in a CL file's own format its extension stays.
+/// The file name of the repaired path; a CL file keeps its format and extension.
 std::string nameOfPath(const GrinderFiles& files) {
   const bool is_cl = !files.path.empty() && isClFile(files.path);
   return "path" + (is_cl ? std::filesystem::path(files.path).extension().string() : std::string(".csv"));
 }
 
-/// Where the repaired path and the table of its changes are; those of an unfinished one are marked.
+/// The files of the repaired path and of its changes; those of an unfinished repair are marked.
 struct RepairFiles {
   RepairFiles(const GrinderFiles& files, bool is_partial) {
     const std::filesystem::path out = files.out;
@@ -87,17 +87,18 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, 
   }
   std::cout << ": " << repair.interferedBefore() << " interfered; left: " << repair.posesLeft()
             << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.movesLeft()
-            << (repair.movesLeft() == 1 ? " move" : " moves") << " between free poses\n";
+            << (repair.movesLeft() == 1 ? " motion" : " motions") << " between free poses\n";
   if (repair.changed() > 0) tellChanges(repair);
   tellContact(repair);
   constexpr std::size_t kMost = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
-  if (left.size() > kMost) std::cout << "Left: " << left.size() - kMost << " more runs (changes.csv)\n";
+  if (left.size() > kMost)
+    std::cout << "Left: " << left.size() - kMost << " more runs of poses (changes.csv)\n";
   std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
 }
 
-/// Throws naming the option whose spacing no step from pose to pose could bridge.
+/// Throws naming an option whose spacing is wider than the permitted step from pose to pose.
 void requireBridged(const ChangeLimits& limits) {
   const std::tuple<const char*, double, double> changes[] = {
       {"tilt", limits.tilt_grid, limits.tilt_per_pose},
@@ -105,12 +106,12 @@ void requireBridged(const ChangeLimits& limits) {
       {"retract", limits.retract_grid, limits.retract_per_pose}};
   for (const auto& [name, grid, per_pose] : changes) {
     if (grid <= per_pose) continue;
-    throw std::invalid_argument("--" + std::string(name) + "-grid: is above --" + name +
-                                "-per-pose, so that it could not be changed");
+    throw std::invalid_argument("--" + std::string(name) + "-grid: must not be above --" + name +
+                                "-per-pose, or no pose could differ from the next");
   }
 }
 
-/// The path as octoblisk grind judges it.
+/// The run that octoblisk grind would make of the path.
 GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
                   const std::vector<Pose>& path, TerminalWatch& terminal) {
   constexpr double kLeastNearMiss = 0.5;  // mm
@@ -127,14 +128,15 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
   job.threads = files.threads;
   GrindingRun run = runGrinding(job, terminal.watch());
   terminal.endTask();
-  if (run.isPartial()) throw TerminalWatch::stopped("stopped: the path is repaired, but has no report");
+  if (run.isPartial())
+    throw TerminalWatch::stopped("stopped: the path is repaired, but the report is not written");
   run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
   run.tool_name = files.toolName();
   run.path_name = files.path.empty() ? "generated" : files.path;
   return run;
 }
 
-/// Of a path; none, with a warning, of a blade whose side has no contours.
+/// Returns none, with a warning, for a blade whose side has no contours.
 std::optional<Coverage> coverageOfPath(const GrinderFiles& files, const GrinderInput& input,
                                        const VerdictRules& rules, const std::vector<Pose>& path) {
   if (rules.ground_blade == 0 || rules.grinding_part == kNoPart) return std::nullopt;
@@ -150,7 +152,7 @@ std::optional<Coverage> coverageOfPath(const GrinderFiles& files, const GrinderI
                        .path = path},
                       files.threads);
   } catch (const std::invalid_argument& error) {
-    warnOf(files.bliskName(), std::string("what is ground is not told: ") + error.what());
+    warnOf(files.bliskName(), std::string("the coverage is not computed: ") + error.what());
     return std::nullopt;
   }
 }
@@ -173,14 +175,14 @@ int repair(const RepairRequest& request) {
   requireNotRead(files,
                  {nameOfPath(files), "changes.csv", "report.html", "run.glb", "contacts.vtk", "path.vtk"});
   requireBridged(request.limits);
-  const ChangeGrid usable(request.limits);  // refuses what is no use before anything is read
+  const ChangeGrid usable(request.limits);  // refuses unusable limits before any file is read
   const bool own_path = !files.path.empty();
   const GrinderInput input = readGrinder(files);
   const PathFile read = own_path ? readPath(files.path, *input.blisk) : PathFile();
   const std::vector<Pose> path = own_path ? read.poses() : builtInPath(files, input);
   TerminalWatch terminal(path.size());
   const std::optional<int> blade = groundBladeOf(files, input, path, terminal.watch());
-  if (!blade) throw TerminalWatch::stopped("stopped before a pose was done: nothing is written");
+  if (!blade) throw TerminalWatch::stopped("stopped before the first pose was done: no file was written");
   const VerdictRules rules = reachRulesOf(files, input, *blade, request.margin);
   warnOfInput(files, input);
   makeFolder(files.out);
@@ -208,7 +210,7 @@ int repair(const RepairRequest& request) {
   tellRepair(repaired, input, *blade, written);
   if (*blade != 0) std::cout << inWords(coverage, *blade) << '\n';
   if (repaired.is_partial) {
-    throw TerminalWatch::stopped("stopped: what was repaired so far is in " + written.path.string());
+    throw TerminalWatch::stopped("stopped: the poses repaired so far are in " + written.path.string());
   }
   if (request.report) writeRepairReport(files, input, rules, path, repaired, coverage, terminal);
   return repaired.isFree() && repaired.contactsLost() == 0 ? 0 : 1;
@@ -222,38 +224,44 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
   addGrinderOptions(command, request->files);
   addMarginOption(command, request->margin);
   command
-      .add_option(
-          "--path", request->files.path,
-          "CSV file x,y,z,qw,qx,qy,qz: the belt in the blisk's frame (mm), or an APT CL file; default: the "
-          "path that grind makes")
+      .add_option("--path", request->files.path,
+                  "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL "
+                  "file. Default: the built-in path of grind")
+      ->type_name("FILE")
       ->check(notEmpty());
   command
-      .add_flag(
-          "--keep-contact,!--no-keep-contact", request->keep_contact,
-          "Keep working poses in contact with the ground blade where a change with a retraction of up to "
-          "1 mm can")
+      .add_flag("--keep-contact,!--no-keep-contact", request->keep_contact,
+                "Keep working poses in contact with the ground blade if a change with at most 1 mm of "
+                "retraction allows it")
       ->capture_default_str();
   ChangeLimits& limits = request->limits;
   const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {
-    command.add_option(name, value, help)
+    return command.add_option(name, value, help)
         ->check(numberFrom(0.0, kMaxLength, above))
         ->capture_default_str()
         ->group("Changes");
   };
-  add_limit("--tilt", limits.tilt, "Degrees of tilt at most, either way; about the wheels' axis", false);
-  add_limit("--tilt-per-pose", limits.tilt_per_pose,
-            "Degrees that the tilt may change from a pose to the next", true);
-  add_limit("--tilt-grid", limits.tilt_grid, "Degrees between tilts that are tried", true);
-  add_limit("--slide", limits.slide, "mm of slide at most, either way; along the wheels' axis", false);
-  add_limit("--slide-per-pose", limits.slide_per_pose, "mm that the slide may change from a pose to the next",
+  const auto add_angle = [&](const std::string& name, double& value, const std::string& help, bool above) {
+    add_limit(name, value, help, above)->type_name("DEG");
+  };
+  const auto add_length = [&](const std::string& name, double& value, const std::string& help, bool above) {
+    add_limit(name, value, help, above)->type_name("MM");
+  };
+  add_angle("--tilt", limits.tilt, "Greatest tilt in either direction, about the wheels' axis", false);
+  add_angle("--tilt-per-pose", limits.tilt_per_pose, "Greatest change of the tilt from a pose to the next",
             true);
-  add_limit("--slide-grid", limits.slide_grid, "mm between slides that are tried", true);
-  add_limit("--retract", limits.retract,
-            "mm of retraction at most: the first off the surface, all beyond along the arm", false);
-  add_limit("--retract-per-pose", limits.retract_per_pose,
-            "mm that the retraction may change from a pose to the next", true);
-  add_limit("--retract-grid", limits.retract_grid,
-            "mm between the first ten retractions that are tried; wider beyond", true);
+  add_angle("--tilt-grid", limits.tilt_grid, "Step between the tilts that are tried", true);
+  add_length("--slide", limits.slide, "Greatest slide in either direction, along the wheels' axis", false);
+  add_length("--slide-per-pose", limits.slide_per_pose,
+             "Greatest change of the slide from a pose to the next", true);
+  add_length("--slide-grid", limits.slide_grid, "Step between the slides that are tried", true);
+  add_length("--retract", limits.retract,
+             "Greatest retraction: the first millimetre leads off the surface, the rest runs along the arm",
+             false);
+  add_length("--retract-per-pose", limits.retract_per_pose,
+             "Greatest change of the retraction from a pose to the next", true);
+  add_length("--retract-grid", limits.retract_grid,
+             "Step between the first ten retractions that are tried; the steps beyond are wider", true);
   addReportOption(command, request->report);
   command.callback([request, &exit_code] { exit_code = repair(*request); });
 }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kBlade = 1;
 
-/// The tool whose lower strand touches the convex side along its chord. The drive wheel is where the next
-/// blade, over the channel, is not.
+/// The tool whose lower strand touches the convex side along its chord. The drive wheel is on the side away
+/// from the next blade across the channel.
 Pose toolTouching(const TriangleMesh& blisk, const demos::BladesFound& blades,
                   const BeltOnBladeOptions& options) {
   const demos::BliskAnatomy anatomy = demos::findAnatomy(blisk, blades);
@@ -66,7 +66,7 @@ BeltOnBlade::BeltOnBlade(const BeltOnBladeOptions& options)
       touching_(toolTouching(shape_.tree().mesh(), blades_, options)) {
   registerAlgorithm(&dispatcher_);
   world_.setGravity(btVector3(0, 0, -9810));
-  blisk_body_.setFriction(btScalar(0.004));  // taken in every iteration of the soft body's solver
+  blisk_body_.setFriction(btScalar(0.004));  // applied in every iteration of the soft body's solver
   world_.addRigidBody(&blisk_body_);
   belt_ = std::make_unique<SoftBelt>(world_, options.belt, toolAt(0.0));
 }

@@ -1,4 +1,4 @@
-// A blisk on a spindle, turning, is hit by debris that flies along its axis. Bullet's solver slows it down.
+// A blisk turns on a spindle and is hit by debris that flies along its axis. Bullet's solver slows it down.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -11,7 +11,7 @@
 namespace octoblisk::gallery {
 namespace {
 
-/// Millimetres, kg and seconds: docs/units.md says what to set for it.
+/// Units are millimetres, kg and seconds: docs/units.md explains the settings for them.
 class BliskAndDebris final : public RigidScene {
  public:
   BliskAndDebris(int bodies, const BuildOptions& tree) : RigidScene(1.0 / 960.0, tree) {
@@ -45,7 +45,8 @@ class BliskAndDebris final : public RigidScene {
 
   demos::Picture picture() const override {
     demos::Picture picture = RigidScene::picture();
-    const Pose blisk = fromBullet(blisk_->getWorldTransform());  // a line on it shows how far it has turned
+    // The line shows how far the blisk has turned.
+    const Pose blisk = fromBullet(blisk_->getWorldTransform());
     const Vec3 line[] = {blisk * Vec3(68, 0, 101), blisk * Vec3(120, 0, 101)};
     picture.scene.addPolyline(line, {.color = demos::palette::kInk, .width = 9.0f});
     return picture;

@@ -1,4 +1,4 @@
-// A mesh of the core as Bullet's own mesh interface.
+// A core mesh as Bullet's mesh interface.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -11,8 +11,8 @@
 
 namespace octoblisk::gallery {
 
-/// Vertices and indices as Bullet reads them, and the view of them, in parts where there are more triangles
-/// than Bullet numbers in one.
+/// Vertices and indices in Bullet's layout, and the interface to them, in several parts if there are more
+/// triangles than Bullet can number in one.
 class BulletMesh {
  public:
   explicit BulletMesh(const TriangleMesh& mesh, double scale = 1.0) {
@@ -36,7 +36,7 @@ class BulletMesh {
 
   btTriangleIndexVertexArray* view() const { return view_.get(); }
 
-  /// From now on the view's vertices are those of another mesh of the same triangles, which must outlive it.
+  /// Makes the interface read the vertices of another mesh with the same triangles, which must outlive it.
   void readVerticesOf(const BulletMesh& moved) {
     for (int part = 0; part < view_->getNumSubParts(); ++part) {
       view_->getIndexedMeshArray()[part].m_vertexBase =
@@ -45,8 +45,7 @@ class BulletMesh {
   }
 
  private:
-  static constexpr std::size_t kMostTriangles = std::size_t{1}
-                                                << 21;  // of a part, for btBvhTriangleMeshShape
+  static constexpr std::size_t kMostTriangles = std::size_t{1} << 21;  // per part, for btBvhTriangleMeshShape
 
   std::vector<btScalar> vertices_;
   std::vector<int> indices_;

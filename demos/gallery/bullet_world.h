@@ -40,7 +40,7 @@ class BulletWorld {
     for (int i = 0; i < steps; ++i) world_.stepSimulation(btScalar(time_step), 0);
   }
 
-  /// J, of all bodies that move.
+  /// J, of all moving bodies.
   double kineticEnergy() const {
     double energy = 0.0;
     for (const auto& body : bodies_) {
@@ -53,7 +53,7 @@ class BulletWorld {
     return energy;
   }
 
-  /// Of all pairs.
+  /// Over all pairs.
   int contactPoints() const {
     int points = 0;
     for (int m = 0; m < dispatcher_.getNumManifolds(); ++m)

@@ -1,4 +1,4 @@
-// A chain of rings, linked by nothing but their contacts, hangs from a kinematic ring that swings.
+// A chain of rings, linked only by their contacts, hangs from a kinematic ring that swings.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ class ChainOfTori final : public RigidScene {
   }
 
   void step() override {
-    // Once to and fro, then still.
+    // One swing to and fro, then at rest.
     time_ += kStep;
     btTransform swung = rings_[0]->getWorldTransform();
     swung.setOrigin(toBullet(Vec3(time_ < 2.0 ? 1.5 * std::sin(SIMD_PI * time_) : 0.0, 0, 0)));

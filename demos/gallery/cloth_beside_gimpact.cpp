@@ -1,5 +1,5 @@
-// A cloth falls on a channel of our shape and, beside it, on one of GImpact's, which takes every pair with
-// its meshes, soft bodies included, but is not made for those.
+// A cloth falls on a channel of our shape and, beside it, on a channel of GImpact's, whose algorithm takes
+// every pair with its meshes, soft bodies included, although it does not support those.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <BulletSoftBody/btSoftBody.h>
@@ -26,12 +26,12 @@ class ClothOnChannel {
   static constexpr double kHalfFloor = 1.15, kHalfCloth = 0.9, kHeight = 0.8, kMargin = 0.02;
   static constexpr std::uint32_t kNodes = 41;  ///< along each side of the cloth
 
-  /// The algorithms of the channel's shape are to be registered with `dispatcher()`.
+  /// The algorithms of the channel's shape must be registered with `dispatcher()`.
   explicit ClothOnChannel(btCollisionShape& channel) : channel_(2, nullptr, &channel, inertiaOf(channel, 2)) {
     world_.setGravity(btVector3(0, 0, btScalar(-9.81)));
     btSoftBodyWorldInfo& info = world_.getWorldInfo();
     info.m_gravity = world_.getGravity();
-    info.m_sparsesdf.setDefaultVoxelsz(btScalar(kWall));  // as fine as what the cloth is to feel
+    info.m_sparsesdf.setDefaultVoxelsz(btScalar(kWall));  // as fine as the details that the cloth must detect
     info.m_sparsesdf.Reset();
     floor_.setWorldTransform(at(0, 0, -0.1));
     const btQuaternion opening_upward(btVector3(1, 0, 0), SIMD_HALF_PI);

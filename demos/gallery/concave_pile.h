@@ -1,4 +1,4 @@
-// Concave bodies of four kinds that are dropped on a concave floor, and how they lie there.
+// A pile of four kinds of concave bodies on a concave floor, and measures of their depths.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace octoblisk::gallery {
 
 using shapes::SharedMesh;
 
-/// Makes a shape of a mesh: ours, or another library's for comparison.
+/// Makes a shape from a mesh: ours, or another library's for comparison.
 using MakeShape = std::function<std::unique_ptr<btCollisionShape>(const SharedMesh& mesh)>;
 
 std::unique_ptr<btCollisionShape> makeOurShape(const SharedMesh& mesh, const BuildOptions& tree = {});
 
-/// Lengths in m, masses in kg. Bodies are dropped in square layers, each body turned at random.
+/// Lengths in m, masses in kg. Bodies are dropped in square layers, each turned at random.
 class ConcavePile {
  public:
   static constexpr btScalar kMargin = btScalar(0.01);  ///< of each shape
@@ -75,7 +75,7 @@ class ConcavePile {
   /// J, of all bodies.
   double kineticEnergy() const { return world_.kineticEnergy(); }
 
-  /// Bodies whose middle is below the floor.
+  /// The number of bodies whose centre is below the floor.
   int fallen() const {
     return static_cast<int>(std::ranges::count_if(bodies_, [](const Body& b) {
       const btVector3& middle = b.body->getWorldTransform().getOrigin();
@@ -84,7 +84,7 @@ class ConcavePile {
     }));
   }
 
-  /// Of all bodies, without Bullet's help.
+  /// Of all bodies, computed without Bullet.
   Depths depths() const {
     Depths found;
     DepthQuery query;

@@ -13,7 +13,7 @@
 namespace octoblisk::gallery {
 namespace {
 
-constexpr int kRows = 40;  // of a table, about
+constexpr int kRows = 40;  // of a table, roughly
 
 std::string secondsText(double time) {
   std::ostringstream text;

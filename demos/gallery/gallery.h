@@ -1,4 +1,4 @@
-// The gallery: scenes run, their pictures and numbers written.
+// Runs the scenes of the gallery and writes their pictures and numbers.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace octoblisk::gallery {
 
-/// All that there is to see, in the order in which docs/gallery.md shows it.
+/// All scenes, in the order of docs/gallery.md.
 const std::vector<Exhibit>& exhibits();
 
-/// Runs the scene to its end and writes NAME.png, its frames on a contact sheet, and NAME.csv, the time and
-/// its numbers at some forty times. `tree` is of all shapes. Returns the numbers at the end. Throws
-/// std::runtime_error naming a file that cannot be written.
+/// Runs the scene to its end and writes NAME.png, its frames on a contact sheet, and NAME.csv, its numbers at
+/// about forty times. `tree` is for all shapes. Returns the numbers at the end. Throws std::runtime_error
+/// naming a file that cannot be written.
 std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder,
                          const BuildOptions& tree = {});
 

@@ -1,4 +1,4 @@
-// What a scene of the gallery is: a world that is stepped, looked at and asked for numbers.
+// The interface of a gallery scene: a world with a time step, a picture and numbers.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace octoblisk::gallery {
 
 struct Number {
-  std::string name;  ///< with its unit: a column's name in the table
+  std::string name;  ///< with its unit; the name of the table's column
   double value = 0.0;
 };
 
@@ -23,20 +23,20 @@ class GalleryScene {
   /// One time step of the world.
   virtual void step() = 0;
 
-  /// The world as it is now, with a camera that stays where it is and, at most, a legend.
+  /// The world as it is now, with a fixed camera and, at most, a legend.
   virtual demos::Picture picture() const = 0;
 
-  /// The same names at any time.
+  /// The names must be the same at any time.
   virtual std::vector<Number> numbers() const = 0;
 };
 
-/// A scene, and how the gallery shows it.
+/// A scene, and its presentation in the gallery.
 struct Exhibit {
   std::string name;           ///< of its files
   std::string title;          ///< over the picture
-  std::string caption;        ///< one sentence: what there is to see
-  double time_step;           ///< of a step, s
-  std::vector<double> shown;  ///< the times of the frames, s; growing; the last is the end
+  std::string caption;        ///< one sentence that describes the scene
+  double time_step;           ///< s
+  std::vector<double> shown;  ///< the times of the frames, s, ascending; the last is the end
   std::function<std::unique_ptr<GalleryScene>(const BuildOptions& tree)> make;
   int columns = 3;         ///< of frames
   int frame_width = 400;   ///< pixels

@@ -1,4 +1,4 @@
-// Gears on axles: the first has a motor, the others are turned by their teeth alone.
+// Gears on axles: the first has a motor; the teeth turn the others.
 #include <cmath>
 #include <numbers>
 
@@ -24,8 +24,8 @@ class GearTrain final : public RigidScene {
       if (g > 0) x += 0.5 * kModule * (kTeeth[g - 1] + kTeeth[g]);
       const double root = pitch_radius - 1.25 * kModule, tip = pitch_radius + 0.9 * kModule;
       ClusteredOctreeShape& shape = shapeOf(shapes::gear(kTeeth[g], root, tip, 0.3 * root, 0.12), 0.001);
-      // A tooth's middle is at 0.7 pitches, a gap's at 0.2. The second gear's gaps, on either side of it, are
-      // where the others have a tooth.
+      // A tooth's middle is at 0.7 pitches, a gap's at 0.2. The second gear has gaps where its neighbours on
+      // either side have teeth.
       const double pitch = 2.0 * std::numbers::pi / kTeeth[g];
       const double turn[] = {-0.7 * pitch, std::numbers::pi - 0.2 * pitch, std::numbers::pi - 0.7 * pitch};
       const btTransform pose(btQuaternion(btVector3(0, 0, 1), btScalar(turn[g])), toBullet(Vec3(x, 0, 0)));
@@ -47,7 +47,7 @@ class GearTrain final : public RigidScene {
 
   demos::Picture picture() const override {
     demos::Picture picture = RigidScene::picture();
-    for (const btRigidBody* gear : gears_) {  // a line on each shows how far it has turned
+    for (const btRigidBody* gear : gears_) {  // the line on each gear shows how far it has turned
       const Pose pose = fromBullet(gear->getWorldTransform());
       const Vec3 line[] = {pose * Vec3(0.2, 0, 0.121), pose * Vec3(0.37, 0, 0.121)};
       picture.scene.addPolyline(line, {.color = demos::palette::kInk, .width = 9.0f});

@@ -1,4 +1,4 @@
-// What the scenes of rigid bodies have in common: a world, colours, a camera.
+// The common base of rigid-body scenes: a world, colours, a camera.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace octoblisk::gallery {
 
-/// Derived classes fill the world; bodies whose shape is a ClusteredOctreeShape or made by `shapeOf` are
-/// seen.
+/// Derived classes fill the world. Only bodies with a ClusteredOctreeShape, or with a shape made by
+/// `shapeOf`, are drawn.
 class RigidScene : public GalleryScene {
  public:
   void step() override { world_.step(1, time_step_); }
@@ -21,20 +21,21 @@ class RigidScene : public GalleryScene {
  protected:
   RigidScene(double time_step, BuildOptions tree) : time_step_(time_step), tree_(std::move(tree)) {}
 
-  /// Our shape, kept as long as the scene. The margin suits bodies of a metre: they rest calmer with it.
+  /// Our shape, kept as long as the scene. The margin suits bodies of about a metre: with it they rest more
+  /// calmly.
   ClusteredOctreeShape& shapeOf(const shapes::SharedMesh& mesh, double margin = 0.01);
 
-  /// A body of the world, in a colour.
+  /// Adds a body to the world, with a colour.
   btRigidBody& add(btCollisionShape& shape, double mass, const btTransform& pose, const demos::Color& color);
 
-  /// What the camera sees whole.
+  /// Sets the box that the camera shows completely.
   void look(const Aabb& box, const Vec3& direction) { seen_ = box, direction_ = direction; }
 
  private:
   std::vector<std::unique_ptr<ClusteredOctreeShape>> shapes_;
   std::vector<std::pair<const btRigidBody*, demos::Color>> colors_;
   double time_step_;
-  BuildOptions tree_;  ///< of all shapes
+  BuildOptions tree_;  ///< for all shapes
   Aabb seen_;
   Vec3 direction_ = -Vec3::UnitZ();
 

@@ -1,4 +1,4 @@
-// The scenes of the gallery, one a file, each of which begins with what it shows. `tree` is of their shapes.
+// The scenes of the gallery, one per file; each file begins with a description. `tree` is for their shapes.
 #pragma once
 
 #include "gallery/gallery_scene.h"

@@ -13,7 +13,7 @@
 namespace octoblisk::gallery {
 namespace {
 
-/// The line in the middle of the belt's thickness.
+/// The line at the middle of the belt's thickness.
 demos::BeltPath middleOf(demos::BeltParameters sizes) {
   sizes.contact_wheel_radius += 0.5 * sizes.thickness;
   sizes.drive_wheel_radius += 0.5 * sizes.thickness;
@@ -49,13 +49,13 @@ SoftBelt::SoftBelt(btSoftRigidDynamicsWorld& world, const SoftBeltOptions& optio
                  "the belt's width and thickness must be above 0");
   demos::require(
       sizes.wheel_distance > sizes.contact_wheel_radius + sizes.drive_wheel_radius + 2.0 * sizes.thickness,
-      "the wheel distance must keep the two wheels apart");
+      "the wheel distance must be large enough to keep the wheels apart");
   demos::require(options.stations >= 32 && options.nodes_across >= 3,
-                 "the belt needs 32 stations of 3 nodes");
+                 "the belt needs at least 32 stations of 3 nodes");
   demos::require(options.strain > 0.0 && options.strain < 0.5,
                  "the belt's strain must be above 0 and below 0.5");
 
-  // A cell of the distance field is four voxels wide: fine beside the belt's thickness.
+  // A cell of the distance field is four voxels wide: small compared with the belt's thickness.
   btSoftBodyWorldInfo& info = world.getWorldInfo();
   info.m_gravity.setZero();
   info.m_sparsesdf.setDefaultVoxelsz(btScalar(0.25 * sizes.thickness));
@@ -85,7 +85,7 @@ void SoftBelt::makeBelt() {
   btSoftBody& belt = *belt_;
   for (int n = 0; n < belt.m_nodes.size(); ++n) belt.m_nodes[n].m_v = velocities[static_cast<std::size_t>(n)];
 
-  // Stiff along and across, softer against shear and bending.
+  // Stiff along and across, softer in shear and bending.
   btSoftBody::Material* const stiff = belt.m_materials[0];
   stiff->m_kLST = 1;
   btSoftBody::Material* const shear = belt.appendMaterial();
@@ -107,7 +107,8 @@ void SoftBelt::makeBelt() {
   }
   belt.setTotalMass(btScalar(mass));
   belt.updateConstants();
-  belt.m_bUpdateRtCst = false;  // or the first step would take the lengths at rest from the belt as it lies
+  // If this were true, the first step would take the rest lengths from the tensioned belt.
+  belt.m_bUpdateRtCst = false;
   for (int l = 0; l < belt.m_links.size(); ++l) {
     btSoftBody::Link& link = belt.m_links[l];
     const int steps = std::abs(static_cast<int>(link.m_n[0] - link.m_n[1]));
@@ -116,7 +117,7 @@ void SoftBelt::makeBelt() {
     link.m_c1 = link.m_rl * link.m_rl;
   }
 
-  // Contacts after links, and hard, so that no link pulls a node into what it touches.
+  // Contacts are solved after links, and hard, so that no link pulls a node into an obstacle.
   belt.m_cfg.piterations = iterations;
   belt.m_cfg.m_psequence.resize(0);
   belt.m_cfg.m_psequence.push_back(btSoftBody::ePSolver::Linear);

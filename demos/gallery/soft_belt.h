@@ -1,4 +1,4 @@
-// A grinding belt as a soft body of Bullet's, tensioned on two wheels and driven by them.
+// A grinding belt as a Bullet soft body, tensioned on two wheels and driven by them.
 #pragma once
 
 #include <BulletSoftBody/btSoftBody.h>
@@ -12,32 +12,32 @@
 
 namespace octoblisk::gallery {
 
-/// Lengths in mm, times in s. All numbers of the belt's stuff are assumed.
+/// Lengths in mm, times in s. The material values of the belt are assumed.
 struct SoftBeltOptions {
-  demos::BeltParameters sizes;  ///< width, thickness, wheels; the rest is not used
-  int stations = 240;           ///< round the loop, >= 32
+  demos::BeltParameters sizes;  ///< width, thickness and wheels are used
+  int stations = 240;           ///< along the loop, >= 32
   int nodes_across = 5;         ///< >= 3
-  double strain = 0.02;         ///< by which the belt is longer on its wheels than at rest, > 0
+  double strain = 0.02;         ///< of the belt on its wheels, relative to its rest length, > 0
   double speed = 300.0;         ///< along the loop, mm/s; clockwise seen from +z
   double mass = 0.05;           ///< kg
-  int iterations = 30;          ///< of the solver, a step
+  int iterations = 30;          ///< of the solver, per step
 };
 
-/// The belt's nodes lie in the middle of its thickness, its margin is half of that: so it meets all that is
-/// in the world. The wheels it is held on by `step`: a node within a wheel is put back on it and goes with
-/// it. To Bullet's own contacts of soft bodies a wheel is no hold: they throw a node out as fast as it came
-/// in. The belt has no weight. Frames as in belt_grinder.h: the contact wheel's centre is the tool's origin,
-/// z the wheels' axis, and the drive wheel is on +x.
+/// The belt's nodes lie in the middle of its thickness, and its margin is half the thickness, so it collides
+/// with all bodies of the world. `step` holds the belt on the wheels: a node inside a wheel is moved to its
+/// surface and carried along. Bullet's own soft-body contacts cannot do this: they push a node out as fast as
+/// it came in. The belt has no weight. Frames are as in belt_grinder.h: the contact wheel's centre is the
+/// tool's origin, z the wheels' axis, and the drive wheel is on +x.
 class SoftBelt {
  public:
-  /// Puts the belt into the world, which must outlive it, and whose distance field this sets to what
-  /// millimetres need. Throws std::invalid_argument for sizes that make no belt.
+  /// Adds the belt to the world, which must outlive it, and sets the world's distance field to millimetres.
+  /// Throws std::invalid_argument for sizes that do not make a belt.
   SoftBelt(btSoftRigidDynamicsWorld& world, const SoftBeltOptions& options, const Pose& tool_in_world);
   ~SoftBelt();
   SoftBelt(const SoftBelt&) = delete;
   SoftBelt& operator=(const SoftBelt&) = delete;
 
-  /// Steps the world, and with it moves the wheels there and turns them on.
+  /// Steps the world, moves the wheels to the pose and turns them on.
   void step(const Pose& tool_in_world, double time_step);
 
   const Pose& toolInWorld() const { return tool_in_world_; }
@@ -46,8 +46,8 @@ class SoftBelt {
   int stations() const { return options_.stations; }
   int nodesAcross() const { return options_.nodes_across; }
 
-  /// How much longer than at rest the loop is now: the mean over its links along the belt, and the least mean
-  /// of the links from one station to the next.
+  /// The present strain of the loop: the mean over its links along the belt, and the least mean of the links
+  /// from one station to the next.
   struct Strain {
     double mean, least;
   };
@@ -56,13 +56,13 @@ class SoftBelt {
   /// Nodes that touched the object in the last step.
   std::vector<Vec3> contactsWith(const btCollisionObject& object) const;
 
-  /// mm/s, of all nodes along the belt.
+  /// mm/s: the mean of all nodes along the belt.
   double meanSpeed() const;
 
-  /// What the belt looks like: a closed band of its thickness, in the world's frame.
+  /// The look of the belt: a closed band of its thickness, in the world's frame.
   TriangleMesh mesh() const;
 
-  /// The wheels with a hub and holes, so that one sees them turn; in the world's frame.
+  /// The wheels, with a hub and holes that show their turning; in the world's frame.
   std::vector<TriangleMesh> wheelMeshes() const;
 
  private:

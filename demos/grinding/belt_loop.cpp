@@ -14,7 +14,7 @@ double turnAt(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
 
 }  // namespace
 
-/// By A. M. Andrew's monotone chain (Another efficient algorithm for convex hulls in two dimensions, 1979).
+/// Uses A. M. Andrew's monotone chain (Another efficient algorithm for convex hulls in two dimensions, 1979).
 BeltLoop::BeltLoop(const TriangleMesh& belt) {
   std::vector<Eigen::Vector2d> points;
   for (const Vec3& vertex : belt.vertices()) points.emplace_back(vertex.x(), vertex.y());
@@ -32,7 +32,7 @@ BeltLoop::BeltLoop(const TriangleMesh& belt) {
         corners_.pop_back();
       corners_.push_back(point);
     }
-    if (!corners_.empty()) corners_.pop_back();  // the next chain begins with it
+    if (!corners_.empty()) corners_.pop_back();  // it is also the first corner of the next chain
   };
   addChain(points);
   std::ranges::reverse(points);
@@ -45,14 +45,14 @@ Vec3 BeltLoop::directionAt(const Vec3& point) const {
   Vec3 direction = Vec3::Zero();
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Eigen::Vector2d& from = corners_[k];
-    const Eigen::Vector2d way = corners_[(k + 1) % corners_.size()] - from;
-    const double squared = way.squaredNorm();
+    const Eigen::Vector2d edge = corners_[(k + 1) % corners_.size()] - from;
+    const double squared = edge.squaredNorm();
     if (squared == 0.0) continue;
-    const double part = std::clamp(way.dot(at - from) / squared, 0.0, 1.0);
-    const double off = (from + part * way - at).squaredNorm();
+    const double part = std::clamp(edge.dot(at - from) / squared, 0.0, 1.0);
+    const double off = (from + part * edge - at).squaredNorm();
     if (off >= nearest) continue;
     nearest = off;
-    direction = Vec3(way.x(), way.y(), 0.0) / std::sqrt(squared);
+    direction = Vec3(edge.x(), edge.y(), 0.0) / std::sqrt(squared);
   }
   return direction;
 }

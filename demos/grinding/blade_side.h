@@ -8,8 +8,8 @@
 
 namespace octoblisk::demos {
 
-/// "forward" where a triangle of a blade, outward oriented, faces towards greater angles about the blisk's
-/// axis, else "backward"; empty for blade 0, hub or shroud. `mesh_in_blisk`: to the frame whose Z is the
+/// "forward" if a triangle of a blade, oriented outward, faces towards greater angles about the blisk's axis,
+/// otherwise "backward"; empty for blade 0, the hub or shroud. `mesh_in_blisk`: to the frame whose Z is the
 /// axis.
 inline std::string sideOf(const TriangleMesh& mesh, const Pose& mesh_in_blisk, std::uint32_t triangle,
                           int blade) {
@@ -20,9 +20,9 @@ inline std::string sideOf(const TriangleMesh& mesh, const Pose& mesh_in_blisk, s
   return scaledNormal(corners).dot(e_theta) > 0.0 ? "forward" : "backward";
 }
 
-/// The channel that a side of a blade bounds: between the blade and the next for its forward side, between
-/// the one before and the blade for its backward side, as "3-4"; the last blade's next is the first. Empty
-/// for no side.
+/// The channel that a side of a blade bounds, as "3-4". The forward side bounds the channel to the next
+/// blade, the backward side the channel to the previous blade; the last blade's next is the first. Empty if
+/// there is no side.
 inline std::string channelOf(const std::string& side, int blade, int blade_count) {
   if (side.empty()) return {};
   const int first = side == "forward" ? blade : blade > 1 ? blade - 1 : blade_count;

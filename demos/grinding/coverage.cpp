@@ -25,7 +25,7 @@ using namespace detail;
 
 namespace {
 
-/// Of the grid's cells, mm: a pass that is hardly pressed in grinds a line of a millimetre.
+/// The size of the grid's cells, mm: a lightly pressed pass grinds a line about a millimetre wide.
 constexpr double kCellHeight = 0.5, kCellWidth = 1.0;
 constexpr int kMostLines = 300;
 
@@ -46,12 +46,12 @@ SideGrid gridOver(const BladeContours& contours, BladeSide side) {
     up.push_back(coarse.middleOf(8 * k + 4).position);
     along.push_back(coarse.middleOf(8 * 4 + k).position);
   }
-  constexpr double kWhole = 8.0 / 7.0;  // of the way between the first middle and the last
+  constexpr double kWhole = 8.0 / 7.0;  // of the distance between the first centre and the last
   return SideGrid(contours, side, linesOver(kWhole * lengthOf(up), kCellHeight),
                   linesOver(kWhole * lengthOf(along), kCellWidth));
 }
 
-/// A place of the part, and the pose that it is nearest to.
+/// A place of the part, and the pose nearest to it.
 struct Place {
   Pose part_in_blisk;
   std::size_t pose;
@@ -61,12 +61,12 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
   std::vector<Place> places;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     if (p > 0) {
-      const Motion way = moveBetween(poses[p - 1], poses[p]);
-      const double length = way.advance().norm() + way.angle() * kNearGrinding;
+      const Motion motion = moveBetween(poses[p - 1], poses[p]);
+      const double length = motion.advance().norm() + motion.angle() * kNearGrinding;
       const int steps = static_cast<int>(std::ceil(length / kCoverageStep));
       for (int k = 1; k < steps; ++k) {
         const double fraction = static_cast<double>(k) / steps;
-        places.push_back({way.at(fraction), fraction < 0.5 ? p - 1 : p});
+        places.push_back({motion.at(fraction), fraction < 0.5 ? p - 1 : p});
       }
     }
     places.push_back({poses[p], p});
@@ -74,7 +74,7 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
   return places;
 }
 
-/// Asks for one place after the other; each thread has its own.
+/// Measures one place after another; each thread has its own.
 class GroundSearch {
  public:
   GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part)
@@ -101,7 +101,7 @@ class GroundSearch {
     }
   }
 
-  /// The deeper of two; of equal ones that of the earlier pose.
+  /// Keeps the deeper of two; of equally deep ones, that of the earlier pose.
   static void keepDeeper(GroundPoint& best, const GroundPoint& other) {
     if (other.depth > best.depth || (other.depth == best.depth && other.pose < best.pose)) best = other;
   }
@@ -109,7 +109,7 @@ class GroundSearch {
   const std::vector<GroundPoint>& found() const { return found_; }
 
  private:
-  /// Minus infinity also where it is known to be no deeper than that.
+  /// Also minus infinity if the depth is known not to exceed `deepest`.
   double depthOf(const Vec3& point, double deepest) const {
     constexpr double kNone = -std::numeric_limits<double>::infinity();
     const ClusteredOctree& tree = part_.surface().tree();
@@ -129,7 +129,7 @@ class GroundSearch {
   std::size_t time_ = 0;
 };
 
-/// Whether the part comes near half or more of the cells of a row or column, by area.
+/// True if the part comes near at least half of the cells of a row or column, by area.
 bool isMostlyNear(const Coverage& coverage, std::span<const std::size_t> cells) {
   double near = 0.0, all = 0.0;
   for (const std::size_t cell : cells) {
@@ -139,7 +139,7 @@ bool isMostlyNear(const Coverage& coverage, std::span<const std::size_t> cells) 
   return near >= 0.5 * all;
 }
 
-/// From the first to the last of the lines that are mostly reached.
+/// The first and the last of the lines that are mostly reached.
 std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
     const Coverage& coverage, std::size_t count,
     const std::function<std::vector<std::size_t>(std::size_t)>& cellsOf) {
@@ -152,7 +152,7 @@ std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
   return lines;
 }
 
-/// At how many poses the part touches the blade's forward side, and its backward side.
+/// The number of poses at which the part touches the blade's forward side, and its backward side.
 std::array<std::size_t, 2> touchesOfSides(const CoverageQuestion& question, const BladeSides& sides) {
   const TriangleMesh& mesh = question.blisk.mesh();
   std::array<std::size_t, 2> poses{};
@@ -318,7 +318,7 @@ std::string leftInWords(const Coverage& coverage) {
 }
 
 std::string inWords(const std::optional<Coverage>& coverage, int blade) {
-  if (!coverage) return "Ground: nothing of blade " + std::to_string(blade);
+  if (!coverage) return "Ground: no part of blade " + std::to_string(blade);
   const std::string left = leftInWords(*coverage);
   return groundInWords(*coverage) + (left.empty() ? "" : "; ") + left;
 }

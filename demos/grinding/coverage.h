@@ -51,7 +51,7 @@ struct Coverage {
   double scallopHeight() const;
 };
 
-/// Every pose and every move of the path counts, whatever its verdict. `threads` as in parallelFor's
+/// Every pose and every motion of the path counts, whatever its verdict. `threads` as in parallelFor's
 /// threadCount; the result does not depend on it.
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
@@ -81,7 +81,7 @@ std::string groundInWords(const Coverage& coverage);
 /// "not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
 std::string leftInWords(const Coverage& coverage);
 
-/// Both in one line. Without a coverage, the line says that the path grinds nothing of the blade.
+/// Both in one line. Without a coverage, the line says that the path grinds no part of the blade.
 std::string inWords(const std::optional<Coverage>& coverage, int blade);
 
 }  // namespace octoblisk::demos

@@ -15,12 +15,13 @@ constexpr std::array kShells = {16.0, 60.0};  // mm: a contact wheel, the belt a
 constexpr double kKeptOff = 1e-5;             // mm
 constexpr int kMostDistances = 200;           // of a shell
 
-/// Whether a shell of the part keeps off the blisk, from fraction to fraction. Each distance tells of the
+/// Whether a shell of the part keeps off the blisk from one fraction to another. Each distance proves the
 /// fractions on both sides of its own.
 bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& move, double begin,
               double end, const Vec3& lift) {
   const double length = move.lengthBound(shell);
-  double reach = 0.5 * (end - begin) * length;  // the way that the next distance is to prove, to either side
+  // The path length that the next distance must prove, on either side.
+  double reach = 0.5 * (end - begin) * length;
   TrianglePair hint;
   for (int asked = 0; asked < kMostDistances; ++asked) {
     const double left = std::max(0.0, 0.5 * (end - begin) * length);
@@ -31,7 +32,7 @@ bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const 
     const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kKeptOff, .hint = hint});
     if (found.found()) {
       hint = {found.triangle_a, found.triangle_b};
-      constexpr double kNearer = 0.7;  // than what would do if the distance were the same there
+      constexpr double kNearer = 0.7;  // of the step that would suffice if the distance were the same there
       reach = kNearer * (found.distance - kKeptOff);
       if (reach <= kKeptOff) return false;
       continue;
@@ -66,7 +67,7 @@ bool DepthProof::holds(const Motion& move, double begin, double end, const Vec3&
   for (const Shell& shell : shells_) {
     if (!keepsOff(blisk_.surface().tree(), *shell, move, begin, end, lift)) return false;
   }
-  Pose lifted = move.at(begin);  // as the surfaces do not meet, what holds here holds all the way
+  Pose lifted = move.at(begin);  // the surfaces do not meet, so what holds here holds on the whole motion
   lifted.translation += lift;
   return !mayBeNested(blisk_, part_, lifted);
 }

@@ -1,4 +1,4 @@
-// A proof that a part stays within a depth of the blisk all along a move.
+// Proves that a part stays within a depth of the blisk during a whole motion.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,18 @@ namespace octoblisk::demos {
 
 class DepthProof {
  public:
-  /// The surfaces must outlive it; the blisk's boundary must be whole.
+  /// The surfaces must outlive it; the blisk's boundary must have no defects.
   DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& part);
 
-  /// True: at no fraction of the move from `begin` to `end` is any point of the part deeper than `limit` (mm)
-  /// in the blisk, or of the blisk in the part. For the part, lifted by the limit along `up` (of unit length,
-  /// in the blisk's frame), keeps off the blisk all the way (lift.h): its distance at some fractions is more
-  /// than any of its points goes to the next. False: not proved.
+  /// True if at no fraction of the motion from `begin` to `end` is any point of the part deeper than `limit`
+  /// (mm) in the blisk, or any point of the blisk in the part. The proof: the part, lifted by the limit along
+  /// `up` (of unit length, in the blisk's frame), keeps off the blisk during the whole motion (lift.h),
+  /// because its distance at sampled fractions exceeds the path of every point to the next sample. False if
+  /// this is not proved.
   bool holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const;
 
  private:
-  /// The part's triangles that are about as far from its origin: those near it go a shorter way in a turn.
+  /// The part's triangles at about the same distance from its origin: a turn moves the nearer ones less.
   using Shell = std::shared_ptr<const ClusteredOctree>;
 
   const SolidBoundary& blisk_;

@@ -1,4 +1,4 @@
-// Bodies beside the blisk that the tool must not touch: a clamp, the table, another part.
+// Bodies other than the blisk that the tool must not touch, for example a clamp or the table.
 #pragma once
 
 #include <memory>
@@ -10,20 +10,20 @@
 
 namespace octoblisk::demos {
 
-/// Its mesh is in the blisk's frame, mm, and does not move in it.
+/// Its mesh is in the blisk's frame, in mm, and does not move in it.
 struct Fixture {
   std::string name;
   std::shared_ptr<const ClusteredOctree> tree;
 };
 
-/// What the numbers of bodies stand for: 0 hub or shroud, then the blades from 1, then the fixtures.
+/// The names of the numbered bodies: 0 is the hub or shroud, then come the blades from 1, then the fixtures.
 class BodyNames {
  public:
   explicit BodyNames(int blade_count, std::span<const Fixture> fixtures = {});
 
   /// "hub or shroud", "blade 3", or the fixture's name.
   std::string nameOf(int body) const;
-  /// For a column of a table: "0", "3", or the fixture's name.
+  /// For a table's column: "0", "3", or the fixture's name.
   std::string cellOf(int body) const;
   bool isFixture(int body) const {
     return body > blade_count_ && body <= blade_count_ + static_cast<int>(fixtures_.size());
@@ -34,15 +34,14 @@ class BodyNames {
   std::vector<std::string> fixtures_;
 };
 
-/// The blisk and the fixtures as one mesh: first the blisk's triangles in their order, then those of each
-/// fixture.
+/// The blisk and the fixtures as one mesh: the blisk's triangles in their order, then those of each fixture.
 struct Surroundings {
   std::shared_ptr<const TriangleMesh> mesh;
   std::vector<int> body_of_triangle;
 };
 
-/// The blisk's own mesh where there are no fixtures. `blade_of_triangle`: of the blisk's mesh. Throws
-/// std::invalid_argument where they have too many triangles together.
+/// The blisk's own mesh if there are no fixtures. `blade_of_triangle` is for the blisk's mesh. Throws
+/// std::invalid_argument if blisk and fixtures have too many triangles together.
 Surroundings surroundingsOf(const std::shared_ptr<const TriangleMesh>& blisk,
                             std::span<const int> blade_of_triangle, int blade_count,
                             std::span<const Fixture> fixtures);

@@ -19,9 +19,8 @@
 
 namespace octoblisk::demos {
 
-/// Bullet's world: the blisk, its obstacles and the parts of the tool as bodies. Which part meets which of
-/// the others is the broadphase's to know; the algorithm that the dispatcher runs on a pair finds its
-/// contacts.
+/// Bullet's world with the blisk, its obstacles and the parts of the tool as bodies. The broadphase decides
+/// which bodies meet; the algorithm that the dispatcher runs on a pair finds its contacts.
 class GrindingCell::World {
  public:
   World(const std::shared_ptr<const ClusteredOctree>& blisk, const std::vector<ToolPart>& parts,
@@ -29,7 +28,7 @@ class GrindingCell::World {
       : world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     registerAlgorithm(&dispatcher_);
     broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(&filter_);
-    // The lesser reach of two bodies counts.
+    // The smaller reach of two bodies counts.
     const double reach = reaches.empty() ? 0.0 : *std::ranges::max_element(reaches);
     targets_.push_back(std::make_unique<Body>(blisk, reach));
     targets_.push_back(std::make_unique<Body>(blisk, 0.0));
@@ -65,7 +64,7 @@ class GrindingCell::World {
 
   const ClusteredOctree& blisk() const { return targets_.front()->shape.tree(); }
 
-  /// Moves the tool there and has Bullet detect all collisions.
+  /// Moves the tool to the pose and has Bullet detect all collisions.
   void detect(const Pose& tool_in_blisk) {
     pairs_dispatched_ = 0;
     for (std::vector<Contact>& contacts : found_) contacts.clear();
@@ -78,15 +77,16 @@ class GrindingCell::World {
 
   std::size_t pairsDispatched() const { return pairs_dispatched_; }
 
-  /// The contacts that were detected last of a part with the blisk that it may touch: touches alone.
+  /// The last detected touches of a part with the blades that it may touch.
   std::span<const Contact> touches(std::size_t part) const { return found(part, touched_[part]); }
-  /// And with what it must not touch, within its reach. A's triangles are those of the obstacle.
+  /// The last detected contacts with anything that it must not touch, within its reach. A's triangles are the
+  /// obstacle's.
   std::span<const Contact> forbidden(std::size_t part) const { return found(part, forbidden_[part]); }
 
  private:
   static constexpr std::size_t kWholeBlisk = 0, kTouchedBlisk = 1, kNone = ~std::size_t{0};
 
-  /// A body and the shape that it has.
+  /// A body and its shape.
   struct Body {
     Body(std::shared_ptr<const ClusteredOctree> tree, double reach)
         : shape(std::move(tree)), body(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &shape)) {
@@ -98,7 +98,7 @@ class GrindingCell::World {
     btRigidBody body;
   };
 
-  /// Pairs each part with its own targets.
+  /// Pairs each part only with its own targets.
   class Filter final : public btOverlapFilterCallback {
    public:
     explicit Filter(const World& world) : world_(world) {}
@@ -115,7 +115,7 @@ class GrindingCell::World {
     const World& world_;
   };
 
-  /// Bullet's dispatcher, whose pairs give all their contacts to the world.
+  /// Bullet's dispatcher; its pairs report all their contacts to the world.
   class Dispatcher final : public btCollisionDispatcher {
    public:
     Dispatcher(btCollisionConfiguration* configuration, World& world)
@@ -144,10 +144,10 @@ class GrindingCell::World {
     return found_[part * targets_.size() + target];
   }
 
-  /// Runs the pair's algorithm, which is made if it is null.
+  /// Runs the pair's algorithm; creates it first if it is null.
   void collide(const btCollisionObject& one, const btCollisionObject& other,
                btCollisionAlgorithm*& algorithm) {
-    const bool in_order = one.isStaticObject();  // the target first: it is A of the contacts
+    const bool in_order = one.isStaticObject();  // the target comes first: it is A of the contacts
     const btCollisionObject &target = in_order ? one : other, &part = in_order ? other : one;
     const btCollisionObjectWrapper a(nullptr, target.getCollisionShape(), &target, target.getWorldTransform(),
                                      -1, -1),
@@ -161,7 +161,7 @@ class GrindingCell::World {
     found_[place].assign(all.contacts().begin(), all.contacts().end());
   }
 
-  /// Bullet gives up bodies of more than a million units.
+  /// Bullet ignores bodies with a bounding box of more than a million units, so their pairs run here.
   void detectLarge(std::size_t part) {
     for (const std::size_t target : {touched_[part], forbidden_[part]}) {
       if (target == kNone) continue;
@@ -221,7 +221,7 @@ std::vector<PartContact> GrindingCell::contactsAt(const Pose& tool_in_blisk) {
   return found;
 }
 
-/// Of what the part may touch: the touches, or else the nearest pair.
+/// Contacts with the blades that the part may touch: its touches, or otherwise the nearest pair.
 void GrindingCell::addTouches(std::size_t part, const Pose& tool_in_blisk, std::vector<PartContact>& found) {
   const auto mayTouch = [&](std::uint32_t triangle) { return obstacles_->mayTouch(part, triangle); };
   const std::size_t before = found.size();

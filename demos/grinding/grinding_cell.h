@@ -1,4 +1,4 @@
-// A headless Bullet world with a blisk in it and a belt grinder that is moved along a path. One a thread.
+// A headless Bullet world with a blisk, in which a belt grinder moves along a path. One per thread.
 #pragma once
 
 #include <memory>
@@ -17,11 +17,11 @@ class Obstacles;
 struct ToolPart {
   std::string name;
   std::shared_ptr<const ClusteredOctree> tree;
-  std::optional<double> belt_speed = {};  ///< m/s, of a belt that runs (belt_loop.h); none: not known
+  std::optional<double> belt_speed = {};  ///< m/s, if the part is a running belt (belt_loop.h); none: unknown
 };
 
-/// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part: points and normal are in
-/// the blisk's frame (mm), the normal points from the part into the blisk.
+/// A contact, or a near miss, of a part with the blisk. A is the blisk, B the part. Points and normal are in
+/// the blisk's frame (mm); the normal points from the part into the blisk.
 struct PartContact {
   std::size_t part = 0;  ///< index of the tool part
   Contact contact;
@@ -32,13 +32,13 @@ class GrindingCell {
   /// Contacts are reported up to the distance `reach` (mm, > 0).
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double reach);
 
-  /// The same with a reach for each part.
+  /// The same with one reach per part.
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                std::vector<double> reaches);
 
-  /// The same, but with what a part may touch (obstacles.h, which must outlive it) only its touches are
-  /// reported or, where there are none, the pair that is nearest: the pairs of a belt and a surface that it
-  /// rolls on are many.
+  /// The same, except for the blades that a part may touch (obstacles.h, which must outlive it): with these
+  /// only its touches are reported or, if there are none, the nearest pair. A belt has too many near pairs
+  /// with a surface that it rolls on.
   GrindingCell(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
                std::vector<double> reaches, const Obstacles& obstacles);
   ~GrindingCell();
@@ -48,14 +48,14 @@ class GrindingCell {
   const ClusteredOctree& blisk() const;
   const std::vector<ToolPart>& parts() const { return parts_; }
 
-  /// Moves the tool there and has Bullet's world detect all collisions: for the pairs that the broadphase
-  /// (clustered_octree_broadphase.h) finds, the dispatcher runs the algorithm that registerAlgorithm
-  /// (register.h) gave it, and all contacts of that are taken (all_contacts.h), not those few that a manifold
-  /// keeps. Part by part, by ascending triangles; with obstacles, those with what a part may touch first. The
-  /// answer does not depend on the poses before.
+  /// Moves the tool to the pose and has Bullet's world detect all collisions. For the pairs that the
+  /// broadphase (clustered_octree_broadphase.h) finds, the dispatcher runs the algorithm set by
+  /// registerAlgorithm (register.h); all its contacts are returned (all_contacts.h), not only the few that a
+  /// manifold keeps. They are ordered by part, then by triangle; with obstacles, contacts with what a part
+  /// may touch come first. The answer does not depend on earlier poses.
   std::vector<PartContact> contactsAt(const Pose& tool_in_blisk);
 
-  /// Pairs of bodies whose algorithm ran for the last pose.
+  /// The number of pairs of bodies whose algorithm ran for the last pose.
   std::size_t pairsDispatched() const;
 
  private:

@@ -16,14 +16,14 @@ using namespace detail;
 
 namespace {
 
-/// Poses that are done before the next are begun. A multiple of kPosesAtOnce, so that no answer depends on
-/// it.
+/// Poses that are finished before the next are begun: a multiple of kPosesAtOnce, so that the answers do not
+/// depend on the number of threads.
 std::size_t posesAStretch(int threads) {
   constexpr std::size_t kGroupsAThread = 2;
   return kGroupsAThread * kPosesAtOnce * static_cast<std::size_t>(threadCount(threads));
 }
 
-/// Adds the time of its life to a sum, in seconds.
+/// Adds its lifetime to a sum, in seconds.
 class TimeAdded {
  public:
   explicit TimeAdded(double& sum) : sum_(sum) {}
@@ -37,7 +37,7 @@ class TimeAdded {
   Clock::time_point start_ = Clock::now();
 };
 
-/// For each part the greatest distance at which any blade is a near miss.
+/// For each part, the greatest distance at which any blade is a near miss.
 std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules) {
   std::vector<double> reaches(job.parts.size(), 0.0);
   for (std::size_t part = 0; part < reaches.size(); ++part) {
@@ -48,7 +48,7 @@ std::vector<double> reachesOf(const GrindingJob& job, const VerdictRules& rules)
   return reaches;
 }
 
-/// Goes along the path, some poses at a time.
+/// Works through the path, several poses at a time.
 class Grinding {
  public:
   Grinding(const GrindingJob& job, GrindingRun& run)
@@ -120,8 +120,8 @@ class Grinding {
   const GrindingJob& job_;
   GrindingRun& run_;
   Judge judge_;
-  std::vector<std::unique_ptr<GrindingCell>> cells_;    // one a thread
-  std::vector<std::unique_ptr<SpindleCell>> spindles_;  // one a thread, where forces are asked for
+  std::vector<std::unique_ptr<GrindingCell>> cells_;    // one per thread
+  std::vector<std::unique_ptr<SpindleCell>> spindles_;  // one per thread, if forces are asked for
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A run of the grinder along a path: all that is found at its poses and between them.
+// A run of the grinder along a path: the findings at its poses and between them.
 #pragma once
 
 #include <filesystem>
@@ -15,63 +15,64 @@
 
 namespace octoblisk::demos {
 
-/// A finished run, as the reports need it.
+/// A finished run, as input of the reports.
 struct GrindingRun {
-  std::string blisk_name, tool_name, path_name;  ///< where they came from
+  std::string blisk_name, tool_name, path_name;  ///< the sources of blisk, tool and path
   std::shared_ptr<const ClusteredOctree> blisk;
   std::vector<ToolPart> parts;
-  std::vector<DepthKind> depth_kinds;  ///< of each part
+  std::vector<DepthKind> depth_kinds;  ///< per part
   int blade_count = 0;
-  std::vector<int> blade_of_triangle;  ///< of the blisk's mesh
+  std::vector<int> blade_of_triangle;  ///< for the blisk's mesh
   std::vector<Fixture> fixtures;
-  Pose mesh_in_blisk;                    ///< from the mesh's frame to that with the blisk's axis Z
-  std::optional<BladeSide> convex_side;  ///< of the blades; none: not known
+  Pose mesh_in_blisk;                    ///< from the mesh's frame to the frame whose Z is the blisk's axis
+  std::optional<BladeSide> convex_side;  ///< of the blades; none: unknown
   VerdictRules rules;
-  bool continuous = false;                        ///< whether moves were checked
-  std::size_t path_poses = 0;                     ///< of the whole path
-  std::vector<PoseReport> poses;                  ///< those that were done: the first of the path
-  std::optional<SpindleOptions> spindle;          ///< where forces were asked for
-  std::vector<std::optional<SpindleLoad>> loads;  ///< of each pose, then; by the grinding part
-  double tree_seconds = 0.0;                      ///< to build the blisk's tree; 0: not known
-  /// Means of all threads together, s a pose.
-  double contact_seconds_a_pose = 0.0;    ///< Bullet's answer which parts are near, and their contacts
-  double depth_seconds_a_pose = 0.0;      ///< how deep the parts are
-  double clearance_seconds_a_pose = 0.0;  ///< how far they are from what they must not touch
-  double move_seconds_a_pose = 0.0;       ///< what happens between the poses
+  bool continuous = false;                        ///< whether motions were checked
+  std::size_t path_poses = 0;                     ///< number of poses of the whole path
+  std::vector<PoseReport> poses;                  ///< the poses that were done: the first ones of the path
+  std::optional<SpindleOptions> spindle;          ///< set if forces were asked for
+  std::vector<std::optional<SpindleLoad>> loads;  ///< then per pose, caused by the grinding part
+  double tree_seconds = 0.0;                      ///< time to build the blisk's tree; 0: unknown
+  /// Means over all threads, in seconds per pose.
+  double contact_seconds_a_pose = 0.0;    ///< Bullet's detection of near parts and their contacts
+  double depth_seconds_a_pose = 0.0;      ///< the parts' depths
+  double clearance_seconds_a_pose = 0.0;  ///< the clearances from obstacles
+  double move_seconds_a_pose = 0.0;       ///< the motions between poses
 
-  /// "forward" or "backward" (blade_side.h) of a triangle of a blade; empty of hub, shroud and fixtures.
+  /// "forward" or "backward" (blade_side.h) for a triangle of a blade; empty for hub, shroud and fixtures.
   std::string sideOf(std::uint32_t triangle, int body) const;
   /// The same side as "convex" or "concave" if the run knows which is which.
   std::string faceOf(std::uint32_t triangle, int body) const;
   BodyNames names() const { return BodyNames(blade_count, fixtures); }
   bool isPartial() const { return poses.size() < path_poses; }
-  std::size_t count(Verdict verdict) const;              ///< poses
-  std::size_t count(MoveReport::Outcome outcome) const;  ///< moves
-  std::size_t moveCount() const;                         ///< that were checked
-  std::size_t depthsProved() const;  ///< moves on which what may touch is proved no deeper than it may be
-  double depthBound() const;         ///< mm: no deeper on any move
-  /// Whether a pose or a move interferes, or a move could not be proved free.
+  std::size_t count(Verdict verdict) const;              ///< number of poses
+  std::size_t count(MoveReport::Outcome outcome) const;  ///< number of motions
+  std::size_t moveCount() const;                         ///< number of checked motions
+  std::size_t depthsProved()
+      const;                  ///< number of motions on which no part is proved to exceed its depth limit
+  double depthBound() const;  ///< mm: an upper bound of the depth on all motions
+  /// Whether a pose or a motion interferes, or a motion is not proved free.
   bool interferes() const;
 };
 
-/// What a run is asked.
+/// The request for a run.
 struct GrindingJob {
   std::shared_ptr<const ClusteredOctree> blisk;  ///< faces outward
-  BladesFound blades;                            ///< of its mesh
-  Pose mesh_in_blisk;                            ///< from the mesh's frame to that with the blisk's axis Z
+  BladesFound blades;                            ///< of the blisk's mesh
+  Pose mesh_in_blisk;  ///< from the mesh's frame to the frame whose Z is the blisk's axis
   std::vector<ToolPart> parts;
   std::vector<Fixture> fixtures = {};
-  VerdictRules rules;  ///< its ground blade is found if `find_ground_blade`; near_miss must be finite
-  /// As that which the grinding part touches at the most poses; there must be such a part.
+  VerdictRules rules;  ///< the ground blade is found if `find_ground_blade`; near_miss must be finite
+  /// Takes the blade that the grinding part touches at most poses; there must be a grinding part.
   bool find_ground_blade = false;
   std::vector<Pose> path;                 ///< at least one pose
-  bool continuous = true;                 ///< whether moves are checked
-  std::optional<SpindleOptions> spindle;  ///< whether forces are found, and by what
-  int threads = 0;  ///< 0: as many as the machine runs at once; the answers are the same
+  bool continuous = true;                 ///< whether to check motions
+  std::optional<SpindleOptions> spindle;  ///< set to compute forces
+  int threads = 0;  ///< 0: as many as the machine runs at once; the answers do not depend on it
 };
 
-/// The job done: judged poses with their contacts (as reduceContacts keeps them), depths, clearances and
-/// moves. Stopped, it has the poses done by then. The names are left to the caller.
+/// Runs the job: poses with their verdicts, contacts (reduced by reduceContacts), depths, clearances and
+/// motions. If stopped, the run has the poses finished until then. The caller sets the names.
 GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch = {});
 
 }  // namespace octoblisk::demos

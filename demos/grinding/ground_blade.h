@@ -1,4 +1,4 @@
-// Which blade a path is there to grind.
+// Finds the blade that a path grinds.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// The blade that the belt touches at the most poses of a path; the lowest of several, 0 where it touches
-/// none; nothing where the watch stopped it. The answer does not depend on the number of threads.
+/// The blade that the belt touches at most poses of a path; the lowest of several, 0 if it touches none;
+/// nothing if the watch stopped the search. The answer does not depend on the number of threads.
 std::optional<int> bladeTouchedMost(const ClusteredOctree& blisk, const ClusteredOctree& belt,
                                     std::span<const int> blade_of_triangle, std::span<const Pose> path,
                                     int threads = 0, const RunWatch& watch = {});

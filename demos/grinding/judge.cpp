@@ -15,8 +15,9 @@ using namespace detail;
 
 namespace {
 
-constexpr std::size_t kPosesOfTrail = 64;  // then memory begins afresh, whatever the number of threads
-constexpr double kMarginOfMoves = 0.5;     // part of the poses' margin
+// The memory is reset after this many poses, so the answers do not depend on the number of threads.
+constexpr std::size_t kPosesOfTrail = 64;
+constexpr double kMarginOfMoves = 0.5;  // fraction of the poses' margin
 
 std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {
   std::vector<double> limits;
@@ -46,10 +47,10 @@ struct Judge::Trail {
     }
   }
 
-  std::vector<std::optional<PathQuery>> forbidden;  // of each part with what it must not touch
-  std::vector<std::optional<PathQuery>> touched;    // of each part that may touch, with the blisk
+  std::vector<std::optional<PathQuery>> forbidden;  // per part: with everything that it must not touch
+  std::vector<std::optional<PathQuery>> touched;    // per part that may touch: with the blisk
   std::vector<std::optional<std::uint32_t>> deep_corners;
-  std::size_t last_hit = 0;  // the part that was in the way
+  std::size_t last_hit = 0;  // the part that was blocked last
 };
 
 Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
@@ -107,7 +108,7 @@ std::vector<PoseState> Judge::statesOf(std::span<const Pose> tool_in_blisk) {
 
 PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
   PoseState state;
-  // The part that was in the way a moment ago is likely to be so still.
+  // The part that was blocked at the last pose is likely to be blocked again.
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const std::size_t part = (trail.last_hit + k) % parts_.size();
     state.obstacle = hitBy(part, pose, trail);
@@ -135,7 +136,7 @@ PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
   return state;
 }
 
-/// A touch that the part must not have, or a clearance below the margin.
+/// A forbidden touch of the part, or a clearance below the margin.
 std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail& trail) const {
   if (!trail.forbidden[part]) return std::nullopt;
   std::uint32_t triangle = kNoTriangle;
@@ -149,8 +150,8 @@ std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail&
   return Hindrance{part, bladeOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
 }
 
-/// Of a part that does not touch the blisk: whether any of its surface is in the blisk, or the reverse,
-/// or that is not known.
+/// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse, or
+/// if this is unknown.
 bool Judge::isInside(std::size_t part, const Pose& pose) const {
   return mayBeNested(depths_.blisk(), depths_.partSurface(part), pose);
 }
@@ -169,7 +170,8 @@ std::vector<std::optional<Hindrance>> Judge::obstaclesOf(std::span<const Move> m
   return obstacles;
 }
 
-/// The ends of moves, one pose where a move ends as the next begins, with what MoveCheck needs of them.
+/// The end poses of motions, with the data that MoveCheck needs. A shared end of consecutive motions is one
+/// pose.
 std::vector<PoseReport> Judge::endsOf(std::span<const Move> moves, std::vector<std::size_t>& led_to) {
   std::vector<PoseReport> ends;
   const auto add = [&](const Pose& pose) { ends.emplace_back().tool_in_blisk = pose; };

@@ -1,5 +1,5 @@
-// The judge: decides whether a pose or a move of the tool is clear, intended, near, gouging or unknown. grind
-// asks for the full verdict; access and repair only ask whether the pose is free.
+// The judge: decides whether a pose or a motion of the tool is clear, intended, near, gouging or unknown.
+// grind asks for the full verdict; access and repair only ask whether the pose is free.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace octoblisk::demos {
 
-/// What blocks a pose or a move.
+/// The obstacle that blocks a pose or a motion.
 struct Hindrance {
   std::size_t part = 0;    ///< the tool's part
   int blade = 0;           ///< 0: hub or shroud; above the number of blades: a fixture (BodyNames)
   bool too_deep = false;   ///< the part is too deep in a blade that it may touch
-  bool is_inside = false;  ///< one lies wholly inside the other
+  bool is_inside = false;  ///< one of the two lies wholly inside the other
 };
 
 struct PoseState {
@@ -28,7 +28,7 @@ struct PoseState {
   bool grinds = false;                ///< a part touches what it may touch, and nothing else
 };
 
-/// A straight move of the tool's origin that turns evenly.
+/// A straight motion of the tool's origin; the tool turns evenly.
 struct Move {
   Pose from, to;
 };
@@ -58,8 +58,8 @@ class Judge {
   void setVerdicts(std::span<PoseReport> poses) const;
   /// Sets the clearances, as measureClearances (pose_clearances.h) does.
   void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
-  /// Sets `move` of all poses but the first: the move from the previous pose. The poses must have all of the
-  /// above.
+  /// Sets `move` of all poses but the first: the motion from the previous pose. The poses must have all of
+  /// the above.
   void checkMoves(std::span<PoseReport> poses);
 
   /// Tells which poses are free: their verdict is clear or intended contact under rules whose near_miss, the
@@ -68,8 +68,8 @@ class Judge {
   /// before.
   std::vector<PoseState> statesOf(std::span<const Pose> tool_in_blisk);
 
-  /// For each move between free poses, the first obstacle that blocks it, if any. A move is free if the tool
-  /// keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
+  /// For each motion between free poses, the first obstacle that blocks it, if any. A motion is free if the
+  /// tool keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
   /// MoveCheck finds no part deeper than allowed.
   std::vector<std::optional<Hindrance>> obstaclesOf(std::span<const Move> moves);
 

@@ -26,7 +26,7 @@ bool isInside(const PoseReport& pose, std::size_t part) {
   return found && found->is_inside;
 }
 
-/// Keeps the first of what a move meets.
+/// Keeps the earlier of two findings on a motion.
 void keepFirst(MoveReport& move, const MoveReport& met) {
   if (move.outcome != MoveReport::Outcome::free && move.fraction <= met.fraction) return;
   move.outcome = met.outcome;
@@ -36,25 +36,25 @@ void keepFirst(MoveReport& move, const MoveReport& met) {
 
 }  // namespace
 
-/// How deep a part is somewhere on a move, and the blisk's normal where it is; zero where it does not touch.
+/// The depth of a part somewhere on a motion, and the blisk's normal there; zero if it does not touch.
 struct MoveCheck::Touch {
   double depth = 0.0;
   Vec3 normal = Vec3::Zero();
 };
 
-/// A stretch of a move in which a part may touch.
+/// A section of a motion in which a part may touch.
 struct MoveCheck::Stretch {
-  Motion motion;               ///< all of the move
-  MoveReport* move = nullptr;  ///< what is known of it
+  Motion motion;               ///< the whole motion
+  MoveReport* move = nullptr;  ///< the findings so far
   std::size_t part = 0;
-  double begin = 0.0, end = 1.0;  ///< fractions of the move
+  double begin = 0.0, end = 1.0;  ///< fractions of the motion
   Touch at_begin = {}, at_end = {};
-  double way = 0.0;  ///< of all of the move: no point that may touch goes farther
+  double path_length = 0.0;  ///< path length over the whole motion: no point that may touch goes farther
   bool is_proved = false;
 
-  double length() const { return (end - begin) * way; }
+  double length() const { return (end - begin) * path_length; }
   double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
-  /// Half of the way each from where the depths are known.
+  /// Depths are known at both ends; from each end, half of the path length adds to them.
   double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
 
   void leaveUnproved() const {
@@ -97,13 +97,13 @@ MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
   return found;
 }
 
-/// How far a point of the part goes at most on a move, but for points that touch nothing on all of it.
-double MoveCheck::wayOfTouch(std::size_t part, const Motion& way) const {
+/// The greatest path length of the part's points, except points that touch nothing during the whole motion.
+double MoveCheck::lengthOfTouch(std::size_t part, const Motion& motion) const {
   const FarPart& far = far_parts_[part];
-  const double of_all = way.lengthBound(*parts_[part].tree);
-  const double of_near = way.advance().norm() + way.angle() * far.near_radius;
+  const double of_all = motion.lengthBound(*parts_[part].tree);
+  const double of_near = motion.advance().norm() + motion.angle() * far.near_radius;
   if (!far.tree || of_near >= of_all || of_all <= kDepthStep) return of_all;
-  return sweep(*blisk_, *far.tree, way, kMoveTolerance) ? of_all : of_near;
+  return sweep(*blisk_, *far.tree, motion, kMoveTolerance) ? of_all : of_near;
 }
 
 std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
@@ -134,17 +134,17 @@ std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
 
 void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double clearance,
                           MoveReport& move) const {
-  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
   const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const Obstacle* const obstacle = obstacles_.of(part);
     if (!obstacle || isInside(from, part) || isInside(to, part)) continue;
     if (has_clearances) {
       const double at_from = from.part_clearances[part], at_to = to.part_clearances[part];
-      if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts
-      if (at_from + at_to > way.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
+      if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts cover this
+      if (at_from + at_to > motion.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
     }
-    auto met = sweep(obstacle->tree(), *parts_[part].tree, way, clearance);
+    auto met = sweep(obstacle->tree(), *parts_[part].tree, motion, clearance);
     if (!met) continue;
     met->clearance.triangle_a = obstacle->triangleOfAll(met->clearance.triangle_a);
     MoveReport report;
@@ -155,24 +155,24 @@ void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double c
   }
 }
 
-/// Where parts that may touch may do so on the move.
+/// The sections of the motion in which parts that may touch can do so.
 std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
                                                        MoveReport& move) const {
-  const Motion way = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
-    Stretch stretch{.motion = way, .move = &move, .part = part};
+    Stretch stretch{.motion = motion, .move = &move, .part = part};
     const PartDepth *const at_begin = depthOf(from, part), *const at_end = depthOf(to, part);
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
-    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts
-      stretch.way = way.lengthBound(*parts_[part].tree);
+    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts cover this
+      stretch.path_length = motion.lengthBound(*parts_[part].tree);
       stretch.leaveUnproved();
       continue;
     }
     if (!at_begin) {
-      const auto met = sweep(*blisk_, *parts_[part].tree, way, kMoveTolerance);
+      const auto met = sweep(*blisk_, *parts_[part].tree, motion, kMoveTolerance);
       if (!met) continue;
       stretch.begin = met->fraction;
     }
@@ -206,14 +206,15 @@ void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& 
   keepFirst(move, too_deep);
 }
 
-/// Replaces stretches by their halves, but for those that are short enough, or behind what is too deep.
+/// Replaces sections by their halves, except those that are short enough or lie after a place that is too
+/// deep.
 void MoveCheck::halve(std::vector<Stretch>& unproved) {
-  constexpr double kHopeful = 0.9;     // part of the limit: deeper, no proof is to be expected
+  constexpr double kHopeful = 0.9;     // fraction of the limit: beyond it a proof is unlikely
   constexpr double kShortest = 0.125;  // mm
   constexpr double kLeastPart = 1.0 / 256;
   std::vector<Stretch> long_ones;
   for (Stretch& stretch : unproved) {
-    if (stretch.way == 0.0) stretch.way = wayOfTouch(stretch.part, stretch.motion);
+    if (stretch.path_length == 0.0) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
     const bool hopeful =
         depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
     const MoveReport& move = *stretch.move;

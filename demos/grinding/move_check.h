@@ -1,4 +1,4 @@
-// What happens between the poses of a path.
+// Checks the motions between the poses of a path.
 #pragma once
 
 #include <memory>
@@ -14,41 +14,41 @@
 
 namespace octoblisk::demos {
 
-/// The least clearance that a move may be asked to keep, mm; grind asks for no more.
+/// The smallest clearance that a motion can be asked to keep, mm; grind asks for this one.
 inline constexpr double kMoveTolerance = 1e-3;
 
-/// Where it is not proved that a part that may touch stays within its depth (depth_proof.h), its depth is
-/// measured at places no farther apart than this, mm: the way of the points that may touch. Between two it
-/// may be deeper than at both by half of their way: MoveReport::depth_bound.
+/// If a part that may touch is not proved to stay within its depth limit (depth_proof.h), its depth is
+/// measured at places at most this far apart, mm, along the path of the points that may touch. Between two
+/// places it may be deeper than at both by half of that path length: MoveReport::depth_bound.
 inline constexpr double kDepthStep = 0.5;
 
 class MoveCheck {
  public:
-  /// All must outlive it. `depths`: of the same parts.
+  /// All arguments must outlive it. `depths` must be for the same parts.
   MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
             const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
 
-  /// What happens on the moves to some poses (`led_to`, ascending, above 0) from the pose before each. The
-  /// poses need their depths of the parts that may touch; their clearances (pose_clearances.h) save work.
-  /// A move is asked what it touches that neither of its poses does: by conservative advancement
-  /// (octoblisk/sweep.h), so nothing is passed through, and what comes as near as `clearance` (mm, >=
-  /// kMoveTolerance) is hit. It is also asked whether what may touch stays within its depth. Where that is
-  /// not proved of a move as a whole, its depth is measured amid it, and each half is asked again. The
-  /// answers do not depend on the number of threads.
+  /// Checks the motions to some poses (`led_to`, ascending, above 0), each from the previous pose. The poses
+  /// need the depths of the parts that may touch; their clearances (pose_clearances.h) save work.
+  /// Conservative advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses
+  /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMoveTolerance) is a
+  /// hit. The check also proves that the parts that may touch stay within their depth limits. If it cannot
+  /// prove this for the whole motion, it measures the depth in the middle and checks each half. The answers
+  /// do not depend on the number of threads.
   std::vector<MoveReport> check(std::span<const PoseReport> poses, std::span<const std::size_t> led_to,
                                 double clearance);
 
  private:
   struct Touch;
   struct Stretch;
-  /// Of a part that may touch: all but what is near the tool's origin, which turns move little.
+  /// Triangles of a part that may touch, without those near the tool's origin, which turns move little.
   struct FarPart {
-    std::shared_ptr<const ClusteredOctree> tree;  ///< null where nothing is near, or nothing far
-    double near_radius = 0.0;                     ///< of all the rest about the origin
+    std::shared_ptr<const ClusteredOctree> tree;  ///< null if no triangle is near, or none is far
+    double near_radius = 0.0;                     ///< of all other triangles about the origin
   };
 
   static FarPart farPartOf(const TriangleMesh& part);
-  double wayOfTouch(std::size_t part, const Motion& way) const;
+  double lengthOfTouch(std::size_t part, const Motion& motion) const;
   void sweepMove(const PoseReport& from, const PoseReport& to, double clearance, MoveReport& move) const;
   std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MoveReport& move) const;
   bool isProved(const Stretch& stretch) const;
@@ -61,8 +61,9 @@ class MoveCheck {
   const VerdictRules& rules_;
   const Obstacles& obstacles_;
   PartDepths& depths_;
-  std::vector<FarPart> far_parts_;                       // of each part
-  std::vector<std::optional<DepthProof>> depth_proofs_;  // of each part that may touch a whole blisk
+  std::vector<FarPart> far_parts_;  // per part
+  // Per part that may touch, if the blisk has no defects.
+  std::vector<std::optional<DepthProof>> depth_proofs_;
   int threads_;
 };
 

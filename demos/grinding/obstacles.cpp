@@ -20,7 +20,7 @@ Obstacles::Obstacles(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
   surroundings_ = surroundingsOf(blisk->sharedMesh(), blade_of_triangle, blades, fixtures);
   const auto bodies = static_cast<std::size_t>(blades) + 1 + fixtures.size();
   for (std::size_t part = 0; part < parts; ++part) {
-    std::vector<bool> may_touch(bodies, false);  // no fixture
+    std::vector<bool> may_touch(bodies, false);  // fixtures stay false
     for (int blade = 0; blade <= blades; ++blade)
       may_touch[static_cast<std::size_t>(blade)] = rules.allows(part, blade);
     may_touch_any_.push_back(std::ranges::find(may_touch, true) != may_touch.end());

@@ -1,4 +1,5 @@
-// What is said of pairs of a tool's part and a blade: who may touch whom, and who must keep how far away.
+// Rules for pairs of a tool's part and a blade: which pairs may touch, and the margin that the others must
+// keep.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +11,21 @@ namespace octoblisk::demos {
 /// No part of the tool.
 inline constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
 
-/// The blades that a row of a table is about.
+/// The blades that a row of a rule table is about.
 struct BladeChoice {
   enum class Kind {
     any,     ///< all blades, hub and shroud
     hub,     ///< hub and shroud: blade 0
-    ground,  ///< the blade that is ground, whichever it is
+    ground,  ///< the ground blade, whichever it is
     number,
   };
   Kind kind = Kind::any;
-  int number = 0;  ///< where it is a number: from 1
+  int number = 0;  ///< from 1, if the kind is a number
 
   bool includes(int blade, int ground_blade) const;
 };
 
-/// A part that may touch some blades; none: every part.
+/// A part that may touch some blades; without a part: every part.
 struct AllowedPair {
   std::optional<std::size_t> part;
   BladeChoice blade;

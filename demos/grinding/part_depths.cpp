@@ -18,10 +18,10 @@ namespace {
 
 constexpr double kPartOfLimit = 0.01;
 constexpr double kLeastTolerance = 1e-4;  // mm
-constexpr double kFiner = 0.1;            // where the limit is between the bounds
-constexpr double kCoarse = 0.5;           // part of the limit, of a first question
+constexpr double kFiner = 0.1;            // factor, if the limit is between the bounds
+constexpr double kCoarse = 0.5;           // fraction of the limit, for a first measurement
 
-/// Measured more closely while the limit is between the bounds.
+/// Measures more closely as long as the limit is between the bounds.
 template <typename SurfaceOfA>
 GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
                    double limit) {
@@ -72,7 +72,7 @@ std::vector<std::optional<PartDepth>> PartDepths::measure(std::span<const std::s
   return found;
 }
 
-/// Proved by a lift off a triangle of the blisk; false: not proved.
+/// Proves it by lifting the part off a triangle of the blisk; false: not proved.
 bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
                              std::uint32_t triangle_of_blisk) const {
   const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
@@ -138,7 +138,8 @@ double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, st
   return blisk_boundary_.locate(point, nearest) == PointLocation::inside ? nearest.distance : 0.0;
 }
 
-/// Climbs from a triangle that touches, corner by corner, to where the part is deeper. None: not known.
+/// Climbs from a touching triangle, corner by corner, to a place that is deeper than the limit. None: not
+/// known.
 std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
                                                       std::uint32_t touching_triangle, double depth) const {
   constexpr int kMostSteps = 32;

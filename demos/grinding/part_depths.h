@@ -1,4 +1,4 @@
-// How deep the tool's parts and the blisk lie in each other: as solids, whatever triangles they are made of.
+// Penetration depths of the tool's parts and the blisk as solids, whatever triangles they consist of.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,37 @@
 
 namespace octoblisk::demos {
 
-/// The deepest place of a part that touches the blisk, or that lies in it.
+/// The deepest place of a part that touches the blisk or lies in it.
 struct PartDepth {
   std::size_t part = 0;
-  double depth = 0.0;                   ///< mm
-  std::uint32_t triangle_of_blisk = 0;  ///< of the deepest point if it is the blisk's, else the nearest to it
-  Vec3 point_on_blisk = Vec3::Zero();   ///< on that triangle
-  bool is_inside = false;               ///< no surfaces meet: one lies wholly in the other
-  /// False: the part is where the blisk's surface bounds no solid (octoblisk/solid_boundary.h), at a hole,
-  /// say; it may be deeper, or not in the blisk at all.
+  double depth = 0.0;  ///< mm
+  /// Of the deepest point if it is on the blisk, otherwise the nearest one to it.
+  std::uint32_t triangle_of_blisk = 0;
+  Vec3 point_on_blisk = Vec3::Zero();  ///< on that triangle
+  bool is_inside = false;              ///< the surfaces do not meet: one lies wholly in the other
+  /// False if the part is at a place where the blisk's surface does not bound a solid
+  /// (octoblisk/solid_boundary.h), for example at a hole: it may be deeper, or not in the blisk at all.
   bool is_known = true;
 };
 
-/// What a part's depth is.
+/// The meaning of a part's depth.
 enum class DepthKind {
-  of_solids,  ///< the greater of both ways; see PartDepths
+  of_solids,  ///< the greater of the two depths; see PartDepths
   of_part,    ///< the part is open: only its own points inside the blisk count
 };
 
-/// Measures depths by DepthQuery (octoblisk/depth.h), pose by pose over threads; the answers do not depend on
-/// their number.
+/// Measures depths with DepthQuery (octoblisk/depth.h), poses in parallel; the answers do not depend on the
+/// number of threads.
 class PartDepths {
  public:
-  /// `limit` (mm): the depth that the verdict compares with. The depth is the greater of two: of the part's
-  /// deepest point in the blisk, and of the blisk's deepest point in the part. Each is measured to within 1 %
-  /// of the limit, or 0.1 µm if that is more; if it may lie on either side of the limit, to 0.1 %.
+  /// `limit` (mm) is the depth that the verdict compares with. The depth is the greater of two: that of the
+  /// part's deepest point in the blisk, and that of the blisk's deepest point in the part. Each is measured
+  /// to within 1 % of the limit, or 0.1 µm if that is more; to 0.1 % if it may lie on either side of the
+  /// limit.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts, double limit,
              int threads = 0);
 
-  /// The same with a limit for each part.
-  /// The fixtures must outlive it.
+  /// The same with a limit for each part. The fixtures must outlive it.
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
              std::vector<double> limits, int threads = 0, std::span<const Fixture> fixtures = {});
 
@@ -51,23 +52,23 @@ class PartDepths {
   const SolidBoundary& blisk() const { return blisk_boundary_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
-  /// For each pose, in the order of the parts: the parts that touch the blisk, contain
-  /// it or lie inside it. After these, the parts that contain a fixture, or lie inside it, without touching
-  /// it: their depth is 0, and the triangle is one of the surroundings (fixture.h).
+  /// For each pose, in the order of the parts: the parts that touch the blisk, contain it or lie inside it.
+  /// After these, the parts that contain a fixture or lie inside it without touching it: their depth is 0,
+  /// and the triangle is one of the surroundings (fixture.h).
   std::vector<std::vector<PartDepth>> measure(std::span<const Pose> tool_in_blisk);
 
   /// The same for single parts: parts[i] at tool_in_blisk[i].
   std::vector<std::optional<PartDepth>> measure(std::span<const std::size_t> parts,
                                                 std::span<const Pose> tool_in_blisk);
 
-  /// Whether a part, a pair of whose triangles touches the blisk (`touch.a` of the blisk), is deeper than its
-  /// limit, or its depth is not known: as measure says, but by cheaper questions first. `deep_corner` is
-  /// memory from pose to pose: a corner of the part that was too deep. Calls of one thread at a time
-  /// (numbered from 0).
+  /// For a part that touches the blisk with a triangle pair (`touch.a` on the blisk): whether it is deeper
+  /// than its limit, or its depth is unknown. Gives the same answer as measure, but tries cheaper checks
+  /// first. `deep_corner` is memory from pose to pose: a corner of the part that was too deep. Each thread
+  /// (numbered from 0) may call it only once at a time.
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
-  /// Whether a part that does not touch a fixture lies wholly inside it, or contains it, or whether that is
+  /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it, or this is
   /// unknown. An open fixture contains nothing.
   bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
 
@@ -90,12 +91,12 @@ class PartDepths {
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
-  std::vector<double> limits_;  // of each part
+  std::vector<double> limits_;  // per part
   octoblisk::Surface blisk_surface_;
   SolidBoundary blisk_boundary_;
   std::vector<std::unique_ptr<const FixedSolid>> fixtures_;
   std::vector<octoblisk::Surface> part_surfaces_;
-  std::vector<DepthQuery> queries_;  // one a thread
+  std::vector<DepthQuery> queries_;  // one per thread
 };
 
 }  // namespace octoblisk::demos

@@ -13,10 +13,11 @@ using namespace detail;
 
 namespace {
 
-/// A clearance of two neighbours of this length proves a move free; the rest is for rounding.
+/// Clearances are measured up to this multiple of a motion's path length, so that they can prove the motion
+/// free; the excess over 1 covers rounding.
 constexpr double kOfMove = 1.001;
 
-/// One after the other, each near the last.
+/// Measures one pose after another, each starting from the last.
 class ClearanceQuery {
  public:
   ClearanceQuery(const Obstacles& obstacles, std::span<const ToolPart> parts)
@@ -29,7 +30,7 @@ class ClearanceQuery {
     }
   }
 
-  /// The neighbours are the poses before and after; the pose itself where there are none.
+  /// The neighbours are the poses before and after; the pose itself if it has none.
   void ask(const Pose& before, PoseReport& pose, const Pose& after) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const Motion there = moveBetween(before, pose.tool_in_blisk), on = moveBetween(pose.tool_in_blisk, after);
@@ -53,7 +54,7 @@ class ClearanceQuery {
  private:
   const Obstacles& obstacles_;
   std::span<const ToolPart> parts_;
-  std::vector<std::optional<PathQuery>> queries_;  // of each part
+  std::vector<std::optional<PathQuery>> queries_;  // per part
 };
 
 }  // namespace

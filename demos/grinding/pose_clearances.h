@@ -1,4 +1,4 @@
-// How far the tool's parts are from what they must not touch, pose by pose.
+// Clearances of the tool's parts from their obstacles, pose by pose.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace octoblisk::demos {
 
-/// The move from one pose to another: the tool's origin goes straight, while the tool turns evenly about it.
+/// The motion from one pose to another: the tool's origin moves straight, and the tool turns evenly about it.
 Motion moveBetween(const Pose& from, const Pose& to);
 
-/// Sets `clearance` of the poses, and `part_clearances` so far as the moves to and from them need them, over
-/// threads; the answers do not depend on their number. The neighbours are the poses before the first and
-/// after the last, null where there are none.
+/// Sets `clearance` of the poses, and as many `part_clearances` as the motions to and from them need. Poses
+/// are measured in parallel; the answers do not depend on the number of threads. The neighbours are the poses
+/// before the first and after the last; null if there are none.
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
                        std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads);
 

@@ -1,4 +1,4 @@
-// What is told of something long, and asked, while it runs.
+// Callbacks of a long task: progress, and whether to stop.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace octoblisk::demos {
 
-/// All in the thread that runs it; either may be empty.
+/// They are called in the thread that runs the task; either may be empty.
 struct RunWatch {
-  /// Tells that so many of the path's poses are done, of the task named.
+  /// Reports how many of the path's poses are done in the named task.
   std::function<void(const std::string& task, std::size_t done)> progress = {};
-  std::function<bool()> stop = {};  ///< whether to leave the rest
+  std::function<bool()> stop = {};  ///< true to skip the rest
 
   void tell(const std::string& task, std::size_t done) const {
     if (progress) progress(task, done);

@@ -36,7 +36,7 @@ double massOfSolid(const TriangleMesh& blisk, double density) {
 
 }  // namespace
 
-/// Lets someone change contacts before they are solved.
+/// A world that allows contacts to be changed before they are solved.
 class WatchedWorld final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -102,7 +102,7 @@ class SpindleCell::World {
     return {btScalar(mass), nullptr, &shape, inertia};
   }
 
-  /// At rest, with nothing remembered of contacts before.
+  /// At rest, without cached contacts.
   void place(btRigidBody& body, const Pose& pose) {
     body.setWorldTransform(toBullet(pose));
     body.setInterpolationWorldTransform(toBullet(pose));
@@ -115,7 +115,7 @@ class SpindleCell::World {
     broadphase_.getOverlappingPairCache()->cleanProxyFromPairs(body.getBroadphaseHandle(), &dispatcher_);
   }
 
-  /// Calls back with each point of contact, and whether the blisk is its first body.
+  /// Calls back with each contact point, and whether the blisk is its first body.
   template <typename Function>
   void forEachTouch(const Function& function) {
     for (int m = 0; m < dispatcher_.getNumManifolds(); ++m) {
@@ -127,7 +127,8 @@ class SpindleCell::World {
     }
   }
 
-  /// Springs of the given stiffness together, as deep as the belt is; friction drives along the belt.
+  /// Sets the contacts up as springs with the given total stiffness, as deep as the belt, with friction along
+  /// the belt.
   void prepareContacts() {
     int count = 0;
     forEachTouch([&](btManifoldPoint&, bool) { ++count; });
@@ -170,7 +171,7 @@ class SpindleCell::World {
       load.torque += arm.cross(normal + friction).z() * kForcesANewton / kTorquesANewtonMetre;
     });
     if (count == 0) return std::nullopt;
-    constexpr double kRest = 1e-9;  // rad/s² that the solver leaves
+    constexpr double kRest = 1e-9;  // rad/s², the residual of the solver
     const double acceleration = double(blisk_.getAngularVelocity().z()) / kStepSeconds;
     load.acceleration = std::abs(acceleration) > kRest ? acceleration : 0.0;
     return load;

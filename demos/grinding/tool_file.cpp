@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostBladeNumber = 10'000;
 const std::string kAny = "any";
 
-/// A value of the file, and how a message names it.
+/// A value of the file, and its name in messages.
 class Item {
  public:
   Item(const std::filesystem::path& file, const Json& json, std::string key)
@@ -35,7 +35,7 @@ class Item {
     throw std::runtime_error(file_.string() + ": " + (key_.empty() ? "" : key_ + ": ") + what);
   }
 
-  /// The value of a key of this object; none where it is left out.
+  /// The value of a key of this object; none if the key is missing.
   std::optional<Item> find(const std::string& key) const {
     const auto found = json_.find(key);
     if (found == json_.end()) return std::nullopt;
@@ -47,31 +47,31 @@ class Item {
   }
 
   void requireObject(std::initializer_list<std::string_view> known) const {
-    if (!json_.is_object()) refuse("this must be an object {...}");
+    if (!json_.is_object()) refuse("must be an object {...}");
     for (const auto& [key, value] : json_.items()) {
       if (std::ranges::find(known, key) != known.end()) continue;
       std::string names;
       for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-      refuse("unknown key " + inQuotes(key) + "; there are: " + names);
+      refuse("unknown key " + inQuotes(key) + "; the keys are: " + names);
     }
   }
   std::vector<Item> list() const {
-    if (!json_.is_array()) refuse("this must be a list [...]");
+    if (!json_.is_array()) refuse("must be a list [...]");
     std::vector<Item> items;
     for (std::size_t i = 0; i < json_.size(); ++i)
       items.push_back(Item(file_, json_[i], key_ + "[" + std::to_string(i) + "]"));
     return items;
   }
   std::string text() const {
-    if (!json_.is_string()) refuse("this must be text in double quotes");
+    if (!json_.is_string()) refuse("must be text in double quotes");
     return json_.get<std::string>();
   }
   double number(double least, double greatest) const {
-    if (!json_.is_number()) refuse("this must be a number");
+    if (!json_.is_number()) refuse("must be a number");
     const auto value = json_.get<double>();
     if (value >= least && value <= greatest) return value;
     std::ostringstream range;
-    range << "this must be a number from " << least << " to " << greatest;
+    range << "must be a number from " << least << " to " << greatest;
     refuse(range.str());
   }
   const Json& json() const { return json_; }
@@ -85,7 +85,7 @@ class Item {
 std::string nameOfPart(const Item& item) {
   const std::string name = item.text();
   if (!isTableName(name)) item.refuse(kTableNameRule);
-  if (name == kAny) item.refuse("this name means every part");
+  if (name == kAny) item.refuse("this name is reserved: it means every part");
   return name;
 }
 
@@ -96,7 +96,7 @@ ToolFilePart partOf(const Item& item, const std::filesystem::path& folder) {
   const std::string name = mesh.text();
   if (name.empty()) mesh.refuse("the name is empty");
   const auto is_control = [](char letter) { return (letter >= 0 && letter < ' ') || letter == 0x7f; };
-  if (std::ranges::any_of(name, is_control)) mesh.refuse("a file's name must be without control characters");
+  if (std::ranges::any_of(name, is_control)) mesh.refuse("a file name must not contain control characters");
   part.mesh = folder / name;
   std::error_code ignored;
   if (!std::filesystem::exists(part.mesh, ignored)) mesh.refuse(part.mesh.string() + ": no such file");
@@ -111,7 +111,7 @@ std::optional<std::size_t> partNumber(const Item& item, const std::vector<ToolFi
   const std::string name = item.text();
   if (name == kAny) return std::nullopt;
   const auto found = std::ranges::find(parts, name, &ToolFilePart::name);
-  if (found == parts.end()) item.refuse("there is no part " + inQuotes(name));
+  if (found == parts.end()) item.refuse("no part is named " + inQuotes(name));
   return static_cast<std::size_t>(found - parts.begin());
 }
 
@@ -125,10 +125,10 @@ BladeChoice bladeOf(const Item& item) {
   } else if (item.json().is_number_integer()) {
     return {Kind::number, static_cast<int>(item.number(1, kMostBladeNumber))};
   }
-  item.refuse("this must be a blade's number from 1, \"ground\", \"hub\" or \"any\"");
+  item.refuse("must be a blade number from 1, \"ground\", \"hub\" or \"any\"");
 }
 
-/// Throws where a key is given twice, of which JSON would keep one in silence.
+/// Throws if a key is repeated: JSON would silently keep only one of its values.
 Json parse(const std::filesystem::path& file) {
   std::ifstream stream = openForReading(file);
   const std::string content{std::istreambuf_iterator<char>(stream), {}};
@@ -138,7 +138,7 @@ Json parse(const std::filesystem::path& file) {
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
       throw std::runtime_error(file.string() + ": the key " + inQuotes(parsed.get<std::string>()) +
-                               " is there twice in one object");
+                               " is repeated in one object");
     }
     return true;
   };
@@ -149,7 +149,7 @@ Json parse(const std::filesystem::path& file) {
         1 + std::count(content.begin(),
                        content.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, content.size())),
                        '\n');
-    throw std::runtime_error(file.string() + ":" + std::to_string(line) + ": this is no JSON");
+    throw std::runtime_error(file.string() + ":" + std::to_string(line) + ": not valid JSON");
   } catch (const Json::exception&) {
     throw std::runtime_error(file.string() + ": a number is too large");
   }
@@ -180,11 +180,11 @@ ToolFile readToolFile(const std::filesystem::path& file) {
   for (const Item& item : parts.list()) {
     ToolFilePart part = partOf(item, file.parent_path());
     if (std::ranges::find(tool.parts, part.name, &ToolFilePart::name) != tool.parts.end()) {
-      item.at("name").refuse("there are two parts " + inQuotes(part.name));
+      item.at("name").refuse("two parts are named " + inQuotes(part.name));
     }
     tool.parts.push_back(std::move(part));
   }
-  if (tool.parts.empty()) parts.refuse("there must be a part at least");
+  if (tool.parts.empty()) parts.refuse("must have at least one part");
   if (const auto allowed = root.find("allowed")) {
     for (const Item& row : allowed->list()) {
       row.requireObject({"part", "blade"});

@@ -1,4 +1,4 @@
-// Bytes as text.
+// Encodes bytes as text.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// The same of an array of numbers, in the order of this machine's bytes.
+/// The same for an array of numbers, in this machine's byte order.
 template <typename Number>
 std::string base64Of(const std::vector<Number>& numbers) {
   return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});

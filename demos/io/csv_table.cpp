@@ -69,12 +69,12 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file, const std::string
     if (!in_body) {
       if (!longer_header.empty() && found == cells(longer_header)) {
         used_header = longer_header;
-        wanted = found = cells(used_header);  // of a text that stays
+        wanted = found = cells(used_header);  // of text that outlives the loop
       }
       if (found != wanted) {
         if (content.find(';') != std::string_view::npos && content.find(',') == std::string_view::npos) {
           throw std::runtime_error(
-              atLine(file, line, "columns are separated by ';'; they must be separated by ','"));
+              atLine(file, line, "the columns are separated by ';'; separate them by ','"));
         }
         throw std::runtime_error(
             atLine(file, line, "the header is " + inQuotes(content) + "; it must be '" + header + "'"));

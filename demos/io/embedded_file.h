@@ -1,10 +1,10 @@
-// Files that are built into the program.
+// Embeds files in the program.
 #pragma once
 
 #include <cstddef>
 #include <string_view>
 
-/// Puts a file into the program, between two symbols of C, at file scope. Its path is a string literal.
+/// Embeds a file between two C symbols, at file scope. Its path is a string literal.
 #define OCTOBLISK_EMBED(symbol, path)      \
   __asm__(".pushsection .rodata\n" #symbol \
           "_begin:\n"                      \
@@ -14,6 +14,6 @@
           ".popsection\n");                \
   extern "C" const char symbol##_begin[], symbol##_end[]
 
-/// The bytes of such a file.
+/// The bytes of an embedded file.
 #define OCTOBLISK_EMBEDDED(symbol) \
   std::string_view(symbol##_begin, static_cast<std::size_t>(symbol##_end - symbol##_begin))

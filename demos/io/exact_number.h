@@ -1,4 +1,4 @@
-// Numbers that are read back as they are.
+// Writes numbers so that they are read back exactly.
 #pragma once
 
 #include <charconv>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// With all digits that a double needs: as printf's %.17g.
+/// With as many digits as a double needs, like printf's %.17g.
 inline std::string exactText(double value) {
   constexpr std::size_t kRoom = 32;
   char digits[kRoom];

@@ -1,4 +1,4 @@
-// Opening a user's file for reading.
+// Opens a user's file for reading.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,14 @@
 
 namespace octoblisk::demos {
 
-/// Opens a file as bytes. Throws std::runtime_error naming it and what is wrong: there is none, it is a
-/// folder, or it can't be opened.
+/// Opens a file as bytes. Throws std::runtime_error naming the file and the cause: it does not exist, is a
+/// folder, or cannot be opened.
 inline std::ifstream openForReading(const std::filesystem::path& file) {
   const auto refuse = [&](const char* reason) { throw std::runtime_error(file.string() + ": " + reason); };
-  std::error_code error;  // where the file can't even be looked at, opening it tells
+  std::error_code error;  // ignored: if the file cannot be examined, opening it reports the cause
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
-  if (std::filesystem::is_directory(status)) refuse("this is a folder, not a file");
+  if (std::filesystem::is_directory(status)) refuse("is a folder, not a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse("cannot be opened for reading");
   return stream;

@@ -1,4 +1,4 @@
-// Text as HTML and XML show it.
+// Escapes text for HTML and XML.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace octoblisk::demos {
 
-/// With what means something in HTML and XML escaped.
+/// Escapes the characters that have a meaning in HTML and XML.
 inline std::string markupText(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

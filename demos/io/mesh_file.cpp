@@ -29,7 +29,7 @@ namespace {
 
 struct Format {
   const char* extension;
-  const char* exporter;  ///< assimp's name of the way we write it
+  const char* exporter;  ///< assimp's name of the format that we write
   void (*check)(std::string_view bytes, const std::string& file);
 };
 
@@ -45,7 +45,7 @@ const Format& formatOf(const std::filesystem::path& file) {
     if (extension == format.extension) return format;
   }
   throw std::runtime_error(file.string() + ": unknown mesh format '" + extension +
-                           "'; known are .stl, .obj and .ply");
+                           "'; the known formats are .stl, .obj and .ply");
 }
 
 std::string readBytes(const std::filesystem::path& file) {
@@ -54,21 +54,21 @@ std::string readBytes(const std::filesystem::path& file) {
   if (std::filesystem::is_regular_file(file)) {
     bytes.resize(std::filesystem::file_size(file));
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!stream) throw std::runtime_error(file.string() + ": cannot be read to its end");
-  } else {  // a device or a pipe: it has no size
+    if (!stream) throw std::runtime_error(file.string() + ": could not be read to its end");
+  } else {  // a device or a pipe has no size
     bytes.assign(std::istreambuf_iterator<char>(stream), {});
   }
   if (bytes.empty()) throw std::runtime_error(file.string() + ": the file is empty");
   return bytes;
 }
 
-/// Gives equal points one number, in the order of their first coming. A hash table with linear probing.
+/// Gives equal points the same number, in order of first occurrence. A hash table with linear probing.
 class PointIndex {
  public:
   explicit PointIndex(std::size_t most_points) : slots_(std::bit_ceil(2 * most_points + 1), kFree) {}
 
   std::uint32_t indexOf(const aiVector3D& point) {
-    const aiVector3D key(point.x + 0.0f, point.y + 0.0f, point.z + 0.0f);  // -0 becomes 0
+    const aiVector3D key(point.x + 0.0f, point.y + 0.0f, point.z + 0.0f);  // turns -0 into 0
     std::size_t slot = hash(key) & (slots_.size() - 1);
     while (slots_[slot] != kFree && keys_[slots_[slot]] != key) slot = (slot + 1) & (slots_.size() - 1);
     if (slots_[slot] == kFree) {
@@ -101,7 +101,7 @@ class PointIndex {
   std::vector<aiVector3D> keys_;
 };
 
-/// Calls visit(mesh, transform) for the meshes of a node and of all below it.
+/// Calls visit(mesh, transform) for the meshes of a node and of all nodes below it.
 template <typename Visit>
 void forEachMesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, const Visit& visit) {
   const aiMatrix4x4 transform = parent * node.mTransformation;
@@ -109,7 +109,7 @@ void forEachMesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
   for (unsigned c = 0; c < node.mNumChildren; ++c) forEachMesh(scene, *node.mChildren[c], transform, visit);
 }
 
-/// What is beyond single precision, assimp makes infinite.
+/// Assimp turns coordinates beyond single precision into infinity.
 void requireUsable(float coordinate, std::size_t triangle, const std::string& file) {
   if (std::abs(coordinate) <= TriangleMesh::kMaxCoordinate) return;
   std::ostringstream message;
@@ -117,7 +117,7 @@ void requireUsable(float coordinate, std::size_t triangle, const std::string& fi
   if (std::isnan(coordinate)) {
     message << "NaN";
   } else if (std::isinf(coordinate)) {
-    message << "infinite, or beyond single precision";
+    message << "infinite, or beyond the range of 32-bit floats";
   } else {
     message << coordinate << ", beyond " << TriangleMesh::kMaxCoordinate;
   }
@@ -154,7 +154,7 @@ TriangleMesh joined(const aiScene& scene, const std::string& file) {
   }
 }
 
-/// A scene of one mesh, as assimp's exporters want it.
+/// A scene of one mesh, as assimp's exporters need it.
 std::unique_ptr<aiScene> sceneOf(const TriangleMesh& mesh) {
   auto scene = std::make_unique<aiScene>();
   scene->mNumMaterials = 1;
@@ -183,14 +183,14 @@ std::unique_ptr<aiScene> sceneOf(const TriangleMesh& mesh) {
   return scene;
 }
 
-/// assimp's complaints, on one line.
+/// assimp's error messages, on one line.
 std::string oneLine(std::string message) {
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   return message;
 }
 
-/// Throws where a face has a corner that is no vertex: Assimp itself does not look.
+/// Throws if a face has a corner that is not a vertex: assimp does not check this.
 void requireVertices(const aiScene& scene, const std::string& file) {
   for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
     for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
@@ -222,7 +222,7 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.extension + 1);
   if (scene) requireVertices(*scene, file.string());
-  // Assimp takes faces without corners for polygons, and aborts where it finds none to divide.
+  // Assimp treats faces without corners as polygons, and aborts if it has none to divide.
   if (scene && hasPolygons(*scene)) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) {
     throw std::runtime_error(file.string() + ": " + oneLine(importer.GetErrorString()));

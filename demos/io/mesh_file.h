@@ -1,4 +1,4 @@
-// Reading and writing triangle meshes as STL, OBJ or PLY.
+// Reads and writes triangle meshes as STL, OBJ or PLY.
 #pragma once
 
 #include <filesystem>
@@ -8,22 +8,23 @@
 
 namespace octoblisk::demos {
 
-/// Reads .stl (binary or ASCII), .obj or .ply. Polygons are cut into triangles; points and lines are passed
-/// over. Triangles keep their order and none is dropped, be it degenerate; vertices at equal coordinates
-/// become one, and vertices no triangle uses go. Coordinates are those of the nearest 32-bit floats.
+/// Reads .stl (binary or ASCII), .obj or .ply. Divides polygons into triangles; ignores points and lines.
+/// Triangles keep their order, and even degenerate ones are kept. Vertices with equal coordinates are merged,
+/// and unused vertices are dropped. Coordinates are rounded to the nearest 32-bit floats.
 ///
-/// Throws std::runtime_error in one line naming the file, and the line (counted from 1) or triangle
-/// (counted from 0) where there is one: missing file, unknown extension, empty or truncated file, no
-/// triangles, a value that is no number, an index of no vertex, a coordinate that is NaN, beyond single
-/// precision or too large for a mesh. An OBJ announces no counts: that it is truncated shows only in an
-/// incomplete last line or a missing vertex.
+/// Throws std::runtime_error with a one-line message that names the file, and the line (counted from 1) or
+/// triangle (counted from 0) if there is one: for a missing file, an unknown extension, an empty or truncated
+/// file, no triangles, a value that is not a number, an index without a vertex, or a coordinate that is NaN,
+/// beyond single precision or too large for a mesh. An OBJ does not declare its counts, so truncation shows
+/// only as an incomplete last line or a missing vertex.
 TriangleMesh readMesh(const std::filesystem::path& file);
 
-/// The same for a file whose bytes are in memory already.
+/// The same for a file whose bytes are already in memory.
 TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes);
 
-/// Writes by extension: binary .stl, .obj or binary .ply. Coordinates become 32-bit floats.
-/// Throws std::runtime_error naming the file: unknown extension, or a file that cannot be written.
+/// Writes a binary .stl, an .obj or a binary .ply, depending on the extension. Coordinates are rounded to
+/// 32-bit floats. Throws std::runtime_error naming the file: for an unknown extension, or a file that cannot
+/// be written.
 void writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 }  // namespace octoblisk::demos

@@ -22,15 +22,15 @@ void checkAsciiStl(std::string_view bytes, const std::string& file) {
       for (int axis = 0; axis < 3; ++axis) text.number();
       ++corners;
     } else if (word == "facet") {
-      if (in_facet) text.fail("a facet begins before the one before has ended");
+      if (in_facet) text.fail("a facet begins before the previous one has ended");
       in_facet = true;
       corners = 0;
     } else if (word == "endfacet") {
-      if (corners != 3) text.fail("a facet of " + std::to_string(corners) + " vertices; it must have 3");
+      if (corners != 3) text.fail("a facet has " + std::to_string(corners) + " vertices; it must have 3");
       in_facet = false;
     } else if (word == "solid" || word == "endsolid") {
       in_solid = word == "solid";
-      text.nextLine();  // past its name
+      text.nextLine();  // skips its name
     } else if (word.empty()) {
       text.nextLine();
     }
@@ -46,7 +46,7 @@ bool isText(std::string_view bytes) {
   });
 }
 
-/// What the begin of a text looks like, if it is no STL.
+/// A guess of the format from the beginning of a text that is not STL.
 std::string hintOfFormat(std::string_view begin, const std::string& file) {
   TextReader text(begin, file);
   if (text.word() == "ply") return "; it looks like a PLY file: name it .ply";
@@ -60,17 +60,17 @@ std::string hintOfFormat(std::string_view begin, const std::string& file) {
   return "";
 }
 
-/// The vertices that the faces of an OBJ use, against those that the file has.
+/// Compares the vertices that the faces of an OBJ use with those that the file has.
 class ObjIndices {
  public:
   void addVertex() { ++vertices_; }
 
-  /// Takes a corner's vertex: counted from 1, or, below 0, back from the latest.
+  /// Takes a corner's vertex: counted from 1, or if negative, back from the latest.
   void useVertex(std::string_view word, const TextReader& text) {
     std::int64_t index = 0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc{} || stop != word.data() + word.size()) {
-      text.fail(inQuotes(word) + " is no index of a vertex");
+      text.fail(inQuotes(word) + " is not an index of a vertex");
     }
     if (index == 0 || index < -vertices_) fail(index, text.line(), text);
     if (index <= greatest_) return;
@@ -78,15 +78,15 @@ class ObjIndices {
     line_of_greatest_ = text.line();
   }
 
-  /// Faces may come before their vertices, so this can only be told at the end.
+  /// Faces may come before their vertices, so this check needs the whole file.
   void requireVertices(const TextReader& text) const {
     if (greatest_ > vertices_) fail(greatest_, line_of_greatest_, text);
   }
 
  private:
   [[noreturn]] void fail(std::int64_t index, std::size_t line, const TextReader& text) const {
-    text.failAt(line, "a face uses vertex " + std::to_string(index) + ", but there are " +
-                          std::to_string(vertices_) + ", counted from 1");
+    text.failAt(line, "a face uses vertex " + std::to_string(index) + ", but there are only " +
+                          std::to_string(vertices_) + " vertices, counted from 1");
   }
 
   std::int64_t vertices_ = 0, greatest_ = 0;
@@ -109,16 +109,16 @@ void checkStl(std::string_view bytes, const std::string& file) {
   if (probe.substr(text_begin).starts_with("solid") && probe.find('\0') == std::string_view::npos) {
     checkAsciiStl(bytes, file);
   } else if (isText(probe)) {
-    throw std::runtime_error(file + ": this is no STL file: it is a text that does not begin with 'solid'" +
+    throw std::runtime_error(file + ": not an STL file: it is a text that does not begin with 'solid'" +
                              hintOfFormat(probe, file));
   } else if (bytes.size() < body) {
     throw std::runtime_error(file + ": the file is truncated: " + std::to_string(bytes.size()) +
-                             " bytes are less than an STL header");
+                             " bytes are too few for an STL header");
   } else {
     const std::size_t announced = body + facets * kFacetBytes;
     throw std::runtime_error(
         file + (bytes.size() < announced ? ": the file is truncated" : ": the size is wrong") +
-        ": its header announces " + std::to_string(facets) + " triangles, " + std::to_string(announced) +
+        ": its header declares " + std::to_string(facets) + " triangles, " + std::to_string(announced) +
         " bytes, but it has " + std::to_string(bytes.size()));
   }
 }
@@ -126,7 +126,7 @@ void checkStl(std::string_view bytes, const std::string& file) {
 void checkObj(std::string_view bytes, const std::string& file) {
   TextReader text(bytes, file);
   if (text.word() == "solid") {
-    throw std::runtime_error(file + ": this looks like an STL file: name it .stl");
+    throw std::runtime_error(file + ": looks like an STL file: name it .stl");
   }
   text = TextReader(bytes, file);
   ObjIndices indices;
@@ -139,13 +139,14 @@ void checkObj(std::string_view bytes, const std::string& file) {
       std::size_t corners = 0;
       for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
         if (word == "\\") {
-          text.nextLine();  // goes on in the next line
+          text.nextLine();  // the face continues on the next line
         } else {
           indices.useVertex(word.substr(0, word.find('/')), text);
           ++corners;
         }
       }
-      if (corners < 3) text.fail("a face of " + std::to_string(corners) + " corners; it must have 3 or more");
+      if (corners < 3)
+        text.fail("a face has " + std::to_string(corners) + " corners; it must have 3 or more");
     }
   }
   indices.requireVertices(text);

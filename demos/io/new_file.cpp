@@ -21,7 +21,7 @@ bool isUnfinished(const std::filesystem::path& file) {
   return file.filename().string().starts_with(kUnfinished);
 }
 
-/// The open stream of this process that a name stands for: 1 or 2; 0: none.
+/// The open stream of this process that a name refers to: 1 or 2; 0: none.
 int streamOf(const std::filesystem::path& file) {
   if (file == "-") return STDOUT_FILENO;
   struct stat named {
@@ -54,9 +54,9 @@ bool isStandardOutput(const std::filesystem::path& file) { return streamOf(file)
 
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
   for (const std::filesystem::path& input : files_read) {
-    std::error_code ignored;  // there is no such file yet
+    std::error_code ignored;  // usually the file does not exist yet
     if (std::filesystem::equivalent(out, input, ignored)) {
-      throw std::runtime_error(out + ": cannot be both read and written");
+      throw std::runtime_error(out + ": is also an input file: choose another --out");
     }
   }
 }
@@ -85,7 +85,7 @@ void refuseToWrite(const std::filesystem::path& file, int error) {
   std::string message = told.string() + ": cannot be written";
   const std::filesystem::path folder = behindLinks(file).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    message += ", as there is no folder " + folder.string();
+    message += ": there is no folder " + folder.string();
   } else if (error != 0) {
     message += std::string(": ") + std::strerror(error);
   }
@@ -102,7 +102,7 @@ void requireOnDisk(const std::filesystem::path& file) {
 
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(file_), written_(file_) {
   if (std::filesystem::is_directory(file_)) {
-    throw std::runtime_error(file_.string() + ": this is a folder, not a file");
+    throw std::runtime_error(file_.string() + ": is a folder, not a file");
   }
   if (!isDevice(file_) && !isUnfinished(file_)) {
     place_ = behindLinks(file_);

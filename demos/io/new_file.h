@@ -15,20 +15,20 @@ struct FileCloser {
 };
 using OpenFile = std::unique_ptr<std::FILE, FileCloser>;
 
-/// Whether the name stands for something that can be written to but not replaced: a device or a pipe, this
+/// True if the name refers to something that can be written to but not replaced: a device or a pipe, this
 /// process's standard output or error, or "-", which means standard output.
 bool isDevice(const std::filesystem::path& file);
 
-/// Whether the name stands for standard output: "-", or a path of it.
+/// True if the name refers to standard output: "-", or a path of it.
 bool isStandardOutput(const std::filesystem::path& file);
 
-/// Throws std::runtime_error naming the file if it is one of the files read.
+/// Throws std::runtime_error naming the file if it is also an input file.
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read);
 
 /// The file that a symbolic link leads to. Returns the argument itself if it is not a link.
 std::filesystem::path behindLinks(const std::filesystem::path& file);
 
-/// The name of a file until it is finished: in the same folder, with the same extension.
+/// The temporary name of an unfinished file: in the same folder, with the same extension.
 std::filesystem::path unfinishedName(const std::filesystem::path& file);
 
 /// Throws std::runtime_error: "FILE: cannot be written: No space left on device". `error` is an errno value,

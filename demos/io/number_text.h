@@ -1,4 +1,4 @@
-// Numbers as the tables of a report show them.
+// Formats numbers for the tables of a report.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// With so many digits after the point.
+/// With this number of digits after the point.
 inline std::string fixedText(double value, int digits) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << value;
@@ -22,7 +22,7 @@ inline std::string shortText(double value) {
   return text.str();
 }
 
-/// "+3.2 %": how much more the second is than the first, which is not 0.
+/// "+3.2 %": the change from the first value, which is not 0, to the second.
 inline std::string changeText(double from, double to, int digits = 1) {
   const std::string text = fixedText(100.0 * (to / from - 1.0), digits);
   const bool is_zero = text.find_first_of("123456789") == std::string::npos;
@@ -35,7 +35,7 @@ inline std::string shareText(double part, double whole, int digits = 1) {
   return fixedText(100.0 * part / whole, digits) + " %";
 }
 
-/// "3 of 40 (7.5 %)"; without the share where the whole is 0.
+/// "3 of 40 (7.5 %)"; without the share if the whole is 0.
 inline std::string partText(std::size_t part, std::size_t whole) {
   const std::string text = std::to_string(part) + " of " + std::to_string(whole);
   if (whole == 0) return text;

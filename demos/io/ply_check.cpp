@@ -49,14 +49,14 @@ PlyType plyType(std::string_view name, const TextReader& text) {
   for (const auto& [known, type] : kNames) {
     if (name == known) return type;
   }
-  text.fail(inQuotes(name) + " is no PLY type");
+  text.fail(inQuotes(name) + " is not a PLY type");
 }
 
 bool isCount(double number) { return number >= 0 && number == std::floor(number); }
 
-/// Reads the header and leaves the reader at the body's begin.
+/// Reads the header and leaves the reader at the beginning of the body.
 PlyHeader readPlyHeader(TextReader& text) {
-  if (text.word() != "ply") text.fail("a PLY file begins with 'ply'");
+  if (text.word() != "ply") text.fail("a PLY file must begin with 'ply'");
   PlyHeader header;
   for (text.nextLine(); !text.atEnd(); text.nextLine()) {
     const std::string_view word = text.word();
@@ -87,7 +87,7 @@ PlyHeader readPlyHeader(TextReader& text) {
   text.fail("the file is truncated: its header has no end_header");
 }
 
-/// Numbers of a binary PLY body.
+/// Reads the numbers of a binary PLY body.
 class BinaryReader {
  public:
   BinaryReader(std::string_view bytes, std::size_t position, bool big_endian, const std::string& file)
@@ -125,7 +125,7 @@ class BinaryReader {
   template <typename Number>
   Number get() {
     if (bytes_.size() - position_ < sizeof(Number)) {
-      fail("the file is truncated: its header announces more than its " + std::to_string(bytes_.size()) +
+      fail("the file is truncated: its header declares more than its " + std::to_string(bytes_.size()) +
            " bytes");
     }
     char raw[sizeof(Number)];
@@ -143,18 +143,18 @@ class BinaryReader {
   const std::string& file_;
 };
 
-/// Numbers of an ASCII PLY body, one element a line.
+/// Reads the numbers of an ASCII PLY body, one element per line.
 class AsciiReader {
  public:
   explicit AsciiReader(TextReader& text) : text_(text) {}
 
   double number(PlyType) {
-    if (text_.atEnd()) text_.fail("the file is truncated: its header announces more elements");
+    if (text_.atEnd()) text_.fail("the file is truncated: its header declares more elements");
     return text_.number();
   }
 
   void endElement() {
-    if (!text_.word().empty()) text_.fail("more values than its header announces");
+    if (!text_.word().empty()) text_.fail("the line has more values than the header declares");
     text_.nextLine();
   }
 
@@ -164,7 +164,7 @@ class AsciiReader {
   TextReader& text_;
 };
 
-/// The shortest text of a number, which need not fit any integer.
+/// The shortest text of a number, which may be too large for any integer.
 std::string textOf(double number) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
@@ -187,8 +187,8 @@ void checkPlyBody(const PlyHeader& header, Reader& reader) {
           const double value = reader.number(property.type);
           if (is_index && !(value >= 0 && value < vertices)) {
             reader.fail(inQuotes(element.name) + " " + std::to_string(static_cast<std::uint64_t>(k) + 1) +
-                        " uses vertex " + textOf(value) + ", but there are " +
-                        std::to_string(static_cast<std::uint64_t>(vertices)));
+                        " uses vertex " + textOf(value) + ", but there are only " +
+                        std::to_string(static_cast<std::uint64_t>(vertices)) + " vertices, counted from 0");
           }
         }
       }
@@ -203,8 +203,8 @@ void checkPly(std::string_view bytes, const std::string& file) {
   TextReader text(bytes, file);
   const PlyHeader header = readPlyHeader(text);
   for (const PlyElement& element : header.elements) {
-    if (element.count <= static_cast<double>(bytes.size())) continue;  // one takes a byte at least
-    throw std::runtime_error(file + ": the file is truncated: its header announces more than its " +
+    if (element.count <= static_cast<double>(bytes.size())) continue;  // an element takes at least one byte
+    throw std::runtime_error(file + ": the file is truncated: its header declares more than its " +
                              std::to_string(bytes.size()) + " bytes");
   }
   if (header.format == "ascii") {
@@ -215,7 +215,7 @@ void checkPly(std::string_view bytes, const std::string& file) {
     BinaryReader reader(bytes, text.position(), header.format == "binary_big_endian", file);
     checkPlyBody(header, reader);
   } else {
-    throw std::runtime_error(file + ": " + inQuotes(header.format) + " is no PLY format");
+    throw std::runtime_error(file + ": " + inQuotes(header.format) + " is not a PLY format");
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr std::size_t kBarWidth = 40;      ///< characters of the bar
-constexpr const char* kWipe = "\r\x1b[K";  ///< to the line's begin, and clear it to its end
+constexpr const char* kWipe = "\r\x1b[K";  ///< goes to the beginning of the line and clears it
 
 }  // namespace
 
@@ -51,7 +51,7 @@ std::string rateAndTimeLeft(std::size_t done, std::size_t total, double seconds)
   const double rate = static_cast<double>(done) / seconds;
   const auto left = static_cast<long>(std::ceil(static_cast<double>(total - done) / rate));
   std::ostringstream text;
-  text << std::fixed << std::setprecision(rate < 10.0 ? 1 : 0) << rate << " a second, ";
+  text << std::fixed << std::setprecision(rate < 10.0 ? 1 : 0) << rate << " per second, ";
   if (left >= 3600) text << left / 3600 << " h ";
   if (left >= 60) text << left / 60 % 60 << " min ";
   text << left % 60 << " s left";

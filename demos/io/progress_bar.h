@@ -1,4 +1,4 @@
-// A progress bar for people at a terminal.
+// A progress bar at a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,18 +8,18 @@
 
 namespace octoblisk::demos {
 
-/// Draws a bar on one line of the stream, with the rate of steps and the time that is left at it, at most ten
-/// times a second, and wipes it when destroyed. Writes
-/// nothing where standard error is no terminal, e.g. in a pipe. For one thread.
+/// Draws a bar on one line of the stream, with the rate of steps and the remaining time, at most ten times a
+/// second. Erases it when destroyed. Writes nothing if standard error is not a terminal, e.g. in a pipe. Use
+/// it from one thread.
 class ProgressBar {
  public:
-  /// For `total` steps. The stream (std::cerr, as a rule) must outlive the bar.
+  /// For `total` steps. The stream, usually std::cerr, must outlive the bar.
   ProgressBar(std::ostream& stream, std::size_t total);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Tells that so many steps are done, 0 … total.
+  /// Reports the number of finished steps, 0 … total.
   void update(std::size_t done);
 
  private:
@@ -29,13 +29,14 @@ class ProgressBar {
 
   std::ostream& stream_;
   std::size_t total_;
-  bool shown_;          ///< whether anyone is there to see it
-  bool drawn_ = false;  ///< whether there is something to wipe
+  bool shown_;          ///< whether standard error is a terminal
+  bool drawn_ = false;  ///< whether a bar must be erased
   Clock::time_point start_;
   Clock::time_point next_draw_;
 };
 
-/// "1234 a second, 2 min 5 s left" for what is done after so many seconds; empty before there is a rate.
+/// "1234 per second, 2 min 5 s left", given the finished steps and the elapsed seconds; empty before there is
+/// a rate.
 std::string rateAndTimeLeft(std::size_t done, std::size_t total, double seconds);
 
 }  // namespace octoblisk::demos

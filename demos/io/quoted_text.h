@@ -1,4 +1,4 @@
-// Text of a user's file or command line, fit to be shown in a message.
+// Makes text of a user's file or command line safe to show in a message.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace octoblisk::demos {
 
-/// The text in single quotes. Bytes that are no printable ASCII become '?', and what is longer than 60 bytes
-/// is cut short: the bytes of a binary file must not reach a terminal.
+/// The text in single quotes. Bytes that are not printable ASCII become '?', and anything beyond 60 bytes is
+/// cut off: the bytes of a binary file must not reach a terminal.
 inline std::string inQuotes(std::string_view text) {
   constexpr std::size_t kMostBytes = 60;
   std::string shown = "'";

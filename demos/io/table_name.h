@@ -1,4 +1,4 @@
-// Names of the user's that go to tables and messages as they are.
+// Rules for a user's names that appear in tables and messages.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace octoblisk::demos {
 
 inline constexpr const char* kTableNameRule =
-    "a name must be of printable ASCII letters, without comma and double quote";
+    "a name must consist of printable ASCII letters, without commas and double quotes";
 
 inline bool isTableName(std::string_view name) {
   return !name.empty() && std::ranges::all_of(name, [](char letter) {

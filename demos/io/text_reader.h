@@ -1,4 +1,4 @@
-// Words, numbers and lines of a text in memory.
+// Reads the words, numbers and lines of a text in memory.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace octoblisk::demos {
 
-/// Walks a text by words and lines. It complains as std::runtime_error, "FILE:LINE: message".
+/// Reads a text by words and lines. Its errors are std::runtime_error, "FILE:LINE: message".
 class TextReader {
  public:
   TextReader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
@@ -21,7 +21,7 @@ class TextReader {
   bool atEnd() const { return rest().empty(); }
   std::size_t position() const { return position_; }
 
-  /// The next word of this line, empty at its end.
+  /// The next word of this line; empty at the end of the line.
   std::string_view word() {
     position_ += std::min(rest().find_first_not_of(" \t\r\v\f"), rest().size());
     const std::size_t length = std::min(rest().find_first_of(" \t\r\v\f\n"), rest().size());
@@ -30,14 +30,14 @@ class TextReader {
     return result;
   }
 
-  /// Goes to the next line's begin.
+  /// Goes to the beginning of the next line.
   void nextLine() {
     const std::size_t line_end = rest().find('\n');
     position_ = line_end == std::string_view::npos ? text_.size() : position_ + line_end + 1;
     ++line_;
   }
 
-  /// The next word of this line as a number; nan and inf are left to be found in the mesh.
+  /// The next word of this line as a number. NaN and infinity pass: the mesh reader finds them.
   double number() {
     const std::string_view found = word();
     if (found.empty()) fail("a number is missing");

@@ -1,4 +1,4 @@
-// Files that are there whole, or not at all.
+// Several files that appear together, complete, or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,20 +6,20 @@
 
 namespace octoblisk::demos {
 
-/// Files are written under other names, and get their own together at the end: until then, and where it does
-/// not come to that, those of an earlier run stay as they are.
+/// Files are written under temporary names, and all get their own names together at the end. Until then, and
+/// if the end is never reached, the files of an earlier run stay as they are.
 class WholeFiles {
  public:
   WholeFiles() = default;
-  ~WholeFiles();  ///< removes what was not finished
+  ~WholeFiles();  ///< removes unfinished files
   WholeFiles(const WholeFiles&) = delete;
   WholeFiles& operator=(const WholeFiles&) = delete;
 
-  /// The name to write a file under: beside it, where links lead, and with its extension; a device's own.
-  /// Throws std::runtime_error naming a file that is a folder, or in none.
+  /// Returns the name to write a file under: in the folder where links lead, with the same extension; a
+  /// device keeps its name. Throws std::runtime_error naming a file that is a folder, or that has no folder.
   std::filesystem::path add(const std::filesystem::path& file);
 
-  /// Gives all files their names, once all are on the disk. Throws std::runtime_error naming a file that
+  /// Gives all files their names once all are on the disk. Throws std::runtime_error naming a file that
   /// cannot be written, and the cause.
   void finish();
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kWheelSegments = 120;
 constexpr int kWheelRows = 8;
-constexpr int kMaxPoints = 100'000;               // round the belt, or round its cross-section
+constexpr int kMaxPoints = 100'000;               // along the belt, or around its cross-section
 constexpr std::int64_t kMaxVertices = 5'000'000;  // 10 million triangles
 
 void requireUsable(const BeltParameters& p) {
@@ -40,17 +40,17 @@ void requireUsable(const BeltParameters& p) {
   require(p.wheel_gap < 0.5 * std::min(p.contact_wheel_radius, p.drive_wheel_radius),
           "the wheel gap must be below half the wheels' radii");
   require(p.points_per_station >= 4 && p.points_per_station <= kMaxPoints,
-          "the number of points a station must be from 4 to " + std::to_string(kMaxPoints));
+          "the number of points per station must be from 4 to " + std::to_string(kMaxPoints));
   require(p.stations >= 16 && p.stations <= kMaxPoints,
           "the number of stations must be from 16 to " + std::to_string(kMaxPoints));
   require(std::int64_t{p.stations} * p.points_per_station <= kMaxVertices,
-          "stations times points a station must be at most " + std::to_string(kMaxVertices));
+          "stations times points per station must be at most " + std::to_string(kMaxVertices));
   const double half_turn = 0.5 * BeltPath(p).greatestTurn();
   const double cut = std::max(p.contact_wheel_radius, p.drive_wheel_radius) * (1.0 - std::cos(half_turn));
-  require(cut < 0.5 * p.wheel_gap, "the belt needs more stations, or its facets would cut the wheels");
+  require(cut < 0.5 * p.wheel_gap, "the belt needs more stations, or else its facets cut the wheels");
 }
 
-/// A closed cylinder about an axis along z.
+/// A closed cylinder with an axis along z.
 TriangleMesh cylinder(const Vec3& centre, double radius, double width) {
   std::vector<Vec3> vertices;
   for (int row = 0; row <= kWheelRows; ++row) {

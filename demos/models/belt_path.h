@@ -1,4 +1,4 @@
-// The line that a belt follows round its two wheels.
+// The line that a belt follows around its two wheels.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// The line that the belt's inner surface follows in the x–y plane: clockwise from -x over the contact wheel,
-/// along the upper strand, round the drive wheel and back. Lengths in mm. The wheels must not overlap.
+/// The line of the belt's inner surface in the x–y plane: clockwise from -x over the contact wheel, along the
+/// upper strand, around the drive wheel and back. Lengths in mm. The wheels must not overlap.
 class BeltPath {
  public:
   explicit BeltPath(const BeltParameters& parameters);
@@ -20,21 +20,21 @@ class BeltPath {
     Vec3 normal;  ///< outwards
   };
 
-  /// The station at a fraction 0..1 of the way, the way being half length and half turn.
+  /// The station at a fraction 0..1 of the line, measured half by length and half by turn.
   Station at(double fraction) const;
 
-  /// The station at a length 0..length() of the way.
+  /// The station at a length 0..length() along the line.
   Station atLength(double length) const;
 
   double length() const { return length_; }
 
-  /// The angle of the strands against the x axis, radians; positive where they part towards the drive wheel.
+  /// The angle of the strands against the x axis, radians; positive if they diverge towards the drive wheel.
   double slope() const { return slope_; }
 
-  /// Half the distance between the strands at some x between the wheels.
+  /// Half the distance between the strands at an x between the wheels.
   double halfGap(double x) const;
 
-  /// The greatest turn between two of the belt's stations, radians: on the smaller wheel or the greater.
+  /// The greatest turn between two of the belt's stations, radians, on either wheel.
   double greatestTurn() const;
 
  private:
@@ -42,10 +42,10 @@ class BeltPath {
     double length, turn;
   };
 
-  /// Of the way that `at` counts.
+  /// The piece's share of the measure that `at` uses.
   double share(const Piece& piece) const;
 
-  /// At a part 0..1 of a piece, what comes before having turned by `turned`.
+  /// At a fraction 0..1 of a piece; the pieces before it have turned by `turned`.
   Station onPiece(std::size_t piece, double part, double turned) const;
 
   BeltParameters parameters_;

@@ -17,8 +17,8 @@ constexpr int kEdgeSteps = 20;
 
 double angleOf(const Vec3& point) { return std::atan2(point.y(), point.x()); }
 
-/// The mean offset of a contour from its chord, towards greater angles, in chords; seen unrolled at the
-/// contour's mean radius.
+/// The mean offset of a contour from its chord, towards greater angles, in chords. The contour is unrolled at
+/// its mean radius.
 double camberOf(const BladeContour& contour) {
   const Vec3& leading = contour.forward.front().position;
   const Vec3& trailing = contour.forward.back().position;
@@ -59,7 +59,7 @@ BladeAnatomy anatomyOf(const BladeContours& contours) {
   }
   blade.camber /= cambers;
   const double angle = angleOf(blade.leading.back());
-  constexpr double kRounding = 1e-6;  // of the file: lest angle 0 becomes a whole turn
+  constexpr double kRounding = 1e-6;  // of the file's coordinates: angle 0 must not become a full turn
   blade.angle = angle < -kRounding ? angle + kWholeTurn : std::max(0.0, angle);
   return blade;
 }

@@ -16,7 +16,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The cotangent of the angle at a corner, kept within bounds for slivers.
+/// The cotangent of the angle at a corner, limited for slivers.
 double cotangentAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
   constexpr double kLeast = 0.01;
   constexpr double kGreatest = 100.0;
@@ -26,7 +26,7 @@ double cotangentAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
   return sine > 0.0 ? std::clamp(to_a.dot(to_b) / sine, kLeast, kGreatest) : kLeast;
 }
 
-/// Both ways from the point of least z to that of greatest z.
+/// In both directions from the point of least z to that of greatest z.
 BladeContour cutAtEdges(std::vector<ContourPoint> loop) {
   const auto by_z = [](const ContourPoint& a, const ContourPoint& b) {
     return a.position.z() < b.position.z();
@@ -99,7 +99,7 @@ void BladeContours::linkTriangles() {
 }
 
 void BladeContours::solveHeights() {
-  // The borders: vertices that hang together by edges of one triangle.
+  // The borders: vertices connected by edges of a single triangle.
   std::vector<std::uint32_t> parent(positions_.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto rootOf = [&](std::uint32_t v) {
@@ -191,7 +191,7 @@ std::vector<ContourPoint> BladeContours::loopFrom(std::uint32_t triangle, double
       if (came_from != kNone && beside_[triangle][k] == came_from) continue;
       found = true;
       next = beside_[triangle][k];
-      // The same point, bit by bit, from whichever triangle the edge is seen.
+      // The point must be the same, bit by bit, from both triangles of the edge.
       const auto [a, b] = std::minmax(from, to);
       const double part = (height - heights_[a]) / (heights_[b] - heights_[a]);
       const Vec3 normal = (1.0 - part) * normals_[a] + part * normals_[b];
@@ -200,7 +200,7 @@ std::vector<ContourPoint> BladeContours::loopFrom(std::uint32_t triangle, double
     came_from = triangle;
     triangle = next;
   }
-  if (triangle == kNone) loop.clear();  // it ran into a border
+  if (triangle == kNone) loop.clear();  // the line ended at a border
   return loop;
 }
 
@@ -221,7 +221,7 @@ BladeContour BladeContours::at(double height) const {
     longest = std::move(loop);
   }
   if (longest.size() < 3) {
-    throw std::invalid_argument("blade " + std::to_string(blade_) + ": no closed line goes round it at " +
+    throw std::invalid_argument("blade " + std::to_string(blade_) + ": no closed line runs around it at " +
                                 std::to_string(height) + " of its height");
   }
   return cutAtEdges(std::move(longest));

@@ -10,10 +10,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kLowCuts = 100;
 constexpr int kHighCuts = 32;
-constexpr int kLeastRun = 5;  ///< cuts in a row that must show the same blades
+constexpr int kLeastRun = 5;  ///< successive cuts that must show the same blades
 constexpr int kRefinements = 16;
 
-/// The count that holds over most low cuts, at its lowest one.
+/// The count that most low cuts agree on, at the lowest of them.
 BladeCut widestCut(const WeldedSurface& surface, const std::vector<double>& falling_cuts, double high) {
   GrowingParts growing(surface);
   BladeCut best, current;
@@ -32,7 +32,7 @@ std::size_t countBetween(const WeldedSurface& surface, double low, double high) 
   return bladesAmong(growing.parts()).size();
 }
 
-/// Moves the cuts closer to hub and shroud, by up to a step between cuts.
+/// Moves the cuts closer to hub and shroud, by at most one step between cuts.
 BladeCut refine(const WeldedSurface& surface, BladeCut cut, double low_step, double high_step) {
   for (int k = 0; k < kRefinements; ++k) {
     low_step *= 0.5;
@@ -48,7 +48,7 @@ BladeCut refine(const WeldedSurface& surface, BladeCut cut, double low_step, dou
 
 std::vector<Part> bladesAmong(std::vector<Part> parts) {
   constexpr double kCrumb = 0.02;
-  constexpr double kAlike = 1.5;      // greatest area over least
+  constexpr double kAlike = 1.5;      // greatest area divided by least
   constexpr double kOffPlace = 0.05;  // of the radius
   constexpr double kOffPitch = 0.25;  // of the pitch
   constexpr double kRound = 1e-6;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Whether a triangle may be a facet of a surface of revolution about Z. A large facet's normal is off by up
-/// to the angle the facet takes.
+/// Whether a triangle may be a facet of a surface of revolution about Z. A large facet's normal may be off by
+/// the angle that the facet spans.
 bool isOfRevolution(const Triangle& t) {
   constexpr double kTolerance = 0.05;
   const Vec3 centroid = (t[0] + t[1] + t[2]) / 3.0;
@@ -29,7 +29,7 @@ bool isOfRevolution(const Triangle& t) {
   return std::abs(scaledNormal(t).normalized().dot(e_theta)) <= tolerance;
 }
 
-/// Lets the blades grow down to the hub and up to the shroud.
+/// Grows the blades down to the hub and up to the shroud.
 void flood(const WeldedSurface& surface, std::vector<int>& blade_of_triangle) {
   const auto beside = surface.neighbours();
   std::vector<std::uint32_t> front;
@@ -81,9 +81,9 @@ void renumber(const WeldedSurface& surface, BladesFound& found) {
   for (int& blade : found.blade_of_triangle) blade = number[blade];
 }
 
-/// Height over mean thickness, of all blades together. The field radius · angle · e_theta has the divergence
-/// 1 and does not flow through a surface of revolution, as which a blade's open root counts: its outflow is
-/// the volume.
+/// Height divided by mean thickness, over all blades together. The field radius · angle · e_theta has the
+/// divergence 1 and does not flow through a surface of revolution; a blade's open root counts as one. So its
+/// outflow is the volume.
 double slenderness(const TriangleMesh& mesh, const BladesFound& found) {
   std::vector<double> volume(found.count, 0.0), first_angle(found.count, kTurn);
   double area = 0.0;
@@ -95,7 +95,7 @@ double slenderness(const TriangleMesh& mesh, const BladesFound& found) {
     const double angle = std::atan2(centroid.y(), centroid.x());
     if (first_angle[blade - 1] == kTurn) first_angle[blade - 1] = angle;
     const double turn = std::remainder(angle - first_angle[blade - 1], kTurn);
-    const Vec3 normal = 0.5 * scaledNormal(corners);  // as long as the triangle's area
+    const Vec3 normal = 0.5 * scaledNormal(corners);  // its length is the triangle's area
     volume[blade - 1] += turn * (centroid.x() * normal.y() - centroid.y() * normal.x());
     area += normal.norm();
   }

@@ -15,7 +15,7 @@ namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Points joined by segments; a point of a closed curve has two neighbours.
+/// Points joined by segments; each point of a closed curve has two neighbours.
 struct Crossings {
   std::vector<Vec3> points;
   std::vector<std::vector<std::uint32_t>> neighbours;
@@ -27,7 +27,7 @@ double lengthOf(const std::vector<Vec3>& loop) {
   return length;
 }
 
-/// The longest chain that comes back to its start; none: no points.
+/// The longest chain that returns to its start; none: no points.
 std::vector<Vec3> longestLoop(const Crossings& crossings) {
   std::vector<bool> seen(crossings.points.size(), false);
   std::vector<Vec3> longest;
@@ -53,7 +53,7 @@ std::vector<Vec3> longestLoop(const Crossings& crossings) {
   return longest;
 }
 
-/// The mean of a side's offsets to the left of its chord, over its length.
+/// The mean over a side's length of its offset to the left of its chord.
 double meanOffset(const std::vector<SectionPoint>& side) {
   const Vec2 from = side.front().flat;
   const Vec2 along = (side.back().flat - from).normalized();
@@ -75,7 +75,7 @@ BladeCutter::BladeCutter(const TriangleMesh& blisk, const BladesFound& blades, i
     throw std::invalid_argument("there is no blade " + std::to_string(blade));
   }
   if (blades.blade_of_triangle.size() != blisk.triangleCount()) {
-    throw std::invalid_argument("the blades are not those of this mesh");
+    throw std::invalid_argument("the blade numbers are not for this mesh");
   }
   const WeldedSurface surface(blisk);
   Vec3 middle = Vec3::Zero();
@@ -91,7 +91,7 @@ BladeSection BladeCutter::at(double radius) const {
   Crossings crossings;
   std::map<Edge, std::uint32_t> point_on_edge;
   const auto pointOn = [&](const Facet& facet, int from, int to) {
-    // The same edge gives the same bits from both of its triangles.
+    // The same edge must give the same bits from both of its triangles.
     if (facet.corners[from] > facet.corners[to]) std::swap(from, to);
     const Edge edge{facet.corners[from], facet.corners[to]};
     const auto [entry, is_new] = point_on_edge.try_emplace(edge, crossings.points.size());

@@ -1,4 +1,4 @@
-// The closed curve in which a cylinder about the axis cuts a blade of any blisk's mesh.
+// The closed curve in which a cylinder about the axis cuts a blade of any blisk mesh.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace octoblisk::demos {
 
 using Vec2 = Eigen::Vector2d;
 
-/// A place of a section: in space, and on the cylinder unrolled, x = z and y = radius · angle (mm).
+/// A point of a section: in space, and on the unrolled cylinder with x = z and y = radius · angle (mm).
 struct SectionPoint {
   Vec3 position = Vec3::Zero();
   Vec2 flat = Vec2::Zero();
@@ -21,32 +21,32 @@ struct SectionPoint {
 /// points included.
 struct BladeSection {
   std::vector<SectionPoint> forward;   ///< the side towards greater angles
-  std::vector<SectionPoint> backward;  ///< and towards lesser ones
+  std::vector<SectionPoint> backward;  ///< the side towards lesser angles
 };
 
 /// Cuts one blade at many radii.
 class BladeCutter {
  public:
-  /// Throws std::invalid_argument: no such blade, or numbers that are not of this mesh.
+  /// Throws std::invalid_argument if the blade does not exist or the blade numbers are not for this mesh.
   BladeCutter(const TriangleMesh& blisk, const BladesFound& blades, int blade);
 
-  /// The longest closed curve at a radius. Its points lie on the mesh's edges, and so on the cylinder but
-  /// for the sag of an edge. Throws std::invalid_argument where there is none.
+  /// The longest closed curve at a radius. Its points lie on the mesh's edges, and so on the cylinder except
+  /// for the sag of an edge. Throws std::invalid_argument if there is none.
   BladeSection at(double radius) const;
 
  private:
   struct Facet {
-    TriangleMesh::Indices corners;  ///< vertices at one place have one number
+    TriangleMesh::Indices corners;  ///< vertices at one place have the same number
     Triangle places;
   };
 
   int blade_;
-  double angle_ = 0.0;  ///< of the blade's middle; the unrolled sections count angles from it
+  double angle_ = 0.0;  ///< of the blade's middle; angles of the unrolled sections are relative to it
   std::vector<Facet> facets_;
 };
 
-/// Whether the convex (suction) side is the forward one: the side towards which the section's middle line
-/// bulges from its chord. A section without camber has its forward side called convex.
+/// Whether the convex (suction) side is the forward one: the section's middle line bulges towards the convex
+/// side from its chord. For a section without camber the forward side is called convex.
 bool convexIsForward(const BladeSection& section);
 
 }  // namespace octoblisk::demos

@@ -38,15 +38,15 @@ void requireUsable(const BladeParameters& p) {
   require(std::abs(p.stagger_hub) < 80.0 && std::abs(p.stagger_tip) < 80.0,
           "the stagger must be between -80 and 80 degrees");
   require(std::isfinite(p.camber_hub) && std::isfinite(p.camber_tip) && std::isfinite(p.lean),
-          "camber and lean must be finite");
+          "the camber and the lean must be finite");
   require(p.section_count >= 2 && p.section_count <= kMaxSections,
           "the number of sections must be from 2 to " + std::to_string(kMaxSections));
   require(p.points_per_side >= 8 && p.points_per_side <= kMaxPointsPerSide,
-          "the number of points a side must be from 8 to " + std::to_string(kMaxPointsPerSide));
+          "the number of points per side must be from 8 to " + std::to_string(kMaxPointsPerSide));
 }
 
-/// An airfoil on the cylinder of one radius, traced by an angle: 0 at the trailing edge of the chord, then
-/// the side towards greater polar angles, π at the leading edge, and back along the other side.
+/// An airfoil on a cylinder, traced by an angle: 0 at the trailing edge of the chord, then the side towards
+/// greater polar angles, π at the leading edge, and back along the other side.
 struct Airfoil {
   double radius, chord, stagger, thickness, camber, edge_radius, lean;  // mm and radians
 
@@ -55,7 +55,8 @@ struct Airfoil {
     const double x = 0.5 * (1.0 + std::cos(trace));
     const double side = std::sin(trace) >= 0.0 ? 1.0 : -1.0;
     const double along = (x - 0.5) * chord;
-    // The camber line is shifted so that the section's middle stays near the radial through its chord's.
+    // The camber line is shifted so that the section's middle stays near the radial line through the chord's
+    // middle.
     const double across = camber * (4.0 * x * (1.0 - x) - 0.6) + side * halfThickness(x);
     const double z = along * std::cos(stagger) - across * std::sin(stagger);
     const double arc = along * std::sin(stagger) + across * std::cos(stagger);
@@ -88,7 +89,7 @@ struct Airfoil {
   }
 };
 
-/// Whether a name comes before another, runs of digits compared as numbers.
+/// Whether a name comes before another; runs of digits are compared as numbers.
 bool naturallyBefore(const std::string& a, const std::string& b) {
   const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   std::size_t i = 0;
@@ -119,7 +120,7 @@ SectionLoop readLoop(const std::filesystem::path& file) {
   for (const CsvRow& row : readCsv(file, "x,y,z")) {
     loop.emplace_back(row.values[0], row.values[1], row.values[2]);
     if (loop.back().cwiseAbs().maxCoeff() > kMaxLength) {
-      throw std::runtime_error(atLine(file, row.line, "a coordinate is beyond 100,000 mm"));
+      throw std::runtime_error(atLine(file, row.line, "a coordinate exceeds 100,000 mm"));
     }
     last_line = row.line;
   }
@@ -142,10 +143,11 @@ void requireFartherOut(const SectionLoop& section, const std::filesystem::path& 
                        const SectionLoop& before, const std::filesystem::path& file_before) {
   const double radius = meanRadius(section), radius_before = meanRadius(before);
   if (radius > radius_before) return;
-  throw std::runtime_error(file.string() +
-                           ": the section must lie farther out than the one before it in name " +
-                           "order: its mean radius is " + std::to_string(radius) + " mm, that of " +
-                           file_before.filename().string() + " " + std::to_string(radius_before) + " mm");
+  throw std::runtime_error(
+      file.string() +
+      ": the section must lie farther out than the previous one in name order: its mean radius is " +
+      std::to_string(radius) + " mm, that of " + file_before.filename().string() + " " +
+      std::to_string(radius_before) + " mm");
 }
 
 }  // namespace
@@ -193,7 +195,7 @@ BladeSections readBladeSections(const std::filesystem::path& folder) {
   }
   if (files.size() < 2) {
     throw std::runtime_error(folder.string() + ": " + std::to_string(files.size()) +
-                             " .csv files; a blade needs at least two sections");
+                             " .csv files; a blade needs at least two sections, one per file");
   }
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
     return naturallyBefore(a.filename().string(), b.filename().string());

@@ -18,7 +18,7 @@ Vec3 centerOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 double areaOf(const Triangle& t) { return 0.5 * scaledNormal(t).norm(); }
 
-/// The flow of the field θ e_theta out of the blades, whose divergence is 1/radius > 0; none flows through an
+/// The flow of the field θ e_theta out of the blades, whose divergence is 1/radius > 0. None flows through an
 /// open root, a surface of revolution.
 double outflow(const TriangleMesh& blisk, const BladesFound& blades) {
   std::vector<double> first_angle(blades.count, std::numeric_limits<double>::quiet_NaN());
@@ -37,9 +37,9 @@ double outflow(const TriangleMesh& blisk, const BladesFound& blades) {
   return sum;
 }
 
-/// Lets blades grow along their edges into what was taken for a surface of revolution.
+/// Grows blades along their edges into triangles that looked like a surface of revolution.
 void adoptEdges(const TriangleMesh& blisk, const Neighbours& beside, std::vector<int>& blade_of_triangle) {
-  constexpr double kSmooth = 0.7;      // cosine from triangle to triangle: the edges' rounding may be coarse
+  constexpr double kSmooth = 0.7;      // cosine from triangle to triangle; the edges may be rounded coarsely
   constexpr double kAlongAxis = 0.75;  // of the normal
   const auto normalOf = [&](std::uint32_t t) { return scaledNormal(blisk.triangle(t)).normalized(); };
   std::vector<std::uint32_t> front;
@@ -67,7 +67,7 @@ BladePart partFacing(const Triangle& t, double outwards) {
   return normal.dot(e_theta) > 0.0 ? BladePart::forward : BladePart::backward;
 }
 
-/// Small islands of a part take the part that most of their border is with.
+/// Small islands of a part join the part that most of their border touches.
 void dissolveIslands(const TriangleMesh& blisk, const Neighbours& beside, int blade_count,
                      BladeSides& sides) {
   constexpr double kSmall = 0.02;  // of the blade
@@ -97,7 +97,7 @@ void dissolveIslands(const TriangleMesh& blisk, const Neighbours& beside, int bl
           island.push_back(t);
         }
       }
-      // A tip is thin, so it may be small; what is of the tip but beside one side only is a speck of it.
+      // A tip is thin, so it may be small; a tip part beside only one side is a speck.
       const bool between_sides = border[1] > 0 && border[2] > 0;
       if (area > kSmall * blade_area[blade] || (part == BladePart::tip && between_sides && island.size() > 4))
         continue;
@@ -113,7 +113,8 @@ void dissolveIslands(const TriangleMesh& blisk, const Neighbours& beside, int bl
 }  // namespace
 
 BladeSides findBladeSides(const TriangleMesh& blisk, const BladesFound& blades) {
-  require(blades.blade_of_triangle.size() == blisk.triangleCount(), "the blades are not those of this mesh");
+  require(blades.blade_of_triangle.size() == blisk.triangleCount(),
+          "the blade numbers are not for this mesh");
   const Neighbours beside = WeldedSurface(blisk).neighbours();
   BladeSides sides;
   sides.faces_outward = outflow(blisk, blades) >= 0.0;

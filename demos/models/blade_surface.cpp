@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// How far beyond the first or last section a blade may be drawn, as a part of its span.
+/// How far a blade may be extended beyond its first or last section, as a fraction of its span.
 constexpr double kMaxExtension = 0.25;
 
 Vec3 asVector(const CylindricalPoint& point) { return {point.z, point.radius, point.angle}; }
@@ -22,7 +22,7 @@ double nearestTurn(double angle, double other) {
   return angle - 2.0 * std::numbers::pi * std::round((angle - other) / (2.0 * std::numbers::pi));
 }
 
-/// A section as a smooth closed curve of (z, radius, angle) from its leading edge round to it again.
+/// A section as a smooth closed curve of (z, radius, angle) that starts and ends at its leading edge.
 class SectionCurve {
  public:
   SectionCurve(const SectionLoop& loop, std::size_t number, double angle_nearby)
@@ -69,8 +69,8 @@ class SectionCurve {
     };
     if (sharesZ(loop.front()) || sharesZ(*trailing)) {
       throw std::invalid_argument("section " + std::to_string(number) +
-                                  " has an edge cut square to the axis; one point must have the least z and "
-                                  "one the greatest");
+                                  " has an edge perpendicular to the axis; exactly one point must have the "
+                                  "least z and exactly one the greatest");
     }
     Unrolled result;
     result.trailing = static_cast<std::size_t>(trailing - loop.begin());
@@ -94,7 +94,7 @@ class SectionCurve {
   BladeSide forward_first_ = BladeSide::forward;  ///< the side that comes first along the curve
 };
 
-/// Where each section lies in the span, 0..1: by the mean distance between sections in the meridian.
+/// The position of each section in the span, 0..1, by the mean distance between sections in the meridian.
 std::vector<double> spanPositions(const std::vector<SectionCurve>& sections) {
   std::vector<double> positions{0.0};
   for (std::size_t s = 1; s < sections.size(); ++s) {
@@ -108,7 +108,7 @@ std::vector<double> spanPositions(const std::vector<SectionCurve>& sections) {
       }
     }
     if (distance == 0.0) {
-      throw std::invalid_argument("section " + std::to_string(s + 1) + " repeats the one before it");
+      throw std::invalid_argument("section " + std::to_string(s + 1) + " repeats the previous one");
     }
     positions.push_back(positions.back() + distance);
   }
@@ -121,7 +121,7 @@ double heightOver(const RadiusProfile& surface, const Vec3& point) {
   return point[1] - surface.radiusAt(point[0]);
 }
 
-/// The parameter between low and high at which a line that rises from the surface's inside crosses it.
+/// The parameter between low and high at which a line from inside the surface crosses it.
 double crossing(const MonotoneCurve& line, const RadiusProfile& surface, double low, double high) {
   for (int halving = 0; halving < 64; ++halving) {
     const double middle = 0.5 * (low + high);

@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// A point about the Z axis: mm, and radians that are not wrapped to one turn.
+/// A point about the Z axis, in mm and radians that are not wrapped to one turn.
 struct CylindricalPoint {
   double z = 0.0;
   double radius = 0.0;
@@ -21,7 +21,7 @@ Vec3 toCartesian(const CylindricalPoint& point);
 enum class BladeSide { forward, backward };
 
 /// Points of a blade by side, row (0 at the hub … span_cells at the tip) and station (0 at the leading edge
-/// … chord_cells at the trailing edge). Both sides hold the very same points at either edge.
+/// … chord_cells at the trailing edge). Both sides have identical points at either edge.
 class BladeGrid {
  public:
   BladeGrid(int chord_cells, int span_cells);
@@ -45,12 +45,12 @@ class BladeGrid {
 };
 
 /// Resamples sections into a grid: along each section from its point of least z to that of greatest z with
-/// cosine spacing, then smoothly across the sections, and from the hub surface up in equal steps. Where the
-/// sections start inside the hub they are clipped to it, where they start a little outside they are drawn
-/// down to it. The last row is the last section, or, with a shroud, lies on the shroud's inner surface.
+/// cosine spacing, then smoothly across the sections, and from the hub surface up in equal steps. Sections
+/// inside the hub are clipped to it; if the first section is slightly outside, the blade is extended to the
+/// hub. The last row is the last section or, with a shroud, lies on the shroud's inner surface.
 ///
-/// Throws std::invalid_argument: a section whose edges are undefined, a tip below the hub, a blade that
-/// starts too far outside the hub or does not reach the shroud, a blade that does not rise from row to row.
+/// Throws std::invalid_argument: a section with undefined edges, a tip below the hub, a blade that starts too
+/// far outside the hub or does not reach the shroud, a blade that does not rise from row to row.
 BladeGrid sampleBlade(const BladeSections& sections, const RadiusProfile& hub, const RadiusProfile* shroud,
                       int chord_cells, int span_cells);
 

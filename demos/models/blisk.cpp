@@ -22,7 +22,7 @@ constexpr std::size_t kMaxTriangles = 10'000'000;
 
 std::string mm(double value) { return std::to_string(value) + " mm"; }
 
-/// How finely a sector is cut.
+/// The fineness of a sector's mesh.
 struct Resolution {
   double spacing;  ///< mm
   int chord_cells, span_cells, passage_cells;
@@ -34,7 +34,7 @@ struct Resolution {
         passage_cells(cellsOf(passage, edge, 2)) {}
 
   static int cellsOf(double length, double edge, int least) {
-    constexpr double kMostCells = 1e8;  // far beyond any mesh: the count only has to stay a number
+    constexpr double kMostCells = 1e8;  // more than any mesh has, but convertible to an integer
     return static_cast<int>(std::lround(std::clamp<double>(length / edge, least, kMostCells)));
   }
 
@@ -102,8 +102,9 @@ struct UnrolledCell {
   }
 };
 
-/// In each row, the cells across the blade and across the passage tile the turn: if none is folded, neither
-/// the blade nor its neighbour crosses it. On a ring they must be convex too, since they are cut further.
+/// In each row, the cells across the blade and across the passage cover the turn: if none is folded, neither
+/// the blade nor its neighbour crosses it. On a ring they must also be convex, because they are divided
+/// further.
 void requireClearPassages(const BladeGrid& blade, double pitch, bool shrouded) {
   for (int row = 0; row <= blade.spanCells(); ++row) {
     const bool on_ring = row == 0 || (shrouded && row == blade.spanCells());

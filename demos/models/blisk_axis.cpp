@@ -22,7 +22,8 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kGreatestError = 0.005;  // of the tip radius
-constexpr int kLeastBlades = 3;  // about an axis tried: any ring is two alike halves about its diameter
+// Two would not do: any ring consists of two equal halves about its diameter.
+constexpr int kLeastBlades = 3;
 
 struct SurfaceMoments {
   double area = 0.0;
@@ -40,7 +41,8 @@ struct SurfaceMoments {
   }
 };
 
-/// The principal axes of the surface, that with the most equal moments about the other two first.
+/// The principal axes of the surface; the axis with the most nearly equal moments about the other two comes
+/// first.
 std::vector<BliskAxis> principalAxes(const TriangleMesh& mesh) {
   const Vec3 middle = mesh.bounds().center();
   SurfaceMoments moments;
@@ -61,14 +63,14 @@ std::vector<BliskAxis> principalAxes(const TriangleMesh& mesh) {
   return axes;
 }
 
-/// The direction whose greatest coordinate is above 0.
+/// The direction or its opposite, whichever has a positive greatest coordinate.
 Vec3 upright(const Vec3& direction) {
   Eigen::Index greatest = 0;
   direction.cwiseAbs().maxCoeff(&greatest);
   return direction[greatest] < 0.0 ? Vec3(-direction) : direction;
 }
 
-/// The axis of the polygon that the blades' centroids make; none where it is no proper one.
+/// The axis of the polygon formed by the blades' centroids; none if they form no polygon.
 std::optional<BliskAxis> axisOfBlades(const TriangleMesh& mesh, const BladesFound& blades) {
   if (blades.count < 3) return std::nullopt;
   std::vector<SurfaceMoments> of_blade(blades.count);
@@ -86,7 +88,7 @@ std::optional<BliskAxis> axisOfBlades(const TriangleMesh& mesh, const BladesFoun
   return BliskAxis{upright(solver.eigenvectors().col(0)), center};
 }
 
-/// See BliskFound; by up to some 2,000 vertices.
+/// See BliskFound; uses at most about 2,000 vertices.
 double repeatErrorOf(const ClusteredOctree& blisk, const BladesFound& blades) {
   constexpr std::size_t kSamples = 2'000;
   const TriangleMesh& mesh = blisk.mesh();
@@ -105,7 +107,7 @@ double repeatErrorOf(const ClusteredOctree& blisk, const BladesFound& blades) {
   return greatest;
 }
 
-/// The blades about an axis; none where there are none, or where they do not repeat.
+/// The blades about an axis; none if there are none, or if they do not repeat.
 std::optional<BliskFound> repeatingAbout(const TriangleMesh& mesh, const BliskAxis& axis) {
   BliskFound found{axis, meshInBlisk(axis), {}, 0.0};
   const auto in_blisk = std::make_shared<const TriangleMesh>(moved(mesh, found.mesh_in_blisk));
@@ -122,9 +124,9 @@ bool isProved(const std::optional<BliskFound>& found) {
 }  // namespace
 
 Pose meshInBlisk(const BliskAxis& axis) {
-  require(axis.direction.allFinite() && axis.point.allFinite(), "the axis must be of finite numbers");
+  require(axis.direction.allFinite() && axis.point.allFinite(), "the axis must consist of finite numbers");
   const double length = axis.direction.stableNorm();
-  require(length > 0.0, "the axis must have a direction");
+  require(length > 0.0, "the axis' direction must not be zero");
   const Vec3 z = axis.direction / length;
   constexpr double kNear = 0.9;
   const Vec3 reference = std::abs(z.x()) > kNear ? Vec3::UnitY() : Vec3::UnitX();
@@ -159,17 +161,19 @@ BliskFound findBlisk(const TriangleMesh& mesh) {
   }
   if (!best) {
     throw std::invalid_argument(
-        "no blades were found round the Z axis, nor round a principal axis of the surface");
+        "no blades were found about the Z axis or about a principal axis of the surface");
   }
   std::ostringstream message;
-  message << best->blades.count << " parts stand like blades about a principal axis, but turned by one pitch "
-          << "they are up to " << best->repeat_error << " mm off: no blisk, or its axis was not found";
+  message << best->blades.count
+          << " parts are arranged like blades about a principal axis, but after rotation by one pitch "
+          << "they are up to " << best->repeat_error
+          << " mm off: this is not a blisk, or its axis was not found";
   throw std::invalid_argument(message.str());
 }
 
 BliskFound findBlisk(const TriangleMesh& mesh, const BliskAxis& axis) {
   std::optional<BliskFound> found = repeatingAbout(mesh, axis);
-  if (!found) throw std::invalid_argument("no blades were found round the given axis");
+  if (!found) throw std::invalid_argument("no blades were found about the given axis");
   found->axis.direction.normalize();
   return *found;
 }

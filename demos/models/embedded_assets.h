@@ -1,4 +1,4 @@
-// The default models, built into the program: the checked-in files of assets/.
+// The default models, embedded in the program from the files of assets/.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ struct EmbeddedPart {
   TriangleMesh mesh;
 };
 
-/// The default belt grinder: belt, contact wheel, drive wheel, arm (belt_grinder.h), mm; the belt first.
+/// The default belt grinder: belt, contact wheel, drive wheel, arm (belt_grinder.h), in mm; the belt comes
+/// first.
 std::vector<EmbeddedPart> embeddedBeltGrinder();
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// The parts that triangles make as they are added from the outside in.
+// Tracks connected parts while triangles are added from the outside in.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// Triangles that hang together by shared vertices.
+/// Triangles connected by shared vertices.
 struct Part {
   std::uint32_t root = 0;  ///< one of its vertices
   double area = 0.0;
@@ -22,13 +22,13 @@ class GrowingParts {
   /// The surface must outlive the parts.
   explicit GrowingParts(const WeldedSurface& surface);
 
-  /// Adds all triangles beyond a radius and below another; the first must not grow from call to call.
+  /// Adds all triangles beyond `low` and below `high`; `low` must not grow from call to call.
   void addBetween(double low, double high);
 
   /// The vertex that stands for all of its part.
   std::uint32_t rootOf(std::uint32_t vertex);
 
-  /// Those that have an area.
+  /// The parts that have an area.
   std::vector<Part> parts();
 
  private:
@@ -43,7 +43,7 @@ class GrowingParts {
   std::vector<std::uint32_t> parent_;
   std::vector<Sums> sums_;
   std::vector<bool> seen_;
-  std::vector<std::uint32_t> roots_;  ///< and vertices that were roots
+  std::vector<std::uint32_t> roots_;  ///< includes vertices that used to be roots
   std::size_t next_ = 0;
 };
 

@@ -15,7 +15,7 @@ double innerSlope(double secant_before, double secant_after, double step_before,
   return (weight_before + weight_after) / (weight_before / secant_before + weight_after / secant_after);
 }
 
-/// The slope at an end: that of the parabola through three points, limited so that it stays monotone.
+/// The slope at an end: that of the parabola through three points, limited so that the curve stays monotone.
 double endSlope(double secant, double next_secant, double step, double next_step) {
   const double slope = ((2.0 * step + next_step) * secant - step * next_secant) / (step + next_step);
   if (slope * secant <= 0.0) return 0.0;
@@ -29,7 +29,8 @@ MonotoneCurve::MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points
     : knots_(std::move(knots)), points_(std::move(points)), slopes_(points_.size(), Vec3::Zero()) {
   const std::size_t count = points_.size();
   if (count < (ends == Ends::closed ? 3u : 2u) || knots_.size() != count) {
-    throw std::invalid_argument("a curve needs one knot a point, and two points (three where closed)");
+    throw std::invalid_argument(
+        "a curve needs one knot per point, and at least two points (three if closed)");
   }
   std::vector<double> steps;
   std::vector<Vec3> secants;

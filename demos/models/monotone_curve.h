@@ -1,4 +1,4 @@
-// A smooth curve through given points that never overshoots them.
+// A smooth curve through given points that never overshoots.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ class MonotoneCurve {
  public:
   enum class Ends { open, closed };  ///< closed: the last point repeats the first, and the slopes join
 
-  /// Knots are strictly increasing, one a point, at least two (three where closed).
-  /// Throws std::invalid_argument otherwise.
+  /// Knots are strictly increasing, one per point, at least two (three if closed). Throws
+  /// std::invalid_argument otherwise.
   MonotoneCurve(std::vector<double> knots, std::vector<Vec3> points, Ends ends = Ends::open);
 
-  /// The point at a parameter; outside the knots the curve goes on straight, along its end slope.
+  /// The point at a parameter; outside the knots the curve is straight, with its end slope.
   Vec3 at(double parameter) const;
 
  private:

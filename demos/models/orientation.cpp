@@ -30,11 +30,11 @@ TriangleMesh turned(const TriangleMesh& mesh) {
 TriangleMesh withOneWinding(const TriangleMesh& mesh, std::size_t& turned) {
   struct Edge {
     std::uint32_t low, high, triangle;
-    bool rises;  // the triangle goes from the lower vertex to the higher
+    bool rises;  // the triangle runs from the lower vertex to the higher
   };
   struct Beside {
     std::uint32_t triangle;
-    bool is_opposed;  // it uses the edge the same way
+    bool is_opposed;  // both use the edge in the same direction
   };
   const WeldedSurface surface(mesh);
   std::vector<Edge> edges;
@@ -65,7 +65,7 @@ TriangleMesh withOneWinding(const TriangleMesh& mesh, std::size_t& turned) {
     if (turn[start] >= 0) continue;
     part = {start};
     turn[start] = 0;
-    std::size_t count = 0;  // of those turned
+    std::size_t count = 0;  // of reversed triangles
     for (std::size_t next = 0; next < part.size(); ++next) {
       for (const auto& [triangle, is_opposed] : beside[part[next]]) {
         const auto wanted = static_cast<signed char>(turn[part[next]] ^ static_cast<int>(is_opposed));
@@ -74,7 +74,8 @@ TriangleMesh withOneWinding(const TriangleMesh& mesh, std::size_t& turned) {
           count += static_cast<std::size_t>(wanted);
           part.push_back(triangle);
         } else if (turn[triangle] != wanted) {
-          throw std::invalid_argument("its triangles cannot face one way: the surface has one side alone");
+          throw std::invalid_argument(
+              "its triangles cannot be oriented consistently: the surface is one-sided");
         }
       }
     }

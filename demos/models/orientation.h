@@ -1,4 +1,4 @@
-// Which way the triangles of a mesh face.
+// Orients the triangles of a mesh.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 namespace octoblisk::demos {
 
 /// The volume that the triangles enclose, by the divergence theorem about the middle of the mesh (mm³):
-/// negative where they face inward. Of an open mesh its sign tells the way that most of it faces.
+/// negative if they face inward. For an open mesh its sign is the orientation of the greater part.
 double enclosedVolume(const TriangleMesh& mesh);
 
-/// The same mesh with every triangle facing the other way; indices stay.
+/// The same mesh with every triangle reversed; indices stay.
 TriangleMesh turned(const TriangleMesh& mesh);
 
-/// The same mesh with all triangles of a part facing the same side of it: walking over edges that two
-/// triangles share, those are turned that use the edge the same way as the other. Of each part the fewer are
-/// turned; `turned` is their number. Vertices at equal coordinates count as one. Throws std::invalid_argument
-/// where there is no such way: a surface with one side.
+/// The same mesh with all triangles of a part on the same side of it. Across an edge of two triangles, a
+/// triangle is reversed if it uses the edge in the same direction as the other. In each part the smaller
+/// number is reversed; `turned` is the total. Vertices at equal coordinates count as one. Throws
+/// std::invalid_argument for a one-sided surface.
 TriangleMesh withOneWinding(const TriangleMesh& mesh, std::size_t& turned);
 
 }  // namespace octoblisk::demos

@@ -19,11 +19,12 @@ TriangleMesh readOutward(const std::filesystem::path& file, std::vector<std::str
   if (turned_round > 0) {
     notes.push_back(file.string() + ": " + std::to_string(turned_round) + " of its " +
                     std::to_string(mesh.triangleCount()) +
-                    (turned_round == 1 ? " triangles faces" : " triangles face") +
-                    " the other way than those beside; turned round");
+                    (turned_round == 1
+                         ? " triangles faces the opposite way to its neighbours; it is reversed"
+                         : " triangles face the opposite way to their neighbours; they are reversed"));
   }
   if (enclosedVolume(mesh) >= 0.0) return mesh;
-  notes.push_back(file.string() + ": its triangles face inward; turned round");
+  notes.push_back(file.string() + ": its triangles face inward; they are reversed");
   return turned(mesh);
 }
 

@@ -1,4 +1,4 @@
-// A user's mesh, with all its triangles facing outward.
+// Reads a user's mesh and makes all its triangles face outward.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace octoblisk::demos {
 
-/// Depths and normals are measured along the triangles' outward normals. So triangles that face the other way
-/// than those beside them are turned (orientation.h), and all are where the mesh faces inward. A note, of one
-/// line that names the file, for either. Throws as readMesh, and std::runtime_error naming a file whose
-/// surface has one side alone.
+/// Depths and normals are measured along the triangles' outward normals. So triangles that face the opposite
+/// way to their neighbours are reversed (orientation.h), and all triangles are reversed if the mesh faces
+/// inward. Each case adds a one-line note that names the file. Throws as readMesh, and std::runtime_error
+/// naming a file with a one-sided surface.
 TriangleMesh readOutward(const std::filesystem::path& file, std::vector<std::string>& notes);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// Degrees as radians.
+// Converts degrees to radians.
 #pragma once
 
 #include <numbers>

@@ -18,7 +18,7 @@ RadiusProfile::RadiusProfile(std::vector<Point> points) : points_(std::move(poin
       throw std::invalid_argument(name + " must have a finite z and a positive radius");
     }
     if (p > 0 && !(points_[p].z > points_[p - 1].z)) {
-      throw std::invalid_argument(name + " must have a greater z than the point before it");
+      throw std::invalid_argument(name + " must have a greater z than the previous point");
     }
   }
 }
@@ -52,10 +52,10 @@ RadiusProfile readHubProfile(const std::filesystem::path& file) {
     if (point.radius <= 0.0)
       throw std::runtime_error(atLine(file, row.line, "the radius must be above 0 mm"));
     if (std::max(std::abs(point.z), point.radius) > kMaxLength) {
-      throw std::runtime_error(atLine(file, row.line, "a length is beyond 100,000 mm"));
+      throw std::runtime_error(atLine(file, row.line, "a length exceeds 100,000 mm"));
     }
     if (!points.empty() && point.z <= points.back().z) {
-      throw std::runtime_error(atLine(file, row.line, "z must be greater than in the row before"));
+      throw std::runtime_error(atLine(file, row.line, "z must be greater than in the previous row"));
     }
     points.push_back(point);
   }

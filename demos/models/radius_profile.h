@@ -14,8 +14,8 @@ class RadiusProfile {
     double radius = 0.0;  ///< mm, positive
   };
 
-  /// At least two points, z strictly increasing, radii positive.
-  /// Throws std::invalid_argument naming the offending point, counted from 1.
+  /// At least two points, z strictly increasing, radii positive. Throws std::invalid_argument naming the
+  /// first invalid point, counted from 1.
   explicit RadiusProfile(std::vector<Point> points);
 
   double radiusAt(double z) const;
@@ -28,7 +28,8 @@ class RadiusProfile {
   std::vector<Point> points_;
 };
 
-/// A cylinder from z = -half_length to +half_length (mm). Throws std::invalid_argument on a size not above 0.
+/// A cylinder from z = -half_length to +half_length (mm). Throws std::invalid_argument for a size not above
+/// 0.
 RadiusProfile cylinderProfile(double radius, double half_length);
 
 /// Reads a hub profile: CSV with the header `z,r`, mm, at least two points, z strictly increasing, r

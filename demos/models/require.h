@@ -1,4 +1,4 @@
-// A demand on what the caller gives.
+// A precondition.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace octoblisk::demos {
 
-/// Throws std::invalid_argument with the message unless it holds.
+/// Throws std::invalid_argument with the message unless `holds`.
 inline void require(bool holds, const std::string& message) {
   if (!holds) throw std::invalid_argument(message);
 }

@@ -1,4 +1,4 @@
-// The rings of a blisk, hub and shroud: surfaces of revolution the blades stand on or reach up to.
+// The rings of a blisk, hub and shroud: surfaces of revolution that the blades stand on or reach up to.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// A part of a ring's meridian between two corners, straight or along a profile.
+/// A piece of a ring's meridian between two corners, straight or along a profile.
 struct MeridianLeg {
   double z_start, z_end;
   double radius_start, radius_end;
@@ -17,23 +17,24 @@ struct MeridianLeg {
   double lift = 0.0;
   double coarseness = 1.0;  ///< size of its cells, as a multiple of those along the blade
 
-  /// How many cells it is cut into at a spacing along the blade (mm), at least one.
+  /// The number of its cells at a spacing along the blade (mm), at least one.
   int cells(double spacing) const;
 
-  /// The point at a fraction 0..1 of the way, turned to an angle.
+  /// The point at a fraction 0..1 of the piece, at an angle.
   CylindricalPoint at(double fraction, double angle) const;
 };
 
-/// A hub or shroud: the surface the blades stand on, and the way round it, upstream end first.
+/// A hub or shroud: the surface with the blades, and the pieces around the ring, beginning at the upstream
+/// end.
 struct Ring {
   const RadiusProfile& surface;
-  std::vector<MeridianLeg> band;  ///< from the leading edges' row to the trailing edges'
+  std::vector<MeridianLeg> band;  ///< from the row of the leading edges to that of the trailing edges
   int blade_row;                  ///< the blades' row that lies on the surface
-  bool faces_axis;                ///< whether the surface with the blades looks towards the axis
+  bool faces_axis;                ///< whether the surface with the blades faces the axis
 };
 
-/// Along the hub to its front face, down it to the bore, through it and up the back face. Where no tool goes,
-/// the cells are coarse. Lengths in mm.
+/// Along the hub to its front face, down it to the bore, through the bore and up the back face. Cells are
+/// coarse where no tool goes. Lengths in mm.
 std::vector<MeridianLeg> hubBand(const RadiusProfile& hub, double bore_radius, double z_leading,
                                  double z_trailing);
 
@@ -42,8 +43,8 @@ std::vector<MeridianLeg> hubBand(const RadiusProfile& hub, double bore_radius, d
 std::vector<MeridianLeg> shroudBand(const RadiusProfile& inner, const BliskOptions& options, double z_leading,
                                     double z_trailing);
 
-/// The shroud's inner surface: through the middle of the last section, from edge to edge.
-/// Throws std::invalid_argument where that section's middle goes back in z.
+/// The shroud's inner surface: through the middle of the last section, from edge to edge. Throws
+/// std::invalid_argument if the middle of that section runs backward in z.
 RadiusProfile tipProfile(const BladeGrid& blade);
 
 }  // namespace octoblisk::demos

@@ -74,7 +74,7 @@ SectorBuilder::Row SectorBuilder::passageRow(const Ring& ring, int station) {
   return row;
 }
 
-/// The vertex of any column of a row that goes once round, counted on into the other sectors.
+/// The vertex of any column of a row that goes around once, continued into the other sectors.
 SectorVertex SectorBuilder::inColumn(const Row& row, int column) const {
   const int wrapped = ((column % passage_cells_) + passage_cells_) % passage_cells_;
   SectorVertex result = row[wrapped];
@@ -82,8 +82,9 @@ SectorVertex SectorBuilder::inColumn(const Row& row, int column) const {
   return result;
 }
 
-/// The band's columns stand on the leading edges' row. The trailing edges' lie turned against it by the
-/// blades' wrap: whole columns of it are counted, and the last leg turns by the rest.
+/// The band's columns start at the row of the leading edges. The row of the trailing edges is rotated
+/// relative to it by the blades' wrap: whole columns of the wrap are counted, and the last leg rotates by the
+/// rest.
 void SectorBuilder::addBand(const Ring& ring, double spacing, const Row& leading_row,
                             const Row& trailing_row) {
   const double column_angle = mesh_.pitch() / passage_cells_;
@@ -116,7 +117,7 @@ void SectorBuilder::addBand(const Ring& ring, double spacing, const Row& leading
   addRow(before, 0, trailing_row, -whole_columns);
 }
 
-/// A cell of a ring, its corners counter-clockwise seen from far off the axis.
+/// A cell of a ring; its corners are counter-clockwise seen from far off the axis.
 void SectorBuilder::addCell(const Ring& ring, SectorVertex a, SectorVertex b, SectorVertex c,
                             SectorVertex d) {
   if (ring.faces_axis) {

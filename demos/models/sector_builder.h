@@ -1,4 +1,4 @@
-// One sector of a blisk: a blade, and the passage on its side of greater angles.
+// Builds one sector of a blisk: a blade, and the passage on its side of greater angles.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,21 @@
 
 namespace octoblisk::demos {
 
-/// Adds a blade and the rings' parts of one sector to a mesh, all sharing the blade's vertices.
+/// Adds a blade and the rings' parts of one sector to a mesh; all share the blade's vertices.
 ///
 /// Where a ring meets the blades it is one grid: columns from the blade's forward side to the next blade's
-/// backward side, rows from the leading edges' to the trailing edges'. From the leading edges' row that grid
-/// goes on as a band, upstream, round the ring's meridian and back to the trailing edges' row.
+/// backward side, rows from the leading edges to the trailing edges. From the row of the leading edges that
+/// grid continues as a band, upstream, around the ring's meridian and back to the row of the trailing edges.
 class SectorBuilder {
  public:
-  /// The grid and the mesh must outlive the builder. Passage cells: columns from blade to blade.
+  /// The grid and the mesh must outlive the builder. `passage_cells` is the number of columns from blade to
+  /// blade.
   SectorBuilder(const BladeGrid& blade, int passage_cells, SectorMesh& mesh);
 
   void addBlade();
   void addTipCap();
 
-  /// Spacing: of the cells along the blade, mm.
+  /// `spacing` is that of the cells along the blade, mm.
   void addRing(const Ring& ring, double spacing);
 
  private:

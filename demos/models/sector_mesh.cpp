@@ -33,7 +33,7 @@ void SectorMesh::addQuad(SectorVertex a, SectorVertex b, SectorVertex c, SectorV
   };
   const bool flat_along_ac = agree({corner_a, corner_b, corner_c}, {corner_a, corner_c, corner_d});
   const bool flat_along_bd = agree({corner_a, corner_b, corner_d}, {corner_b, corner_c, corner_d});
-  constexpr double kTie = 1.0 + 1e-6;  // equal diagonals are all cut the same way, whatever the rounding
+  constexpr double kTie = 1.0 + 1e-6;  // equal diagonals are all cut in the same way, whatever the rounding
   const bool ac_is_shorter = (corner_c - corner_a).norm() <= kTie * (corner_d - corner_b).norm();
   if (flat_along_ac == flat_along_bd ? ac_is_shorter : flat_along_ac) {
     faces_.push_back({{a, b, c}, of_blade});

@@ -9,7 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// A vertex of the described sector, or the same vertex some sectors on (towards greater angles) or back.
+/// A vertex of the described sector, or the same vertex some sectors forward (towards greater angles) or
+/// backward.
 struct SectorVertex {
   std::uint32_t index = 0;
   int sector = 0;
@@ -27,11 +28,11 @@ class SectorMesh {
 
   SectorVertex addVertex(const CylindricalPoint& point);
 
-  /// Adds a face with corners counter-clockwise from outside, cut along its shorter diagonal unless that
-  /// folds it. Two neighbouring corners may be the same; it is one triangle then.
+  /// Adds a face with corners counter-clockwise from outside, divided along its shorter diagonal unless that
+  /// folds it. Two neighbouring corners may be the same; then it is one triangle.
   void addQuad(SectorVertex a, SectorVertex b, SectorVertex c, SectorVertex d, bool of_blade);
 
-  /// All sectors. Faces of blades carry their sector's number, from 1; the others 0.
+  /// All sectors. Faces of blades have their sector's number, from 1; the others have 0.
   Blisk repeat() const;
 
  private:

@@ -1,4 +1,4 @@
-// A mesh's tree with the default options, to be shared.
+// Builds a mesh's tree with the default options, for sharing.
 #pragma once
 
 #include <memory>

@@ -9,7 +9,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// A contour's half, by the part of its length.
+/// Half of a contour, parametrised by the fraction of its length.
 class Along {
  public:
   explicit Along(std::vector<ContourPoint> points) : points_(std::move(points)) {
@@ -42,7 +42,7 @@ SideGrid::SideGrid(const BladeContours& contours, BladeSide side, int rows, int 
   rows_ = static_cast<std::size_t>(rows);
   columns_ = static_cast<std::size_t>(columns);
   const auto lineAt = [&](double height) {
-    constexpr double kEnd = 1e-3;  // root and tip are corners of the mesh, where contours end
+    constexpr double kEnd = 1e-3;  // contours end at root and tip, which are corners of the mesh
     BladeContour contour = contours.at(std::clamp(height, kEnd, 1.0 - kEnd));
     return Along(std::move(side == BladeSide::forward ? contour.forward : contour.backward));
   };

@@ -10,7 +10,7 @@
 namespace octoblisk::demos {
 
 /// Cells of equal steps over the height (root 0, tip 1) and over the chord (leading edge 0, trailing edge 1),
-/// which is measured along the contours of equal height. Row by row, the lowest first.
+/// which is measured along the contours of equal height. They are ordered row by row, the lowest first.
 class SideGrid {
  public:
   /// Throws as BladeContours::at; rows and columns must be above 0.
@@ -24,11 +24,11 @@ class SideGrid {
   double heightOf(std::size_t cell) const { return middle(cell / columns_, rows_); }
   double chordOf(std::size_t cell) const { return middle(cell % columns_, columns_); }
   const ContourPoint& middleOf(std::size_t cell) const { return middles_[cell]; }
-  /// The cells' corners: one more than cells in each row, and one more row.
+  /// The cells' corners: in each row one more than there are cells, and one more row.
   const std::vector<Vec3>& corners() const { return corners_; }
   double areaOf(std::size_t cell) const { return areas_[cell]; }
 
-  /// Two triangles a cell, in the order of the cells, that face outward as the blade does.
+  /// Two triangles per cell, in the order of the cells, facing outward like the blade.
   TriangleMesh mesh() const;
 
  private:

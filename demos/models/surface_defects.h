@@ -1,4 +1,5 @@
-// What keeps a surface from bounding a solid: open edges, non-manifold edges, duplicate triangles.
+// Finds the defects that keep a surface from bounding a solid: open edges, non-manifold edges, duplicate
+// triangles.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@ namespace octoblisk::demos {
 
 struct FaultyEdges {
   std::size_t count = 0;
-  std::array<Vec3, 2> first = {Vec3::Zero(), Vec3::Zero()};  ///< of the lowest triangle that has one
+  std::array<Vec3, 2> first = {Vec3::Zero(), Vec3::Zero()};  ///< of the lowest triangle with such an edge
 };
 
 struct SurfaceDefects {
@@ -19,8 +20,8 @@ struct SurfaceDefects {
   FaultyEdges non_manifold = {};  ///< edges of more than two triangles
   std::size_t duplicates = 0;     ///< triangles with the same three corners as a lower one
   std::size_t first_duplicate = 0;
-  bool is_closed =
-      true;  ///< every edge has an even number of triangles: what octoblisk::Surface calls closed
+  /// Every edge has an even number of triangles, which octoblisk::Surface calls closed.
+  bool is_closed = true;
 
   bool none() const { return open.count + non_manifold.count + duplicates == 0; }
 };
@@ -29,7 +30,7 @@ struct SurfaceDefects {
 SurfaceDefects defectsOf(const TriangleMesh& mesh);
 
 /// "3 of its edges are open, the first from (0 0 1) to (0 1 1); 1 of its edges is non-manifold, from …; 2 of
-/// its triangles are duplicates, the first number 7": those of the three that it has.
+/// its triangles are duplicates, the first number 7": only those of the three that occur.
 std::string describe(const SurfaceDefects& defects);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// A tree of some triangles of a mesh.
+// Builds a tree of some triangles of a mesh.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace octoblisk::demos {
 
-/// In their order, without the vertices that they do not use, which would widen the mesh's bounds. Throws as
-/// ClusteredOctree::build.
+/// The triangles keep their order. Unused vertices are left out, because they would enlarge the mesh's
+/// bounds. Throws as ClusteredOctree::build.
 std::shared_ptr<const ClusteredOctree> treeOfTriangles(const TriangleMesh& mesh,
                                                        std::vector<TriangleMesh::Indices> triangles);
 

@@ -1,4 +1,4 @@
-// Figure 7: the flow chart of the paper's algorithm, as it is run here.
+// Figure 7: the flow chart of the paper's algorithm as this project runs it.
 #pragma once
 
 #include "render/flow_chart.h"

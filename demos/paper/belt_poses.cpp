@@ -10,7 +10,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// K. Shoemake, Uniform random rotations, 1992.
+/// After K. Shoemake, Uniform random rotations, 1992.
 Mat3 randomRotation(std::mt19937_64& random) {
   const double split = uniform(random);
   const double first = 2.0 * std::numbers::pi * uniform(random);

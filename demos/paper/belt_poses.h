@@ -1,4 +1,4 @@
-// Poses of the belt that ask a box test for its false alarms.
+// Poses of the belt that test boxes for false alarms.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// A pose of the belt and what the exact triangles say about it.
+/// A pose of the belt and its exact verdict on the triangles.
 struct BeltPose {
   Pose belt_in_mesh;
   bool touches = false;
@@ -19,7 +19,7 @@ std::vector<BeltPose> judged(const ClusteredOctree& mesh, const ClusteredOctree&
                              const std::vector<Pose>& path);
 
 /// Seeded poses about a body: any rotation, and a random vertex of the belt within a cube of ±reach mm about
-/// a random vertex of the body. The same bits for the same seed.
+/// a random vertex of the body. The poses are the same, bit for bit, for the same seed.
 std::vector<BeltPose> posesAbout(const ClusteredOctree& body, const ClusteredOctree& belt, std::size_t count,
                                  double reach, std::uint64_t seed);
 

@@ -62,8 +62,8 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   Table table{
       .name = "blisk_ranges",
       .caption =
-          "Range of the whole blisk: volume of the boxes that a detection begins with (10⁴ mm³), and its "
-          "change against the one box along the axes",
+          "Range of the whole blisk: the volume of the boxes with which a detection begins (10⁴ mm³), and "
+          "its change compared with one box along the axes",
       .columns = {"division", "boxes", "along the axes", "change", "principal axes", "change of these"},
       .rows = {rowOf("one box", ranges.whole, ranges.whole)}};
   for (const BliskRange& range : ranges.at_once) {
@@ -71,7 +71,7 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   }
   for (const BliskRange& range : ranges.by_parts) {
     const std::string name =
-        range.k == 1 ? "parts alone" : "parts, then k = " + std::to_string(range.k) + " each";
+        range.k == 1 ? "only parts" : "parts, then k = " + std::to_string(range.k) + " each";
     table.rows.push_back(rowOf(name, range, ranges.whole));
   }
   const auto best = [](const std::vector<BliskRange>& of, double BliskRange::*volume) {
@@ -82,23 +82,25 @@ Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades) {
   const BliskRange& paper_choice = ranges.by_parts[1];
   return {
       .title = "The whole blisk: parts first, or clusters at once",
-      .paragraphs =
-          {"The paper divides the blisk into its blades, and each of these into clusters. k-means over the "
-           "whole blisk at once makes boxes that are together larger than the one box along the axes for " +
-               countLarger(ranges.at_once, one, axis_aligned) + " values of k along the axes, and for " +
-               countLarger(ranges.at_once, one, principal) +
-               " in principal frames; at best the range changes by " +
-               changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
-               changeText(one, best(ranges.at_once, principal)) + ". Divided first into its " +
-               countedText(blades, "blade", "blades") + " and the hub, each in one box, it changes by " +
-               changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
-               changeText(one, ranges.by_parts[0].principal) + "; with k = 2 clusters of each part by " +
-               changeText(one, paper_choice.axis_aligned) + " and " +
-               changeText(one, paper_choice.principal) + ", with the best k by " +
-               changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
-               changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
-               changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
-           "Volumes are sums: where boxes overlap, what they share counts for each."},
+      .paragraphs = {"The paper divides the blisk into its blades, and each blade into clusters. k-means "
+                     "over the whole blisk at once makes boxes with a total volume above that of the one box "
+                     "along the axes for " +
+                         countLarger(ranges.at_once, one, axis_aligned) +
+                         " values of k along the axes, and for " +
+                         countLarger(ranges.at_once, one, principal) +
+                         " in principal frames; at best it changes the range by " +
+                         changeText(one, best(ranges.at_once, axis_aligned)) + " and " +
+                         changeText(one, best(ranges.at_once, principal)) + ". A division into the " +
+                         countedText(blades, "blade", "blades") +
+                         " and the hub, each in one box, changes it by " +
+                         changeText(one, ranges.by_parts[0].axis_aligned) + " and " +
+                         changeText(one, ranges.by_parts[0].principal) +
+                         "; with k = 2 clusters per part by " + changeText(one, paper_choice.axis_aligned) +
+                         " and " + changeText(one, paper_choice.principal) + ", with the best k by " +
+                         changeText(one, best(ranges.by_parts, axis_aligned)) + " and " +
+                         changeText(one, best(ranges.by_parts, principal)) + ". The paper's Table 3 has " +
+                         changeText(kPublishedTraditionalRange, kPublishedImprovedRange) + ".",
+                     "Volumes are sums: a volume that several boxes share counts once for each of them."},
       .tables = {std::move(table)}};
 }
 

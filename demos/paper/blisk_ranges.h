@@ -1,4 +1,4 @@
-// How the whole blisk's cloud is best divided: by k-means at once, or into its parts first.
+// Compares ways to divide the whole blisk's cloud: by k-means at once, or into its parts first.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace octoblisk::demos {
 
-/// Volumes of the boxes that a way of dividing begins with, mm³: the collision detection range. The boxes are
-/// of points, as the paper's are; those of the library's detectionRange hold whole triangles.
+/// Volumes of the boxes with which a detection begins, mm³: the collision detection range. Like the paper's,
+/// the boxes enclose points; those of the library's detectionRange enclose whole triangles.
 struct BliskRange {
-  std::size_t k = 0;          ///< clusters of the whole, or of each part
-  std::size_t boxes = 0;      ///< how many there are
+  std::size_t k = 0;          ///< clusters of the whole, or per part
+  std::size_t boxes = 0;      ///< number of boxes
   double axis_aligned = 0.0;  ///< boxes along the axes
   double principal = 0.0;     ///< boxes along the principal axes of each
 };
@@ -25,10 +25,10 @@ struct BliskRanges {
   std::vector<BliskRange> by_parts;  ///< parts first (blades, hub), then k clusters of each, k = 1..8
 };
 
-/// Of the parts' clouds, each of at least 8 points; k of the options is not asked.
+/// `parts` are the parts' clouds, each with at least 8 points; the k of the options is ignored.
 BliskRanges findBliskRanges(std::span<const Points> parts, const detail::KMeansOptions& k_means);
 
-/// What the report says of it.
+/// The section of the report.
 Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades);
 
 }  // namespace octoblisk::demos

@@ -14,8 +14,8 @@ using namespace detail;
 
 namespace {
 
-/// Goes down from the root to the leaves with points for which every cell on the way is kept, until
-/// visit(cell, leaf) says true; then returns true.
+/// Descends from the root to the leaves with points, through cells that pass `keep`, until visit(cell, leaf)
+/// returns true; then returns true.
 template <typename Keep, typename Visit>
 bool descend(const Octree& octree, const Octree::Node& node, const Keep& keep, const Visit& visit) {
   if (node.count() == 0) return false;
@@ -37,7 +37,7 @@ bool descend(const Segmentation& blisk, const Keep& keep, const Visit& visit) {
   return false;
 }
 
-/// The slots below a box that is no leaf.
+/// The slots below a box that is not a leaf.
 template <typename Visit>
 void forEachBelow(const Tree& tree, Slot slot, const Visit& visit) {
   const std::uint32_t node = tree.child(slot).node();
@@ -46,7 +46,7 @@ void forEachBelow(const Tree& tree, Slot slot, const Visit& visit) {
   }
 }
 
-/// The same in a clustered octree, where the leaves' boxes hold whole triangles.
+/// The same in a clustered octree, whose leaf boxes contain whole triangles.
 template <typename Keep, typename Visit>
 bool descend(const Tree& tree, Slot slot, const Keep& keep, const Visit& visit) {
   const Obb box = tree.box(slot);
@@ -76,7 +76,7 @@ class PairDescent {
  private:
   BodyBox bodyBox(Slot slot) const { return {slot, body_in_blisk_ * body_.box(slot)}; }
 
-  /// `near` are the body's boxes that may overlap, no two one above the other.
+  /// `near` are the body's boxes that may overlap; none is below another.
   void visit(Slot slot, std::vector<BodyBox> near) {
     const Obb box = blisk_.box(slot);
     const bool is_leaf = blisk_.child(slot).isLeaf();

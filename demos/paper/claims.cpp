@@ -6,15 +6,15 @@ namespace octoblisk::demos {
 
 Section claimsSection(const std::vector<Claim>& claims) {
   Table table{.name = "claims",
-              .caption = "What the paper claims of its improved method, and what it did here",
+              .caption = "The paper's claims for its improved method, and its results here",
               .columns = {"claim", "paper", "here"},
               .rows = {}};
   for (const Claim& claim : claims) table.rows.push_back({claim.claim, claim.paper, claim.here});
-  return {
-      .title = "The claims",
-      .paragraphs = {"A share is a change against the traditional method: below 0, the improved one needs "
-                     "less. How each is found, and what it hides, is said in the section of its table."},
-      .tables = {std::move(table)}};
+  return {.title = "The claims",
+          .paragraphs = {"A percentage is a change compared with the traditional method: below 0, the "
+                         "improved method needs less. The section of each table explains how the numbers are "
+                         "found and what they leave out."},
+          .tables = {std::move(table)}};
 }
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// The paper's claims, each beside what the same experiment gave here.
+// The paper's claims, each beside the result of the same experiment here.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// A change against the traditional method, as a rule: "-12.8 %".
+/// Usually a change compared with the traditional method: "-12.8 %".
 struct Claim {
   std::string claim;
   std::string paper, here;

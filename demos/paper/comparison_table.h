@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// Rows: the range, and the least, the median and the greatest time of the runs; times here with so many
-/// digits.
+/// Rows: the range, and the least, the median and the greatest time of the runs; our times have this number
+/// of digits.
 Table comparisonTable(std::string name, std::string caption, const DetectionTable& here,
                       const DetectionTable& paper, int digits_of_seconds);
 

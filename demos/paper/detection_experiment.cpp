@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// One way to detect: what is left at a pose of the belt.
+/// A detection method, applied to a pose of the belt.
 struct Detector {
   std::string method;
   double range = 0.0;  // mm³
@@ -25,7 +25,7 @@ struct Detector {
   bool is_exact = false;
 };
 
-/// What it calls colliding, and what it leaves.
+/// The poses that it calls colliding, and the volumes that it leaves.
 DetectionRow judgedRow(const Detector& detector, const std::vector<BeltPose>& ground,
                        const std::vector<BeltPose>& lifted) {
   DetectionRow row{.method = detector.method, .range = detector.range, .is_exact = detector.is_exact};
@@ -84,7 +84,7 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
       [&blisk, belt_box](const Pose& pose) { return leavesNear(blisk, pose * belt_box); }};
   detectors[kOursBothBoxes] = {"ours, boxes against the belt's boxes", our_range,
                                [&](const Pose& pose) { return leavesNear(blisk, belt, pose); }};
-  detectors[kOursPairs] = {"ours, exact: all pairs of triangles that touch", our_range,
+  detectors[kOursPairs] = {"ours, exact: all touching triangle pairs", our_range,
                            [&, pairs = std::vector<TrianglePair>()](const Pose& pose) mutable {
                              touchingPairs(blisk, belt, pose, pairs);
                              return BoxesLeft{0, pairs.size(), 0.0};
@@ -98,7 +98,7 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
   return detectors;
 }
 
-/// All methods in turn, run by run: what disturbs the machine disturbs all.
+/// Times all methods in turn, run by run, so that a disturbance of the machine affects all of them.
 void timeRuns(const std::vector<Detector>& detectors, const std::vector<BeltPose>& path, int runs,
               std::vector<DetectionRow>& rows, const Progress& progress) {
   for (int run = 0; run < runs; ++run) {
@@ -109,7 +109,7 @@ void timeRuns(const std::vector<Detector>& detectors, const std::vector<BeltPose
   }
 }
 
-/// Leaf boxes, and whether the belt's triangles meet any of them.
+/// Leaf boxes, and a test whether the belt's triangles meet any of them.
 struct Cover {
   std::string boxes;
   std::function<bool(const Pose& belt_in_blisk)> meets;
@@ -126,10 +126,10 @@ std::vector<Cover> coversOf(const ClusteredOctree& blisk, const ClusteredOctree&
   };
   std::vector<Cover> covers(kHoleKinds);
   covers[kCellsTraditional] = {"cells of the traditional octree", cells(paper.traditional)};
-  covers[kCellsImproved] = {"cells of the paper's improved one", cells(paper.improved)};
-  covers[kFittedTraditional] = {"boxes round the points of the traditional cells",
+  covers[kCellsImproved] = {"cells of the paper's improved octree", cells(paper.improved)};
+  covers[kFittedTraditional] = {"boxes around the points of the traditional cells",
                                 fitted(std::span(&paper.whole, 1), paper.traditional)};
-  covers[kFittedImproved] = {"boxes round the points of the improved cells",
+  covers[kFittedImproved] = {"boxes around the points of the improved cells",
                              fitted(paper.clusters, paper.improved)};
   covers[kWholeTriangles] = {"boxes of whole triangles, ours",
                              [&](const Pose& pose) { return anyLeafMeets(blisk, belt, pose); }};

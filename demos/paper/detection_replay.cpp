@@ -11,11 +11,11 @@
 namespace octoblisk::demos {
 namespace {
 
-// Of detectionVerdicts().
+// Indices into detectionVerdicts().
 enum DetectionVerdict : std::size_t { kVerdictFound, kVerdictClear, kVerdictFalseAlarm, kVerdictMissed };
 
 std::vector<ReplayVerdict> detectionVerdicts() {
-  return {{"touches, called colliding", Tone::intended},
+  return {{"touching, called colliding", Tone::intended},
           {"clear, called clear", Tone::clear},
           {"false alarm", Tone::interference},
           {"missed", Tone::interference}};
@@ -26,7 +26,7 @@ DetectionVerdict verdictOf(const BeltPose& pose, const PoseDetection& called) {
   return called.colliding ? kVerdictFalseAlarm : kVerdictClear;
 }
 
-/// Of each blade the deepest pair of triangles that touch.
+/// The deepest touching triangle pair of each blade.
 std::map<int, Contact> deepestOfBlades(const DetectionScene& scene, const Pose& belt_in_blisk,
                                        std::vector<Contact>& found) {
   contacts(*scene.blisk, *scene.belt, belt_in_blisk, 0.0, found);
@@ -41,7 +41,7 @@ std::map<int, Contact> deepestOfBlades(const DetectionScene& scene, const Pose& 
 
 constexpr double kCubicCentimetre = 1e3;  // mm³
 
-/// One of the two paths, by what was found at each of its poses.
+/// The results at each pose of one of the two paths.
 struct Called {
   const std::vector<PoseDetection>&improved, &ours;
 };
@@ -69,7 +69,7 @@ ReplayTrack detectionTrack(const DetectionScene& scene, const std::string& name,
     }
     const double left = called.improved[p].volume_left / kCubicCentimetre;
     pose.text += nearest == 0 ? std::string("the hub") : "blade " + std::to_string(nearest);
-    pose.text += "; the boxes leave " + fixedText(left, 2) + " cm³ to be examined";
+    pose.text += "; the boxes leave " + fixedText(left, 2) + " cm³ to examine";
     track.poses.push_back(std::move(pose));
     clearance.values.push_back(apart.distance);
     improved.values.push_back(left);
@@ -95,10 +95,10 @@ std::vector<Table> detectionFacts(const DetectionScene& scene, const DetectionRe
            .caption = "Limits and tolerances",
            .rows = {{"Method", result.rows[kImproved].method},
                     {"Points", std::to_string(result.cloud_points)},
-                    {"FNOP, most points of a leaf", std::to_string(result.options.fnop)},
+                    {"FNOP, greatest number of points in a leaf", std::to_string(result.options.fnop)},
                     {"Clusters of each part", std::to_string(result.options.k_means.k)},
-                    {"Held off the blade by", fixedText(scene.lift, 0) + " mm"},
-                    {"Touch or not", "exact on the triangles"}}},
+                    {"Lift off the blade", fixedText(scene.lift, 0) + " mm"},
+                    {"Touch", "exact on the triangles"}}},
           versionsTable()};
 }
 
@@ -111,20 +111,21 @@ Replay detectionReplay(const DetectionScene& scene, const DetectionResult& resul
   replay.command = "paper table3";
   replay.title =
       partText(lifted.false_positives, lifted.clear) + " clear poses near a blade are false alarms";
-  replay.subtitle = "What the paper's improved octrees call colliding along the path held " +
-                    fixedText(scene.lift, 0) + " mm off the blade, and as it is ground, beside the triangles";
-  replay.findings_title = "Poses that are called wrong";
+  replay.subtitle =
+      "Verdicts of the paper's improved octrees, compared with the triangles, along the path lifted " +
+      fixedText(scene.lift, 0) + " mm off the blade, and along the ground path";
+  replay.findings_title = "Poses with a wrong verdict";
   replay.findings_value = "Clearance, mm";
-  replay.no_findings = "Every pose is called right.";
+  replay.no_findings = "Every verdict is right.";
   replay.verdicts = detectionVerdicts();
   replay.blisk = scene.blisk;
   replay.blade_of_triangle = scene.model.blades.blade_of_triangle;
   replay.blade_count = scene.model.blades.count;
   replay.parts = {{.name = "belt", .tree = scene.belt}};
   replay.charts = {{.title = "Clearance of the belt over the path", .unit = "mm", .linear_within = 1.0},
-                   {.title = "Volume left to be examined", .unit = "cm³"}};
-  replay.tracks = {detectionTrack(scene, "held off", scene.lifted, {improved.at_lifted, ours.at_lifted}),
-                   detectionTrack(scene, "as ground", scene.ground, {improved.at_ground, ours.at_ground})};
+                   {.title = "Volume left to examine", .unit = "cm³"}};
+  replay.tracks = {detectionTrack(scene, "lifted", scene.lifted, {improved.at_lifted, ours.at_lifted}),
+                   detectionTrack(scene, "ground", scene.ground, {improved.at_ground, ours.at_ground})};
   for (std::size_t v = 0; v < replay.verdicts.size(); ++v) {
     const auto count = std::ranges::count(replay.tracks.front().poses, v, &ReplayPose::verdict);
     replay.counts.push_back(
@@ -134,8 +135,8 @@ Replay detectionReplay(const DetectionScene& scene, const DetectionResult& resul
   if (!findings.empty()) replay.start_at = findings.front().at;
   replay.facts = detectionFacts(scene, result);
   replay.notes = {
-      "The counts above are of the path held off the blade; \"Path\" below the picture switches to the "
-      "other. The boxes in the picture are of our own tree."};
+      "The counts above are for the lifted path; \"Path\" below the picture switches to the ground path. The "
+      "boxes in the picture are those of our own tree."};
   return replay;
 }
 

@@ -1,4 +1,4 @@
-// Table 3 as a replay: the belt along both paths, and where the paper's boxes are wrong about it.
+// Shows Table 3 as a replay: the belt along both paths, and the wrong verdicts of the paper's boxes.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace octoblisk::demos {
 
-/// The bodies and poses of an experiment; `lift` is how far off the blade the second path is held, mm.
+/// The bodies and poses of an experiment; `lift` is the height of the lifted path off the blade, mm.
 struct DetectionScene {
   PaperModel model;
   std::shared_ptr<const ClusteredOctree> blisk, belt;
@@ -19,8 +19,8 @@ struct DetectionScene {
   double lift;
 };
 
-/// What the paper's improved octrees say at each pose beside what the triangles say. An offence is where the
-/// two differ.
+/// The verdict of the paper's improved octrees at each pose, compared with that of the triangles. A finding
+/// is a difference between the two.
 Replay detectionReplay(const DetectionScene& scene, const DetectionResult& result);
 
 }  // namespace octoblisk::demos

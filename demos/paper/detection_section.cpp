@@ -16,8 +16,8 @@ Table methodsTable(const DetectionResult& result) {
               .caption = "Table 3 here: all methods; times over the " + std::to_string(result.path_poses) +
                          " poses of the path, medians of " + std::to_string(result.options.runs) +
                          " interleaved runs",
-              .columns = {"method", "range at first (10⁴ mm³)", "left at a pose (10⁴ mm³)",
-                          "boxes tested a pose", "time (ms)", "false positives, ground",
+              .columns = {"method", "range at first (10⁴ mm³)", "left per pose (10⁴ mm³)",
+                          "boxes tested per pose", "time (ms)", "false positives, ground",
                           "false negatives, ground", "false positives, lifted", "false negatives, lifted"},
               .rows = {}};
   for (const DetectionRow& row : result.rows) {
@@ -42,7 +42,7 @@ Table holesTable(const DetectionResult& result) {
   Table table{.name = "table3_holes",
               .caption =
                   "Contacts that leaf boxes do not cover (erratum 14): poses at which the belt's triangles "
-                  "touch the blisk's, but meet no leaf box",
+                  "touch the blisk's triangles but meet no leaf box",
               .columns = {"boxes", "missed"},
               .rows = {}};
   for (const HolesRow& row : result.holes) {
@@ -53,28 +53,31 @@ Table holesTable(const DetectionResult& result) {
 
 std::string setUp(const DetectionResult& result, const std::string& blisk_name, double lift) {
   const Alarms &ground = result.rows.front().ground, &lifted = result.rows.front().lifted;
-  return "The belt's one box along its principal axes against the leaf cells of octrees over " +
+  return "The belt's one box along its principal axes is tested against the leaf cells of octrees over " +
          std::to_string(result.cloud_points) + " points of " + blisk_name + ", at FNOP " +
          std::to_string(result.options.fnop) +
-         ", improved: blades and hub first, k = " + std::to_string(result.options.k_means.k) +
-         " for each. At every pose all leaf boxes that overlap are found. The range at first is the volume "
-         "of the boxes that a method begins with, as in the paper; what is left at a pose is the volume of "
-         "the leaf boxes that overlap, the mean over the path. The path as it is ground has " +
+         "; the improved octrees divide into blades and hub first, then into k = " +
+         std::to_string(result.options.k_means.k) +
+         " clusters each. At every pose all overlapping leaf boxes are found. The range at first is the "
+         "volume of the boxes with which a method begins, as in the paper; the volume left at a pose is that "
+         "of the overlapping leaf boxes, as a mean over the path. The ground path has " +
          std::to_string(result.path_poses) + " poses, and the triangles touch at " +
-         std::to_string(ground.touching) + " of them, as they must where it grinds; held " +
+         std::to_string(ground.touching) + " of them, as they must where it grinds; lifted " +
          fixedText(lift, 0) + " mm off the blade, they touch at " + std::to_string(lifted.touching) +
-         ", each of them interference. Times are processor times of one thread of this machine.";
+         ", and each of these is interference. Times are processor times of one thread of this machine.";
 }
 
 std::string rangeVerdict(const DetectionResult& result) {
   const DetectionRow &traditional = result.rows[kTraditional], &improved = result.rows[kImproved],
                      &ours = result.rows[kOursBothBoxes];
   return "Range: parts and clusters change it by " + changeText(traditional.range, improved.range) +
-         " here, by " + changeText(kPublishedTraditionalRange, kPublishedImprovedRange) +
-         " in the paper, where it is " + fixedText(kPublishedImprovedRange / kPublishedTraditionalRange, 2) +
-         " of the traditional one exactly in every row (erratum 12). What is left at a pose changes by " +
+         " here, and by " + changeText(kPublishedTraditionalRange, kPublishedImprovedRange) +
+         " in the paper, where it is exactly " +
+         fixedText(kPublishedImprovedRange / kPublishedTraditionalRange, 2) +
+         " of the traditional range in every row (erratum 12). The volume left at a pose changes by " +
          changeText(traditional.volume_left, improved.volume_left) +
-         " with 15 axes; with leaf boxes of whole triangles, against the belt's own leaf boxes, by " +
+         " with 15 axes, and with leaf boxes of whole triangles, tested against the belt's own leaf boxes, "
+         "by " +
          changeText(traditional.volume_left, ours.volume_left) + ".";
 }
 
@@ -83,13 +86,14 @@ std::string timeVerdict(const DetectionResult& result) {
                improved = medianSeconds(result.rows[kImproved]),
                exact = medianSeconds(result.rows[kOursVerdict]);
   const Spread published = spreadOf(kPublishedTable3.traditional.seconds);
-  return "Time: the improved method's changes by " + changeText(traditional, improved) + " here, by " +
+  return "Time: the improved method changes it by " + changeText(traditional, improved) + " here, and by " +
          changeText(published.median, spreadOf(kPublishedTable3.improved.seconds).median) +
-         " in the paper, whose " + fixedText(published.median, 0) +
-         " s come with no number of poses and no hardware (erratum 13). The exact verdict on the triangles "
+         " in the paper, which gives neither the number of poses nor the hardware for its " +
+         fixedText(published.median, 0) +
+         " s (erratum 13). The exact verdict on the triangles "
          "takes " +
          fixedText(1e6 * exact / static_cast<double>(result.path_poses), 1) +
-         " µs a pose, the traditional boxes " +
+         " µs per pose, the traditional boxes " +
          fixedText(1e6 * traditional / static_cast<double>(result.path_poses), 1) + " µs.";
 }
 
@@ -109,12 +113,13 @@ std::string accuracyVerdict(const DetectionResult& result) {
     point_boxes_missed +=
         result.rows[method].ground.false_negatives + result.rows[method].lifted.false_negatives;
   }
-  return "Accuracy: of the poses held off the blade that are clear, one box round the whole blisk raises a "
-         "false alarm at " +
+  return "Accuracy: among the clear poses of the lifted path, one box around the whole blisk raises a false "
+         "alarm at " +
          lifted(kOneAabb) + "; the traditional octree with the paper's one axis at " +
-         lifted(kTraditionalOneAxis) + ", with fifteen at " + lifted(kTraditional) +
+         lifted(kTraditionalOneAxis) + ", with fifteen axes at " + lifted(kTraditional) +
          "; parts and clusters at " + lifted(kImproved) + "; our leaf boxes at " + lifted(kOursBoxes) +
-         ". What is left of them is the belt's one box: against the belt's own leaf boxes ours raise " +
+         ". The remaining false alarms come from the belt's one box: tested against the belt's own leaf "
+         "boxes, ours raise " +
          lifted(kOursBothBoxes) + ". With the belt's box, the paper's methods miss " +
          countedText(point_boxes_missed, "touch", "touches") +
          ". The exact rows differ from the triangles' verdict at " +
@@ -123,9 +128,9 @@ std::string accuracyVerdict(const DetectionResult& result) {
 
 std::string holesVerdict(const DetectionResult& result) {
   std::string text =
-      "Holes (erratum 14): the belt's box is larger than the belt, which hides what the blisk's boxes do not "
-      "cover. Asked with the belt's triangles, of the poses of both paths at which they touch the blisk's, "
-      "they meet none ";
+      "Holes (erratum 14): the belt's box is larger than the belt, and so hides gaps between the blisk's "
+      "boxes. Tested with the belt's triangles instead, among the poses of both paths that touch, the belt "
+      "meets none ";
   for (std::size_t i = 0; i < result.holes.size(); ++i) {
     const HolesRow& row = result.holes[i];
     text += (i == 0 ? "of the " : "; of the ") + row.method + " at " + partText(row.missed, row.touching);
@@ -139,7 +144,8 @@ std::vector<Claim> detectionClaims(const DetectionResult& result, const Detectio
   std::vector<Claim> claims = seedsClaims("Table 3", seeds, kPublishedTable3);
   const auto alarms = [&](DetectionMethod method) { return result.rows[method].lifted.false_positives; };
   claims.push_back(
-      {"Table 3: false positives of the traditional and the improved method, of the clear poses held off the "
+      {"Table 3: false positives of the traditional and the improved method, among the clear poses lifted "
+       "off the "
        "blade",
        "–",
        std::to_string(alarms(kTraditional)) + " and " + std::to_string(alarms(kImproved)) + " of " +

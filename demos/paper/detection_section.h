@@ -1,4 +1,4 @@
-// What the report says of Table 3.
+// The report's section on Table 3.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace octoblisk::demos {
 
-/// `lift` is how far off the blade the second path is held, mm.
+/// `lift` is the height of the lifted path off the blade, mm.
 Section detectionSection(const DetectionResult& result, const DetectionSeeds& seeds,
                          const std::string& blisk_name, double lift);
 

@@ -19,7 +19,7 @@ double secondsOf(const Segmentation& octrees, const Obb& belt_box, std::span<con
   return watch.seconds();
 }
 
-/// The improved method's median time over the traditional one's: the two take turns.
+/// The improved method's median time divided by the traditional method's; the two are timed alternately.
 double timeRatio(const PaperOctrees& octrees, const Obb& belt_box, std::span<const Pose> poses, int runs) {
   std::vector<double> traditional, improved;
   for (int run = 0; run < runs; ++run) {
@@ -60,12 +60,13 @@ DetectionSeeds detectionOverSeeds(const std::function<std::vector<Points>(std::u
 }
 
 Table seedsTable(std::string name, const std::string& of, const DetectionSeeds& seeds) {
-  Table table{.name = std::move(name),
-              .caption = of + " over " + std::to_string(seeds.count()) +
-                         " seeds of clouds and clusters: change of the improved method against the "
-                         "traditional one",
-              .columns = {"attribute", "mean", "least", "most"},
-              .rows = {}};
+  Table table{
+      .name = std::move(name),
+      .caption =
+          of + " over " + std::to_string(seeds.count()) +
+          " seeds of clouds and clusters: change by the improved method, compared with the traditional one",
+      .columns = {"attribute", "mean", "least", "most"},
+      .rows = {}};
   const auto add = [&](const std::string& attribute, const std::vector<double>& ratios) {
     const Spread spread = spreadOf(ratios);
     table.rows.push_back({attribute, changeText(1.0, spread.mean), changeText(1.0, spread.least),

@@ -1,4 +1,4 @@
-// Tables 3 and 4 over many seeds: how much of a change is the method's, how much the seed's.
+// Tables 3 and 4 over many seeds: separates the effect of the method from that of the seed.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace octoblisk::demos {
 
-/// The improved method against the traditional one, as ratios, one entry a seed.
+/// Ratios of the improved method to the traditional one, one entry per seed.
 struct DetectionSeeds {
   std::vector<double> range;            ///< boxes along the axes, as the paper's
   std::vector<double> principal_range;  ///< boxes along the principal axes of each cluster
@@ -27,22 +27,22 @@ struct DetectionSeeds {
 };
 
 struct DetectionSeedOptions {
-  std::size_t count = 32;  ///< seeds: those of `k_means`, counted on
+  std::size_t count = 32;  ///< seeds, counted up from that of `k_means`
   std::size_t fnop = 2;
   detail::KMeansOptions k_means{};
-  int runs = 5;  ///< of each method, in turn
+  int runs = 5;  ///< of each method, alternately
 };
 
-/// `parts_of_seed` gives the clouds of the blisk's parts. The belt is its one box, in the belt's frame.
-/// Deterministic but for the times.
+/// `parts_of_seed` gives the clouds of the blisk's parts. The belt is represented by its one box, in the
+/// belt's frame. Deterministic except for the times.
 DetectionSeeds detectionOverSeeds(const std::function<std::vector<Points>(std::uint64_t seed)>& parts_of_seed,
                                   const Obb& belt_box, std::span<const Pose> belt_in_blisk,
                                   const DetectionSeedOptions& options, const Progress& progress);
 
-/// Rows: the ranges and the time; mean, least and most of their changes.
+/// Rows: the ranges and the time; columns: mean, least and greatest of their changes.
 Table seedsTable(std::string name, const std::string& of, const DetectionSeeds& seeds);
 
-/// A sentence: the mean changes and whether the spread leaves their signs open.
+/// A paragraph: the mean changes, and whether their signs depend on the seed.
 std::string seedsVerdict(const DetectionSeeds& seeds);
 
 /// The change of the range, and of the time.

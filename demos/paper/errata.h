@@ -1,12 +1,12 @@
-// What the paper leaves open or gets wrong, and what is done here instead.
+// Errors and gaps of the paper, and the solutions here.
 #pragma once
 
 #include "render/document.h"
 
 namespace octoblisk::demos {
 
-/// All fourteen errata, numbered as everywhere in the report. What follows from the paper's own tables is
-/// computed from them.
+/// All fourteen errata, with the numbers used throughout the report. Numbers that follow from the paper's own
+/// tables are computed from them.
 Section errataSection();
 
 }  // namespace octoblisk::demos

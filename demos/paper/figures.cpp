@@ -20,10 +20,10 @@ constexpr std::array<Color, 8> kClusterColors = {palette::kBlue,   palette::kVer
                                                  palette::kYellow, palette::kPurple,    palette::kSky,
                                                  palette::kInk,    palette::kOrange};
 
-/// About the blade, the same in all pictures of cells, so that they can be compared.
+/// The room around the blade, the same in all pictures of cells, so that they can be compared.
 constexpr double kRoomForCells = 1.5;
 
-/// Looks at the blade's broad side, a little from above and from one edge, with its tip up.
+/// Looks at the blade's broad side, slightly from above and from one edge, with its tip up.
 Camera bladeCamera(const PaperModel& model, const Points& cloud, double margin) {
   const Obb box = principalBox(cloud);
   const Vec3 outward(box.center.x(), box.center.y(), 0.0);
@@ -143,13 +143,12 @@ std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh&
       {.title = "Figure 2: the belt's box"},
       {.title = "Figure 4: cells of the traditional octree",
        .paragraphs =
-           {"Cubes along the axes; cells without points, which the paper counts too, are not drawn."}},
+           {"Cubes along the axes. Cells without points are not drawn, although the paper counts them."}},
       {.title = "Figure 5: traditional beside improved",
-       .paragraphs = {"The same blade at FNOP 10, seen from the same place; the volumes are those of the "
-                      "cells drawn."}},
+       .paragraphs =
+           {"The same blade at FNOP 10, from the same viewpoint; the volumes are those of the drawn cells."}},
       {.title = "Figure 8: clusters of the blade",
-       .paragraphs = {
-           "Clusters of the blade's points, in mm; the colours mean no more than which is which."}}};
+       .paragraphs = {"Clusters of the blade's points, in mm; the colours only distinguish the clusters."}}};
   std::vector<std::vector<NamedPicture>> pictures(sections.size());
   pictures[0].push_back(beltBoxPicture(belt));
   pictures[1] = cellPictures(model, cloud);
@@ -167,9 +166,9 @@ std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh&
   writeSvg(algorithmChart(), folder / "fig7.svg");
   sections.insert(sections.end() - 1,
                   {.title = "Figure 7: the algorithm",
-                   .paragraphs = {"As it is run here; what the triangles add to it is in the last rows. "
-                                  "Figures 1, 3 and 6 of the paper explain principles and have no results; "
-                                  "11 and 12 show the cell and the software, for which see Table 4."},
+                   .paragraphs = {"The algorithm as it is run here; its last rows are the exact test of the "
+                                  "triangles. Figures 1, 3 and 6 of the paper explain principles and have no "
+                                  "results. Figures 11 and 12 show the cell and the software: see Table 4."},
                    .figures = {{"fig7.svg", "Figure 7: flow chart of the collision detection"}}});
   return sections;
 }

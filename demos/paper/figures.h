@@ -1,4 +1,4 @@
-// Figures 2, 4, 5, 7 and 8 of the paper, of our belt and blade.
+// Figures 2, 4, 5, 7 and 8 of the paper, for our belt and blade.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Poin
 /// Figure 8: the blade's clusters for k = 2..8.
 std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points& cloud, std::uint64_t seed);
 
-/// Draws all of them into the folder, and figure 7. Throws as writePng and writeSvg.
+/// Draws all of them, and figure 7, into the folder. Throws as writePng and writeSvg.
 std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
                                     std::uint64_t seed, const std::filesystem::path& folder,
                                     const Progress& progress);

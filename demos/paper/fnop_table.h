@@ -1,4 +1,4 @@
-// Tables of a report with a column for each FNOP.
+// Tables of a report with one column per FNOP.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,19 @@
 
 namespace octoblisk::demos {
 
-/// No rows yet.
+/// A table without rows.
 Table fnopTable(std::string name, std::string caption);
 
-/// A row of that name.
+/// Adds a row with that name.
 void addRow(Table& table, const std::string& name,
             const std::function<std::string(std::size_t column)>& text);
 
-/// A row for each method, named after it.
+/// A table with one row per method, named after it.
 Table oneRowAMethod(std::string name, std::string caption,
                     const std::function<std::string(std::size_t method, std::size_t column)>& text);
 
-/// "-3.2 %": the mean over the improved cells of their change against the traditional cells, of the same
-/// FNOP, of a table that may be another.
+/// "-3.2 %": the mean over the improved cells of their change compared with the traditional cell of the same
+/// FNOP, which may come from another table.
 template <typename Number>
 std::string meanChangeText(const MethodTable<Number>& improved, const MethodTable<Number>& traditional) {
   double ratio = 0.0;
@@ -34,7 +34,7 @@ std::string meanChangeText(const MethodTable<Number>& improved, const MethodTabl
   return changeText(1.0, ratio / kImprovedCells);
 }
 
-/// "48 of 70 cells": those whose number is below the traditional method's.
+/// "48 of 70 cells": those with a number below the traditional method's.
 template <typename Number>
 std::string cellsBelowText(const MethodTable<Number>& table) {
   return std::to_string(cellsBelowTraditional(table)) + " of " + std::to_string(kImprovedCells) + " cells";

@@ -1,4 +1,4 @@
-// Tables with a row for each method and a column for each FNOP, as the paper's Tables 1 and 2.
+// Tables with one row per method and one column per FNOP, like the paper's Tables 1 and 2.
 #pragma once
 
 #include <array>
@@ -23,11 +23,11 @@ constexpr std::size_t fnopOf(std::size_t column) { return column + 1; }
 constexpr std::size_t columnOfFnop(std::size_t fnop) { return fnop - 1; }
 std::string nameOfMethod(std::size_t method);  ///< "traditional", "k = 2"
 
-/// Whether so many nodes are k + 8 · splits, as all trees over k clusters have, where every cell that is
-/// divided has eight children (k = 0: one tree).
+/// Whether this number of nodes is k + 8 · splits, as for all trees over k clusters in which every divided
+/// cell has eight children (k = 0: one tree).
 bool canBeNodeCount(int nodes, std::size_t k);
 
-/// In how many of the 70 cells of the improved method the number is below the traditional one's of the same
+/// The number of the improved method's 70 cells whose number is below the traditional method's at the same
 /// FNOP.
 template <typename Number>
 int cellsBelowTraditional(const MethodTable<Number>& table) {
@@ -40,7 +40,7 @@ int cellsBelowTraditional(const MethodTable<Number>& table) {
   return count;
 }
 
-/// The cell's number against the traditional method's of the same FNOP.
+/// The ratio of the cell's number to the traditional method's at the same FNOP.
 template <typename Number>
 double ratioToTraditional(const MethodTable<Number>& table, std::size_t method, std::size_t column) {
   return static_cast<double>(table[method][column]) / static_cast<double>(table[0][column]);
@@ -54,8 +54,8 @@ double meanRatio(const MethodTable<Number>& table, std::size_t method) {
   return sum / kFnops;
 }
 
-/// Row and column of the cell of the improved method that is least against the traditional one's of the same
-/// FNOP; the first of equals.
+/// Row and column of the improved method's cell with the least ratio to the traditional method's at the same
+/// FNOP; the first of equal ones.
 struct TableCell {
   std::size_t method = 1, column = 0;
 };
@@ -72,7 +72,7 @@ TableCell bestAgainstTraditional(const MethodTable<Number>& table) {
   return best;
 }
 
-/// k of the row of the improved method with the least number in a column; the least k of equals.
+/// k of the improved method's row with the least number in a column; the least k of equal ones.
 template <typename Number>
 std::size_t kOfLeast(const MethodTable<Number>& table, std::size_t column) {
   std::size_t best = 1;

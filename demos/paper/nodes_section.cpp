@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// Of which false positives are shares; 1 where there is none.
+/// The total for shares of false positives; 1 if there are no clear poses.
 double clearPoses(const SplitResult& result) {
   return static_cast<double>(std::max<std::size_t>(result.clear, 1));
 }
@@ -19,7 +19,7 @@ double clearPoses(const SplitResult& result) {
 Table nodesTable(const MethodTable<std::size_t>& nodes) {
   Table table = fnopTable("table1_nodes",
                           "Table 1: total number of nodes (TNON) with cubes along the axes, here and in the "
-                          "paper. * cannot be k + 8 · splits (erratum 10)");
+                          "paper. * is not k + 8 · splits (erratum 10)");
   for (std::size_t method = 0; method < kMethods; ++method) {
     const std::string name = nameOfMethod(method);
     const auto& here = nodes[method];
@@ -47,7 +47,7 @@ Table kOptTable(const MethodTable<std::size_t>& nodes, const MethodTable<double>
   return table;
 }
 
-/// The factor by which the traditional row here differs from the paper's, in the mean: the cloud is chosen,
+/// The mean factor by which the traditional row here differs from the paper's: our cloud is chosen, because
 /// the paper gives none.
 double meanFactor(const MethodTable<std::size_t>& nodes, std::size_t first_column) {
   double sum = 0.0;
@@ -73,12 +73,14 @@ std::string bestText(const MethodTable<Number>& table) {
 
 std::string cloudText(const SplitRun& run, const MethodTable<std::size_t>& nodes) {
   return "The blade: " + run.blade_name + ", " + std::to_string(run.points) +
-         " points, about evenly spread. The paper does not say how many it has; the traditional row here "
+         " points, nearly evenly spread. The paper does not give its number of points; the traditional row "
+         "here "
          "differs from the paper's by a factor of " +
-         fixedText(meanFactor(nodes, 0), 2) + " (root mean square of the logarithms), of " +
+         fixedText(meanFactor(nodes, 0), 2) + " (root mean square of the logarithms), and by a factor of " +
          fixedText(meanFactor(nodes, 2), 2) +
-         " over FNOP 3–10: at 1 and 2 the closest pairs of points count, which even points keep apart. A "
-         "node is divided while it has more points than FNOP; TNON counts all nodes, the empty ones too: k + "
+         " over FNOP 3–10: at FNOP 1 and 2 the closest pairs of points decide, and even spreading keeps them "
+         "apart. A "
+         "node is divided if it has more points than FNOP; TNON counts all nodes, including empty ones: k + "
          "8 · splits.";
 }
 
@@ -98,14 +100,15 @@ std::string nodesVerdict(const MethodTable<std::size_t>& cubes, const MethodTabl
 std::string volumesVerdict(const MethodTable<double>& cubes, const MethodTable<double>& principal) {
   double frames_alone = 0.0;
   for (std::size_t c = 0; c < kFnops; ++c) frames_alone += principal[0][c] / cubes[0][c] / kFnops;
-  return "A count of nodes is no accuracy (erratum 6). What the boxes leave to be examined is the volume of "
-         "the leaf cells that hold points: against the traditional cubes, clusters alone change it by " +
+  return "A number of nodes is not an accuracy (erratum 6). The volume that the boxes leave to examine is "
+         "that of the leaf cells with points. Compared with the traditional cubes, clusters alone change it "
+         "by " +
          meanChangeText(cubes, cubes) + " in the mean, the principal frame alone by " +
-         changeText(1.0, frames_alone) + ", and clusters each in a principal frame of their own by " +
+         changeText(1.0, frames_alone) + ", and clusters with a principal frame each by " +
          meanChangeText(principal, cubes) + ".";
 }
 
-/// Of the traditional method and the improved one, over FNOP and, of the latter, k.
+/// The means of the traditional method over FNOP, and of the improved one over FNOP and k.
 struct Means {
   double traditional = 0.0, improved = 0.0;
 };
@@ -133,10 +136,10 @@ std::string alarmsVerdict(const SplitResult& result) {
   return "Of " + std::to_string(result.touching + result.clear) +
          " seeded poses of the belt about the blade, its triangles touch the blade's at " +
          std::to_string(result.touching) + ". Of the " + std::to_string(result.clear) +
-         " clear ones, the belt's one box overlaps a leaf cell of the traditional cubes at " +
+         " clear poses, the belt's one box overlaps a leaf cell of the traditional cubes at " +
          share(alarms_cubes.traditional) + ", of the clusters' cubes at " + share(alarms_cubes.improved) +
          ", in principal frames at " + share(alarms_boxes.traditional) + " and " +
-         share(alarms_boxes.improved) + " (means over FNOP and k). Of the touching ones it misses " +
+         share(alarms_boxes.improved) + " (means over FNOP and k). Of the touching poses it misses " +
          fixedText(misses_cubes.traditional, 1) + ", " + fixedText(misses_cubes.improved, 1) + ", " +
          fixedText(misses_boxes.traditional, 1) + " and " + fixedText(misses_boxes.improved, 1) +
          " in the mean.";

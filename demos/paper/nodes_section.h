@@ -1,4 +1,4 @@
-// What the report says of Table 1.
+// The report's section on Table 1.
 #pragma once
 
 #include "paper/claims.h"
@@ -7,8 +7,8 @@
 
 namespace octoblisk::demos {
 
-/// Counts of nodes beside the paper's, then what they are to stand for: leaf volumes, false positives and
-/// negatives; k_opt.
+/// The numbers of nodes beside the paper's, then the measures that they are meant to stand for: leaf volumes,
+/// false positives and negatives; then k_opt.
 Section nodesSection(const SplitRun& run);
 
 std::vector<Claim> nodesClaims(const SplitRun& run);

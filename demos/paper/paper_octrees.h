@@ -19,7 +19,7 @@ struct PaperOctrees {
   Points whole;
   std::vector<Points> clusters;
   Segmentation traditional;  ///< one octree over all points
-  Segmentation improved;     ///< one over each cluster
+  Segmentation improved;     ///< one octree over each cluster
 };
 
 }  // namespace octoblisk::demos

@@ -1,14 +1,14 @@
-// How an experiment tells how far it has come.
+// The progress of an experiment.
 #pragma once
 
 #include <functional>
 
 namespace octoblisk::demos {
 
-/// Called with the part of the work that is done, 0 … 1.
+/// Called with the finished fraction of the work, 0 … 1.
 using Progress = std::function<void(double part)>;
 
-/// The progress of a piece of work that takes the whole from one part to another.
+/// The progress of a step that is responsible for the work from one fraction to another.
 inline Progress stretchOf(const Progress& whole, double from, double to) {
   return [whole, from, to](double part) { whole(from + part * (to - from)); };
 }

@@ -1,4 +1,4 @@
-// The numbers that the paper prints in Tables 1–4.
+// The numbers printed in the paper's Tables 1–4.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ inline constexpr MethodTable<double> kPublishedSeconds = {{
     {19.37, 9.43, 7.11, 5.35, 4.47, 3.86, 3.32, 2.89, 2.59, 2.44},
 }};
 
-/// What Tables 3 and 4 say of a method.
+/// The numbers of a method in Tables 3 and 4.
 struct DetectionNumbers {
   double range = 0.0;           ///< the collision detection range, mm³
   std::vector<double> seconds;  ///< the detection time of each run over the path; the paper has three
@@ -49,7 +49,7 @@ inline const DetectionTable kPublishedTable3 = {
     .traditional = {.range = kPublishedTraditionalRange, .seconds = {469.24, 471.35, 470.62}},
     .improved = {.range = kPublishedImprovedRange, .seconds = {382.36, 383.41, 382.94}}};
 
-/// The same with a robot.
+/// The same detection with a robot.
 inline const DetectionTable kPublishedTable4 = {
     .traditional = {.range = kPublishedTraditionalRange, .seconds = {475.36, 476.29, 475.99}},
     .improved = {.range = kPublishedImprovedRange, .seconds = {387.96, 388.45, 388.04}}};

@@ -15,15 +15,15 @@ namespace octoblisk::demos {
 enum class CellFrame {
   cube,           ///< a cube along the axes that the points are given in
   box,            ///< the points' own box along these axes
-  principal_box,  ///< the points' box along their principal axes: each cluster its own
+  principal_box,  ///< the points' box along their principal axes, for each cluster separately
 };
 
-/// The points of each of k clusters by k-means; empty clusters are left out. Of k = 0, the traditional
+/// The points of each of k clusters by k-means; empty clusters are left out. For k = 0, the traditional
 /// method, all points together. Throws as kMeans.
 std::vector<Points> clustersOf(const Points& points, const detail::KMeansOptions& options);
 
-/// The same of each of several clouds, all together; of a cloud with fewer points than k, as many clusters as
-/// it has points.
+/// The clusters of several clouds, in one list; a cloud with fewer than k points gets as many clusters as it
+/// has points.
 std::vector<Points> clustersOfParts(std::span<const Points> parts, const detail::KMeansOptions& options);
 
 /// All points of several clouds.
@@ -31,14 +31,14 @@ Points joined(std::span<const Points> parts);
 
 class Segmentation {
  public:
-  /// An octree over each cluster. Throws std::invalid_argument for no points, or an FNOP of 0.
+  /// Builds an octree over each cluster. Throws std::invalid_argument without points, or for an FNOP of 0.
   Segmentation(std::span<const Points> clusters, std::size_t fnop, CellFrame frame);
 
   const std::vector<detail::Octree>& octrees() const { return octrees_; }
 
   std::size_t totalNodes() const;  ///< TNON: k + 8 · splits
   double rootVolume() const;       ///< of all roots, mm³
-  double leafVolume() const;       ///< of the cells of all leaves that hold points, mm³
+  double leafVolume() const;       ///< of all leaf cells with points, mm³
   std::vector<Obb> leafCells() const;
 
  private:

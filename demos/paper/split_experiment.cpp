@@ -27,8 +27,8 @@ SplitCell measured(const Segmentation& segmentation, const Obb& belt_box, std::s
   return cell;
 }
 
-/// The median time of building each cell's octrees: all cells in turn, again and again, so that what disturbs
-/// the machine for a while disturbs all alike.
+/// The median time of building each cell's octrees. All cells are timed in turn, repeatedly, so that a
+/// disturbance of the machine affects all of them.
 void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, SplitResult& result,
                 const Progress& progress) {
   MethodTable<std::array<std::vector<double>, 2>> times;

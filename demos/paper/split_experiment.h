@@ -1,4 +1,4 @@
-// The experiment of Tables 1 and 2: a blade's cloud divided for each method and FNOP.
+// The experiment of Tables 1 and 2: a blade's cloud is divided for each method and FNOP.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 namespace octoblisk::demos {
 
 struct SplitOptions {
-  detail::KMeansOptions k_means{};  ///< of each k
-  int repeats = 15;                 ///< of which split_ms is the median, interleaved over all cells
+  detail::KMeansOptions k_means{};  ///< for each k
+  int repeats = 15;                 ///< split_ms is the median of these, interleaved over all cells
 };
 
-/// What a method does at an FNOP.
+/// The result of a method at an FNOP.
 struct SplitCell {
   std::size_t nodes = 0;            ///< TNON
   double split_ms = 0.0;            ///< processor time to build the octrees of given clusters
   double leaf_volume = 0.0;         ///< of the leaf cells with points, mm³
   std::size_t false_positives = 0;  ///< clear poses at which the belt's box overlaps a leaf cell
-  std::size_t false_negatives = 0;  ///< touching poses at which it overlaps none
+  std::size_t false_negatives = 0;  ///< touching poses at which it overlaps no leaf cell
 };
 
 struct SplitResult {
-  MethodTable<SplitCell> cubes;               ///< along the axes, as the paper does it
+  MethodTable<SplitCell> cubes;               ///< along the axes, as in the paper
   MethodTable<SplitCell> principal;           ///< boxes in principal frames
   std::array<double, kMethods> cluster_ms{};  ///< of k-means, the median; 0 for the traditional method
   std::size_t touching = 0, clear = 0;        ///< poses
@@ -44,9 +44,9 @@ MethodTable<Number> numbersOf(const MethodTable<SplitCell>& cells, Number SplitC
   return table;
 }
 
-/// Divides the cloud of at least 8 points. The belt's box is its one box along its principal axes, in the
-/// belt's frame; the poses' verdicts are on the cloud's mesh. All but the times is the same bits for the same
-/// seed.
+/// Divides a cloud of at least 8 points. The belt is represented by its one box along its principal axes, in
+/// the belt's frame; the poses' verdicts are for the cloud's mesh. Everything but the times is the same, bit
+/// for bit, for the same seed.
 SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::span<const BeltPose> poses,
                                const SplitOptions& options, const Progress& progress);
 

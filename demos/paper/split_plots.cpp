@@ -23,7 +23,7 @@ Plot plotOf(const MethodTable<Number>& table, std::string title, std::string y_l
   return plot;
 }
 
-/// Against the traditional method, where the differences are seen.
+/// Plots the change compared with the traditional method, which shows the differences.
 template <typename Number>
 Plot changePlotOf(const MethodTable<Number>& table, std::string title, std::string y_label) {
   Plot plot = plotOf(table, std::move(title), std::move(y_label));
@@ -46,21 +46,21 @@ Section splitPlotsSection(const SplitRun& run, const std::filesystem::path& fold
   };
   const auto nodes = numbersOf(run.result.cubes, &SplitCell::nodes);
   const auto times = numbersOf(run.result.cubes, &SplitCell::split_ms);
-  const std::string change = "change against the traditional method (%)";
+  const std::string change = "change compared with the traditional method (%)";
   add("fig9.svg", plotOf(nodes, "Total number of nodes, here", "TNON (nodes)"),
       "Figure 9: nodes over FNOP for each k, cubes along the axes");
   add("fig9_change.svg", changePlotOf(nodes, "Nodes against the traditional method, here", change),
-      "Figure 9 again: below 0, clustering makes fewer nodes");
+      "Figure 9 as changes: below 0, clustering makes fewer nodes");
   add("fig9_change_paper.svg",
       changePlotOf(kPublishedNodes, "Nodes against the traditional method, in the paper", change),
-      "The same of the paper's Table 1");
+      "The same for the paper's Table 1");
   add("fig10.svg", plotOf(times, "Split time, here", "split time (ms)"),
       "Figure 10: split times over FNOP for each k, cubes along the axes");
   add("fig10_change.svg", changePlotOf(times, "Split time against the traditional method, here", change),
-      "Figure 10 again: below 0, clustering is faster");
+      "Figure 10 as changes: below 0, clustering is faster");
   add("fig10_change_paper.svg",
       changePlotOf(kPublishedSeconds, "Split time against the traditional method, in the paper", change),
-      "The same of the paper's Table 2: the cells at FNOP 2 stand apart, as their traditional time does "
+      "The same for the paper's Table 2: the cells at FNOP 2 stand out, because their traditional time does "
       "(erratum 11)");
   return section;
 }

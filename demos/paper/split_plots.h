@@ -1,4 +1,4 @@
-// Figures 9 and 10: the numbers of Tables 1 and 2, drawn.
+// Figures 9 and 10: plots of Tables 1 and 2.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// Drawn into the folder: here, and in the paper. Throws as writeSvg.
+/// Draws our numbers and the paper's into the folder. Throws as writeSvg.
 Section splitPlotsSection(const SplitRun& run, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// A finished experiment of Tables 1 and 2, as the report needs it.
+// A finished experiment of Tables 1 and 2, as input of the report.
 #pragma once
 
 #include <string>
@@ -15,18 +15,17 @@ struct SplitRun {
   std::string blade_name;
   std::size_t points = 0;
   SplitResult result;
-  std::vector<SplitResult> of_seeds{};  ///< of clouds and clusters; without poses
+  std::vector<SplitResult> of_seeds{};  ///< one per seed of clouds and clusters; without poses
 };
 
-/// Mean, least and most, over the seeds, of the changes of a number of cubes along the axes against the
-/// traditional method's: of each k the mean over FNOP, of the paper's optimum, and of all cells.
+/// Changes of a number of cubes along the axes compared with the traditional method's: mean, least and
+/// greatest over the seeds; for each k the mean over FNOP, for the paper's optimum, and for all cells.
 template <typename Number>
 Table seedsTable(std::string name, const std::string& what, const SplitRun& run, Number SplitCell::*number) {
   Table table{.name = std::move(name),
-              .caption = what + " against the traditional method, over " +
+              .caption = what + " compared with the traditional method, over " +
                          std::to_string(run.of_seeds.size()) +
-                         " seeds of clouds and clusters; of each k the "
-                         "mean over FNOP 1–10",
+                         " seeds of clouds and clusters; for each k the mean over FNOP 1–10",
               .columns = {"cells", "mean", "least", "most"},
               .rows = {}};
   const auto add = [&](const std::string& cells, const auto& ratioOf) {
@@ -49,7 +48,7 @@ Table seedsTable(std::string name, const std::string& what, const SplitRun& run,
   return table;
 }
 
-/// All cells of both tables, one a row.
+/// All cells of both tables, one per row.
 Table splitCells(const SplitRun& run);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// What the report says of Table 2.
+// The report's section on Table 2.
 #pragma once
 
 #include "paper/claims.h"
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// Split times beside the paper's.
+/// Compares the split times with the paper's.
 Section splitTimesSection(const SplitRun& run);
 
 std::vector<Claim> splitTimesClaims(const SplitRun& run);

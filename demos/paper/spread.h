@@ -1,4 +1,4 @@
-// How far a number is spread over seeds or runs.
+// The spread of a number over seeds or runs.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct Spread {
   double least = 0.0, median = 0.0, mean = 0.0, most = 0.0;
 };
 
-/// Of at least one value. The median of an even number of values is the mean of the two in the middle.
+/// Needs at least one value. The median of an even number of values is the mean of the two in the middle.
 inline Spread spreadOf(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
@@ -25,13 +25,13 @@ inline Spread spreadOf(std::vector<double> values) {
           .most = values.back()};
 }
 
-/// Of ratios: "-3.4 % (-17.8 % to +8.5 %)", the mean, the least and the most.
+/// For ratios: "-3.4 % (-17.8 % to +8.5 %)", the mean, the least and the greatest.
 inline std::string changeText(const Spread& ratios) {
   return changeText(1.0, ratios.mean) + " (" + changeText(1.0, ratios.least) + " to " +
          changeText(1.0, ratios.most) + ")";
 }
 
-/// Of ratios: whether some values are below 1 and others above.
+/// For ratios: whether some values are below 1 and others above.
 inline bool isSignOpen(const Spread& ratios) { return ratios.least < 1.0 && ratios.most > 1.0; }
 
 }  // namespace octoblisk::demos

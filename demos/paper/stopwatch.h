@@ -1,4 +1,4 @@
-// The processor time of the calling thread: what others do on the machine counts as little as may be.
+// The processor time of the calling thread, which depends little on other load of the machine.
 #pragma once
 
 #include <ctime>

@@ -21,7 +21,7 @@ Vec3 pointIn(const Triangle& t, std::mt19937_64& random) {
   return (1.0 - root) * t[0] + root * (1.0 - along) * t[1] + root * along * t[2];
 }
 
-/// Area up to and with each triangle.
+/// The area up to and including each triangle.
 std::vector<double> cumulativeArea(const TriangleMesh& mesh) {
   std::vector<double> area_to;
   double sum = 0.0;

@@ -16,7 +16,7 @@
 namespace octoblisk::demos {
 namespace {
 
-// All lengths in points of a page of 1600 × 1200.
+// All lengths are in points of a page of 1600 × 1200.
 constexpr double kPageMargin = 44.0;
 constexpr double kTitleSize = 34.0;
 constexpr double kSubtitleSize = 21.0;
@@ -27,8 +27,8 @@ constexpr double kSymbolWidth = 30.0;
 constexpr double kSymbolHeight = 18.0;
 constexpr double kSymbolGap = 11.0;       // between a symbol and its text
 constexpr double kEntryGap = 38.0;        // between entries
-constexpr double kScaleBarWidth = 240.0;  // at most
-constexpr double kScaleBarRoom = 300.0;   // kept free for the bar and its label
+constexpr double kScaleBarWidth = 240.0;  // greatest
+constexpr double kScaleBarRoom = 300.0;   // reserved for the bar and its label
 
 constexpr Color kTextColor{0.11f, 0.13f, 0.16f};
 constexpr Color kQuietColor{0.36f, 0.39f, 0.43f};
@@ -40,7 +40,7 @@ struct Release {
 };
 using CairoSurface = std::unique_ptr<cairo_surface_t, Release>;
 
-/// A canvas of Cairo's, in points: thin verbs over its calls.
+/// A Cairo canvas, in points: thin wrappers over its calls.
 class Canvas {
  public:
   Canvas(int width, int height, double scale)
@@ -87,7 +87,7 @@ class Canvas {
     cairo_stroke(context_.get());
   }
 
-  /// In a smaller size where it would be wider than `room`.
+  /// In a smaller size if it would be wider than `room`.
   void drawHeading(const std::string& text, double size, bool bold, double baseline, double room) {
     setFont(size, bold);
     if (const double width = textWidth(text); width > room) setFont(size * room / width, bold);
@@ -194,7 +194,7 @@ Layout::Layout(const Annotation& annotation, int width, int height)
   if (!annotation.subtitle.empty()) top += kSubtitleSize + kTitleGap;
   if (top > 0.0) top += 0.5 * kPageMargin + kTitleGap;
 
-  // Entries flow from left to right, row by row, beside the room of the scale bar.
+  // Entries flow from left to right, row by row, beside the space of the scale bar.
   Canvas ruler(1, 1, 1.0);
   ruler.setFont(kTextSize, false);
   const bool has_bar = !annotation.length_unit.empty();
@@ -227,7 +227,7 @@ void annotate(Image& page, const Annotation& annotation, const Layout& layout, d
   Canvas canvas(page.width, page.height, scale);
   copyToCanvas(page, canvas.surface());
 
-  // A rule wherever the scene borders on words.
+  // A line between the scene and the text.
   canvas.setColor(kRuleColor);
   const double scene_top = layout.sceneTop() / scale;
   const double scene_bottom = (layout.sceneTop() + layout.sceneHeight()) / scale;
@@ -274,7 +274,7 @@ void writePng(const Image& image, const std::string& path) {
   };
   const cairo_status_t status = cairo_surface_write_to_png_stream(canvas.surface(), append, &bytes);
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(path + ": cannot be drawn: " + cairo_status_to_string(status));
+    throw std::runtime_error(path + ": cannot be opened for drawing: " + cairo_status_to_string(status));
   }
   writeFile(path, bytes);
 }

@@ -1,4 +1,4 @@
-// The words around a picture: title, legend, scale bar.
+// Draws the text around a picture: title, legend, scale bar.
 #pragma once
 
 #include <string>
@@ -20,10 +20,10 @@ struct Annotation {
   std::string title{};     ///< UTF-8; may be empty
   std::string subtitle{};  ///< UTF-8; may be empty
   std::vector<LegendEntry> legend{};
-  std::string length_unit{};  ///< of the scale bar, such as "mm"; empty for no scale bar
+  std::string length_unit{};  ///< of the scale bar, for example "mm"; empty for no scale bar
 };
 
-/// Where what goes on a page: words above, the scene, words below. Nothing lies over anything.
+/// The layout of a page: text above, the scene, text below. Nothing overlaps.
 class Layout {
  public:
   Layout(const Annotation& annotation, int width, int height);
@@ -47,15 +47,15 @@ class Layout {
   std::vector<Place> legend_places_;
 };
 
-/// Draws the words on a page that has the scene in it already. `unit_pixels` is the length in pixels of one
-/// mesh unit; `at_depth` is added to the scale bar's label and says where the bar holds, if not everywhere.
+/// Draws the text on a page that already has the scene. `unit_pixels` is the length in pixels of one mesh
+/// unit; `at_depth` is added to the scale bar's label and says where the bar is valid, if not everywhere.
 void annotate(Image& page, const Annotation& annotation, const Layout& layout, double unit_pixels,
               const std::string& at_depth);
 
-/// The round number 1, 2 or 5 · 10ⁿ that is the largest not above `length` (> 0).
+/// The largest round number 1, 2 or 5 · 10ⁿ not above `length` (> 0).
 double roundLength(double length);
 
-/// Writes the image. Throws std::runtime_error, naming the path and reason, where that fails.
+/// Writes the image. Throws std::runtime_error naming the path and the reason if it cannot.
 void writePng(const Image& image, const std::string& path);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// The picture of the blades found on a mesh.
+// Draws the blades found on a mesh.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// The mesh, its blades' sides, tips and edges in colours, and the axis. Seen from the leading edges; the
-/// mesh is given in the blisk's frame.
+/// The mesh, with its blades' sides, tips and edges in colours, and the axis, seen from the leading edges.
+/// The mesh is given in the blisk's frame.
 Picture bladePicture(const TriangleMesh& blisk, const BliskFound& found, const BliskAnatomy& anatomy,
                      BladeSide convex_side);
 

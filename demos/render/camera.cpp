@@ -14,7 +14,7 @@ namespace {
 /// Rows: right, up and forward in the picture.
 Mat3 cameraAxes(const Vec3& direction, const Vec3& up) {
   if (!direction.allFinite() || !up.allFinite() || direction.norm() == 0.0) {
-    throw std::invalid_argument("the camera has no direction to look in");
+    throw std::invalid_argument("the camera's direction is zero");
   }
   const Vec3 forward = direction.normalized();
   Vec3 right = forward.cross(up);
@@ -57,9 +57,10 @@ Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up
   camera.view_height = 2.0 * margin * half.y();
   if (projection == Projection::orthographic) return camera;
 
-  // From an eye at (x_e, z_e) a point (x, z) is seen if ±(x − x_e) ≤ slope · (z − z_e), z being the depth.
-  // The two tightest of these bounds, of the points furthest right and left, leave one nearest eye; the same
-  // for y.
+  // From an eye at (x_e, z_e) a point (x, z) is visible if ±(x − x_e) ≤ slope · (z − z_e), where z is the
+  // depth.
+  // The two tightest of these bounds, those of the points farthest right and left, determine the nearest
+  // possible eye; the same holds for y.
   const double full_slope = std::tan(0.5 * camera.field_of_view);
   const double shape = half.x() / half.y();
   Vec3 eye(0.0, 0.0, std::numeric_limits<double>::infinity());

@@ -19,14 +19,14 @@ void paste(const Image& image, int from_row, int rows, int columns, Image& page,
   }
 }
 
-/// Words on a white page as wide as the sheet and of the usual shape, so that they are as large as on any
-/// other.
+/// The text on a white page as wide as the sheet and of the usual shape, so that it is as large as on other
+/// pages.
 struct Words {
   Words(const Annotation& annotation, int width)
       : layout(annotation, width, width * 3 / 4), page(width, width * 3 / 4, {255, 255, 255, 255}) {
     annotate(page, annotation, layout, 1.0, "");
   }
-  int above() const { return layout.sceneTop() + 2; }  // with the rule
+  int above() const { return layout.sceneTop() + 2; }  // includes the line
   int below() const { return page.height - layout.sceneTop() - layout.sceneHeight() + 2; }
 
   Layout layout;

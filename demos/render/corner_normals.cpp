@@ -9,7 +9,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// For each vertex the number of its place: vertices at the same place share it.
+/// For each vertex, the number of its place; vertices at the same place share it.
 std::vector<std::uint32_t> placesOf(std::span<const Vec3> vertices) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -58,7 +58,7 @@ std::vector<CornerNormals> cornerNormals(std::span<const Vec3> vertices,
   const std::vector<std::uint32_t> place = placesOf(vertices);
   const Fans fans = fansOf(place, triangles);
 
-  std::vector<Vec3> area_normals;  // as long as twice the triangle's area
+  std::vector<Vec3> area_normals;  // of twice the triangle's area in length
   std::vector<Vec3> unit_normals;
   area_normals.reserve(triangles.size());
   unit_normals.reserve(triangles.size());

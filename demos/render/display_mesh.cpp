@@ -9,11 +9,11 @@
 namespace octoblisk::demos {
 namespace {
 
-using Corners = std::vector<unsigned>;  // three indices a triangle
+using Corners = std::vector<unsigned>;  // three indices per triangle
 
 struct Positions {
   std::vector<float> coordinates;
-  float scale;  // what relative errors are multiplied by
+  float scale;  // factor of relative errors
 
   explicit Positions(const TriangleMesh& mesh) {
     for (const Vec3& vertex : mesh.vertices()) {
@@ -41,9 +41,9 @@ double simplify(const Positions& positions, std::size_t most, Corners& corners) 
 DisplayMesh displayMeshOf(const TriangleMesh& mesh, std::span<const int> group_of_triangle,
                           std::size_t most) {
   if (!group_of_triangle.empty() && group_of_triangle.size() != mesh.triangleCount()) {
-    throw std::invalid_argument("displayMeshOf: not as many groups as triangles");
+    throw std::invalid_argument("displayMeshOf: the numbers of groups and triangles differ");
   }
-  if (most == 0) throw std::invalid_argument("displayMeshOf: no triangles are allowed");
+  if (most == 0) throw std::invalid_argument("displayMeshOf: the number of triangles must be above 0");
 
   std::map<int, Corners> groups;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {

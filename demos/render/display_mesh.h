@@ -1,4 +1,4 @@
-// A mesh as it is drawn: of so many triangles at most, in groups of one colour.
+// Simplifies a mesh for display to a limited number of triangles, in groups of one colour.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 
 struct DisplayMesh {
-  /// Triangles of one group, one after another.
+  /// Consecutive triangles of one group.
   struct Group {
     int number = 0;
     std::size_t first = 0, count = 0;

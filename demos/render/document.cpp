@@ -26,7 +26,7 @@ void requireRectangular(const Table& table) {
   }
 }
 
-/// Whether all cells of a column begin like numbers: these are set to the right, words to the left.
+/// True if all cells of a column begin like numbers: numbers are aligned right, text is aligned left.
 bool isNumeric(const Table& table, std::size_t column) {
   const auto isNumber = [&](const auto& row) {
     const std::string& cell = row[column];
@@ -53,7 +53,7 @@ std::string csvLine(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
-/// Text within a line that Markdown leaves as it is.
+/// Escapes text within a line for Markdown.
 std::string markdownText(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -63,7 +63,7 @@ std::string markdownText(const std::string& text) {
   return escaped;
 }
 
-/// The same where it begins a line: no title, list or quotation either.
+/// The same at the beginning of a line, where it must not become a title, list or quotation.
 std::string markdownParagraph(const std::string& text) {
   std::string escaped = markdownText(text);
   const std::size_t digits = escaped.find_first_not_of("0123456789");
@@ -91,7 +91,7 @@ std::string markdownTable(const Table& table) {
   return text + '\n';
 }
 
-/// A link's target: whatever a file may be called.
+/// The target of a link, for any file name.
 std::string percentEncoded(const std::string& file) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string encoded;
@@ -112,7 +112,7 @@ std::string element(const std::string& tag, const std::string& text) {
 
 std::string htmlTable(const Table& table) {
   requireRectangular(table);
-  // The caption is not the table's own: it would be as narrow, or scroll away.
+  // The caption is outside the table: inside, it would be as narrow as the table, or scroll away.
   std::string text = "<figure class=\"table\">" + element("figcaption", table.caption) +
                      "<div class=\"wide\"><table>\n<thead><tr>";
   std::vector<std::string> cell_start;
@@ -139,7 +139,7 @@ std::string htmlFigure(const Figure& figure, const std::filesystem::path& folder
          base64(bytes) + "\">" + element("figcaption", figure.caption) + "</figure>\n";
 }
 
-/// Wide tables scroll under their first column; figures stand side by side where there is room.
+/// Wide tables scroll under their first column; figures are placed side by side if there is room.
 constexpr std::string_view kStyle =
     "body{font:15px/1.45 system-ui,\"DejaVu Sans\",sans-serif;max-width:72rem;margin:1.5rem auto;padding:0 "
     "1rem;color:#21262e}h1{font-size:1.5rem}h2{font-size:1.15rem}a{color:#0a5c9e}"

@@ -12,11 +12,11 @@ namespace {
 
 // Pixels.
 constexpr double kBoxWidth = 300.0, kBoxHeight = 74.0, kGap = 40.0, kBorder = 20.0;
-constexpr double kLineHeight = 18.0, kPoint = 18.0;  // of a question's ends
+constexpr double kLineHeight = 18.0, kPoint = 18.0;  // kPoint: of a decision's pointed ends
 constexpr std::size_t kLineLength = 36;              // characters
 
 struct BoxPlace {
-  double x = 0.0, y = 0.0;  // of the box's middle
+  double x = 0.0, y = 0.0;  // of the box's centre
 
   double top() const { return y - 0.5 * kBoxHeight; }
   double bottom() const { return y + 0.5 * kBoxHeight; }
@@ -31,7 +31,7 @@ void requireUsable(const FlowChart& chart) {
   if (chart.boxes.empty()) throw std::invalid_argument("a flow chart needs a box");
   for (const FlowBox& box : chart.boxes) {
     if (!(box.column >= 0.0) || box.row < 0) {
-      throw std::invalid_argument("box '" + box.text + "' is off the chart");
+      throw std::invalid_argument("box '" + box.text + "' is outside the chart");
     }
   }
   for (const FlowArrow& arrow : chart.arrows) {
@@ -77,7 +77,7 @@ void draw(const FlowBox& box, std::ostream& svg) {
   }
 }
 
-/// Down to half-way before the other box, across, and down to it.
+/// Down to half-way before the other box, across, and down to the box.
 void draw(const FlowArrow& arrow, const FlowChart& chart, std::ostream& svg) {
   const BoxPlace from = placeOf(chart.boxes[arrow.from]), to = placeOf(chart.boxes[arrow.to]);
   const double turn = to.top() - 0.5 * kGap;

@@ -1,4 +1,4 @@
-// A colour and a picture of them.
+// Colours and images.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@ Image render(const Picture& picture, int width, int height, unsigned threads,
              const RenderProgress& progress) {
   constexpr int kLargestSide = 16384;
   if (std::min(width, height) < 1 || std::max(width, height) > kLargestSide) {
-    throw std::invalid_argument("a picture of " + std::to_string(width) + " × " + std::to_string(height) +
-                                " pixels cannot be made");
+    throw std::invalid_argument("the picture's size of " + std::to_string(width) + " × " +
+                                std::to_string(height) + " pixels is out of range: 1 to 16384 each");
   }
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
 

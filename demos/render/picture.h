@@ -1,4 +1,4 @@
-// An engineering picture: a scene, seen by a camera, with its title, legend and scale bar.
+// An engineering picture: a scene seen by a camera, with title, legend and scale bar.
 //
 //   Picture picture;
 //   picture.scene.addMesh(blisk, {}, palette::kSteel);
@@ -18,7 +18,7 @@
 
 namespace octoblisk::demos {
 
-/// Colours that go together and stay apart for the colour-blind (after Okabe and Ito, 2008).
+/// Colours that the colour-blind can tell apart (after Okabe and Ito, 2008).
 namespace palette {
 inline constexpr Color kSteel{0.72f, 0.76f, 0.80f};
 inline constexpr Color kSand{0.90f, 0.72f, 0.42f};
@@ -39,18 +39,17 @@ struct Picture {
   Annotation annotation;
 };
 
-/// Of a page, where nothing else is asked for; pixels.
+/// The default size of a page, in pixels.
 inline constexpr int kPageWidth = 1600, kPageHeight = 1200;
 
-/// The whole page. The same, bit for bit, for any number of threads; 0 stands for one a processor. `progress`
-/// is told as by renderScene.
-/// Throws std::invalid_argument for a page that is not 1 to 16384 pixels wide and high, or a camera that
-/// makes no picture, and std::runtime_error where Embree or Cairo fails.
+/// Renders the whole page. The image is the same, bit for bit, for any number of threads; 0 means one per
+/// processor. `progress` is called as by renderScene. Throws std::invalid_argument for a page that is not 1
+/// to 16384 pixels wide and high, or an invalid camera, and std::runtime_error if Embree or Cairo fails.
 Image render(const Picture& picture, int width, int height, unsigned threads = 0,
              const RenderProgress& progress = {});
 
-/// Renders the page to a PNG file. Throws as above, and std::runtime_error, naming the path, where it cannot
-/// be written.
+/// Renders the page to a PNG file. Throws as above, and std::runtime_error naming the path if it cannot be
+/// written.
 void writePng(const Picture& picture, const std::string& path, int width = kPageWidth,
               int height = kPageHeight, unsigned threads = 0);
 

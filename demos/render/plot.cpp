@@ -24,9 +24,9 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr const char* kMissing =
-    "gnuplot, which draws the plots, was not found. On Debian 12: apt install gnuplot-nox";
+    "gnuplot, which draws the plots, was not found: install it (on Debian 12: apt install gnuplot-nox)";
 
-/// A string of gnuplot's, taken as it is.
+/// A gnuplot string without escapes.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
@@ -40,7 +40,7 @@ void requireUsable(const Series& series) {
   if (!series.x.empty() && series.x.size() == series.y.size()) return;
   throw std::invalid_argument("series '" + series.name + "' has " + std::to_string(series.x.size()) +
                               " x and " + std::to_string(series.y.size()) +
-                              " y: as many of each are needed, and one at least");
+                              " y: it needs as many of each, and at least one");
 }
 
 std::string styleOf(SeriesStyle style) {
@@ -80,7 +80,7 @@ struct Answer {
   std::string words;  ///< its standard error
 };
 
-/// Sends the text and takes what comes back, whichever way the other end is ready for.
+/// Sends the text and receives the answer at the same time, so that neither end blocks.
 std::string sendAndReceive(int socket, std::string_view text) {
   std::string taken;
   std::array<char, 65536> buffer;
@@ -95,7 +95,8 @@ std::string sendAndReceive(int socket, std::string_view text) {
     if (sends && (ready.revents & POLLOUT) != 0) {
       const ssize_t sent = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (sent > 0) text.remove_prefix(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno != EINTR && errno != EAGAIN) text = {};  // it has given up, and tells why
+      if (sent < 0 && errno != EINTR && errno != EAGAIN)
+        text = {};  // gnuplot has failed; its answer says why
     }
     if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
     const ssize_t read = ::recv(socket, buffer.data(), buffer.size(), MSG_DONTWAIT);
@@ -116,8 +117,8 @@ std::string wordsIn(int file) {
   }
 }
 
-/// Runs gnuplot on the script. It is sent through a socket, not a pipe: writing to a gnuplot that has given
-/// up is an error then, and no signal.
+/// Runs gnuplot on the script. The script is sent through a socket, not a pipe: if gnuplot has failed,
+/// writing then gives an error instead of a signal.
 Answer runGnuplot(std::string_view script) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -152,10 +153,10 @@ Answer runGnuplot(std::string_view script) {
   return answer;
 }
 
-/// The last line that says anything.
+/// The last line that is not blank.
 std::string lastLine(const std::string& text) {
   std::istringstream lines(text);
-  std::string line, last = "it gave no reason";
+  std::string line, last = "gnuplot gave no reason";
   while (std::getline(lines, line)) {
     if (line.find_first_not_of(" \t\r^") != std::string::npos) last = line;
   }
@@ -174,7 +175,7 @@ std::string gnuplotScript(const Plot& plot) {
          << "set xlabel " << quoted(plot.x_label) << '\n'
          << "set ylabel " << quoted(plot.y_label) << '\n'
          << "set key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\nset border lc rgb '#5c6675'\n";
-  // Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
+  // Colours that the colour-blind can tell apart (Okabe and Ito, 2008).
   const std::array<const char*, 8> colors = {"#21262e", "#0072b3", "#d64000", "#009e73",
                                              "#e69e00", "#cc78a6", "#57b5e8", "#5c6675"};
   for (std::size_t i = 0; i < colors.size(); ++i) {
@@ -192,7 +193,7 @@ std::string gnuplotScript(const Plot& plot) {
       if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) {
         script << series.x[i] << ' ' << series.y[i];
       }
-      script << '\n';  // a blank line breaks the line
+      script << '\n';  // a blank line interrupts the curve
     }
     script << "END_OF_SERIES\n";
   }
@@ -211,7 +212,7 @@ void requireGnuplot() { runGnuplot(""); }
 void writeSvg(const Plot& plot, const std::filesystem::path& file) {
   const Answer answer = runGnuplot(gnuplotScript(plot));
   if (answer.exit_code != 0 || answer.drawn.find("</svg>") == std::string::npos) {
-    throw std::runtime_error(file.string() + ": gnuplot could not draw it: " + lastLine(answer.words));
+    throw std::runtime_error(file.string() + ": gnuplot cannot draw the plot: " + lastLine(answer.words));
   }
   writeFile(file, answer.drawn);
 }

@@ -13,17 +13,17 @@ constexpr double kCreaseAngle = 0.6;  // radians, about 34°
 constexpr unsigned kOpaqueMask = 1;
 constexpr unsigned kTransparentMask = 2;
 
-/// Embree's vertex of a round curve, and its sphere.
+/// Embree's vertex of a round curve: a sphere.
 struct Ball {
   float x, y, z, radius;
 };
 
 Ball ball(const Vec3f& center, float radius) { return {center.x(), center.y(), center.z(), radius}; }
 
-/// Two balls for each round cone between them: one a line, two (shaft and head) an arrow.
+/// Two balls for each round cone between them: one cone per line, two (shaft and head) per arrow.
 std::vector<Ball> lineBalls(const Scene::Marks& marks, const View& view, float width_in_pixels) {
   constexpr float kHeadRadius = 3.0f;   // in radii of the shaft
-  constexpr float kHeadLength = 10.0f;  // in radii of the shaft, but at most
+  constexpr float kHeadLength = 10.0f;  // in radii of the shaft, at most
   constexpr float kHeadShare = 0.6f;    // of the arrow
   std::vector<Ball> balls;
   for (std::size_t index = 0; index + 1 < marks.points.size(); index += 2) {

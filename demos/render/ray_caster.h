@@ -1,4 +1,5 @@
-// What a ray meets in a scene. Built once for a scene and a view, then asked by any number of threads.
+// Finds the surfaces and marks that a ray hits in a scene. Built once per scene and view; any number of
+// threads may use it.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -17,35 +18,36 @@ namespace octoblisk::demos {
 
 class RayCaster {
  public:
-  /// Keeps a reference to the scene, which must outlive it. The widths of the marks are made to fit the view;
-  /// `pixels_per_point` is the scale of those widths.
-  /// Throws std::runtime_error where the ray tracing library fails.
+  /// Keeps a reference to the scene, which must outlive it. The widths of the marks are fitted to the view;
+  /// `pixels_per_point` is the scale of those widths. Throws std::runtime_error if the ray tracing library
+  /// fails.
   RayCaster(const Scene& scene, const View& view, float pixels_per_point);
 
   struct SolidHit {
     float distance = 0.0f;              ///< along the ray (mesh units)
     Vec3f position = Vec3f::Zero();     ///< local to the view
-    Vec3f normal = Vec3f::Zero();       ///< unit, smooth, towards the side the ray comes from
-    Vec3f flat_normal = Vec3f::Zero();  ///< the triangle's own, towards that side too
+    Vec3f normal = Vec3f::Zero();       ///< unit, smooth, facing the ray's origin
+    Vec3f flat_normal = Vec3f::Zero();  ///< the triangle's own, also facing the ray's origin
     std::int32_t solid = 0;             ///< index into Scene::solids()
     Color color;
     float opacity = 1.0f;
   };
-  /// The nearest surface further along the ray than `from`.
+  /// The nearest surface along the ray beyond `from`.
   std::optional<SolidHit> nearestSolid(const Ray& ray, float from) const;
 
   struct MarkHit {
     float distance = 0.0f;         ///< along the ray (mesh units)
     Vec3f normal = Vec3f::Zero();  ///< unit
     std::int32_t mark = 0;         ///< index into Scene::marks()
-    std::int32_t point = 0;        ///< which of its points; 0 for lines
+    std::int32_t point = 0;        ///< index of its point; 0 for lines
   };
   std::optional<MarkHit> nearestMark(const Ray& ray) const;
 
   /// Whether an opaque surface lies on the ray within `reach` (mesh units).
   bool isBlocked(const Ray& ray, float reach) const;
 
-  /// A distance (mesh units) that rounding cannot bridge: rays start so far off the surface they leave.
+  /// A distance (mesh units) greater than rounding errors: rays start this far off the surface that they
+  /// leave.
   float roundingDistance() const { return rounding_distance_; }
 
  private:
@@ -67,7 +69,7 @@ class RayCaster {
   void throwOnError() const;
 
   const Scene& scene_;
-  std::vector<std::vector<CornerNormals>> normals_;  ///< of each solid
+  std::vector<std::vector<CornerNormals>> normals_;  ///< per solid
   float rounding_distance_;
   Device device_;
   Tree solids_;

@@ -19,15 +19,15 @@ using namespace detail;
 namespace {
 
 constexpr int kBandRows = 32;
-constexpr int kMargin = 4;  // rows around a band that its own pixels depend on
-constexpr int kGrid = 4;    // samples along each side of a pixel where something ends
+constexpr int kMargin = 4;  // rows around a band that its pixels depend on
+constexpr int kGrid = 4;    // samples along each side of a refined pixel
 constexpr int kBlurReach =
     2;  // pixels: a window of 5 × 5 whose border counts half holds each pattern equally
 
 const Vec3f kInk(0.012f, 0.016f, 0.024f);  // linear
 constexpr float kSilhouetteInk = 0.88f;
 constexpr float kCreaseInk = 0.42f;
-constexpr float kVeiledInk = 0.45f;  // of the lines behind, or on the rim of, a transparent surface
+constexpr float kVeiledInk = 0.45f;  // of the lines behind a transparent surface, or on its rim
 constexpr float kHaloWhite = 0.92f;
 
 struct Offset {
@@ -61,8 +61,8 @@ std::uint8_t encoded(float linear) {
   return static_cast<std::uint8_t>(std::lround(255.0f * channel));
 }
 
-/// Makes one band of rows after another, each from first trace to finished pixels. Bands know nothing of one
-/// another: each traces a margin of its neighbours' rows for itself. One renderer a thread; it keeps its
+/// Renders one band of rows after another, from the first trace to the finished pixels. Bands are
+/// independent: each traces a margin of its neighbours' rows itself. One renderer per thread; it keeps its
 /// memory.
 class BandRenderer {
  public:
@@ -117,7 +117,7 @@ class BandRenderer {
     }
   }
 
-  /// The mean of the sky shares around a pixel, of those on the same smooth surface.
+  /// The mean of the sky shares around a pixel, only from the same smooth surface.
   void blurSky() {
     sky_ = rough_sky_;
     for (int row = first_traced_; row < end_traced_; ++row) {
@@ -146,7 +146,7 @@ class BandRenderer {
     return sum / weights;
   }
 
-  /// Traces a grid of samples in each pixel where something ends, or where a line beside an end may reach it.
+  /// Traces a grid of samples in each pixel at a border, and where a line beside a border may reach.
   void refine() {
     findEnds();
     grids_.clear();
@@ -186,7 +186,7 @@ class BandRenderer {
     }
   }
 
-  /// The sample of the fine grid, if its pixel was refined. Counted from the image's corner.
+  /// The sample of the fine grid, if its pixel was refined; counted from the image's corner.
   const Sample* fineSample(int fine_column, int fine_row) const {
     if (fine_column < 0 || fine_column >= kGrid * width_) return nullptr;
     const int row = fine_row < 0 ? -1 : fine_row / kGrid;
@@ -223,7 +223,7 @@ class BandRenderer {
   float fineSky(const Surface& surface, int column, int row) const {
     if (!surface) return 1.0f;
     if (const auto mean = meanSky(sky_, surface, column, row, 1)) return *mean;
-    // A surface too small for any pixel's centre to meet it.
+    // A surface too small to be hit at any pixel's centre.
     float sum = 0.0f;
     constexpr unsigned kStride = 5;
     for (unsigned pattern = 0; pattern < Sampler::kPatterns; pattern += kStride) {
@@ -232,7 +232,7 @@ class BandRenderer {
     return sum / (1.0f + (Sampler::kPatterns - 1) / kStride);
   }
 
-  /// How much of the sample the dark lines cover, 0 to 1.
+  /// The share of the sample that the dark lines cover, 0 to 1.
   float inkAt(const Sample& sample, int fine_column, int fine_row) const {
     float ink = 0.0f;
     for (const Offset& offset : kLineCircle) {
@@ -263,17 +263,17 @@ class BandRenderer {
   const Sampler& sampler_;
   Image& image_;
   int width_;
-  int first_row_ = 0;  ///< of the rows that are finished: [first_row_, end_row_)
+  int first_row_ = 0;  ///< of the finished rows: [first_row_, end_row_)
   int end_row_ = 0;
-  int first_traced_ = 0;  ///< of the rows that are traced: [first_traced_, end_traced_)
+  int first_traced_ = 0;  ///< of the traced rows: [first_traced_, end_traced_)
   int end_traced_ = 0;
 
-  std::vector<Sample> centers_;   ///< one a traced pixel, at its centre
-  std::vector<float> rough_sky_;  ///< share of the sky, one pattern a pixel
+  std::vector<Sample> centers_;   ///< one per traced pixel, at its centre
+  std::vector<float> rough_sky_;  ///< share of the sky, one pattern per pixel
   std::vector<float> sky_;        ///< the same, smoothed
   std::vector<Ending> ends_;      ///< the strongest between the pixel and its neighbours
   std::vector<int> grid_of_;      ///< the pixel's place in grids_, or kNotRefined
-  std::vector<Sample> grids_;     ///< kGrid × kGrid samples a refined pixel
+  std::vector<Sample> grids_;     ///< kGrid × kGrid samples per refined pixel
 };
 
 }  // namespace
@@ -284,7 +284,7 @@ Image renderScene(const Scene& scene, const Camera& camera, int width, int heigh
   const Sampler sampler(scene, view, pixels_per_point);
   Image image(width, height, {255, 255, 255, 255});
   const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
-  std::vector<BandRenderer> renderers(threads, BandRenderer(sampler, image));  // one a thread
+  std::vector<BandRenderer> renderers(threads, BandRenderer(sampler, image));  // one per thread
   std::atomic<std::size_t> done = 0;
   parallelFor(bands, static_cast<int>(threads), [&](std::size_t band, std::size_t worker) {
     renderers[worker].render(static_cast<int>(band));

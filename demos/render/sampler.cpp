@@ -10,24 +10,24 @@ namespace octoblisk::demos {
 namespace {
 
 // The light: a sky, two broad lamps over the viewer's shoulders and one at the camera. They add up to 1 for a
-// surface that faces the camera under an open sky, so that it has the very colour that the legend shows.
+// surface that faces the camera under an open sky, so that it has exactly the colour of the legend.
 struct BroadLamp {
-  float strength;         // straight into it
-  float right, up, back;  // the direction to it, in the camera's axes: of unit length
+  float strength;         // for a surface that faces the lamp
+  float right, up, back;  // the direction to the lamp, in the camera's axes: of unit length
 };
 constexpr BroadLamp kKey{0.46f, -0.48f, 0.64f, 0.60f};
 constexpr BroadLamp kFill{0.26f, 0.76f, -0.25f, 0.60f};
 constexpr float kCameraLight = 0.14f;
 constexpr float kSkyLight = 0.40f;
-constexpr float kSkyTilt = 0.08f;  // how much brighter the sky is above than ahead
+constexpr float kSkyTilt = 0.08f;  // by which the sky is brighter above than ahead
 
-constexpr int kSkyRays = 5;           // of each pattern
+constexpr int kSkyRays = 5;           // per pattern
 constexpr float kSkyReach = 0.18f;    // of the scene's half diagonal
-constexpr float kSkyOnLamps = 0.45f;  // how far the lamps too fade where the sky is hidden
+constexpr float kSkyOnLamps = 0.45f;  // how much the lamps fade too where the sky is hidden
 
-constexpr int kMostLayers = 32;  // transparent surfaces before one another
+constexpr int kMostLayers = 32;  // transparent surfaces one behind another
 constexpr float kLeastTransmittance = 1.0f / 256.0f;
-constexpr float kCreaseCosine = 0.82f;  // normals that part by more make a crease, about 35°
+constexpr float kCreaseCosine = 0.82f;  // normals that differ by more make a crease, about 35°
 constexpr float kJumpInPixels = 1.6f;   // a step of this height makes a silhouette
 constexpr float kColorStep = 0.02f;     // linear
 
@@ -95,7 +95,7 @@ Vec3f Sampler::lit(const Vec3f& color, const Vec3f& normal, float sky_share) con
   const float back = -normal.dot(view_.forward());
   float lamps = kCameraLight * std::max(0.0f, back);
   for (const BroadLamp& lamp : {kKey, kFill}) {
-    // A broad lamp lights some way around the edge, so that no side is without form.
+    // A broad lamp also lights some way around the edge, so that no side looks flat.
     const float towards = 0.5f + 0.5f * (lamp.right * right + lamp.up * up + lamp.back * back);
     lamps += lamp.strength * towards * towards;
   }
@@ -105,7 +105,7 @@ Vec3f Sampler::lit(const Vec3f& color, const Vec3f& normal, float sky_share) con
 
 float Sampler::skyShare(const Surface& surface, unsigned pattern) const {
   constexpr float kGoldenRatio = 0.618034f;
-  // The patterns' shifts, far apart for pixels near one another (an ordered dither).
+  // The patterns' shifts, far apart for neighbouring pixels (an ordered dither).
   constexpr std::array<unsigned, kPatterns> kShift = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
   const float shift = (static_cast<float>(kShift[pattern]) + 0.5f) / kPatterns;
 
@@ -114,7 +114,7 @@ float Sampler::skyShare(const Surface& surface, unsigned pattern) const {
   const Vec3f start = surface.position + 4.0f * caster_.roundingDistance() * surface.normal;
   int open = 0;
   for (int index = 0; index < kSkyRays; ++index) {
-    // Directions whose density grows with the cosine to the normal, stratified in both of their angles.
+    // Directions whose density is proportional to the cosine to the normal, stratified in both angles.
     const float square_sine = (static_cast<float>(index) + shift) / kSkyRays;
     const float turn =
         2.0f * std::numbers::pi_v<float> * fraction(kGoldenRatio * static_cast<float>(index) + 5.0f * shift);
@@ -167,7 +167,7 @@ bool Sampler::liesInHaloOf(const Sample& sample, const Sample& neighbour) const 
   const float depth = view_.forward().dot(neighbour.mark_position);
   if (sample.mark != Sample::kNoMark) return depth < view_.forward().dot(sample.mark_position);
   if (!sample.back) return true;
-  // A mark that sits on a surface is set off from it even where the surface rises a little before it.
+  // A mark on a surface gets its halo even if the surface rises slightly in front of it.
   const float slack = 2.0f * scene_.marks()[neighbour.mark].style.width * pixels_per_point_ *
                       view_.pixelSizeAt(neighbour.mark_position);
   return depth < view_.forward().dot(sample.back.position) + slack;

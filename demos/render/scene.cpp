@@ -8,7 +8,7 @@ namespace octoblisk::demos {
 
 void Scene::addMesh(const TriangleMesh& mesh, const Pose& mesh_in_scene, Color color, float opacity) {
   if (!(opacity > 0.0f && opacity <= 1.0f)) {
-    throw std::invalid_argument("a mesh's opacity must lie in (0, 1], but is " + std::to_string(opacity));
+    throw std::invalid_argument("a mesh's opacity must be in (0, 1], but is " + std::to_string(opacity));
   }
   Solid solid{{}, mesh.triangles(), {color}, opacity};
   solid.vertices.reserve(mesh.vertices().size());

@@ -12,7 +12,7 @@ Image::Pixel pixelOf(const Color& color) {
   return {byte(color.r), byte(color.g), byte(color.b), 255};
 }
 
-/// The rectangle of the unrolled side that is seen.
+/// The visible rectangle of the unrolled side.
 struct MapExtent {
   double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
   double height_min = arc_min, height_max = -arc_min;
@@ -33,7 +33,7 @@ Image sideMap(std::span<const MapCell> cells, const Annotation& annotation, int 
   Image page(width, height, {255, 255, 255, 255});
   const Layout layout(annotation, width, height);
   constexpr double kUsed = 0.92;
-  double unit = 1.0;  // pixels of 1 mm
+  double unit = 1.0;  // pixels per mm
   if (!cells.empty()) {
     unit = kUsed * std::min(width / std::max(1e-9, extent.arc_max - extent.arc_min),
                             layout.sceneHeight() / std::max(1e-9, extent.height_max - extent.height_min));

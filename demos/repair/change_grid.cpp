@@ -11,12 +11,12 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kTiltCost = 1.0;      // a degree
-constexpr double kSlideCost = 1.0;     // a mm
-constexpr double kRetractCost = 20.0;  // a mm
-constexpr double kStepPart = 0.25;     // of these, for a change from pose to pose
+constexpr double kTiltCost = 1.0;      // per degree
+constexpr double kSlideCost = 1.0;     // per mm
+constexpr double kRetractCost = 20.0;  // per mm
+constexpr double kStepPart = 0.25;     // fraction of these, for a change from pose to pose
 
-/// 0 and multiples of the spacing either way.
+/// 0 and multiples of the spacing in both directions.
 std::vector<double> bothWays(double most, double spacing) {
   const auto steps = static_cast<int>(std::floor(most / spacing + kGridRounding));
   std::vector<double> values;
@@ -24,7 +24,8 @@ std::vector<double> bothWays(double most, double spacing) {
   return values;
 }
 
-/// 0 up to the most: ten steps of the spacing, then wider and wider, but by no more than may be gone at once.
+/// 0 up to the greatest: ten steps of the spacing, then wider and wider ones, up to the greatest step from
+/// pose to pose.
 std::vector<double> wideningSteps(double most, double spacing, double widest) {
   constexpr int kEven = 10;
   constexpr double kGrowth = 1.25;
@@ -62,12 +63,13 @@ ChangeGrid::ChangeGrid(const ChangeLimits& limits) : limits_(limits) {
     require(
         std::isfinite(values.first) && values.first > 0.0 && values.first <= values.second + kGridRounding,
         std::string("the spacing of the ") + name +
-            " must be above 0 and no more than its change from pose to pose");
+            " must be above 0 and must not exceed its change from pose to pose");
   }
   const double expected = (2.0 * limits.tilt / limits.tilt_grid + 1.0) *
                           (2.0 * limits.slide / limits.slide_grid + 1.0) *
                           (limits.retract / limits.retract_per_pose + 1.0);
-  const std::string too_many = "there are too many changes to choose from: widen a spacing or narrow a range";
+  const std::string too_many =
+      "there are too many combinations of changes: widen a spacing or narrow a range";
   require(expected < static_cast<double>(kMostNodes), too_many);
   tilts_ = bothWays(limits.tilt, limits.tilt_grid);
   slides_ = bothWays(limits.slide, limits.slide_grid);

@@ -7,9 +7,9 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kBlocked = 1e10;  // beyond the cost of any free way
-constexpr double kAvoided = 1e7;   // beyond the cost of a pose and its neighbours
-constexpr double kLosing = 1e6;    // beyond the cost of any change
+constexpr double kBlocked = 1e10;  // more than the cost of any free route
+constexpr double kAvoided = 1e7;   // more than the cost of a pose and its neighbours
+constexpr double kLosing = 1e6;    // more than the cost of any change
 
 }  // namespace
 
@@ -20,7 +20,7 @@ LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
       states_(poses * grid.size(), State::free),
       least_retract_(poses, 0) {
   for (std::uint32_t node = 0; node < costs_.size(); ++node) costs_[node] = grid.cost(grid.change(node));
-  // The cost of a step is a sum over the three values, so that each can be gone through by itself.
+  // The cost of a step is a sum over the three values, so each value can be relaxed separately.
   const ChangeLimits& limits = grid.limits();
   const std::size_t retracts = grid.retracts().size(), slides = grid.slides().size();
   axes_.emplace_back(grid.tilts(), limits.tilt_per_pose, slides * retracts,
@@ -50,8 +50,8 @@ LayeredSearch::Axis::Axis(const std::vector<double>& values, double most_change,
   }
 }
 
-/// For each node the least of the costs before plus that of a step along the axis; the node of the least is
-/// handed on.
+/// For each node, the least sum of a cost before and the cost of a step along the axis; passes on the node
+/// with the least.
 void LayeredSearch::relax(const Axis& axis, Layer& layer, Layer& next) const {
   const std::size_t stride = axis.stride, row = axis.steps_to.size() * stride;
   std::ranges::fill(next.cost, std::numeric_limits<double>::infinity());
@@ -74,7 +74,7 @@ void LayeredSearch::relax(const Axis& axis, Layer& layer, Layer& next) const {
   std::swap(layer, next);
 }
 
-/// The least over all steps to one node, of which some are blocked.
+/// The least cost over all steps to one node, some of which are blocked.
 void LayeredSearch::relaxBlocked(const std::vector<double>& costs, std::uint32_t to,
                                  const std::set<std::uint32_t>& blocked_from, Layer& layer) const {
   const ChangeLimits& limits = grid_->limits();
@@ -114,10 +114,10 @@ std::vector<std::uint32_t> LayeredSearch::cheapest() const {
     for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] += nodeCost(pose, node);
     before[pose] = layer.before;
   }
-  std::vector<std::uint32_t> way(poses_);
-  way.back() = static_cast<std::uint32_t>(std::ranges::min_element(layer.cost) - layer.cost.begin());
-  for (std::size_t pose = poses_ - 1; pose > 0; --pose) way[pose - 1] = before[pose][way[pose]];
-  return way;
+  std::vector<std::uint32_t> route(poses_);
+  route.back() = static_cast<std::uint32_t>(std::ranges::min_element(layer.cost) - layer.cost.begin());
+  for (std::size_t pose = poses_ - 1; pose > 0; --pose) route[pose - 1] = before[pose][route[pose]];
+  return route;
 }
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,5 @@
-// The cheapest way through layers of nodes, one layer a pose, where little may change from layer to layer.
+// Finds the cheapest route through layers of nodes, one layer per pose, with small changes from layer to
+// layer.
 #pragma once
 
 #include <algorithm>
@@ -14,60 +15,60 @@
 
 namespace octoblisk::demos {
 
-/// Dynamic programming over the poses of a path. Every node counts as free until it is said to be blocked. A
-/// blocked node or step may still be gone where nothing else leads on, for more than all free ones together:
-/// so the way has as few of them as can be. Of such ways it has as few nodes that lose contact as can be, and
-/// the least cost among those.
+/// Dynamic programming over the poses of a path. Every node counts as free until it is marked as blocked. The
+/// route may still use a blocked node or step, at more than the cost of all free ones together: so it uses as
+/// few of them as possible. Among such routes it has the fewest nodes that lose contact, and among those the
+/// least cost.
 class LayeredSearch {
  public:
-  /// The grid must outlive it. Of so many poses, at least one.
+  /// The grid must outlive it. `poses` is at least 1.
   LayeredSearch(const ChangeGrid& grid, std::size_t poses);
 
   void blockNode(std::size_t pose, std::uint32_t node) {
     states_[pose * grid_->size() + node] = State::blocked;
   }
 
-  /// Says that the tool loses its contact there.
+  /// Marks a node where the tool loses its contact.
   void markLosing(std::size_t pose, std::uint32_t node) {
     State& state = states_[pose * grid_->size() + node];
     state = std::max(state, State::losing);
   }
 
-  /// The step from a node to another of the next pose, which is `pose`.
+  /// Blocks the step from a node to a node of the next pose, which is `pose`.
   void blockStep(std::size_t pose, std::uint32_t from, std::uint32_t to) {
     blocked_steps_[pose][to].insert(from);
   }
 
-  /// Takes back what was said of the steps to a pose.
+  /// Removes all blocks of steps to a pose.
   void unblockSteps(std::size_t pose) { blocked_steps_.erase(pose); }
 
-  /// Has the way keep off a pose's nodes of a lesser retraction than that of the index, whatever it costs,
-  /// unless others are blocked.
+  /// Makes the route avoid a pose's nodes with a smaller retraction than the index, at any cost, unless the
+  /// others are blocked.
   void avoidBelow(std::size_t pose, std::size_t retract) { least_retract_[pose] = retract; }
 
-  /// The node of each pose. Of ways of equal cost always the same.
+  /// The node of each pose. Among routes of equal cost the choice is deterministic.
   std::vector<std::uint32_t> cheapest() const;
 
  private:
   enum class State : std::uint8_t { free, losing, blocked };
 
-  /// Nodes of a layer with the cost of the way to each, and its node in the layer before.
+  /// Nodes of a layer with the cost of the route to each, and its node in the previous layer.
   struct Layer {
     std::vector<double> cost;
     std::vector<std::uint16_t> before;
   };
 
-  /// One of the three values of a change, and the steps between its grid's values.
+  /// One of the three values of a change, and the steps between the values of its grid.
   struct Axis {
     Axis(const std::vector<double>& values, double most_change, std::size_t apart,
          const std::function<double(double)>& step_cost);
 
     struct Step {
-      std::size_t from;  // number of a value
+      std::size_t from;  // index of a value
       double cost;
     };
-    std::size_t stride;                       // from a value's nodes to the next value's
-    std::vector<std::vector<Step>> steps_to;  // each value
+    std::size_t stride;                       // from the nodes of a value to those of the next
+    std::vector<std::vector<Step>> steps_to;  // per value
   };
 
   double nodeCost(std::size_t pose, std::uint32_t node) const;
@@ -77,10 +78,10 @@ class LayeredSearch {
 
   const ChangeGrid* grid_;
   std::size_t poses_;
-  std::vector<double> costs_;  // of each node, were it free
+  std::vector<double> costs_;  // per node, if it is free
   std::vector<Axis> axes_;
-  std::vector<State> states_;               // of each pose and node
-  std::vector<std::size_t> least_retract_;  // of each pose: lesser ones are avoided
+  std::vector<State> states_;               // per pose and node
+  std::vector<std::size_t> least_retract_;  // per pose: smaller ones are avoided
   std::map<std::size_t, std::map<std::uint32_t, std::set<std::uint32_t>>> blocked_steps_;  // pose, to, from
 };
 

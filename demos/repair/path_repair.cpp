@@ -17,16 +17,16 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostAtOnce = 256;  // changes of a pose
+constexpr std::size_t kMostAtOnce = 256;  // changes per pose
 constexpr std::size_t kMostTriesAMove = 32;
 constexpr std::size_t kTriesBeforeRetracting = 2;
-constexpr std::size_t kTriesToKeepContact = 16;  // before those
+constexpr std::size_t kTriesToKeepContact = 16;  // more tries, to keep a contact
 constexpr std::size_t kMostDoublings = 4;
 
-/// The search for one path: what is known of its nodes and steps.
+/// The search for one path, with the known states of its nodes and steps.
 class Repairer {
  public:
-  /// `contact_poses`: those that are to keep their contact.
+  /// `contact_poses`: the poses that should keep their contact.
   Repairer(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
            const ChangeLimits& limits, std::vector<bool> contact_poses)
       : judge_(judge),
@@ -51,30 +51,30 @@ class Repairer {
     }
   }
 
-  /// The way found; where it was stopped, that so far.
+  /// The route found; if stopped, the best so far.
   std::vector<std::uint32_t> run(const RunWatch& watch) {
     for (;;) {
-      std::vector<std::uint32_t> way = search_.cheapest();
+      std::vector<std::uint32_t> route = search_.cheapest();
       is_stopped_ = watch.isStopped();
-      if (is_stopped_) return way;
-      if (judgePoses(way)) {
-        watch.tell(kTask, settled(way));
+      if (is_stopped_) return route;
+      if (judgePoses(route)) {
+        watch.tell(kTask, settled(route));
         continue;
       }
-      if (judgeMoves(way)) continue;
+      if (judgeMoves(route)) continue;
       watch.tell(kTask, path_.size());
-      return way;
+      return route;
     }
   }
   bool isStopped() const { return is_stopped_; }
 
-  /// What is not changed stays to the last bit.
+  /// An unchanged pose stays the same to the last bit.
   Pose pose(std::size_t index, std::uint32_t node) const {
     const Change change = grid_.change(node);
     return change.isNone() ? path_[index] : changedPose(path_[index], off_surface_[index], change);
   }
-  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& way) const {
-    return free_moves_.contains({pose, way[pose - 1], way[pose]});
+  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& route) const {
+    return free_moves_.contains({pose, route[pose - 1], route[pose]});
   }
   const ChangeGrid& grid() const { return grid_; }
   std::size_t asked(std::size_t pose) const {
@@ -85,34 +85,35 @@ class Repairer {
 
  private:
   static constexpr char kUnknown = 0, kFree = 1, kLosing = 2, kBlocked = 3;
-  static constexpr const char* kTask = "poses that are free";
+  static constexpr const char* kTask = "free poses";
 
   char& known(std::size_t pose, std::uint32_t node) { return known_[pose * grid_.size() + node]; }
   bool isFree(std::size_t pose, std::uint32_t node) {
     return known(pose, node) == kFree || known(pose, node) == kLosing;
   }
 
-  std::size_t settled(const std::vector<std::uint32_t>& way) {
+  std::size_t settled(const std::vector<std::uint32_t>& route) {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < way.size(); ++p) count += isFree(p, way[p]);
+    for (std::size_t p = 0; p < route.size(); ++p) count += isFree(p, route[p]);
     return count;
   }
 
-  /// Judges what is not known of the way's nodes, and with those that turned out blocked or to lose contact
-  /// before the next cheapest ones. Whether a node of the way does that was not known to.
-  bool judgePoses(const std::vector<std::uint32_t>& way) {
+  /// Judges the unknown nodes of the route. At poses whose nodes turned out blocked or losing contact before,
+  /// it also judges the next cheapest nodes. Returns true if a node of the route is newly found to be blocked
+  /// or losing contact.
+  bool judgePoses(const std::vector<std::uint32_t>& route) {
     std::vector<std::pair<std::size_t, std::uint32_t>> asked;
     std::vector<Pose> poses;
     const auto ask = [&](std::size_t p, std::uint32_t node) {
       asked.emplace_back(p, node);
       poses.push_back(pose(p, node));
     };
-    for (std::size_t p = 0; p < way.size(); ++p) {
-      if (known(p, way[p]) != kUnknown) continue;
-      ask(p, way[p]);
+    for (std::size_t p = 0; p < route.size(); ++p) {
+      if (known(p, route[p]) != kUnknown) continue;
+      ask(p, route[p]);
       for (std::size_t more = 1; more < at_once_[p] && next_[p] < by_cost_.size(); ++next_[p]) {
         const std::uint32_t node = by_cost_[next_[p]];
-        if (node == way[p] || known(p, node) != kUnknown) continue;
+        if (node == route[p] || known(p, node) != kUnknown) continue;
         ask(p, node);
         ++more;
       }
@@ -131,56 +132,57 @@ class Repairer {
         known(p, node) = kFree;
         continue;
       }
-      if (node != way[p]) continue;
+      if (node != route[p]) continue;
       any_worse = true;
       at_once_[p] = std::min(2 * at_once_[p], kMostAtOnce);
     }
     return any_worse;
   }
 
-  /// The same for the moves between free poses.
-  bool judgeMoves(const std::vector<std::uint32_t>& way) {
+  /// The same for the motions between free poses.
+  bool judgeMoves(const std::vector<std::uint32_t>& route) {
     std::vector<std::size_t> asked;
     std::vector<Move> moves;
-    for (std::size_t p = 1; p < way.size(); ++p) {
+    for (std::size_t p = 1; p < route.size(); ++p) {
       if (hasGivenUp(p)) continue;
-      if (!isFree(p - 1, way[p - 1]) || !isFree(p, way[p])) continue;
-      if (isFreeMove(p, way)) continue;
+      if (!isFree(p - 1, route[p - 1]) || !isFree(p, route[p])) continue;
+      if (isFreeMove(p, route)) continue;
       asked.push_back(p);
-      moves.push_back({pose(p - 1, way[p - 1]), pose(p, way[p])});
+      moves.push_back({pose(p - 1, route[p - 1]), pose(p, route[p])});
     }
     const auto found = judge_.obstaclesOf(moves);
     bool any_blocked = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const std::size_t p = asked[k];
       if (!found[k]) {
-        free_moves_.insert({p, way[p - 1], way[p]});
+        free_moves_.insert({p, route[p - 1], route[p]});
         continue;
       }
       any_blocked = true;
-      search_.blockStep(p, way[p - 1], way[p]);
+      search_.blockStep(p, route[p - 1], route[p]);
       ++tries_[p];
       const std::size_t patience = patienceFor(p);
       if (hasGivenUp(p)) {
         giveUpMove(p);
       } else if (tries_[p] > patience && (tries_[p] - patience) % kTriesBeforeRetracting == 0) {
-        retractMove(p, way, (tries_[p] - patience) / kTriesBeforeRetracting);
+        retractMove(p, route, (tries_[p] - patience) / kTriesBeforeRetracting);
       }
     }
     return any_blocked;
   }
 
-  /// Both ends of a move that is blocked again and again have to retract, each time by twice as many steps.
-  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& way, std::size_t times) {
+  /// Retracts both ends of a motion that is blocked again and again, each time by twice as many steps.
+  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& route, std::size_t times) {
     const std::size_t retracts = grid_.retracts().size();
     const std::size_t more = std::size_t{1} << std::min(times - 1, kMostDoublings);
     for (const std::size_t end : {pose - 1, pose}) {
-      least_retract_[end] = std::min(retracts - 1, std::max(least_retract_[end], way[end] % retracts + more));
+      least_retract_[end] =
+          std::min(retracts - 1, std::max(least_retract_[end], route[end] % retracts + more));
       search_.avoidBelow(end, least_retract_[end]);
     }
   }
 
-  /// Tries of a move before its ends have to retract.
+  /// The number of tries of a motion before its ends must retract.
   std::size_t patienceFor(std::size_t pose) const {
     return keeps_contact_[pose - 1] || keeps_contact_[pose] ? kTriesToKeepContact : 0;
   }
@@ -200,17 +202,17 @@ class Repairer {
   std::vector<bool> keeps_contact_;
   ChangeGrid grid_;
   LayeredSearch search_;
-  std::vector<char> known_;                 // of each pose and node
-  std::vector<std::uint32_t> by_cost_;      // the nodes
-  std::vector<std::size_t> next_;           // of each pose: the first in by_cost_ that may be unknown
-  std::vector<std::size_t> at_once_;        // of each pose: nodes to be judged together
-  std::vector<std::size_t> tries_;          // of each pose: moves to it that were blocked
-  std::vector<std::size_t> least_retract_;  // of each pose: indices of the grid's retractions
+  std::vector<char> known_;                 // per pose and node
+  std::vector<std::uint32_t> by_cost_;      // nodes, in order of cost
+  std::vector<std::size_t> next_;           // per pose: the first in by_cost_ that may be unknown
+  std::vector<std::size_t> at_once_;        // per pose: number of nodes to judge together
+  std::vector<std::size_t> tries_;          // per pose: number of blocked motions to it
+  std::vector<std::size_t> least_retract_;  // per pose: indices of the grid's retractions
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
   bool is_stopped_ = false;
 };
 
-/// The ground blade's triangles alone; null where no blade is ground.
+/// Only the ground blade's triangles; null if no blade is ground.
 std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
   const TriangleMesh& mesh = judge.blisk().mesh();
   std::vector<TriangleMesh::Indices> ground;
@@ -221,7 +223,7 @@ std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
   return ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));
 }
 
-/// At which poses the grinding part touches the ground blade.
+/// The poses at which the grinding part touches the ground blade.
 std::vector<bool> workingPoses(const Judge& judge, std::span<const Pose> path) {
   std::vector<bool> works(path.size(), false);
   const auto blade = groundBladeOf(judge);
@@ -269,19 +271,19 @@ std::size_t PathRepair::contactsLost() const {
 
 PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
                       const ChangeLimits& limits, bool keep_contact, const RunWatch& watch) {
-  require(!path.empty(), "a path of no poses cannot be repaired");
+  require(!path.empty(), "a path without poses cannot be repaired");
   require(off_surface.size() == path.size(), "each pose needs a direction off the surface");
   const std::vector<bool> works = workingPoses(judge, path);
   Repairer repairer(judge, path, off_surface, limits,
                     keep_contact ? works : std::vector<bool>(path.size(), false));
-  const std::vector<std::uint32_t> way = repairer.run(watch);
+  const std::vector<std::uint32_t> route = repairer.run(watch);
 
   PathRepair repair;
   repair.is_partial = repairer.isStopped();
   for (std::size_t p = 0; p < path.size(); ++p) {
-    repair.path.push_back(repairer.pose(p, way[p]));
+    repair.path.push_back(repairer.pose(p, route[p]));
     repair.poses.push_back({});
-    repair.poses.back().change = repairer.grid().change(way[p]);
+    repair.poses.back().change = repairer.grid().change(route[p]);
     repair.poses.back().asked = repairer.asked(p);
     repair.poses.back().works = works[p];
   }
@@ -292,12 +294,12 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
     repair.poses[p].before = before[p];
     repair.poses[p].after = after[p];
     if (p == 0 || repair.is_partial || after[p - 1].obstacle || after[p].obstacle) continue;
-    if (repairer.isFreeMove(p, way)) continue;
+    if (repairer.isFreeMove(p, route)) continue;
     moves.push_back({repair.path[p - 1], repair.path[p]});
     move_to.push_back(p);
   }
-  const auto in_the_way = judge.obstaclesOf(moves);
-  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = in_the_way[k];
+  const auto blocking = judge.obstaclesOf(moves);
+  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = blocking[k];
   return repair;
 }
 

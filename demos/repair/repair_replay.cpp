@@ -31,12 +31,13 @@ std::string titleOf(const PathRepair& repair) {
                                                               " lost contact with the blade";
     return (repair.interferedBefore() == 0
                 ? "The path is free"
-                : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none is left") +
+                : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none does now") +
            lost;
   }
   const std::size_t moves = repair.movesLeft();
   return "Left interfering: " + countOfPoses(repair.posesLeft()) +
-         (moves == 0 ? std::string() : " and " + std::to_string(moves) + (moves == 1 ? " move" : " moves"));
+         (moves == 0 ? std::string()
+                     : " and " + std::to_string(moves) + (moves == 1 ? " motion" : " motions"));
 }
 
 }  // namespace
@@ -46,14 +47,14 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
   replay.command = "repair";
   replay.title = titleOf(repair);
   replay.subtitle = countOfPoses(repair.changed()) + " of " + std::to_string(repair.poses.size()) +
-                    " are changed; the path before is to be chosen beside the controls";
-  replay.findings_title = "What is left, or comes near";
+                    " changed; select the original path beside the controls";
+  replay.findings_title = "Remaining interference and near misses";
   replay.counts = {
       {"poses interfered", repair.interferedBefore(), Tone::near},
       {"poses changed", repair.changed(), Tone::clear},
       {"poses left interfering", repair.posesLeft(), Tone::interference},
       {"working poses that lost contact", repair.contactsLost(), Tone::interference},
-      {"moves left between free poses", repair.movesLeft(), Tone::interference},
+      {"motions left between free poses", repair.movesLeft(), Tone::interference},
   };
   replay.charts.push_back({.title = "Changes to the path", .unit = "degrees, mm"});
   ReplayTrack repaired = std::move(replay.tracks.front());
@@ -66,10 +67,9 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
       std::ranges::find_if(repair.poses, [](const PoseRepair& pose) { return !pose.change.isNone(); });
   replay.start_at = changed == repair.poses.end() ? 0.0 : static_cast<double>(changed - repair.poses.begin());
   replay.notes.push_back(
-      "Verdicts, clearances and contacts of both paths are those of octoblisk grind, which knows nothing of "
-      "the repair. Tilt turns the tool about its wheels' axis, slide goes along that axis, retraction off "
-      "the "
-      "surface.");
+      "Verdicts, clearances and contacts of both paths are those of octoblisk grind, which does not know "
+      "about the repair. Tilt turns the tool about its wheels' axis, slide shifts it along that axis, and "
+      "retraction lifts it off the surface.");
   return replay;
 }
 

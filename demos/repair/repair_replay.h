@@ -1,4 +1,4 @@
-// A repaired path beside the one it was made from, as a replay.
+// Shows a repaired path beside its original, as a replay.
 #pragma once
 
 #include "grinding/grinding_run.h"
@@ -7,8 +7,8 @@
 
 namespace octoblisk::demos {
 
-/// The two runs are of the path before and after, as octoblisk grind judges them, with as many poses as the
-/// repair.
+/// The two runs are those of octoblisk grind for the original and the repaired path; both have one pose per
+/// pose of the repair.
 Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const GrindingRun& after);
 
 }  // namespace octoblisk::demos

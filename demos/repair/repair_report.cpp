@@ -20,14 +20,14 @@ std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<con
   return obstacle ? describe(*obstacle, parts, names) : std::string();
 }
 
-/// Of a working pose; else empty.
+/// For a working pose; otherwise empty.
 const char* contactText(const PathRepair& repair, std::size_t pose) {
   if (!repair.poses[pose].works) return "";
   if (repair.hasLostContact(pose)) return "lost";
   return repair.poses[pose].after.grinds ? "kept" : "";
 }
 
-/// Runs of equal texts; empty ones are nothing.
+/// Adds the runs of equal texts; empty texts are skipped.
 void addRuns(const std::vector<std::string>& texts, const std::string& one, const std::string& many,
              std::vector<std::string>& runs) {
   for (std::size_t first = 0; first < texts.size();) {
@@ -49,8 +49,8 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, con
                   const std::filesystem::path& file) {
   std::ostringstream stream;
   stream.precision(9);
-  stream << "pose,before,in_the_way_before,tilt_deg,slide_mm,retract_mm,after,in_the_way_after,"
-            "in_the_way_of_move_to_it,contact\n";
+  stream << "pose,before,obstacle_before,tilt_deg,slide_mm,retract_mm,after,obstacle_after,obstacle_on_"
+            "motion,contact\n";
   for (std::size_t p = 0; p < repair.poses.size(); ++p) {
     const PoseRepair& pose = repair.poses[p];
     stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts, names)
@@ -69,7 +69,7 @@ std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const 
     of_moves.push_back(obstacleText(pose.move, parts, names));
   }
   addRuns(of_poses, "pose", "poses", runs);
-  addRuns(of_moves, "move to pose", "moves to poses", runs);
+  addRuns(of_moves, "motion to pose", "motions to poses", runs);
   return runs;
 }
 

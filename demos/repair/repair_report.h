@@ -1,4 +1,4 @@
-// What is told of a repaired path: a table and a summary.
+// Reports on a repaired path: a table and a summary.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ namespace octoblisk::demos {
 void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, const BodyNames& names,
                   const std::filesystem::path& file);
 
-/// "poses 3-5: arm on hub or shroud", "moves to poses 7-8: belt on blade 2": runs of poses, and of moves,
-/// left with the same in their way.
+/// "poses 3-5: arm on hub or shroud", "motions to poses 7-8: belt on blade 2": the runs of poses, and of
+/// motions, with the same remaining obstacle.
 std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts,
                                       const BodyNames& names);
 

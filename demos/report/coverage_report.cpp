@@ -15,13 +15,13 @@
 namespace octoblisk::demos {
 namespace {
 
-/// A step of the colours, up to a depth as a part of the limit.
+/// A step of the colour scale: depths up to this fraction of the limit.
 struct DepthStep {
   double most;
   Color color;
   const char* text;
 };
-constexpr std::array kDepthSteps = {DepthStep{0.0, palette::kYellow, "left standing, up to 0.5 mm"},
+constexpr std::array kDepthSteps = {DepthStep{0.0, palette::kYellow, "left standing, by up to 0.5 mm"},
                                     DepthStep{0.25, {0.75f, 0.87f, 0.66f}, "ground, up to 1/4 of the limit"},
                                     DepthStep{0.5, {0.45f, 0.76f, 0.55f}, "1/2"},
                                     DepthStep{1.0, {0.10f, 0.52f, 0.40f}, "the limit"},
@@ -29,7 +29,7 @@ constexpr std::array kDepthSteps = {DepthStep{0.0, palette::kYellow, "left stand
 constexpr Color kNotReached = palette::kSteel;
 constexpr std::size_t kColors = kDepthSteps.size() + 1;
 
-/// 0: not reached; else one more than the index of the step.
+/// 0: not reached; otherwise one more than the index of the step.
 std::size_t colorIndexOf(const GroundPoint& point, double limit) {
   if (!point.isNear()) return 0;
   if (!point.isGround()) return 1;
@@ -81,7 +81,7 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
   };
   std::vector<MapCell> cells;
   const std::size_t amid = grid.columns() / 2;
-  double above = 0.0;  // of the row's lower edge
+  double above = 0.0;  // height of the row's lower edge
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     const std::size_t begin = row * grid.columns();
     const std::size_t other = row + 1 < grid.rows() ? begin + grid.columns() : begin - grid.columns();
@@ -99,7 +99,7 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
   std::ostringstream subtitle;
   const std::string left = leftInWords(coverage);
   if (!left.empty()) subtitle << left << "; ";
-  subtitle << "right: arc length from the leading edge, up: height above the root";
+  subtitle << "horizontal: arc length from the leading edge, vertical: height above the root";
   annotation.subtitle = subtitle.str();
   for (std::size_t index = 0; index < kColors; ++index) {
     annotation.legend.push_back({colorOf(index), nameOf(index)});
@@ -108,10 +108,10 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
 }
 
 ReplaySide coverageOnBlade(const Coverage& coverage) {
-  constexpr double kLift = 0.2;  // mm: the blade may be drawn thinned
+  constexpr double kLift = 0.2;  // mm: clears a blade that is simplified for display
   const SideGrid& grid = coverage.grid;
   const Pose blisk_in_mesh = coverage.mesh_in_blisk.inverse();
-  ReplaySide side{.name = "what is ground", .columns = grid.columns()};
+  ReplaySide side{.name = "coverage", .columns = grid.columns()};
   for (std::size_t corner = 0; corner < grid.corners().size(); ++corner) {
     const std::size_t row = std::min(corner / (grid.columns() + 1), grid.rows() - 1);
     const std::size_t column = std::min(corner % (grid.columns() + 1), grid.columns() - 1);

@@ -1,4 +1,4 @@
-// Tables and the picture of a coverage.
+// The table and the picture of a coverage.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace octoblisk::demos {
 
-/// coverage.csv: a row for each cell of the grid; points are in the frame of the blisk's mesh. Throws
-/// std::runtime_error where it cannot be written.
+/// coverage.csv: one row per cell of the grid; points are in the frame of the blisk's mesh. Throws
+/// std::runtime_error if the file cannot be written.
 void writeCoverage(const Coverage& coverage, const std::filesystem::path& file);
 
-/// The blade's side unrolled, each cell in the colour of how deep it is ground.
+/// The blade's side, unrolled; each cell has the colour of the depth to which it is ground.
 Image coveragePicture(const Coverage& coverage, int width = 1600, int height = 1200);
 
-/// The same on the blade, in the frame of the blisk's mesh.
+/// The same cells on the blade, in the frame of the blisk's mesh.
 ReplaySide coverageOnBlade(const Coverage& coverage);
 
 }  // namespace octoblisk::demos

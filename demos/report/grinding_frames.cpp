@@ -37,7 +37,7 @@ void writeFrames(const GrindingRun& run, std::size_t count, const std::filesyste
   const std::filesystem::path frames = folder / "frames";
   std::error_code error;
   std::filesystem::create_directories(frames, error);
-  if (error) throw std::runtime_error(frames.string() + ": cannot be made: " + error.message());
+  if (error) throw std::runtime_error(frames.string() + ": cannot create the folder: " + error.message());
   const Camera camera = overviewOf(run).camera;
   std::vector<SheetFrame> sheet;
   for (const std::size_t pose : posesOfFrames(run.poses.size(), count)) {

@@ -17,8 +17,8 @@ using namespace detail;
 
 namespace {
 
-constexpr double kCloseUp = 26.0;  // half the side of the cube that the close-up shows, mm
-constexpr int kBoxDepth = 4;       // of the tree's boxes in the close-up
+constexpr double kCloseUp = 26.0;  // half the side of the close-up's cube, mm
+constexpr int kBoxDepth = 4;       // level of the tree's boxes in the close-up
 
 Color colorOf(const std::string& part) {
   if (part.starts_with("belt")) return palette::kSand;
@@ -31,7 +31,7 @@ Color colorOf(Verdict verdict) {
                                               : palette::kYellow;
 }
 
-/// The blisk, with the ground blade in a colour of its own.
+/// The blisk, with the ground blade in its own colour.
 void addBlisk(const GrindingRun& run, Picture& picture) {
   constexpr Color kGroundBlade{0.93f, 0.80f, 0.86f};
   std::vector<Color> colors(run.blisk->mesh().triangleCount(), palette::kSteel);
@@ -108,10 +108,10 @@ std::string counts(const GrindingRun& run) {
   return text.str();
 }
 
-/// What the close-up shows: the worst touch, or where the tool comes nearest to the blisk.
+/// The subject of the close-up: the worst touch, or the place where the tool comes nearest to the blisk.
 struct Focus {
   Vec3 center;
-  double half_side;  ///< of the cube that is shown, mm
+  double half_side;  ///< of the close-up's cube, mm
   std::string text;
 };
 
@@ -154,8 +154,8 @@ std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
   std::ostringstream text;
   text << run.parts[worst.part].name
        << (!worst.is_inside               ? " on "
-           : names.isFixture(worst.blade) ? " wholly inside, or round, "
-                                          : " wholly inside the blisk, or round it, near ")
+           : names.isFixture(worst.blade) ? " wholly inside, or around, "
+                                          : " wholly inside the blisk, or around it, near ")
        << names.nameOf(worst.blade) << ", " << std::fixed << std::setprecision(2) << std::abs(worst.depth)
        << " mm " << (worst.depth < 0.0 ? "away" : "deep");
   if (worst.deepest_blade != worst.blade) text << " on " << names.nameOf(worst.deepest_blade);

@@ -9,11 +9,11 @@
 
 namespace octoblisk::demos {
 
-/// The pose to look at: the deepest touch that is not intended, else the deepest, else the middle of the
-/// path.
+/// The most interesting pose: that of the deepest unintended touch; without one, that of the deepest touch;
+/// without any, the middle of the path.
 std::size_t poseToShow(const GrindingRun& run);
 
-/// The worst touch of a pose that has one: "belt on blade 2, 0.31 mm deep", "arm on hub or shroud, …",
+/// The worst touch of a pose that has a touch: "belt on blade 2, 0.31 mm deep", "arm on hub or shroud, …",
 /// "belt wholly inside the blisk, …".
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose);
 
@@ -23,7 +23,8 @@ Picture overviewOf(const GrindingRun& run, std::size_t pose);
 /// The same at the pose to show.
 Picture overviewOf(const GrindingRun& run);
 
-/// Where the tool touches at the pose to show, or comes nearest, with the boxes of the blisk's tree there.
+/// The place where the tool touches, or comes nearest, at the pose to show, with the boxes of the blisk's
+/// tree there.
 Picture closeupOf(const GrindingRun& run);
 
 }  // namespace octoblisk::demos

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Of Replay::verdicts.
+/// An index into Replay::verdicts.
 std::size_t verdictOfMove(MoveReport::Outcome outcome) {
   constexpr std::size_t kAfterPoses = 4;
   switch (outcome) {
@@ -81,7 +81,7 @@ std::string titleOf(const GrindingRun& run) {
   const std::size_t moves = run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep);
   const std::string also = moves == 0 ? std::string()
                                       : (bad == 0 ? std::string() : std::string(" and ")) +
-                                            std::to_string(moves) + (moves == 1 ? " move" : " moves");
+                                            std::to_string(moves) + (moves == 1 ? " motion" : " motions");
   if (bad > 0) return "Interference at " + ofPoses(bad, run.poses.size()) + also;
   if (unknown > 0) return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + also;
   if (moves > 0) return "Interference on " + also;
@@ -103,7 +103,7 @@ std::string subtitleOf(const GrindingRun& run) {
   return text;
 }
 
-/// "belt alone", "blade 3", …: what a row of the rules is about.
+/// "all", "blade 3", …: the blades of a rule.
 std::string bladeChoiceText(const BladeChoice& choice) {
   switch (choice.kind) {
     case BladeChoice::Kind::any:
@@ -121,7 +121,7 @@ std::string bladeChoiceText(const BladeChoice& choice) {
 Table partsTable(const GrindingRun& run) {
   Table table{.name = "parts",
               .caption = "Parts of the tool",
-              .columns = {"Part", "Triangles", "May touch", "Up to, mm deep", "Depth is measured"}};
+              .columns = {"Part", "Triangles", "May touch", "Greatest depth, mm", "Depth measured"}};
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     std::string touches;
     const auto add = [&](const std::string& what) {
@@ -149,18 +149,18 @@ Table limitsTable(const GrindingRun& run) {
   table.rows.push_back({"Near miss", "closer than " + shortText(run.rules.near_miss) + " mm"});
   for (const PairMargin& row : run.rules.margins) {
     const std::string part = row.part ? run.parts[*row.part].name : std::string("every part");
-    table.rows.push_back({"Near miss, " + part, "closer than " + shortText(row.near_miss) + " mm, of " +
+    table.rows.push_back({"Near miss, " + part, "closer than " + shortText(row.near_miss) + " mm to " +
                                                     bladeChoiceText(row.blade)});
   }
   if (run.continuous) {
     table.rows.push_back(
-        {"Moves", "proved to stay " + shortText(kMoveTolerance) + " mm away from what must not be touched"});
-    table.rows.push_back({"Depth on moves", depthOnMoves(run)});
+        {"Motions", "proved to stay " + shortText(kMoveTolerance) + " mm away from all forbidden surfaces"});
+    table.rows.push_back({"Depth on motions", depthOnMoves(run)});
   } else {
-    table.rows.push_back({"Moves", "not checked, poses alone"});
+    table.rows.push_back({"Motions", "not checked, only poses"});
   }
   table.rows.push_back({"Depths", "to 1 % of the limit"});
-  table.rows.push_back({"Touch or not", "exact on the triangles"});
+  table.rows.push_back({"Touch", "exact on the triangles"});
   return table;
 }
 
@@ -168,14 +168,15 @@ Table inputTable(const GrindingRun& run) {
   const BuildStats& tree = run.blisk->stats();
   return {.name = "input",
           .caption = "Input",
-          .rows = {{"Blisk", run.blisk_name},
-                   {"its triangles", std::to_string(tree.triangles)},
-                   {"its blades", std::to_string(run.blade_count)},
-                   {"its tree", partitionText(run.blisk->options()) + ", " + std::to_string(tree.leaves) +
-                                    " leaf boxes on up to " + std::to_string(tree.depth) + " levels"},
-                   {"Tool", run.tool_name},
-                   {"Path", run.path_name},
-                   {"its poses", std::to_string(run.path_poses)}}};
+          .rows = {
+              {"Blisk", run.blisk_name},
+              {"Triangles of the blisk", std::to_string(tree.triangles)},
+              {"Blades of the blisk", std::to_string(run.blade_count)},
+              {"Tree of the blisk", partitionText(run.blisk->options()) + ", " + std::to_string(tree.leaves) +
+                                        " leaf boxes on up to " + std::to_string(tree.depth) + " levels"},
+              {"Tool", run.tool_name},
+              {"Path", run.path_name},
+              {"Poses of the path", std::to_string(run.path_poses)}}};
 }
 
 }  // namespace
@@ -186,16 +187,16 @@ std::vector<ReplayVerdict> grindingVerdicts() {
   for (std::size_t v = 0; v < kTones.size(); ++v) {
     verdicts.push_back({nameOf(static_cast<Verdict>(v)), kTones[v]});
   }
-  verdicts.push_back({"move hits", Tone::interference});
-  verdicts.push_back({"move too deep", Tone::interference});
-  verdicts.push_back({"move not proved", Tone::open});
+  verdicts.push_back({"motion hits", Tone::interference});
+  verdicts.push_back({"motion too deep", Tone::interference});
+  verdicts.push_back({"motion not proved", Tone::open});
   return verdicts;
 }
 
 ReplayTrack grindingTrack(const GrindingRun& run, const std::string& name) {
   ReplayTrack track{.name = name};
-  ReplaySeries clearance{.name = "distance from what must not be touched", .unit = "mm"};
-  ReplaySeries depth{.name = "depth of the worst touch, below 0", .unit = "mm"};
+  ReplaySeries clearance{.name = "clearance from forbidden surfaces", .unit = "mm"};
+  ReplaySeries depth{.name = "depth of the worst touch, as a negative value", .unit = "mm"};
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     track.poses.push_back(replayPoseOf(run, run.poses[p]));
     const ReplayPose& shown = track.poses.back();
@@ -213,7 +214,7 @@ ReplayChart clearanceChart(const GrindingRun& run) {
   chart.limits.push_back({run.rules.near_miss, "near miss below " + shortText(run.rules.near_miss)});
   if (run.rules.grinding_part != kNoPart) {
     const double most = run.rules.maxDepth(run.rules.grinding_part);
-    chart.limits.push_back({-most, "deepest that is intended: " + shortText(most)});
+    chart.limits.push_back({-most, "greatest intended depth " + shortText(most)});
   }
   return chart;
 }
@@ -227,9 +228,9 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.command = "grind";
   replay.title = titleOf(run);
   replay.subtitle = subtitleOf(run);
-  replay.findings_title = "Offending poses and moves";
+  replay.findings_title = "Poses and motions with interference or near misses";
   replay.findings_value = "Depth, mm";
-  replay.no_findings = "Nothing interferes, and nothing comes closer than the limits.";
+  replay.no_findings = "No interference, and no near miss.";
   replay.verdicts = grindingVerdicts();
   for (std::size_t v = 0; v <= static_cast<std::size_t>(Verdict::interference); ++v) {
     const auto verdict = static_cast<Verdict>(v);
@@ -237,11 +238,11 @@ Replay grindingReplay(const GrindingRun& run) {
     replay.counts.push_back({nameOf(verdict), run.count(verdict), replay.verdicts[v].tone});
   }
   if (run.continuous) {
-    replay.counts.push_back({"moves that hit, or too deep",
+    replay.counts.push_back({"motions that hit, or too deep",
                              run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep),
                              Tone::interference});
     if (const std::size_t open = run.count(MoveReport::Outcome::not_proved); open > 0) {
-      replay.counts.push_back({"moves not proved", open, Tone::open});
+      replay.counts.push_back({"motions not proved", open, Tone::open});
     }
   }
   replay.blisk = run.blisk;
@@ -256,8 +257,8 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.facts = grindingFacts(run);
   replay.notes.push_back(
       "A negative depth is a clearance. Blades are numbered from 1 by angle; poses are counted from 0. "
-      "Normals point from the part into the blisk, and are drawn on the part's side. Between two poses the "
-      "contact wheel's centre goes straight while the tool turns evenly, as it was checked.");
+      "Normals point from the part into the blisk and are drawn on the part's side. Between two poses the "
+      "contact wheel's centre moves straight and the tool turns evenly, here as in the check.");
   return replay;
 }
 

@@ -1,4 +1,4 @@
-// A grinding run as a replay.
+// Shows a grinding run as a replay.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@
 
 namespace octoblisk::demos {
 
-/// The verdicts of poses, as Verdict numbers them, and of moves.
+/// The verdicts of poses, numbered as in Verdict, then those of motions.
 std::vector<ReplayVerdict> grindingVerdicts();
 
-/// The poses of a run of at least one, with clearance and depth for chart 0; verdicts are grindingVerdicts().
+/// The poses of a run with at least one pose, with clearance and depth for chart 0; verdicts are
+/// grindingVerdicts().
 ReplayTrack grindingTrack(const GrindingRun& run, const std::string& name);
 
-/// Clearance and depth over the path, with the limits of the run.
+/// Clearance and depth over the path, with the run's limits.
 ReplayChart clearanceChart(const GrindingRun& run);
 
 /// Parts, limits and tolerances, files, tree, versions.
 std::vector<Table> grindingFacts(const GrindingRun& run);
 
-/// A run of at least one pose.
+/// For a run with at least one pose.
 Replay grindingReplay(const GrindingRun& run);
 
 }  // namespace octoblisk::demos

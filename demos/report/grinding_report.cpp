@@ -18,17 +18,16 @@
 namespace octoblisk::demos {
 namespace {
 
-double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, where they just touch
+double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, for a mere touch
 
-/// What a part's depth in poses.csv is.
+/// The definition of a part's depth in poses.csv.
 std::string nameOf(DepthKind kind) {
   switch (kind) {
     case DepthKind::of_solids:
-      return "how deep the deepest point of the part lies inside the blisk, or, where only that is beyond "
-             "the limit, "
-             "of the blisk inside the part";
+      return "the depth of the part's deepest point in the blisk; if it is within the limit and the depth of "
+             "the blisk's deepest point in the part is not, the latter";
     case DepthKind::of_part:
-      return "how deep the deepest point of the part, which is open, lies inside the blisk";
+      return "the depth of the deepest point of the part, which is open, in the blisk";
   }
   return {};
 }
@@ -85,7 +84,7 @@ void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   }
 }
 
-/// The blade's side by its shape, where that is known, and the channel that it bounds.
+/// The blade's side by its shape, if that is known, and the channel that it bounds.
 void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
   const std::optional<WorstTouch> worst = worstOrNearest(pose);
   const std::string side = worst ? run.sideOf(worst->triangle_of_blisk, worst->blade) : "";
@@ -93,13 +92,13 @@ void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& str
   stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
 }
 
-/// How deep what may touch is on the move at most.
+/// The upper bound of the depth on the motion.
 void writeDepthOfMove(const PoseReport& pose, std::ostream& stream) {
   stream << ',';
   if (pose.move) stream << pose.move->depth_bound;
 }
 
-/// The loops of the parts that run as belts; null for all others.
+/// The loops of the parts that run as belts; null for the others.
 std::vector<std::unique_ptr<const BeltLoop>> loopsOf(const GrindingRun& run) {
   std::vector<std::unique_ptr<const BeltLoop>> loops;
   for (const ToolPart& part : run.parts) {
@@ -137,8 +136,9 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
   stream.precision(9);
   stream
       << "pose,verdict,part,blade,depth_mm,side,blisk_x_mm,blisk_y_mm,blisk_z_mm,normal_x,normal_y,normal_z,"
-         "clearance_mm,clearance_part,clearance_blade,move,move_fraction,move_part,move_blade,face,channel,"
-         "move_depth_at_most_mm\n";
+         "clearance_mm,clearance_part,clearance_blade,motion,motion_fraction,motion_part,motion_blade,face,"
+         "channel,"
+         "motion_depth_at_most_mm\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
     stream << p << ',' << nameOf(pose.verdict) << ',';
@@ -195,7 +195,7 @@ void writeForces(const GrindingRun& run, const std::filesystem::path& file) {
 
 namespace {
 
-/// Null where no forces were asked for.
+/// Null if no forces were asked for.
 nlohmann::ordered_json forcesOf(const GrindingRun& run) {
   if (!run.spindle) return {};
   std::size_t touching = 0, turning = 0, interfering = 0;
@@ -223,7 +223,7 @@ nlohmann::ordered_json forcesOf(const GrindingRun& run) {
           {"poses_at_which_the_spindle_turns", turning}};
 }
 
-/// Null where nothing is ground.
+/// Null if nothing is ground.
 nlohmann::ordered_json coverageJson(const std::optional<Coverage>& coverage) {
   if (!coverage) return {};
   const SideGrid& grid = coverage->grid;
@@ -263,7 +263,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
   const int blade = run.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
-  nlohmann::ordered_json moves;  // null where they were not checked
+  nlohmann::ordered_json moves;  // null if they were not checked
   if (run.continuous) {
     moves = {{"total", run.moveCount()},
              {"free", run.count(MoveReport::Outcome::free)},
@@ -272,7 +272,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
              {"not_proved", run.count(MoveReport::Outcome::not_proved)},
              {"proved_to_mm", kMoveTolerance},
              {"depth_proved", run.depthsProved()},
-             {"depth_on_moves_at_most_mm", run.depthBound()}};
+             {"depth_on_motions_at_most_mm", run.depthBound()}};
   }
   auto obstacles = nlohmann::ordered_json::array();
   for (const Fixture& fixture : run.fixtures) obstacles.push_back(fixture.name);
@@ -296,7 +296,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
         {"unknown", run.count(Verdict::unknown)},
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", ranges},
-      {"moves", moves},
+      {"motions", moves},
       {"forces", forcesOf(run)},
       {"coverage", coverageJson(coverage)},
       {"tree",
@@ -310,7 +310,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
        {{"contacts", run.contact_seconds_a_pose * 1e6},
         {"depths", run.depth_seconds_a_pose * 1e6},
         {"clearances", run.clearance_seconds_a_pose * 1e6},
-        {"moves", run.move_seconds_a_pose * 1e6}}}};
+        {"motions", run.move_seconds_a_pose * 1e6}}}};
   std::ostringstream stream;
   stream << summary.dump(2) << '\n';
   writeFile(file, stream.str());

@@ -12,11 +12,11 @@
 namespace octoblisk::demos {
 namespace {
 
-/// "poses 20-79, 228": the runs that interfere, the first of them where they are many.
+/// "poses 20-79, 228": the runs that interfere; only the first of them if there are many.
 std::string listOf(const std::vector<PoseRange>& ranges) {
   constexpr std::size_t kMost = 12;
   std::ostringstream text;
-  text << "poses ";
+  text << (ranges.size() == 1 && ranges[0].first == ranges[0].last ? "pose " : "poses ");
   for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
     text << (i > 0 ? ", " : "") << ranges[i].first;
     if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
@@ -31,14 +31,14 @@ void tellMoves(const GrindingRun& run, std::ostream& text) {
                     open = run.count(Outcome::not_proved);
   text << "Between the poses: ";
   if (hits + deep + open == 0) {
-    text << "nothing is touched that is not at the poses\n";
+    text << "no touch other than at the poses\n";
     return;
   }
-  text << "moves that hit what must not be touched: " << hits << ", that are too deep: " << deep
+  text << "motions that hit a forbidden surface: " << hits << ", that are too deep: " << deep
        << ", undecided within " << kMoveTolerance << " mm: " << open << '\n';
   const auto first = std::ranges::find_if(
       run.poses, [](const PoseReport& pose) { return pose.move && pose.move->outcome != Outcome::free; });
-  text << "First: after " << first->move->fraction << " of the move to pose " << first - run.poses.begin()
+  text << "First: after " << first->move->fraction << " of the motion to pose " << first - run.poses.begin()
        << ", " << run.parts[first->move->at.part].name << " on " << run.names().nameOf(first->move->at.blade)
        << '\n';
 }
@@ -50,7 +50,7 @@ std::string inWords(const GrindingRun& run) {
   const int blade = run.rules.ground_blade;
   const std::string blades = std::to_string(run.blade_count);
   if (run.isPartial())
-    text << "Stopped: " << run.poses.size() << " of " << run.path_poses << " poses are done\n";
+    text << "Stopped: " << run.poses.size() << " of " << run.path_poses << " poses were checked\n";
   text << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ");
   if (blade == 0) {
     text << "no blade ground (the blisk has " << blades << ")";
@@ -65,12 +65,13 @@ std::string inWords(const GrindingRun& run) {
        << run.count(Verdict::interference) << " interference";
   if (const std::size_t unknown = run.count(Verdict::unknown); unknown > 0) {
     text << ", " << unknown
-         << " unknown (depth unknown: the blisk's surface is open, doubled, or meets itself near the tool)";
+         << " unknown (the depth is unknown: the blisk's surface is open, doubled or self-intersecting near "
+            "the tool)";
   }
   text << '\n';
   if (run.blisk->options().partition == PartitionKind::paper) {
     text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
-         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us a pose\n";
+         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us per pose\n";
   }
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict >= Verdict::unknown) {
@@ -88,9 +89,9 @@ std::string inWords(const GrindingRun& run) {
 std::string depthOnMoves(const GrindingRun& run) {
   const std::size_t moves = run.moveCount(), proved = run.depthsProved();
   std::ostringstream text;
-  text << "proved within the limit on " << proved << " of " << moves << (moves == 1 ? " move" : " moves");
+  text << "proved within the limit on " << proved << " of " << moves << (moves == 1 ? " motion" : " motions");
   if (proved == moves) return text.str();
-  text << "; on the others not measured, but no more than " << run.depthBound() << " mm";
+  text << "; not proved on the others, but at most " << run.depthBound() << " mm";
   return text.str();
 }
 

@@ -1,4 +1,4 @@
-// A grinding run in a few lines.
+// Summarises a grinding run in a few lines.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace octoblisk::demos {
 
-/// What was found, for people: counts, the poses that interfere, the worst, what happens between the poses.
-/// For a run of at least one pose.
+/// The counts, the poses that interfere, the worst pose, and the findings between the poses. For a run of at
+/// least one pose.
 std::string inWords(const GrindingRun& run);
 
-/// How deep what may touch is between the poses: "proved within the limit on 380 of 393 moves; on the others
-/// not measured, but no more than 0.4 mm". For a run whose moves were checked.
+/// The depth, between the poses, of parts in what they may touch: "proved within the limit on 380 of 393
+/// motions; not proved on the others, but at most 0.4 mm". For a run whose motions were checked.
 std::string depthOnMoves(const GrindingRun& run);
 
 /// "clustered", "paper, k_opt, FNOP 8", "paper, k = 2, FNOP 20".

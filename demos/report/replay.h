@@ -1,4 +1,4 @@
-// What a replay shows, whatever made it: a blisk, a tool along one path or more, and what was found there.
+// The content of a replay, whatever made it: a blisk, a tool along one or more paths, and the findings there.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace octoblisk::demos {
 
-/// How a verdict is drawn: each tone has a colour and a sign.
+/// The display of a verdict: each tone has a colour and a sign.
 enum class Tone { clear, intended, near, interference, open };
 
 struct ReplayVerdict {
@@ -22,52 +22,52 @@ struct ReplayVerdict {
   Tone tone = Tone::clear;
 };
 
-/// All indices of verdicts are of Replay::verdicts, those of parts of Replay::parts; points are in the
-/// blisk's frame, mm.
+/// Indices of verdicts refer to Replay::verdicts, those of parts to Replay::parts; points are in the blisk's
+/// frame, mm.
 struct ReplayContact {
   std::size_t verdict = 0;
   std::size_t part = 0;
-  int blade = 0;  ///< 0: hub or shroud; beyond the blades: a fixture
+  int blade = 0;  ///< 0: hub or shroud; above the number of blades: a fixture
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, from the part into the blisk
   double depth = 0.0;          ///< mm; a clearance is negative
 };
 
-/// Part and blade that a pose is nearest to touching, or touches.
+/// The part and blade that touch at a pose, or are nearest to touching.
 struct ReplayNearest {
   std::size_t part = 0;
   int blade = 0;
   double depth = 0.0;  ///< mm; a clearance is negative
-  std::string side{};  ///< "convex" or "concave"; if unknown "forward" or "backward"; or empty
+  std::string side{};  ///< "convex" or "concave"; if unknown, "forward" or "backward"; or empty
 };
 
 struct ReplayPose {
   Pose tool_in_blisk{};
   std::size_t verdict = 0;
   std::vector<ReplayContact> contacts{};
-  std::optional<ReplayNearest> worst{};      ///< what the verdict is from
-  std::optional<ReplayNearest> clearance{};  ///< from what must not be touched
-  std::string text{};                        ///< said instead of these two, if it is not empty
+  std::optional<ReplayNearest> worst{};      ///< decides the verdict
+  std::optional<ReplayNearest> clearance{};  ///< from forbidden surfaces
+  std::string text{};                        ///< replaces these two in the display if it is not empty
 };
 
-/// A row of the table of offences.
+/// A row of the table of findings.
 struct ReplayFinding {
   double at = 0.0;  ///< the pose, or a place between two
   std::size_t verdict = 0;
   std::optional<std::size_t> part{};
   std::optional<int> blade{};
   std::string side{};             ///< as above
-  std::optional<double> value{};  ///< of the table's last column
+  std::optional<double> value{};  ///< in the table's last column
   std::optional<std::size_t> move_to{};
 };
 
 /// Numbers over the path.
 struct ReplaySeries {
-  std::size_t chart = 0;  ///< of Replay::charts
+  std::size_t chart = 0;  ///< index into Replay::charts
   std::string name{};
   std::string unit{};
-  std::vector<double> values{};  ///< one a pose; NaN: none
-  bool told = false;             ///< whether it is said of each pose where it is not 0
+  std::vector<double> values{};  ///< one per pose; NaN: none
+  bool told = false;             ///< whether the status line shows it at poses where it is not 0
 };
 
 struct ReplayTrack {
@@ -83,7 +83,7 @@ struct ReplayChart {
     std::string name;
   };
   std::string title{}, unit{};
-  double linear_within = 0.0;  ///< beyond it the scale may be logarithmic; 0: it is linear
+  double linear_within = 0.0;  ///< outside, the scale may be logarithmic; 0: the scale is linear
   std::vector<Limit> limits{};
 };
 
@@ -93,12 +93,12 @@ struct ReplayCount {
   Tone tone = Tone::clear;
 };
 
-/// Cells over a blade's side, drawn in colours.
+/// Coloured cells over a blade's side.
 struct ReplaySide {
   struct Color {
-    std::string color{}, name{};  ///< "#rrggbb"; what it stands for
+    std::string color{}, name{};  ///< "#rrggbb", and its meaning
   };
-  std::string name{};           ///< of the tick box that shows them
+  std::string name{};           ///< of the check box that shows them
   std::size_t columns = 0;      ///< of cells
   std::vector<Vec3> corners{};  ///< row by row, columns + 1 in each, a little off the blade
   std::vector<std::uint8_t> color_of_cell{};
@@ -107,7 +107,7 @@ struct ReplaySide {
 
 struct Replay {
   std::string command{}, title{}, subtitle{};
-  std::string one = "pose", many = "poses";  ///< what a track is made of
+  std::string one = "pose", many = "poses";  ///< name of a step of a track
   std::string findings_title{}, findings_value{}, no_findings{};
   std::vector<ReplayVerdict> verdicts{};
   std::vector<ReplayCount> counts{};
@@ -121,12 +121,12 @@ struct Replay {
   std::vector<ReplayTrack> tracks{};  ///< at least one
   std::size_t start_track = 0;
   double start_at = 0.0;
-  bool contacts_of_all_poses = false;  ///< whether all are shown at first, and no path
+  bool contacts_of_all_poses = false;  ///< whether all contacts are shown at first, and no path
   std::vector<Table> facts{};          ///< limits, files, versions
   std::vector<std::string> notes{};
 };
 
-/// The display's colour of a tool's part, "#rrggbb".
+/// The display colour of a tool's part, "#rrggbb".
 std::string colorOfPart(const std::string& name, std::size_t index);
 
 }  // namespace octoblisk::demos

@@ -12,8 +12,8 @@ namespace octoblisk::demos {
 using namespace detail;
 namespace {
 
-/// From the box to the nearest of the places, roughly: less than 0 where one is within the ball round the
-/// box.
+/// The approximate distance from the box to the nearest of the places; negative if one is inside the ball
+/// around the box.
 double wayTo(const Obb& box, std::span<const Vec3> places) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& place : places) least = std::min(least, (place - box.center).squaredNorm());
@@ -44,7 +44,7 @@ ReplayBoxes replayBoxesOf(const ClusteredOctree& octree, std::span<const Vec3> p
   for (int depth = 0; !level.empty(); ++depth) {
     const std::size_t room = most > found.boxes.size() ? most - found.boxes.size() : 0;
     const auto levels_left = static_cast<std::size_t>(std::max(1, found.deepest - depth + 1));
-    // A level that is cut leaves their share to those below it.
+    // A truncated level leaves the levels below it their share.
     if (depth > 0 && (level.size() > room || !is_whole)) {
       is_whole = false;
       const std::size_t share = std::min(level.size(), room / levels_left);

@@ -1,4 +1,4 @@
-// The boxes of a tree, as a replay shows them a level at a time.
+// Selects the boxes of a tree that a replay shows, level by level.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@ namespace octoblisk::demos {
 
 struct ReplayBox {
   Obb box;
-  int depth = 0;  ///< the root's is 0
+  int depth = 0;  ///< 0 for the root
   bool is_leaf = false;
 };
 
 struct ReplayBoxes {
   std::vector<ReplayBox> boxes;  ///< by depth
   int deepest = 0;
-  int whole_to = 0;  ///< depths up to it have all their boxes, deeper ones those near `places`
+  int whole_to = 0;  ///< up to this depth all boxes are included, deeper only those near `places`
 };
 
-/// At most `most` boxes (but one at least): all of as many levels as that allows, and below those a share for
-/// each level of the boxes that are nearest to one of the places.
+/// At most `most` boxes, but at least one: all boxes of as many levels as fit, and for each deeper level a
+/// share of those nearest to one of the places.
 ReplayBoxes replayBoxesOf(const ClusteredOctree& tree, std::span<const Vec3> places, std::size_t most);
 
 }  // namespace octoblisk::demos

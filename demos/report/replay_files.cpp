@@ -14,7 +14,7 @@ void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder,
 }
 
 std::string tellReplayFiles(const std::filesystem::path& folder) {
-  return "To look at: " + (folder / "report.html").string() + ", " + (folder / "run.glb").string() +
+  return "Report: " + (folder / "report.html").string() + "; glTF: " + (folder / "run.glb").string() +
          "; for ParaView: " + (folder / "contacts.vtk").string() + ", " + (folder / "path.vtk").string() +
          "\n";
 }

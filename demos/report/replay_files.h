@@ -1,4 +1,4 @@
-// The files in which a replay is told: for the browser, for glTF's viewers, for ParaView.
+// Writes a replay for the browser, for glTF viewers and for ParaView.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace octoblisk::demos {
 
-/// Their names, without a folder.
+/// The file names, without a folder.
 inline constexpr const char* kReplayFiles[] = {"report.html", "run.glb", "contacts.vtk", "path.vtk"};
 
 /// Adds report.html, run.glb, contacts.vtk and path.vtk of the folder to `files`. Throws std::runtime_error
 /// naming a file that cannot be written.
 void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder, WholeFiles& files);
 
-/// "To look at: OUT/report.html, …": a line for people.
+/// "Report: OUT/report.html; …": one line for the user.
 std::string tellReplayFiles(const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

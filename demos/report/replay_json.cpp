@@ -31,7 +31,7 @@ const char* nameOf(Tone tone) {
   return "";
 }
 
-/// A value between two as a 16-bit step of the way.
+/// A value between two others as a 16-bit fraction.
 std::uint16_t stepOf(double value, double low, double high) {
   if (!(high > low)) return 0;
   return static_cast<std::uint16_t>(
@@ -73,7 +73,7 @@ PageJson sideJson(const ReplaySide& side) {
           {"colors", colors}};
 }
 
-/// Points that the replay is about, a few hundred at most.
+/// Places of interest in the replay, a few hundred at most.
 std::vector<Vec3> placesOf(const Replay& replay) {
   constexpr std::size_t kMost = 256;
   std::vector<Vec3> places;
@@ -130,13 +130,14 @@ std::string withThousands(std::size_t number) {
 std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const TriangleMesh& mesh) {
   std::ostringstream text;
   text.precision(2);
-  text << "Simplified for display only: " << of << " is drawn with " << withThousands(drawn.triangles.size())
-       << " instead of its " << withThousands(mesh.triangleCount()) << " triangles, at most about "
-       << drawn.error << " mm off. All numbers are of the whole mesh.";
+  text << "Simplified for display: " << of << " is drawn with " << withThousands(drawn.triangles.size())
+       << " instead of " << withThousands(mesh.triangleCount())
+       << " triangles, with an error of at most about " << drawn.error
+       << " mm. All numbers come from the full mesh.";
   return text.str();
 }
 
-/// The meshes, and a note for each that is thinned.
+/// The meshes, and a note for each simplified one.
 void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
                std::vector<std::string>& notes) {
   const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
@@ -188,8 +189,8 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
     tracks.push_back(trackJson(track, limits.contacts, left_out));
   }
   if (left_out > 0) {
-    notes.push_back("The picture leaves out " + withThousands(left_out) +
-                    " contacts, the least deep of each pose; contacts.csv has all.");
+    notes.push_back("The picture omits " + withThousands(left_out) +
+                    " contacts, the shallowest of each pose; contacts.csv has all.");
   }
   PageJson obstacles = PageJson::array();
   for (const Fixture& fixture : replay.fixtures) obstacles.push_back(fixture.name);
@@ -216,7 +217,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
   const ReplayBoxes boxes = replayBoxesOf(*replay.blisk, placesOf(replay), limits.boxes);
   if (boxes.whole_to < boxes.deepest) {
     notes.push_back("Cluster boxes below level " + std::to_string(boxes.whole_to) +
-                    " are shown near the touches alone: the tree has " +
+                    " are shown only near the touches: the tree has " +
                     withThousands(replay.blisk->stats().leaves) + " leaves.");
   }
   if (replay.side) run["side"] = sideJson(*replay.side);

@@ -8,13 +8,13 @@
 
 namespace octoblisk::demos {
 
-/// What is drawn may be less than what was checked; the page then says so.
+/// Limits of what the page draws; the page says so if it draws less than was checked.
 struct ReplayLimits {
   std::size_t boxes = 80'000;
-  std::size_t contacts = 150'000;  ///< of each track
+  std::size_t contacts = 150'000;  ///< per track
 };
 
-/// The run as JSON that may stand in a <script> of a page: no "<" is in it, whatever names hold.
+/// The run as JSON that can be embedded in a <script>: it contains no "<", whatever the names contain.
 std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const ReplayLimits& limits = {});
 
 }  // namespace octoblisk::demos

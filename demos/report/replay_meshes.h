@@ -1,4 +1,4 @@
-// The meshes of a replay as they are drawn.
+// The meshes that a replay draws.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace octoblisk::demos {
 
-/// Triangles beyond which a mesh is thinned (display_mesh.h).
+/// Meshes with more triangles are simplified (display_mesh.h).
 struct DrawnTriangles {
   std::size_t blisk = 150'000;
-  std::size_t part = 40'000;  ///< of each
+  std::size_t part = 40'000;  ///< per part
 };
 
 struct ReplayMeshes {
-  DisplayMesh blisk;  ///< its groups are the blades
+  DisplayMesh blisk;  ///< one group per blade
   std::vector<DisplayMesh> parts;
 };
 

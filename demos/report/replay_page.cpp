@@ -7,7 +7,7 @@
 #include "io/embedded_file.h"
 #include "io/new_file.h"
 
-// The page, made by report/web (./dev web), with a place for the run.
+// The page, made by report/web (./dev web), with a placeholder for the run.
 OCTOBLISK_EMBED(octoblisk_replay_page, OCTOBLISK_REPLAY_PAGE);
 
 namespace octoblisk::demos {
@@ -21,7 +21,7 @@ void writeReplayPage(const Replay& replay, const ReplayMeshes& meshes, const std
                      const ReplayLimits& limits) {
   const std::string_view page = OCTOBLISK_EMBEDDED(octoblisk_replay_page);
   const std::size_t place = page.find(kPlaceOfRun);
-  if (place == std::string_view::npos) throw std::logic_error("the page has no place for the run");
+  if (place == std::string_view::npos) throw std::logic_error("the page has no placeholder for the run");
   std::string text(page.substr(0, place));
   text += replayJson(replay, meshes, limits);
   text += page.substr(place + kPlaceOfRun.size());

@@ -1,4 +1,4 @@
-// A replay as one HTML page that needs no other file and no network.
+// Writes a replay as one HTML page that needs no other file and no network.
 #pragma once
 
 #include <filesystem>

@@ -19,7 +19,7 @@ using GltfJson = nlohmann::ordered_json;
 
 constexpr double kMarkRadius = 0.3;  // mm
 
-// Names of glTF's numbers.
+// glTF's codes of number types and buffers.
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 constexpr int kChunkJson = 0x4E4F534A, kChunkBinary = 0x004E4942, kGlbMagic = 0x46546C67;
 
@@ -27,10 +27,10 @@ void appendWord(std::string& bytes, std::size_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
 }
 
-/// glTF's document and its one buffer, growing together.
+/// glTF's document and its buffer, built together.
 class GltfFile {
  public:
-  /// `floats` by vectors of `width` (1: SCALAR, 3: VEC3, 4: VEC4); with the bounds where they are asked for.
+  /// `floats` as vectors of `width` (1: SCALAR, 3: VEC3, 4: VEC4), with their bounds if asked for.
   std::size_t addFloats(const std::vector<float>& floats, std::size_t width, bool bounds, bool of_vertices) {
     GltfJson accessor = {{"bufferView", addView(floats, of_vertices ? kArrayBuffer : 0)},
                          {"componentType", kFloat},
@@ -50,7 +50,7 @@ class GltfFile {
     return add("accessors", std::move(accessor));
   }
 
-  /// Corners of triangles, as accessors of parts of one view.
+  /// Corners of triangles, as accessors that share one view.
   std::size_t addIndexView(const std::vector<std::uint32_t>& indices) {
     return addView(indices, kElementArrayBuffer);
   }
@@ -62,7 +62,7 @@ class GltfFile {
                              {"type", "SCALAR"}});
   }
 
-  /// Appends to an array of the document; its index there.
+  /// Appends to an array of the document and returns the index there.
   std::size_t add(const std::string& array, GltfJson element) {
     document_[array].push_back(std::move(element));
     return document_[array].size() - 1;
@@ -87,7 +87,7 @@ class GltfFile {
   }
 
  private:
-  /// All numbers are of four bytes, so every view is aligned.
+  /// All numbers have four bytes, so every view is aligned.
   template <typename Number>
   std::size_t addView(const std::vector<Number>& numbers, int target) {
     static_assert(sizeof(Number) == 4);
@@ -122,7 +122,7 @@ std::size_t addMaterial(GltfFile& file, const std::string& name, const std::stri
        {"doubleSided", true}});
 }
 
-/// A mesh of a primitive for each group, with the group's material.
+/// A mesh with one primitive per group, in the group's material.
 template <typename MaterialOf>
 std::size_t addDisplayMesh(GltfFile& file, const std::string& name, const DisplayMesh& mesh,
                            MaterialOf&& material_of) {
@@ -202,7 +202,7 @@ void addAnimation(GltfFile& file, const ReplayTrack& track, std::size_t node, do
   file.add("animations", {{"name", track.name}, {"channels", channels}, {"samplers", samplers}});
 }
 
-/// An octahedron round each point.
+/// An octahedron around each point.
 DisplayMesh marksAt(std::span<const Vec3> points) {
   DisplayMesh marks;
   for (const Vec3& point : points) {
@@ -233,7 +233,7 @@ void addContactNodes(GltfFile& file, const Replay& replay, std::size_t most, Glt
     const std::size_t stride = (points.size() + most - 1) / most;
     std::vector<Vec3> some;
     for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
-    constexpr std::array kColors = {"#5c6675", "#00694a", "#b87a00", "#c9370c", "#6b3fa0"};  // of each Tone
+    constexpr std::array kColors = {"#5c6675", "#00694a", "#b87a00", "#c9370c", "#6b3fa0"};  // one per Tone
     const std::string name = "contacts: " + replay.verdicts[v].name;
     const std::size_t material =
         addMaterial(file, name, kColors[static_cast<std::size_t>(replay.verdicts[v].tone)]);
@@ -245,7 +245,7 @@ void addContactNodes(GltfFile& file, const Replay& replay, std::size_t most, Glt
 }  // namespace
 
 std::string glbOf(const Replay& replay, const ReplayMeshes& meshes, const GlbOptions& options) {
-  if (!(options.poses_per_second > 0.0)) throw std::invalid_argument("glbOf: a rate must be above 0");
+  if (!(options.poses_per_second > 0.0)) throw std::invalid_argument("glbOf: the rate must be above 0");
   GltfFile file;
   GltfJson children = GltfJson::array();
   children.push_back(addBliskNode(file, replay, meshes.blisk));

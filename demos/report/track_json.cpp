@@ -67,7 +67,7 @@ PageJson nearestJson(const ReplayTrack& track) {
           {"clearance_blade", base64Of(clearance_blade)}};
 }
 
-/// The contacts of each pose that are drawn: the deepest where there are too many.
+/// The drawn contacts of each pose: only the deepest if there are too many.
 PageJson contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_out) {
   std::size_t total = 0;
   for (const ReplayPose& pose : track.poses) total += pose.contacts.size();

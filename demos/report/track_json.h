@@ -1,4 +1,4 @@
-// A track of a replay as JSON: numbers in base64, in the order of this machine's bytes.
+// Converts a track of a replay to JSON, with numbers in base64 in this machine's byte order.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@ namespace octoblisk::demos {
 
 using PageJson = nlohmann::ordered_json;
 
-/// Where the track has more than `most_contacts`, the deepest of each pose alone; adds to those left out.
+/// If the track has more than `most_contacts`, keeps only the deepest of each pose, and counts those left
+/// out.
 PageJson trackJson(const ReplayTrack& track, std::size_t most_contacts, std::size_t& contacts_left_out);
 
 }  // namespace octoblisk::demos

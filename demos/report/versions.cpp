@@ -9,7 +9,7 @@ namespace octoblisk::demos {
 namespace {
 
 #ifdef __clang__
-constexpr const char* kCompiler = __VERSION__;  // has its name in it
+constexpr const char* kCompiler = __VERSION__;  // includes its name
 #else
 constexpr const char* kCompiler = "GCC " __VERSION__;
 #endif

@@ -22,7 +22,7 @@ void appendPoint(std::string& bytes, const Vec3& point) {
   for (const double value : point) appendBigEndian(bytes, static_cast<float>(value));
 }
 
-/// In ASCII: units in words, a "?" for each other byte that is none.
+/// ASCII only: units in words, and "?" for every other byte that is not ASCII.
 std::string asciiText(const std::string& text) {
   std::string ascii;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -36,7 +36,7 @@ std::string asciiText(const std::string& text) {
   return ascii;
 }
 
-/// A line of text, 255 characters at most.
+/// A line of text of at most 255 characters.
 std::string titleLine(const std::string& text) {
   constexpr std::size_t kMost = 255;
   return asciiText(text).substr(0, kMost);
@@ -47,7 +47,7 @@ std::string vtkHead(const std::string& title, std::size_t points) {
          std::to_string(points) + " float\n";
 }
 
-/// A word for the name of an array: what is neither letter nor digit becomes one "_".
+/// A word to name an array: characters other than letters and digits become "_".
 std::string arrayName(const std::string& text) {
   std::string name;
   for (const char c : asciiText(text)) {

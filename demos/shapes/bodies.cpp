@@ -78,8 +78,8 @@ SharedMesh uProfile(double half_width, double half_depth, double wall, double ha
 
 namespace {
 
-/// A surface over the directions, divided by polar angle and azimuth: point_at(direction), which sees it from
-/// the origin.
+/// A surface over the directions, divided by polar angle and azimuth. point_at(direction) gives a point that
+/// is visible from the origin.
 template <typename PointAt>
 SharedMesh roundMesh(int segments, PointAt&& point_at) {
   const auto at = [&](double polar, double azimuth) -> Vec3 {

@@ -1,5 +1,4 @@
-// Concave bodies that hang on, mesh with and pile up on one another. Closed forms, all closed and facing
-// outward.
+// Concave bodies that interlock and pile up: closed forms, all closed meshes that face outward.
 #pragma once
 
 #include <memory>
@@ -12,28 +11,28 @@ namespace octoblisk::shapes {
 
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
-/// A torus round the z axis.
+/// A torus around the z axis.
 SharedMesh torus(double major_radius, double minor_radius, int major_segments, int minor_segments);
 
 /// A box with its 12 triangles.
 SharedMesh boxMesh(const Vec3& half_extents);
 
-/// What lies between two paths of as many points each, the outer one to the right of its direction, made as
-/// thick as twice the half height along z. The ends of open paths are closed. Vertices 4 i to 4 i + 7 are the
-/// corners of the i-th segment.
+/// The band between two paths with equal numbers of points, the outer path to the right of its direction,
+/// extruded by twice the half height along z. The ends of open paths are closed. Vertices 4 i to 4 i + 7 are
+/// the corners of the i-th segment.
 SharedMesh extrudedBand(const std::vector<Eigen::Vector2d>& outer, const std::vector<Eigen::Vector2d>& inner,
                         bool is_ring, double half_height);
 
-/// A spur gear with a bore, round the z axis.
+/// A spur gear with a bore, around the z axis.
 SharedMesh gear(int teeth, double root_radius, double tip_radius, double bore_radius, double half_height);
 
-/// A U of three walls, its opening towards y, along z.
+/// A U of three walls along z; it opens towards y.
 SharedMesh uProfile(double half_width, double half_depth, double wall, double half_length);
 
 /// Star-shaped about the origin: a sphere with random bumps of the given height.
 SharedMesh bumpySphere(std::mt19937_64& random, double radius, double bump, int segments);
 
-/// Its vertices are on the ellipsoid, which makes it convex.
+/// Its vertices lie on the ellipsoid, so it is convex.
 SharedMesh ellipsoid(const Vec3& radii, int segments);
 
 /// Star-shaped about the origin: a smooth body with a head, ears, a nose, arms and legs, about as high as the
@@ -41,14 +40,14 @@ SharedMesh ellipsoid(const Vec3& radii, int segments);
 SharedMesh teddy(double size, int segments);
 
 /// A tube along (sin t + 2 sin 2t, cos t − 2 cos 2t, −sin 3t), scaled. The tube must be thinner than the
-/// scale, so that it does not meet itself.
+/// scale, or it intersects itself.
 SharedMesh trefoilKnot(double scale, double tube_radius, int segments, int tube_segments);
 
-/// Three square bars, crossed in the origin, along the axes: 60 triangles. Vertices 8 k to 8 k + 7 from 8 on
+/// Three square bars along the axes that cross at the origin: 60 triangles. Vertices 8 k to 8 k + 7 from 8 on
 /// are the corners of the k-th bar.
 SharedMesh jack(double half_length, double half_width);
 
-/// A prism of so many sides round the z axis.
+/// A prism with this number of sides around the z axis.
 SharedMesh cylinder(double radius, double half_height, int segments);
 
 }  // namespace octoblisk::shapes

@@ -8,7 +8,7 @@ namespace octoblisk::shapes {
 /// z = height · sin(x) · cos(y) over ±half_size.
 SharedMesh waveSheet(double half_size, double height, int segments);
 
-/// A wavy floor whose rim rises, so that nothing rolls off.
+/// A wavy floor with a raised rim, so that nothing rolls off.
 double trayHeight(double x, double y);
 SharedMesh tray(double half_size, int segments);
 

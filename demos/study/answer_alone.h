@@ -1,4 +1,4 @@
-// Answers in this process alone.
+// Answers a study in a single process.
 #pragma once
 
 #include <chrono>

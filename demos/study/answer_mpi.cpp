@@ -20,11 +20,11 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr int kItemsTag = 1, kAnswersTag = 2, kFailureTag = 3;
-constexpr int kAhead = 2;  ///< messages of items a rank has, so that it need not wait for the next
+constexpr int kAhead = 2;  ///< messages of items queued per rank, so that it need not wait for the next
 constexpr std::chrono::microseconds kBetweenLooks{200};
 
 void sendText(const std::string& text, int rank, int tag) {
-  if (text.size() > INT_MAX) throw std::runtime_error("the answers to a group are beyond a message's 2 GB");
+  if (text.size() > INT_MAX) throw std::runtime_error("the answers to a group exceed the 2 GB of a message");
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
 }
 
@@ -36,7 +36,7 @@ std::string receiveText(MPI_Status status) {
   return text;
 }
 
-/// What the ranks behind the first do: answers until it is sent no items.
+/// The loop of all ranks but the first: answers until it receives no items.
 void follow(const AnswerItems& answer) {
   for (;;) {
     std::uint64_t items[2] = {};
@@ -53,7 +53,7 @@ void follow(const AnswerItems& answer) {
   }
 }
 
-/// What the first rank does: hands out, gathers, and answers too, on a thread of its own.
+/// The first rank: hands out items, gathers answers, and answers too, on a thread of its own.
 class Lead {
  public:
   Lead(int ranks, Handout& handout, const Ranks::Take& take)
@@ -76,13 +76,13 @@ class Lead {
  private:
   struct Other {
     Pace pace;
-    int has = 0;  ///< messages of items that it has not answered
+    int has = 0;  ///< messages of items not yet answered
     bool dismissed = false;
   };
 
   int count() const { return static_cast<int>(others_.size()); }
 
-  /// Fewer towards the end, so that all end together.
+  /// Smaller pieces towards the end, so that all ranks finish together.
   ItemRange next(const Pace& pace) {
     const std::lock_guard lock(mutex_);
     return handout_.next(std::min(pace.groups(), handout_.groupsLeft() / (kAhead * others_.size())));
@@ -170,13 +170,13 @@ class Lead {
                                [](const Other& other) { return other.dismissed && other.has == 0; });
   }
 
-  std::mutex mutex_;  // of the handout and of what is `here`
+  std::mutex mutex_;  // guards the handout and `here`
   Handout& handout_;
   std::vector<std::vector<AnsweredGroup>> answered_here_;
   std::exception_ptr failure_here_;
   bool done_here_ = false;
   const Ranks::Take& take_;
-  std::vector<Other> others_;  // by rank; that of the first is not used
+  std::vector<Other> others_;  // by rank; the first rank's entry is not used
   std::exception_ptr failure_;
 };
 

@@ -1,4 +1,4 @@
-// The answers of all ranks of MPI: the first hands out and gathers, and answers too.
+// Answers a study on all ranks of MPI: the first hands out and gathers, and answers too.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// As Ranks::answerAll where there are several ranks.
+/// Ranks::answerAll for several ranks.
 void answerTogether(Handout& handout, const AnswerItems& answer, const Ranks::Take& take,
                     const std::function<bool()>& stop);
 

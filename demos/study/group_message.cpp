@@ -14,7 +14,7 @@ void appendNumber(std::string& text, Number number) {
 }
 
 std::string_view takeBytes(std::string_view& text, std::size_t count) {
-  if (text.size() < count) throw std::invalid_argument("a message between processes is cut off");
+  if (text.size() < count) throw std::invalid_argument("a message between processes is truncated");
   const std::string_view taken = text.substr(0, count);
   text.remove_prefix(count);
   return taken;

@@ -1,4 +1,4 @@
-// Answers on their way from one process to another of the same program.
+// Messages with answers between processes of the same program.
 #pragma once
 
 #include <chrono>
@@ -12,12 +12,12 @@ namespace octoblisk::demos {
 
 struct GroupMessage {
   std::vector<AnsweredGroup> groups;
-  std::chrono::duration<double> time{};  ///< that they took
+  std::chrono::duration<double> time{};  ///< time to find them
 };
 
 std::string packed(const GroupMessage& message);
 
-/// Throws std::invalid_argument where it is not what packed() returned.
+/// Throws std::invalid_argument for text that packed() did not return.
 GroupMessage unpacked(std::string_view text);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// What is left to be answered, handed out piece by piece.
+// Hands out the unanswered items of a study piece by piece.
 #pragma once
 
 #include <chrono>
@@ -12,10 +12,10 @@ namespace octoblisk::demos {
 /// Hands out whole groups of a study, in order.
 class Handout {
  public:
-  /// The ranges ascend and begin with whole groups.
+  /// The ranges must ascend and begin with whole groups.
   Handout(std::vector<ItemRange> ranges, std::size_t group);
 
-  /// The next groups, so many at most, at least one; empty where none are left.
+  /// The next groups: at least one, at most this many; empty if none are left.
   ItemRange next(std::size_t groups);
 
   std::size_t groupsLeft() const;
@@ -27,7 +27,8 @@ class Handout {
   std::size_t next_range_ = 0;
 };
 
-/// How many groups are answered at a time: so many that it pays, so few that little is lost with them.
+/// The number of groups to answer at a time: enough to be efficient, few enough that an interruption loses
+/// little.
 class Pace {
  public:
   std::size_t groups() const { return groups_; }

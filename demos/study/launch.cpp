@@ -20,7 +20,7 @@ int numberIn(const char* variable) {
 }  // namespace
 
 Launch launchedAs() {
-  // The last needs no PMIx of ours: Slurm sets its own numbers beside it.
+  // PMIX_RANK is optional here: Slurm sets its own numbers too.
   constexpr const char* kVariables[][3] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", nullptr},
                                            {"PMI_RANK", "PMI_SIZE", nullptr},
                                            {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "PMIX_RANK"}};

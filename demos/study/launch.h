@@ -1,4 +1,4 @@
-// As which of how many processes this one was started, told before MPI is asked.
+// Finds this process's rank and the number of processes before MPI is initialised.
 #pragma once
 
 namespace octoblisk::demos {
@@ -8,7 +8,8 @@ struct Launch {
   int count = 1;
 };
 
-/// What mpirun (Open MPI, MPICH) or srun (with PMI or PMIx) left in the environment; one alone by default.
+/// Reads the environment that mpirun (Open MPI, MPICH) or srun (with PMI or PMIx) sets; a single process by
+/// default.
 Launch launchedAs();
 
 }  // namespace octoblisk::demos

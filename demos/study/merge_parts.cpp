@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// A part in a file, mapped to memory.
+/// A part file, mapped to memory.
 struct PartFile {
   std::string name;
   std::unique_ptr<const MappedFile> mapped;
@@ -38,7 +38,7 @@ std::string itemsText(ItemRange items) {
 
 PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
   PartFile file{path.string(), nullptr, {}};
-  openForReading(path);  // which tells better what is wrong
+  openForReading(path);  // gives a better error message
   file.mapped = std::make_unique<const MappedFile>(path);
   try {
     file.part = readPart(file.text());
@@ -48,10 +48,11 @@ PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
   }
   const std::vector<ItemRange> missing = missingItems(file.part);
   if (!missing.empty()) {
-    refuse(file, "is unfinished, cut off or damaged: of its " + itemsText(file.part.items) + " those from " +
-                     std::to_string(missing.front().begin) + " are not all there");
+    refuse(file, "is unfinished, truncated or damaged: of its " + itemsText(file.part.items) +
+                     " some are missing, from " + std::to_string(missing.front().begin) +
+                     ": finish it with --resume");
   }
-  if (file.part.sound_bytes != file.text().size()) refuse(file, "has something behind its end");
+  if (file.part.sound_bytes != file.text().size()) refuse(file, "has extra bytes after its end");
   return file;
 }
 
@@ -59,25 +60,25 @@ void requireSameStudy(const std::vector<PartFile>& files) {
   for (const PartFile& file : files) {
     const std::string difference = differenceOf(files.front().part.study, file.part.study);
     if (!difference.empty()) {
-      refuse(file, "is of another study than " + files.front().name + ": other " + difference);
+      refuse(file, "belongs to another study than " + files.front().name + ": it has other " + difference);
     }
   }
 }
 
-/// Of sorted files: that they hold each item once.
+/// Throws unless the sorted files hold each item exactly once.
 void requireWhole(const std::vector<PartFile>& files) {
   std::size_t end = 0;
   const PartFile* before = nullptr;
   for (const PartFile& file : files) {
     const ItemRange items = file.part.items;
     if (items.empty()) continue;
-    const std::string behind = before ? " behind those of " + before->name : std::string();
+    const std::string behind = before ? " after those of " + before->name : std::string();
     if (items.begin > end) {
       refuse(file, "begins at item " + std::to_string(items.begin) + ": " + itemsText({end, items.begin}) +
                        behind + " are missing");
     }
     if (items.begin < end) {
-      refuse(file, "holds items that " + before->name + " holds too, from " + std::to_string(items.begin));
+      refuse(file, "repeats items of " + before->name + ", from " + std::to_string(items.begin));
     }
     end = items.end;
     before = &file;
@@ -85,7 +86,7 @@ void requireWhole(const std::vector<PartFile>& files) {
   const std::size_t all = files.front().part.study.items;
   if (end < all) {
     const PartFile& last = before ? *before : files.front();
-    refuse(last, "ends before item " + std::to_string(end) + ", no part holds " + itemsText({end, all}));
+    refuse(last, "ends before item " + std::to_string(end) + ", and no part has " + itemsText({end, all}));
   }
 }
 
@@ -96,7 +97,7 @@ MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const st
   requireNotRead(out, parts);
   std::vector<PartFile> files;
   for (const std::filesystem::path& path : parts) files.push_back(openPart(path, check));
-  if (files.empty()) throw std::runtime_error(out + ": there are no parts to make it of");
+  if (files.empty()) throw std::runtime_error(out + ": no parts are given");
   requireSameStudy(files);
   std::ranges::stable_sort(files, {}, [](const PartFile& file) { return file.part.items.begin; });
   requireWhole(files);

@@ -17,13 +17,14 @@ struct MergedStudy {
   std::vector<std::string> tallies;  ///< of all groups, in order
 };
 
-/// Throws std::invalid_argument where a part is none of its subcommand; `text` is what it was read from.
+/// Throws std::invalid_argument if a part does not come from its subcommand; `text` is the text that it was
+/// read from.
 using CheckPart = std::function<void(const PartText& part, std::string_view text)>;
 
-/// Writes the table that the study gives in one run, from its parts in any order, to a file that is what it
-/// was until all is found to be right. Throws std::runtime_error naming the part that cannot be read, is
-/// unfinished, damaged or refused by the check, is of another study than the first, or holds what another
-/// does, or beside which items are missing; or the file, where it is one of the parts or cannot be written.
+/// Writes the table that the study gives in one run, from its parts in any order. The file stays unchanged
+/// until all parts are checked. Throws std::runtime_error naming a part that cannot be read, is unfinished,
+/// damaged or refused by the check, belongs to another study than the first, repeats another part's items, or
+/// leaves items missing; or naming the file if it is one of the parts or cannot be written.
 MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const std::string& out,
                        const CheckPart& check = {});
 

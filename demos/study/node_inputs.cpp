@@ -19,7 +19,7 @@ namespace {
 
 static_assert(sizeof(Pose) == 12 * sizeof(double) && std::is_standard_layout_v<Pose>);
 
-/// Arrays one after the other, each at a multiple of the alignment behind its size.
+/// Packs arrays one after another, each aligned and preceded by its size.
 class Packer {
  public:
   template <typename Element>

@@ -1,4 +1,4 @@
-// What ranks read: once a node, then in the memory of all its ranks.
+// Input of the ranks: read once per node, then shared in the memory of all its ranks.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,24 @@
 
 namespace octoblisk::demos {
 
-/// The tree of a mesh file. It is built once a node and used by all where it is; each rank has a copy of the
-/// mesh. Throws as readMesh and ClusteredOctree::build do, at all ranks.
+/// The tree of a mesh file. It is built once per node and shared there if possible; each rank has a copy of
+/// the mesh. Throws as readMesh and ClusteredOctree::build do, on all ranks.
 ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file,
                               const BuildOptions& options = {});
-/// Of a mesh that is made, or read and mended, at one rank of each node.
+/// The same for a mesh that is generated, or read and repaired, on one rank of each node.
 ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
                               const BuildOptions& options = {});
 
-/// Poses, and who keeps them.
+/// Poses, and the owner of their memory.
 struct SharedPoses {
   std::span<const Pose> poses;
   std::shared_ptr<const void> owner;
 };
 
-/// Throws as readPoses does, at all ranks.
+/// Throws as readPoses does, on all ranks.
 SharedPoses posesOnceANode(Ranks& ranks, const std::filesystem::path& pose_file);
 
-/// Of the coordinates' bits and the triangles in their order.
+/// Covers the bits of the coordinates, and the triangles in their order.
 std::uint64_t fingerprintOf(const TriangleMesh& mesh);
 std::uint64_t fingerprintOf(std::span<const Pose> poses);
 

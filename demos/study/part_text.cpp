@@ -29,7 +29,7 @@ std::string hexOf(std::uint64_t value) {
   return std::string(kDigits - count, '0') + std::string(digits, count);
 }
 
-/// Takes a text apart from its begin. What does not fit sets failed and takes nothing more.
+/// Parses a text from its beginning. A mismatch sets `failed`, and nothing more is parsed.
 class TextParts {
  public:
   explicit TextParts(std::string_view text) : text_(text) {}
@@ -47,7 +47,7 @@ class TextParts {
   TextParts& number(std::size_t& value) { return integer(value, 10); }
   TextParts& hex(std::uint64_t& value) { return integer(value, kHexadecimal); }
 
-  /// Up to the delimiter, which is passed over.
+  /// Up to the delimiter, which is skipped.
   TextParts& upTo(char delimiter, std::string& value) {
     const std::size_t length = failed_ ? std::string_view::npos : rest().find(delimiter);
     failed_ = length == std::string_view::npos;
@@ -57,7 +57,7 @@ class TextParts {
     return *this;
   }
 
-  /// As many bytes.
+  /// This number of bytes.
   TextParts& take(std::size_t count, std::string_view& value) {
     failed_ = failed_ || rest().size() < count;
     if (failed_) return *this;
@@ -83,7 +83,7 @@ class TextParts {
   bool failed_ = false;
 };
 
-/// Printable and without spaces, as names are told in messages.
+/// Printable and without spaces, so that messages can show it.
 bool isWord(std::string_view name) {
   return !name.empty() &&
          std::ranges::all_of(name, [](char letter) { return letter > ' ' && letter <= '~'; });
@@ -99,12 +99,12 @@ std::vector<ItemRange> answeredItems(const PartText& part) {
 void requireOnce(const PartText& part) {
   std::size_t end = part.items.begin;
   for (const ItemRange& items : answeredItems(part)) {
-    if (items.begin < end) throw std::invalid_argument("has item " + std::to_string(items.begin) + " twice");
+    if (items.begin < end) throw std::invalid_argument("repeats item " + std::to_string(items.begin));
     end = items.end;
   }
 }
 
-/// What a group's line tells beside its checksum.
+/// A group's line without its checksum.
 std::string describedGroup(ItemRange items, std::size_t bytes, const std::string& tally) {
   return std::to_string(items.begin) + " to " + std::to_string(items.end) + ", " + std::to_string(bytes) +
          " bytes, tally " + tally;
@@ -114,7 +114,7 @@ std::uint64_t checksumOf(const std::string& described, std::string_view rows, st
   return checksumOf(rows, checksumOf(described, head_checksum));
 }
 
-/// The next group, if it is whole and sound.
+/// The next group, if it is complete and its checksum is right.
 std::optional<GroupInText> readGroup(TextParts& text, const PartText& part, std::uint64_t head_checksum) {
   GroupInText group;
   std::uint64_t checksum = 0;
@@ -156,7 +156,7 @@ PartText readPart(std::string_view text) {
   Study& study = part.study;
   TextParts parts(text);
   parts.skip(kMagic);
-  if (parts.failed()) throw std::invalid_argument("is no part of a study: its first line is another");
+  if (parts.failed()) throw std::invalid_argument("is not a part of a study: its first line does not match");
   parts.skip("# study ").upTo('\n', study.name);
   parts.skip("# items ").number(part.items.begin).skip(" to ").number(part.items.end).skip(" of ");
   parts.number(study.items).skip(", in groups of ").number(study.group).skip("\n");
@@ -169,9 +169,9 @@ PartText readPart(std::string_view text) {
   }
   parts.skip("# options ").upTo('\n', study.options).upTo('\n', study.columns);
   if (parts.failed() || !are_words)
-    throw std::invalid_argument("is no part of a study: its head is damaged or cut off");
+    throw std::invalid_argument("is not a part of a study: its head is damaged or truncated");
   if (study.group == 0 || part.items.begin > part.items.end || part.items.end > study.items) {
-    throw std::invalid_argument("is no part of a study: its head tells of impossible items");
+    throw std::invalid_argument("is not a part of a study: the item numbers in its head are impossible");
   }
   part.sound_bytes = parts.position();
   const std::uint64_t head_checksum = checksumOf(text.substr(0, part.sound_bytes));

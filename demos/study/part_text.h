@@ -1,7 +1,7 @@
-// The text of a part of a study: a head that tells of which study it is and of which items, the table's first
-// line, then groups of rows. Each group has a line that tells its items, length and tally, and a checksum of
-// these, of its rows and of the head, so that what was cut off, changed or put together from two parts is
-// found out. Lines of our own begin with #: what reads CSV with comments reads a part.
+// The text of a part of a study: a head that names the study and the part's items, the table's header, then
+// groups of rows. Each group has a line with its items, length and tally, and a checksum of these, of its
+// rows and of the head: so truncated, changed and mixed parts are detected. Our own lines begin with #, so
+// CSV readers with comments can read a part.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace octoblisk::demos {
 
-/// A group, and where its rows are in the text.
+/// A group, and the place of its rows in the text.
 struct GroupInText {
   ItemRange items;
   std::size_t begin = 0, bytes = 0;
@@ -22,21 +22,21 @@ struct GroupInText {
 
 struct PartText {
   Study study;
-  ItemRange items;                  ///< that the part is for
-  std::vector<GroupInText> groups;  ///< sound ones up to the first that is not, as they come in the text
-  std::size_t sound_bytes = 0;      ///< of head and groups together
+  ItemRange items;                  ///< of the part
+  std::vector<GroupInText> groups;  ///< the valid ones up to the first invalid one, in the order of the text
+  std::size_t sound_bytes = 0;      ///< of the head and the groups together
 };
 
-/// All before the groups.
+/// Everything before the groups.
 std::string headOf(const Study& study, ItemRange part);
 
 std::string textOf(const AnsweredGroup& group, std::string_view head);
 
-/// Reads a part, which may end anywhere behind its head. Throws std::invalid_argument where the text does not
-/// begin with a whole head.
+/// Reads a part, which may end anywhere after its head. Throws std::invalid_argument if the text does not
+/// begin with a complete head.
 PartText readPart(std::string_view text);
 
-/// The items of the part that are in none of the groups.
+/// The items of the part that no group contains.
 std::vector<ItemRange> missingItems(const PartText& part);
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// The processes that answer a study together: those that mpirun started, or this one alone.
+// The processes that answer a study together: those that mpirun started, or only this one.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@
 
 namespace octoblisk::demos {
 
-/// Every rank calls the same functions in the same order. Two sources define it: ranks_mpi.cpp where the
-/// command is built with MPI (OCTOBLISK_BUILD_MPI), else ranks_alone.cpp.
+/// Every rank calls the same functions in the same order. Two sources implement it: ranks_mpi.cpp if the
+/// command is built with MPI (OCTOBLISK_BUILD_MPI), otherwise ranks_alone.cpp.
 class Ranks {
  public:
-  /// Joins MPI where this process is one of several, and leaves it with the last of what it shared. Throws
-  /// std::runtime_error where it is one of several, but was built without MPI.
+  /// Joins MPI if this process is one of several, and leaves MPI after the last shared memory is released.
+  /// Throws std::runtime_error if it is one of several but was built without MPI.
   Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;
@@ -27,24 +27,25 @@ class Ranks {
 
   bool isFirst() const;
   int count() const;
-  int countOnNode() const;  ///< that share this one's memory
+  int countOnNode() const;  ///< ranks that share this one's memory
 
-  /// The threads that each rank should use: its share of the node's processors, no more than it is bound to.
+  /// The threads that each rank should use: its share of the node's processors, at most as many as it is
+  /// bound to.
   int threadsEach() const;
 
-  /// Calls the step. Where it throws at any rank, all throw, with the message of the first that did.
+  /// Calls the step. If it throws on any rank, all ranks throw, with the message of the first one that threw.
   void together(const std::function<void()>& step);
 
-  /// Calls `make` at one rank of each node; all ranks of the node then read what it returned, in the same
-  /// memory where the system lets them. Throws as together() does.
+  /// Calls `make` on one rank of each node. All ranks of the node then read the result, in the same memory if
+  /// the system permits. Throws as together() does.
   SharedBytes onceANode(const std::function<std::vector<std::byte>()>& make);
 
-  /// Whether all ranks have this number.
+  /// Whether all ranks have the same number.
   bool haveAllTheSame(std::uint64_t number);
 
-  /// Has the ranks answer all of the handout, which only the first need have. The first takes the answers as
-  /// they come, in any order, and is asked `stop` between whiles; once that is true, what is being answered
-  /// is waited for, not more. Throws what `take` throws, at the first rank, and what `answer` throws.
+  /// Has the ranks answer the whole handout, which only the first rank needs. The first rank takes the
+  /// answers as they arrive, in any order, and calls `stop` repeatedly; once that is true, it only waits for
+  /// the answers already begun. Throws what `take` throws on the first rank, and what `answer` throws.
   using Take = std::function<void(std::span<const AnsweredGroup>)>;
   void answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
                  const std::function<bool()>& stop);

@@ -15,8 +15,9 @@ struct Ranks::Joined {};
 
 Ranks::Ranks() {
   if (launchedAs().count == 1) return;
-  throw std::runtime_error("this is one of " + std::to_string(launchedAs().count) +
-                           " processes of a launcher, but was built without MPI, -DOCTOBLISK_BUILD_MPI=ON");
+  throw std::runtime_error(
+      "the launcher started " + std::to_string(launchedAs().count) +
+      " processes, but this command was built without MPI: build it with -DOCTOBLISK_BUILD_MPI=ON");
 }
 
 Ranks::~Ranks() = default;

@@ -1,4 +1,4 @@
-// Ranks of MPI, of which one thread of each process knows.
+// Ranks with MPI; only one thread of each process uses it.
 #include <mpi.h>
 #include <sched.h>
 
@@ -37,7 +37,7 @@ struct Ranks::Joined {
 
 Ranks::Ranks() : joined_(std::make_shared<Joined>()) {
   const Launch launch = launchedAs();
-  if (launch.count == 1) return;  // MPI takes its time to begin
+  if (launch.count == 1) return;  // initialising MPI takes time
   int threads = MPI_THREAD_SINGLE;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &threads);
   Joined& joined = *joined_;
@@ -49,8 +49,8 @@ Ranks::Ranks() : joined_(std::make_shared<Joined>()) {
   MPI_Comm_size(joined.node, &joined.count_on_node);
   if (joined.count != launch.count) {
     throw std::runtime_error("the launcher started " + std::to_string(launch.count) +
-                             " processes, but MPI tells of " + std::to_string(joined.count) +
-                             ": it is the launcher of another MPI");
+                             " processes, but MPI reports " + std::to_string(joined.count) +
+                             ": use the launcher of the MPI that this command was built with");
   }
 }
 
@@ -108,7 +108,7 @@ SharedBytes Ranks::onceANode(const std::function<std::vector<std::byte>()>& make
   int unit = 0;
   MPI_Win_shared_query(window, 0, &of_maker, &unit, &begin);
 
-  // Each rank has the memory at an address of its own, all at the same place of a page.
+  // Each rank maps the memory to its own address, with the same offset within a page.
   const auto misaligned = [](const void* address) {
     return reinterpret_cast<std::uintptr_t>(address) % kSharedAlignment;
   };

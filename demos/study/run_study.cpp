@@ -20,14 +20,14 @@ namespace {
 Stopped stoppedAt(const StudyJournal& journal, std::size_t items, const std::string& out) {
   const std::string done = std::to_string(journal.answered()) + " of " + std::to_string(items) + " answers";
   const bool is_left = journal.answered() > 0 && !isDevice(out);
-  return {is_left ? "stopped; " + journal.unfinished().string() + " holds " + done + ": go on with --resume"
-                  : "stopped at " + done + ", which are lost",
+  return {is_left ? "stopped: " + journal.unfinished().string() + " has " + done + "; continue with --resume"
+                  : "stopped after " + done + ", which are lost",
           StopSignal::received()};
 }
 
 void requireSameAtAll(Ranks& ranks, const std::string& head) {
   if (ranks.haveAllTheSame(xxh64(std::as_bytes(std::span(head))))) return;
-  throw std::runtime_error("files of the same name differ from node to node: is their folder one of all?");
+  throw std::runtime_error("input files differ between the nodes: put them in a folder that all nodes share");
 }
 
 }  // namespace

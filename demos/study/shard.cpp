@@ -20,8 +20,8 @@ Shard parseShard(const std::string& text) {
       return shard;
     }
   }
-  throw std::invalid_argument(inQuotes(text) + " is no part of a whole: it must be i/n with 1 <= i <= n <= " +
-                              std::to_string(kMost) + ", e.g. 3/7");
+  throw std::invalid_argument(inQuotes(text) + " is not a part I/N: give 1 <= I <= N <= " +
+                              std::to_string(kMost) + ", for example 3/7");
 }
 
 ItemRange itemsOf(const Study& study, Shard shard) {

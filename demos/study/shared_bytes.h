@@ -1,4 +1,4 @@
-// Bytes that several may read.
+// Bytes that several owners may read.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// Bytes that begin at a multiple of 64, as tree_blob.h wants them, and who keeps them.
+/// Bytes whose address is a multiple of 64, as tree_blob.h needs it, and their owner.
 struct SharedBytes {
   std::span<const std::byte> bytes;
   std::shared_ptr<const void> owner;

@@ -5,7 +5,7 @@
 namespace octoblisk::demos {
 namespace {
 
-volatile sig_atomic_t stop_signal_received = 0;  // a handler has nothing else to write to
+volatile sig_atomic_t stop_signal_received = 0;  // a signal handler may only write to such a variable
 
 extern "C" void noteStopSignal(int signal) { stop_signal_received = signal; }
 

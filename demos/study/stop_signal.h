@@ -1,4 +1,4 @@
-// Ctrl-C, and a batch system's word that time is up.
+// Handles Ctrl-C, and the signal by which a batch system ends a job.
 #pragma once
 
 #include <signal.h>
@@ -9,8 +9,9 @@
 
 namespace octoblisk::demos {
 
-/// While it lives, SIGINT and SIGTERM do not end the process but are told by received(); the second one does
-/// end it. What the process was told to ignore, it ignores. There may be one at a time.
+/// During its lifetime, the first SIGINT or SIGTERM does not end the process but is reported by received();
+/// the second one does end it. Signals that the process already ignores stay ignored. Only one may exist at a
+/// time.
 class StopSignal {
  public:
   StopSignal();
@@ -18,7 +19,7 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  /// The signal that came, or 0.
+  /// The signal received, or 0.
   static int received();
 
  private:
@@ -26,12 +27,12 @@ class StopSignal {
   std::array<struct sigaction, kSignals.size()> before_;
 };
 
-/// A run that was told to stop before its end.
+/// A run that was stopped before its end.
 class Stopped : public std::runtime_error {
  public:
   Stopped(const std::string& message, int signal) : std::runtime_error(message), signal_(signal) {}
 
-  /// As shells tell it: 128 + the signal.
+  /// The convention of shells: 128 + the signal.
   int exitCode() const { return 128 + signal_; }
 
  private:

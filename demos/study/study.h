@@ -1,4 +1,4 @@
-// A study: many items, each answered to rows of one table, whoever answers them and wherever.
+// A study: many items, each answered by rows of one table, independent of the processes that answer them.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct ItemRange {
   friend bool operator==(const ItemRange&, const ItemRange&) = default;
 };
 
-/// Something the answers depend on, told apart by a checksum of what was read.
+/// An input that the answers depend on, identified by a checksum of its content.
 struct StudyInput {
   std::string name;  ///< one word, e.g. "poses"
   std::uint64_t fingerprint = 0;
@@ -26,29 +26,30 @@ struct StudyInput {
   friend bool operator==(const StudyInput&, const StudyInput&) = default;
 };
 
-/// What is asked. Equal studies have equal tables, byte for byte.
+/// The request. Equal studies have equal tables, byte for byte.
 struct Study {
-  std::string name;       ///< the subcommand that asks
-  std::string columns;    ///< the table's first line, without its end
+  std::string name;       ///< the subcommand
+  std::string columns;    ///< the table's header, without its line end
   std::size_t items = 0;  ///< counted from 0
-  /// Items are answered in groups of so many, the last one smaller: what is found for one may depend on those
-  /// before it in its group, on nothing else. Parts are made of whole groups.
+                          /// Items are answered in groups of this size; the last one may be smaller. An
+                          /// answer may depend only on the items before
+  /// it in its group. Parts consist of whole groups.
   std::size_t group = 1;
   std::vector<StudyInput> inputs;
-  std::string options;  ///< those that answers depend on, in one line
+  std::string options;  ///< the options that the answers depend on, in one line
 };
 
-/// The answers to a group, or to what is left for the last.
+/// The answers to a group; the last group may be smaller.
 struct AnsweredGroup {
   ItemRange items;
   std::string rows;   ///< whole lines of the table
-  std::string tally;  ///< one line: what the study's summary needs of them
+  std::string tally;  ///< one line with the data for the study's summary
 };
 
-/// Answers whole groups, in their order. Called by one thread at a time; may itself use several.
+/// Answers whole groups, in order. It is called by one thread at a time and may use several threads itself.
 using AnswerItems = std::function<std::vector<AnsweredGroup>(ItemRange)>;
 
-/// In what the second is not the study that the first is, e.g. "poses"; empty where they are equal.
+/// The first difference of two studies, e.g. "poses"; empty if they are equal.
 std::string differenceOf(const Study& first, const Study& second);
 
 }  // namespace octoblisk::demos

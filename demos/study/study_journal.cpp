@@ -25,7 +25,7 @@ std::string_view textIn(const MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
 
-/// Whether the name still is that of the open file.
+/// True if the name still refers to the open file.
 bool isStillNamed(const std::filesystem::path& name, std::FILE* file) {
   struct stat opened = {}, named = {};
   return ::fstat(::fileno(file), &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
@@ -43,9 +43,9 @@ StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path ou
       head_(headOf(study_, part)) {
   part_.study = study_;
   part_.items = part;
-  if (std::filesystem::is_directory(out_)) refuse(out_, "this is a folder, not a file");
+  if (std::filesystem::is_directory(out_)) refuse(out_, "is a folder, not a file");
   if (named_) out_ = behindLinks(out_);
-  if (!named_ && resume_) refuse(out_, "is no file that could be resumed");
+  if (!named_ && resume_) refuse(out_, "is a device, which --resume cannot continue");
   open();
   if (named_) readBack();
   if (part_.groups.empty() && resume_ && form_ == Form::part && isDoneAlready()) return;
@@ -57,7 +57,7 @@ StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path ou
 
 StudyJournal::~StudyJournal() { removeIfEmpty(); }
 
-/// What was cut off goes; so does a head without answers, which may be another study's.
+/// Drops a truncated end; also drops a head without answers, which may belong to another study.
 bool StudyJournal::goesToItsEnd() {
   if (part_.groups.empty()) part_.sound_bytes = 0;
   const auto size = static_cast<off_t>(part_.sound_bytes);
@@ -82,38 +82,41 @@ void StudyJournal::open() {
   }
   if (!file_) refuseToWrite(out_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-  // File systems without locks do without.
+  // On file systems without locks, the lock is skipped.
   const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   if (named_ && (is_locked || !isStillNamed(unfinished(), file_.get()))) {
-    file_.reset();  // it is not ours to remove
+    file_.reset();  // it belongs to the other run, so it is not removed
     refuse(out_, "another run is writing it");
   }
 }
 
-/// Finds what an earlier run left in the open file.
+/// Finds the answers of an earlier run in the open file.
 void StudyJournal::readBack() try {
   const MappedFile mapped(unfinished());
   const std::string_view text = textIn(mapped);
-  if (text.size() < head_.size() && head_.starts_with(text)) return;  // it did not come far
+  if (text.size() < head_.size() && head_.starts_with(text)) return;  // the run ended while writing the head
   PartText found = readPart(text);
   if (found.groups.empty()) return;
   if (!resume_) {
-    throw std::invalid_argument("holds the answers of an unfinished run: go on with --resume, or remove it");
+    throw std::invalid_argument(
+        "has the answers of an unfinished run: continue it with --resume, or remove the file");
   }
   const std::string difference = differenceOf(study_, found.study);
-  if (!difference.empty()) throw std::invalid_argument("was begun with other " + difference);
+  if (!difference.empty())
+    throw std::invalid_argument("belongs to a run with other " + difference +
+                                ": remove the file to start anew");
   if (found.items != part_.items) {
-    throw std::invalid_argument("was begun as another part: items " + std::to_string(found.items.begin) +
+    throw std::invalid_argument("belongs to another part: items " + std::to_string(found.items.begin) +
                                 " to " + std::to_string(found.items.end));
   }
-  if (!text.starts_with(head_)) throw std::invalid_argument("is damaged: its head is not as it was written");
+  if (!text.starts_with(head_)) throw std::invalid_argument("is damaged: its head has changed");
   part_ = std::move(found);
 } catch (const std::invalid_argument& error) {
   file_.reset();
   refuse(unfinished(), error.what());
 }
 
-/// Whether OUT is this part, whole: then it stays.
+/// True if OUT is already this part, complete: then it stays.
 bool StudyJournal::isDoneAlready() try {
   const MappedFile mapped(out_);
   PartText found = readPart(textIn(mapped));
@@ -122,7 +125,7 @@ bool StudyJournal::isDoneAlready() try {
   if (finished_) part_ = std::move(found);
   if (finished_) std::filesystem::remove(unfinished());
   return finished_;
-} catch (const std::exception&) {  // no such file, or the result of something else
+} catch (const std::exception&) {  // OUT does not exist, or is another result
   return false;
 }
 
@@ -141,7 +144,7 @@ void StudyJournal::add(std::span<const AnsweredGroup> groups) {
     added.push_back({group.items, begin, group.rows.size(), group.tally});
   }
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
-    refuse(out_, std::string("cannot be written: ") + std::strerror(errno) + "; what was answered is in " +
+    refuse(out_, std::string("cannot be written: ") + std::strerror(errno) + "; the answers so far are in " +
                      unfinished().string());
   }
   part_.sound_bytes += text.size();

@@ -1,4 +1,4 @@
-// The file in which answers gather while a study runs: whatever ends the run, it can go on from there.
+// The file that collects answers while a study runs, so that any interrupted run can be continued.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,19 @@
 
 namespace octoblisk::demos {
 
-/// OUT.partial, a part (part_text.h) of a study, beside the file OUT that is made of it when all is answered.
-/// Where OUT is a device, it is a nameless file, lost with the run.
+/// OUT.partial is a part (part_text.h) of a study, beside the file OUT, which is made from it when all items
+/// are answered. If OUT is a device, it is a file without a name, which is lost with the run.
 class StudyJournal {
  public:
   enum class Form { table, part };
 
-  /// Begins, or goes on from what an unfinished run left if told to `resume`: what is cut off or damaged at
-  /// its end is dropped. A finished part is taken as it is then. Throws std::runtime_error naming the file
-  /// where OUT cannot be written, another run is writing it, an unfinished run is there but not to be
-  /// resumed, or is of another study or part.
+  /// Begins a file or, with `resume`, continues that of an unfinished run: a truncated or damaged end is
+  /// dropped. A finished part is then kept as it is. Throws std::runtime_error naming the file if OUT cannot
+  /// be written, another run is writing it, or an unfinished run exists but is not to be continued or belongs
+  /// to another study or part.
   StudyJournal(Study study, ItemRange part, std::filesystem::path out, Form form, bool resume);
 
-  /// Leaves OUT.partial, unless there is no answer in it.
+  /// Keeps OUT.partial, unless it has no answers.
   ~StudyJournal();
   StudyJournal(const StudyJournal&) = delete;
   StudyJournal& operator=(const StudyJournal&) = delete;
@@ -32,13 +32,13 @@ class StudyJournal {
   std::vector<ItemRange> missing() const { return missingItems(part_); }
   std::size_t answered() const;
 
-  /// In any order. They are with the system when this returns. Throws std::runtime_error naming OUT.
+  /// In any order. The system has them when this returns. Throws std::runtime_error naming OUT.
   void add(std::span<const AnsweredGroup> groups);
 
-  /// Makes OUT of all answers, in order, and removes OUT.partial. Throws std::runtime_error naming OUT.
+  /// Makes OUT from all answers, in order, and removes OUT.partial. Throws std::runtime_error naming OUT.
   void finish();
 
-  /// Of all groups there are, in order.
+  /// Of all groups in the file, in order.
   std::vector<std::string> tallies() const;
 
   /// OUT.partial

@@ -18,7 +18,7 @@ namespace {
 
 bool isBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// In capitals and without blanks.
+/// Upper case, without blanks.
 std::string packed(std::string_view text) {
   std::string result;
   for (const char letter : text) {
@@ -27,7 +27,7 @@ std::string packed(std::string_view text) {
   return result;
 }
 
-/// The word that free text stands behind, empty where there is none.
+/// The word in front of free text; empty if the line has none.
 std::string wordBeforeFreeText(std::string_view line) {
   constexpr std::array<std::string_view, 7> kWords = {"PARTNO", "PPRINT", "REMARK", "INSERT",
                                                       "LETTER", "TPRINT", "DISPLY"};
@@ -74,12 +74,12 @@ bool AptText::next(AptStatement& statement) {
     const bool is_comment = dollar != std::string::npos && text.substr(dollar, 2) == "$$";
     whole += packed(text.substr(0, dollar));
     const bool only_comment = is_comment && packed(text.substr(0, dollar)).empty();
-    if (goes_on && only_comment) continue;  // a comment amid a statement
+    if (goes_on && only_comment) continue;  // a comment inside a statement
     goes_on = dollar != std::string::npos && !is_comment;
     if (goes_on) continue;
     if (!whole.empty()) break;
   }
-  if (goes_on) fail(statement.line, "the statement goes on ($) beyond the end of the file");
+  if (goes_on) fail(statement.line, "the statement continues ($) beyond the end of the file");
   if (whole.empty()) return false;
   statement.last_line = line_;
 
@@ -90,7 +90,7 @@ bool AptText::next(AptStatement& statement) {
                              " is APT source, a definition or a label: give a CL file, the output of "
                              "the APT processor");
   }
-  if (!isWord(statement.word)) fail(statement.line, inQuotes(whole) + " is no APT statement");
+  if (!isWord(statement.word)) fail(statement.line, inQuotes(whole) + " is not an APT statement");
   if (slash == std::string::npos) return true;
   std::string_view rest = std::string_view(whole).substr(slash + 1);
   while (!rest.empty()) {

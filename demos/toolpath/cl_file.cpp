@@ -17,7 +17,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kAxisTolerance = 1e-3;  ///< beyond rounding to a few digits, it is no axis but a mistake
+constexpr double kAxisTolerance = 1e-3;  ///< allows for rounding to a few digits; more is a mistake
 
 bool isAmong(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -49,7 +49,7 @@ bool isOfNoMeaningHere(std::string_view word) {
        "MAXIPM", "MAXANG",   "VTLAXIS", "ISN",    "BREAK",  "LEADER", "PLABEL",      "REWIND", "PROBE"});
 }
 
-/// What of a CL file holds from a statement to the next ones.
+/// The state of a CL program from one statement to the next.
 class ClReader {
  public:
   explicit ClReader(const std::filesystem::path& file) : text_(file) {}
@@ -59,7 +59,7 @@ class ClReader {
     bool is_finished = false;
     while (text_.next(statement)) {
       if (is_finished)
-        text_.fail(statement.line, statement.word + " stands behind FINI, the end of the program");
+        text_.fail(statement.line, statement.word + " comes after FINI, the end of the program");
       is_finished = statement.word == "FINI";
       if (!is_finished) take(statement);
     }
@@ -84,19 +84,20 @@ class ClReader {
     if (word == "RAPID") {
       is_rapid_ = true;
     } else if (isArc(word)) {
-      refuse(" is of an arc, which is not read: write the file with linear moves alone");
+      refuse(" belongs to an arc, which is not supported: write the file with linear motions only");
     } else if (isOtherMotion(word) || (word == "CYCLE" && !is_off)) {
-      refuse(" makes motions that are not read: write the file as GOTO points");
+      refuse(" makes motions that are not supported: write the file as GOTO points");
     } else if (movesWhatFollows(word) && !is_canceled && !is_off) {
-      refuse(" moves or turns what follows, which is not read: write the file in the blisk's frame");
+      refuse(
+          " transforms the statements after it, which is not supported: write the file in the blisk's frame");
     } else if (word == "MSYS") {
       requireSameFrame(statement);
     } else if (word == "MODE") {
       if (std::ranges::find(arguments, "INCR") != arguments.end())
-        refuse("/INCR: incremental points are not read");
+        refuse("/INCR: incremental points are not supported: write the file with absolute points");
     } else if (word == "MULTAX") {
       const bool is_known = arguments.empty() || isAmong(arguments.front(), {"ON", "OFF"});
-      if (!is_known || arguments.size() > 1) refuse(" takes ON or OFF");
+      if (!is_known || arguments.size() > 1) refuse(" needs ON or OFF");
     } else if (!isOfNoMeaningHere(word) && !movesWhatFollows(word) && word != "CYCLE") {
       noteUnknown(word, statement.line);
     }
@@ -122,11 +123,11 @@ class ClReader {
     return axis / length;
   }
 
-  /// The second axis, made square to the tool's.
+  /// The second axis, made perpendicular to the tool axis.
   Vec3 secondAxisAt(const AptStatement& statement, std::size_t first) const {
     const Vec3 axis = axisAt(statement, first);
     if (std::abs(axis.dot(tool_axis_)) > kAxisTolerance) {
-      text_.fail(statement.line, statement.word + ": the second axis is not square to the tool axis");
+      text_.fail(statement.line, statement.word + ": the second axis is not perpendicular to the tool axis");
     }
     return (axis - axis.dot(tool_axis_) * tool_axis_).normalized();
   }
@@ -134,8 +135,10 @@ class ClReader {
   void goTo(const AptStatement& statement) {
     const std::size_t count = statement.arguments.size();
     if (count != 3 && count != 6 && count != 9) {
-      text_.fail(statement.line, statement.word + " has " + std::to_string(count) +
-                                     " values; it takes x,y,z, a tool axis i,j,k, and a second axis");
+      text_.fail(
+          statement.line,
+          statement.word + " has " + std::to_string(count) +
+              " values; it needs x,y,z, then optionally a tool axis i,j,k, then optionally a second axis");
     }
     const Vec3 position = unit_ * vectorAt(statement, 0);
     if (count >= 6) setToolAxis(statement, 3);
@@ -147,10 +150,9 @@ class ClReader {
     const std::size_t count = statement.arguments.size();
     if (count != 3 && count != 6) {
       text_.fail(statement.line,
-                 "GODLTA has " + std::to_string(count) + " values; it takes dx,dy,dz, and i,j,k");
+                 "GODLTA has " + std::to_string(count) + " values; it needs dx,dy,dz and optionally i,j,k");
     }
-    if (result_.moves.empty())
-      text_.fail(statement.line, "GODLTA goes on from a point, and there is none before");
+    if (result_.moves.empty()) text_.fail(statement.line, "GODLTA needs a point before it");
     const Vec3 step = unit_ * vectorAt(statement, 0);
     if (count == 6) setToolAxis(statement, 3);
     add(result_.moves.back().position + step, statement);
@@ -158,7 +160,7 @@ class ClReader {
 
   void add(const Vec3& position, const AptStatement& statement) {
     if (position.cwiseAbs().maxCoeff() > TriangleMesh::kMaxCoordinate) {
-      text_.fail(statement.line, statement.word + ": the point is beyond 1e12 mm");
+      text_.fail(statement.line, statement.word + ": the point is more than 1e12 mm from the origin");
     }
     const bool is_start = statement.word == "FROM";
     const double feed = is_rapid_ || is_start ? 0.0 : feed_;
@@ -168,7 +170,7 @@ class ClReader {
   }
 
   void setToolAxis(const AptStatement& statement) {
-    if (statement.arguments.size() != 3) text_.fail(statement.line, "TLAXIS takes i,j,k");
+    if (statement.arguments.size() != 3) text_.fail(statement.line, "TLAXIS needs i,j,k");
     setToolAxis(statement, 0);
   }
 
@@ -181,7 +183,7 @@ class ClReader {
     const std::string unit = statement.arguments.size() == 1 ? statement.arguments.front() : std::string();
     const bool is_mm = isAmong(unit, {"MM", "MILLIMETERS", "MILLIMETRES"});
     const bool is_inch = isAmong(unit, {"INCHES", "INCH", "IN"});
-    if (!is_mm && !is_inch) text_.fail(statement.line, "UNITS takes MM or INCHES");
+    if (!is_mm && !is_inch) text_.fail(statement.line, "UNITS needs MM or INCHES");
     unit_ = is_mm ? 1.0 : kMmPerInch;
   }
 
@@ -198,7 +200,7 @@ class ClReader {
         feed_is_per_turn_ = argument.ends_with("R") || argument.ends_with("REV");
       } else if (value ||
                  std::isalpha(static_cast<unsigned char>(argument.empty() ? 'A' : argument.front()))) {
-        text_.fail(statement.line, "FEDRAT takes a number, and PERMIN, IPM, MMPM, PERREV, IPR or MMPR; not " +
+        text_.fail(statement.line, "FEDRAT needs a number, and PERMIN, IPM, MMPM, PERREV, IPR or MMPR; not " +
                                        inQuotes(argument));
       } else {
         value = text_.number(statement, k);
@@ -207,7 +209,7 @@ class ClReader {
     if (!value) text_.fail(statement.line, "FEDRAT has no number");
     const double unit = feed_unit_ == FeedUnit::mm ? 1.0 : feed_unit_ == FeedUnit::inch ? kMmPerInch : unit_;
     if (feed_is_per_turn_ && !turns_per_minute_) {
-      text_.fail(statement.line, "FEDRAT by revolution needs a SPINDL in RPM before it");
+      text_.fail(statement.line, "FEDRAT per revolution needs a SPINDL in RPM before it");
     }
     feed_ = *value * unit * (feed_is_per_turn_ ? *turns_per_minute_ : 1.0);
     if (!(feed_ > 0.0 && feed_ <= kGreatestFeed)) {
@@ -220,7 +222,7 @@ class ClReader {
     const std::vector<std::string>& arguments = statement.arguments;
     const auto has = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
     if (has("SFM") || has("SMM")) {
-      turns_per_minute_.reset();  // they hang on the tool's diameter
+      turns_per_minute_.reset();  // they depend on the tool's diameter
       return;
     }
     for (std::size_t k = 0; k < arguments.size(); ++k) {
@@ -238,7 +240,7 @@ class ClReader {
       is_same = std::abs(text_.number(statement, k) - kSame[k]) < 1e-6;
     }
     if (!is_same)
-      text_.fail(statement.line, "MSYS is another frame than the blisk's: write the file in that");
+      text_.fail(statement.line, "MSYS is not the blisk's frame: write the file in the blisk's frame");
   }
 
   AptText text_;
@@ -257,7 +259,7 @@ class ClReader {
 
 ClFile readClFile(const std::filesystem::path& file) {
   ClFile result = ClReader(file).read();
-  if (result.moves.empty()) throw std::runtime_error(file.string() + ": no moves: no GOTO in it");
+  if (result.moves.empty()) throw std::runtime_error(file.string() + ": no motions: the file has no GOTO");
   return result;
 }
 

@@ -1,4 +1,4 @@
-// The moves that a cutter location file tells: APT text.
+// Reads the motions of a cutter location file in APT.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ namespace octoblisk::demos {
 /// One motion statement. Lengths in mm, whatever the file's units.
 struct ClMove {
   Vec3 position = Vec3::Zero();
-  Vec3 tool_axis = Vec3::UnitZ();       ///< of length 1, from the tool's tip to where it is held
-  std::optional<Vec3> second_axis;      ///< of length 1, square to the tool axis: GOTO with nine numbers
-  double feed = 0.0;                    ///< mm/min; 0: rapid, or not told
+  Vec3 tool_axis = Vec3::UnitZ();   ///< of length 1, from the tool's tip to its holder
+  std::optional<Vec3> second_axis;  ///< of length 1, perpendicular to the tool axis: GOTO with nine numbers
+  double feed = 0.0;                ///< mm/min; 0: rapid, or not given
   std::size_t line = 0, last_line = 0;  ///< of its statement
-  double unit = 1.0;                    ///< mm, of the lengths in it
+  double unit = 1.0;                    ///< mm, of the statement's lengths
 };
 
-/// A statement that has no meaning here, and where it is first met.
+/// A statement that is ignored, and its first line.
 struct ClSkipped {
   std::string word;
   std::size_t line = 0;
@@ -29,21 +29,22 @@ struct ClSkipped {
 
 struct ClFile {
   std::vector<ClMove> moves;
-  std::vector<ClSkipped> unknown;  ///< words that may mean anything; one entry a word
+  std::vector<ClSkipped> unknown;  ///< words of unknown meaning, one entry per word
 };
 
 /// Reads FROM, GOTO and GODLTA with UNITS, FEDRAT, RAPID, SPINDL, TLAXIS and MULTAX.
 ///
-/// Without UNITS lengths are mm; feeds go by minute in the file's units, by IPM or MMPM, or by revolution
-/// (PERREV, IPR, MMPR) of a spindle whose speed SPINDL tells in RPM. RAPID is for the next move alone. GOTO
-/// takes a point, a point and a tool axis (its length within 1e-3 of 1), or a point, a tool axis and a second
-/// axis, our own way to tell a whole pose. Machine functions and the cutter (CUTTER, LOADTL, SPINDL, COOLNT,
-/// PPRINT and their like) are passed over.
+/// Without UNITS, lengths are mm. Feeds are per minute in the file's units, per minute in IPM or MMPM, or per
+/// revolution (PERREV, IPR, MMPR) of a spindle whose speed SPINDL gives in RPM. RAPID applies only to the
+/// next motion. GOTO takes a point, a point and a tool axis (its length within 1e-3 of 1), or a point, a tool
+/// axis and a second axis; the last is our own extension, which gives a complete pose. Machine functions and
+/// the cutter (CUTTER, LOADTL, SPINDL, COOLNT, PPRINT and similar words) are ignored.
 ///
-/// Throws std::runtime_error in one line naming the file, and the line: what AptText refuses; arcs and other
-/// motions than those above (CIRCLE, MOVARC, CYCLE, GOFWD, ...); statements that move or turn what follows
-/// (TRACUT, ORIGIN, ROTATE, COPY, MODE/INCR, ...); wrong counts, units, axes or numbers; coordinates beyond
-/// ±TriangleMesh::kMaxCoordinate; statements behind FINI; a file without a move.
+/// Throws std::runtime_error with a one-line message that names the file and the line: for what AptText
+/// refuses; for arcs and other motions than those above (CIRCLE, MOVARC, CYCLE, GOFWD, ...); for statements
+/// that transform the ones after them (TRACUT, ORIGIN, ROTATE, COPY, MODE/INCR, ...); for wrong counts,
+/// units, axes or numbers; for coordinates beyond ±TriangleMesh::kMaxCoordinate; for statements after FINI;
+/// and for a file without a motion.
 ClFile readClFile(const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

@@ -24,8 +24,9 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file) {
   std::vector<ToolMove> moves;
   for (const ClMove& move : file.moves) {
     if (!move.second_axis) {
-      throw std::invalid_argument("line " + std::to_string(move.line) +
-                                  ": the move has no second axis, so the tool may turn about its own");
+      throw std::invalid_argument(
+          "line " + std::to_string(move.line) +
+          ": the motion has no second axis, so the tool's turn about its own axis is unknown");
     }
     moves.push_back({{rotationOf(move.tool_axis, *move.second_axis), move.position}, move.feed});
   }
@@ -34,7 +35,7 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file) {
 
 std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& blisk) {
   const std::size_t count = file.moves.size();
-  std::vector<Vec3> second_axes(count, Vec3::Zero());  // zero: not told by the surface either
+  std::vector<Vec3> second_axes(count, Vec3::Zero());  // zero: the surface does not determine it either
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < count; ++k) {
@@ -52,13 +53,13 @@ std::vector<ToolMove> toolMovesOf(const ClFile& file, const ClusteredOctree& bli
     constexpr double kLeastSine = 0.01;
     if (across.norm() > kLeastSine * closest.distance) second_axes[k] = across.normalized();
   }
-  // From the move nearest to the surface on to both ends.
+  // From the motion nearest to the surface towards both ends.
   const auto follow = [&](std::size_t k, const Vec3& before) {
     const Vec3& tool_axis = file.moves[k].tool_axis;
     Vec3& axis = second_axes[k];
     if (file.moves[k].second_axis) return;
     if (axis.isZero()) {
-      constexpr double kLeastSine = 1e-6;  // less is lost to rounding
+      constexpr double kLeastSine = 1e-6;  // smaller sines are lost to rounding
       const Vec3 square = before - before.dot(tool_axis) * tool_axis;
       axis = square.norm() > kLeastSine ? square.normalized() : tool_axis.unitOrthogonal();
     }

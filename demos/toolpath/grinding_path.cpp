@@ -20,7 +20,7 @@ Vec3 tangentialAt(const Vec3& point) { return Vec3(-point.y(), point.x(), 0.0).n
 
 Vec3 centroidOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-/// Whether the normals of a blade's triangles point out of the blade. The field θ e_theta has the divergence
+/// True if the normals of a blade's triangles point out of the blade. The field θ e_theta has the divergence
 /// 1/radius > 0, and none of it flows through the blade's open root, a surface of revolution.
 bool facesOutwards(const std::vector<Triangle>& blade) {
   double outflow = 0.0;
@@ -38,7 +38,7 @@ struct SurfacePoint {
   Vec3 normal;  ///< unit, outwards
 };
 
-/// The triangles of one side of a blade, seen in (z, radius).
+/// The triangles of one side of a blade, projected to (z, radius).
 class SideOfBlade {
  public:
   SideOfBlade(const TriangleMesh& blisk, const BladesFound& blades, int blade, bool forward) {
@@ -64,7 +64,7 @@ class SideOfBlade {
     }
   }
 
-  /// The point at a radius and a part 0..1 of the way in z from edge to edge at that radius.
+  /// The point at a radius and a fraction 0..1 of the distance in z from edge to edge at that radius.
   std::optional<SurfacePoint> at(double radius, double chord_part) const {
     double z_least = std::numeric_limits<double>::infinity();
     double z_greatest = -z_least;
@@ -91,7 +91,8 @@ class SideOfBlade {
  private:
   struct Facet {
     Triangle corners;
-    std::array<Vec3, 3> normals = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of the side at the corners
+    std::array<Vec3, 3> normals = {Vec3::Zero(), Vec3::Zero(),
+                                   Vec3::Zero()};  ///< of the side, at the corners
   };
 
   static std::optional<SurfacePoint> pointOn(const std::vector<const Facet*>& facets, double z,
@@ -126,7 +127,7 @@ class SideOfBlade {
   std::vector<Facet> facets_;
 };
 
-/// The pose of the belt that touches a point.
+/// The pose in which the belt touches a point.
 Pose touching(const SurfacePoint& point, const GrindingPathOptions& options) {
   const double lean = radians(options.lean_degrees);
   const Vec3& normal = point.normal;
@@ -149,20 +150,20 @@ void requireUsable(const TriangleMesh& blisk, const BladesFound& blades, const G
   };
   require(blades.count > 0, "no blades were found on the mesh");
   require(options.blade >= 1 && options.blade <= blades.count,
-          "there is no blade " + std::to_string(options.blade) + ": they are numbered 1 to " +
+          "there is no blade " + std::to_string(options.blade) + ": the blades are numbered 1 to " +
               std::to_string(blades.count));
   require(blades.blade_of_triangle.size() == blisk.triangleCount(), "the blades are not those of this mesh");
   require(options.passes > 0, "the number of passes must be above 0");
-  require(options.poses_per_pass > 0, "the number of poses a pass must be above 0");
+  require(options.poses_per_pass > 0, "the number of poses per pass must be above 0");
   require(options.retract_poses > 0, "the number of retraction poses must be above 0");
   require(std::abs(options.lean_degrees) < 90.0, "the lean must be within 90 degrees");
   require(options.clear_of_edges >= 0.0 && options.clear_of_edges < 0.5,
-          "the part of the chord clear of the edges must be at least 0 and below 0.5");
+          "the fraction of the chord left out at the edges must be at least 0 and below 0.5");
   for (const double span : {options.span_from, options.span_to}) {
-    require(span >= 0.0 && span <= 1.0, "the parts of the span must be from 0 to 1");
+    require(span >= 0.0 && span <= 1.0, "the fractions of the span must be from 0 to 1");
   }
   for (const double part : {options.chord_from, options.chord_to}) {
-    require(part >= 0.0 && part <= 1.0, "the parts of the chord must be from 0 to 1");
+    require(part >= 0.0 && part <= 1.0, "the fractions of the chord must be from 0 to 1");
   }
   require(std::isfinite(options.wheel_radius) && options.wheel_radius > 0.0,
           "the wheel radius must be above 0 mm");
@@ -170,14 +171,14 @@ void requireUsable(const TriangleMesh& blisk, const BladesFound& blades, const G
   require(std::isfinite(options.retract) && options.retract >= 0.0, "the retraction must be at least 0 mm");
 }
 
-/// A place on the side: a radius, and a part 0..1 of the chord.
+/// A place on the side: a radius, and a fraction 0..1 of the chord.
 struct Place {
   double radius, chord_part;
 };
 
 double fraction(int index, int count) { return count > 1 ? static_cast<double>(index) / (count - 1) : 0.0; }
 
-/// Along the chord there and back, pass by pass.
+/// Back and forth along the chord, pass by pass.
 std::vector<Place> placesOfPass(int pass, const BladesFound& blades, const GrindingPathOptions& options) {
   const double span = std::lerp(options.span_from, options.span_to, fraction(pass, options.passes));
   const double radius = std::lerp(blades.root_radius, blades.tip_radius, span);
@@ -219,8 +220,8 @@ std::vector<Pose> makeGrindingPath(const TriangleMesh& blisk, const BladesFound&
     }
   }
   if (work.empty()) {
-    throw std::invalid_argument("blade " + std::to_string(options.blade) + " has no point of its " +
-                                (options.forward_side ? "forward" : "backward") + " side on the path");
+    throw std::invalid_argument("blade " + std::to_string(options.blade) + " has no point on its " +
+                                (options.forward_side ? "forward" : "backward") + " side along the path");
   }
 
   std::vector<Pose> path;

@@ -12,7 +12,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kProbeRows = 121;  // of the region, to measure it
+constexpr int kProbeRows = 121;  // rows of the region that are measured
 constexpr int kProbeColumns = 17;
 
 double turnBetween(const ContourPoint& a, const ContourPoint& b) {
@@ -116,8 +116,8 @@ GroundLine GroundRegion::roundTheEdge(const BladeContour& contour) const {
   const auto fromEdge = [&](const std::vector<ContourPoint>& half) {
     const GroundLine whole(half);
     require(options_.edge_reach <= whole.length(),
-            "the reach round the leading edge is beyond the side, which is " +
-                std::to_string(whole.length()) + " mm wide");
+            "the reach around the leading edge exceeds the side, which is " + std::to_string(whole.length()) +
+                " mm wide");
     return whole.cut(0.0, options_.edge_reach);
   };
   std::vector<ContourPoint> points = fromEdge(contour.backward);

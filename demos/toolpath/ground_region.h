@@ -1,4 +1,4 @@
-// The part of a blade's surface that is ground.
+// The region of a blade's surface to grind.
 #pragma once
 
 #include <functional>
@@ -13,24 +13,24 @@ namespace octoblisk::demos {
 /// In mm.
 double distanceBetween(const ContourPoint& a, const ContourPoint& b);
 
-/// From pose to pose, in the greatest steps that the options allow: by distance or by turn, whichever is
-/// more.
+/// The number of steps from one pose to the next, at the greatest step of the options in distance or in turn,
+/// whichever needs more steps.
 double stepsBetween(const ContourPoint& a, const ContourPoint& b, const SurfacePathOptions& options);
 
-/// The part of a contour that is in the region. Lengths in mm.
+/// The section of a contour inside the region. Lengths in mm.
 class GroundLine {
  public:
   explicit GroundLine(std::vector<ContourPoint> points);
 
   double length() const { return lengths_.whole(); }
 
-  /// At a part 0..1 of the length.
+  /// At a fraction 0..1 of the length.
   ContourPoint at(double part) const;
 
-  /// The points between two lengths, with those at the lengths.
+  /// The points between two lengths, and the points at the two lengths.
   std::vector<ContourPoint> cut(double from, double to) const;
 
-  /// Parts of the length at which to touch, from 0 to 1.
+  /// The contacts, as fractions 0..1 of the length.
   std::vector<double> contacts(const SurfacePathOptions& options) const;
 
  private:
@@ -41,16 +41,17 @@ class GroundLine {
 /// Lines of equal height, from the tip inwards.
 class GroundRegion {
  public:
-  /// Keeps references to both. Throws std::invalid_argument where the margins leave nothing of it.
+  /// Keeps references to both. Throws std::invalid_argument if the margins leave nothing of the region.
   GroundRegion(const BladeContours& blade, const SurfacePathOptions& options);
 
   double greatestLength() const;
 
-  /// The steps of height from tip to root, each the greatest over the lines of a measure of two points.
+  /// A sum of steps in height from tip to root; each step is the greatest of a measure of two points over the
+  /// lines.
   using Measure = std::function<double(const ContourPoint&, const ContourPoint&)>;
   RunningSum progress(const Measure& measure) const;
 
-  /// The line where such a progress is this part of its whole.
+  /// The line at which a progress reaches this fraction of its total.
   GroundLine lineAt(const RunningSum& progress, double part) const;
 
  private:

@@ -1,12 +1,12 @@
-// How the grinder's arm leaves the channel between two blades.
+// The direction in which the grinder's arm leaves the channel between two blades.
 #pragma once
 
 #include "octoblisk/types.h"
 
 namespace octoblisk::demos {
 
-/// Outward, away from the axis; or where a shroud closes the channels there, by one of their ends: upstream
-/// towards lesser z, downstream towards greater.
+/// Outward, away from the axis; or, if a shroud closes the channels there, through one of their ends:
+/// upstream towards smaller z, downstream towards greater z.
 enum class PathArm { outward, upstream, downstream };
 
 /// The unit direction of the arm in the tangent plane of a surface (its normal of unit length) at a point.

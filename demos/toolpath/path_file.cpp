@@ -30,7 +30,7 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension;
 }
 
-/// The header of a table of poses, behind blank lines and comments.
+/// True if a table of poses begins here: its header may follow blank lines and comments.
 bool beginsAsTable(const std::filesystem::path& file) {
   std::ifstream stream = openForReading(file);
   std::string line;
@@ -41,10 +41,10 @@ bool beginsAsTable(const std::filesystem::path& file) {
     if (line.empty() || line.front() == '#') continue;
     return line.starts_with("x,");
   }
-  return true;  // an empty file: the table's complaint is the plainer one
+  return true;  // an empty file: reading it as a table gives the clearer message
 }
 
-/// Without their ends, but for a carriage return.
+/// Without line ends, except for carriage returns.
 std::vector<std::string> linesOf(const std::filesystem::path& file) {
   std::ifstream stream = openForReading(file);
   std::vector<std::string> lines;
@@ -52,14 +52,14 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
   return lines;
 }
 
-constexpr double kSamePose = 1e-9;  // mm, and of a rotation's entries
+constexpr double kSamePose = 1e-9;  // mm; also for a rotation's entries
 
 bool isSame(const Pose& a, const Pose& b, double within) {
   return (a.rotation - b.rotation).cwiseAbs().maxCoeff() <= within &&
          (a.translation - b.translation).cwiseAbs().maxCoeff() <= within;
 }
 
-/// "FROM" or "GOTO": what a changed statement is written as.
+/// "FROM" or "GOTO": the word of the changed statement.
 const char* wordOf(const std::string& line) {
   const std::size_t first = line.find_first_not_of(" \t");
   return first != std::string::npos && std::toupper(static_cast<unsigned char>(line[first])) == 'F' ? "FROM"
@@ -71,13 +71,13 @@ std::string withoutReturn(std::string text) {
   return text;
 }
 
-/// " $$ ..." behind a statement, if there is any.
+/// The comment " $$ ..." after a statement, if any.
 std::string commentOf(const std::string& line) {
   const std::size_t dollars = line.find("$$");
   return dollars == std::string::npos ? std::string() : ' ' + withoutReturn(line.substr(dollars));
 }
 
-/// The rest of a table's row: ",feed", if there is any.
+/// The rest of a table's row: ",feed", if any.
 std::string behindPose(const std::string& row) {
   std::size_t comma = row.find(',');
   for (int i = 1; i < 7 && comma != std::string::npos; ++i) comma = row.find(',', comma + 1);
@@ -126,7 +126,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
   for (bool is_settled = false; !is_settled;) {
     std::ostringstream stream;
     stream.precision(std::numeric_limits<double>::max_digits10);
-    std::size_t next = 0;  // of the lines
+    std::size_t next = 0;  // line
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (!is_changed[i]) continue;
       const auto& [first, last, unit] = read.lines[i];
@@ -149,7 +149,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
     const std::vector<ToolMove> again = toolMovesOf(readClFile(target), blisk);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (is_changed[i] || isSame(poses[i], again[i].tool_in_blisk, kSamePose)) continue;
-      is_changed[i] = true;  // it hangs on one that was changed
+      is_changed[i] = true;  // it depends on a changed motion
       is_settled = false;
     }
   }

@@ -24,12 +24,12 @@ PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving
 
 void PoseCheck::requireClosed() const {
   if (fixed_surface_->isClosed() || (!options_.depth && moving_surface_->isClosed())) return;
-  std::string message = options_.depth
-                            ? "depths need a closed mesh, and "
-                            : "signed distances need a closed mesh; the moving one is open, and here ";
+  std::string message =
+      options_.depth ? "depths need a closed fixed mesh, but "
+                     : "signed distances need a closed mesh; the moving mesh is open and so is this one: ";
   message += describe(defectsOf(fixed_.mesh()));
   if (moving_surface_->isClosed()) {
-    message += "; the moving one is closed: swap the two, with each pose inverted";
+    message += "; the moving mesh is closed: swap the two meshes and invert each pose";
   }
   throw std::invalid_argument(message);
 }
@@ -55,8 +55,8 @@ std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size
               [&](std::size_t i, std::size_t worker) {
                 if (options_.depth) answers[i].depth = depthAt(asked[i], worker);
                 if (options_.continuous && begin + i > 0) {
-                  const Motion way(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
-                  answers[i].on_the_way = sweep(fixed_, moving_, way, options_.tolerance);
+                  const Motion motion(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
+                  answers[i].hit_on_motion = sweep(fixed_, moving_, motion, options_.tolerance);
                 }
               });
   return answers;

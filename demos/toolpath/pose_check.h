@@ -1,5 +1,4 @@
-// What is asked about each pose of one mesh against another: touch, clearance, depth, and the way between
-// poses.
+// Checks each pose of one mesh against another: touch, clearance, depth, and the motion between poses.
 #pragma once
 
 #include <cstddef>
@@ -19,27 +18,27 @@ struct PoseCheckOptions {
   bool depth = false;
   bool signed_distance = false;
   bool continuous = false;
-  double tolerance = 1e-3;  ///< mesh units, > 0: of depths, and of the distance that a way must keep
+  double tolerance = 1e-3;  ///< mesh units, > 0: of depths, and the distance that motions must keep
   int threads = 0;          ///< 0: as many as the machine runs at once; the answers do not depend on it
 };
 
 struct PoseAnswer {
-  std::optional<TrianglePair> touching;  ///< a pair of triangles that meet: of the fixed and the moving mesh
+  std::optional<TrianglePair> touching;  ///< a triangle pair that meets, of the fixed and the moving mesh
   std::optional<double> clearance;       ///< if asked for: the least distance, 0 where they touch
-  std::optional<double> depth;           ///< if asked for: how deep the deepest point of one is in the other
+  std::optional<double> depth;           ///< if asked for: the penetration depth
   std::optional<SignedDistance> signed_distance;  ///< if asked for, with its derivative
-  std::optional<TimeOfImpact> on_the_way;  ///< if asked for, of the way from the pose before: where it is met
+  std::optional<TimeOfImpact> hit_on_motion;  ///< if asked for: the hit on the motion from the previous pose
 };
 
-/// Answers for poses of the moving mesh in the fixed one's frame, over threads.
+/// Answers for poses of the moving mesh in the fixed mesh's frame, in parallel.
 class PoseCheck {
  public:
-  /// The trees must outlive it. Throws std::invalid_argument where depths are asked for and the fixed mesh is
-  /// not closed, or signed distances and neither is.
+  /// The trees must outlive it. Throws std::invalid_argument if depths are asked for and the fixed mesh is
+  /// open, or if signed distances are asked for and both meshes are open.
   PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
   ~PoseCheck();
 
-  /// For the poses [begin, end); the way to `begin` starts at the pose before it, where there is one.
+  /// For the poses [begin, end); the motion to `begin` starts at the previous pose, if there is one.
   std::vector<PoseAnswer> answer(std::span<const Pose> poses, std::size_t begin, std::size_t end);
 
  private:
@@ -49,7 +48,7 @@ class PoseCheck {
   const ClusteredOctree &fixed_, &moving_;
   const PoseCheckOptions options_;
   std::unique_ptr<const Surface> fixed_surface_, moving_surface_;
-  std::vector<DepthQuery> depth_queries_;  // one a thread
+  std::vector<DepthQuery> depth_queries_;  // one per thread
 };
 
 }  // namespace octoblisk::demos

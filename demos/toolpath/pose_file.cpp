@@ -15,16 +15,16 @@ namespace {
 
 const std::string kHeader = "x,y,z,qw,qx,qy,qz";
 const std::string kHeaderWithFeed = kHeader + ",feed";
-// Quaternions are turned into matrices and back with digits to spare, lest a round trip loses any.
+// The conversion between quaternions and matrices uses extra digits, so that a round trip loses none.
 using Quaternion = Eigen::Quaternion<long double>;
-constexpr double kNormTolerance = 1e-3;  ///< beyond rounding to a few digits, it is no rotation but a mistake
+constexpr double kNormTolerance = 1e-3;  ///< allows for rounding to a few digits; more is a mistake
 
 Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
   const std::vector<double>& v = row.values;
   const Vec3 translation(v[0], v[1], v[2]);
   const Quaternion quaternion(v[3], v[4], v[5], v[6]);  // w first
   if (translation.cwiseAbs().maxCoeff() > TriangleMesh::kMaxCoordinate) {
-    throw std::runtime_error(atLine(file, row.line, "the translation is beyond 1e12 mesh units"));
+    throw std::runtime_error(atLine(file, row.line, "the translation is more than 1e12 mesh units long"));
   }
   const auto norm = static_cast<double>(quaternion.coeffs().stableNorm());
   if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
@@ -37,7 +37,7 @@ Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
 
 std::vector<CsvRow> readRows(const std::filesystem::path& file) {
   std::vector<CsvRow> rows = readCsv(file, kHeader, kHeaderWithFeed);
-  if (rows.empty()) throw std::runtime_error(file.string() + ": no poses below the header");
+  if (rows.empty()) throw std::runtime_error(file.string() + ": there are no poses below the header");
   return rows;
 }
 
@@ -60,7 +60,7 @@ std::vector<MoveRow> readMoveRows(const std::filesystem::path& file) {
   std::vector<MoveRow> moves;
   for (const CsvRow& row : readRows(file)) {
     const double feed = row.values.size() > 7 ? row.values[7] : 0.0;
-    if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed is below 0"));
+    if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed is negative"));
     moves.push_back({{poseOf(row, file), feed}, row.line});
   }
   return moves;

@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// The pose of the belt that touches a point.
+/// The pose in which the belt touches a point.
 Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) {
   const Vec3& normal = point.normal;
   const Vec3 up = armInSurface(options.arm, point.position, normal);
@@ -33,7 +33,7 @@ Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) 
   return belt_in_blisk;
 }
 
-/// The touching poses in their order, with the passes that they are of.
+/// The touching poses in order, each with its pass.
 class Passes {
  public:
   explicit Passes(const SurfacePathOptions& options) : options_(options) {}
@@ -51,7 +51,7 @@ class Passes {
     });
   }
 
-  /// With approach and retraction.
+  /// Adds the approach and the retraction.
   SurfacePath finished() const {
     SurfacePath whole;
     const int steps = stepsFor(options_.retract / options_.pose_step);
@@ -70,12 +70,12 @@ class Passes {
  private:
   const SurfacePathOptions& options_;
   SurfacePath path_;
-  std::vector<Vec3> normals_;  // of the surface where the poses touch
+  std::vector<Vec3> normals_;  // of the surface at the contact points
 };
 
 constexpr int kLink = -1;
 
-/// Along lines of equal height, there and back.
+/// Back and forth along lines of equal height.
 void addTransversal(const GroundRegion& region, const SurfacePathOptions& options, Passes& passes) {
   const RunningSum across = region.progress(distanceBetween);
   const int steps = stepsFor(across.whole() / options.step_over);
@@ -93,7 +93,7 @@ void addTransversal(const GroundRegion& region, const SurfacePathOptions& option
   }
 }
 
-/// Across the lines of equal height, inwards and out again.
+/// Back and forth across the lines of equal height, inwards first.
 void addLongitudinal(const GroundRegion& region, const SurfacePathOptions& options, Passes& passes) {
   const RunningSum along = region.progress(
       [&](const ContourPoint& a, const ContourPoint& b) { return stepsBetween(a, b, options); });
@@ -119,18 +119,18 @@ void addLongitudinal(const GroundRegion& region, const SurfacePathOptions& optio
 void requireOptions(const SurfacePathOptions& options) {
   const auto isAbove0 = [](double value) { return std::isfinite(value) && value > 0.0; };
   require(isAbove0(options.step_over), "the step-over must be above 0 mm");
-  require(isAbove0(options.pose_step), "the step from pose to pose must be above 0 mm");
+  require(isAbove0(options.pose_step), "the distance from pose to pose must be above 0 mm");
   require(isAbove0(options.greatest_turn), "the greatest turn must be above 0 degrees");
   require(isAbove0(options.feed), "the feed must be above 0 mm/min");
   require(std::abs(options.tilt) < 90.0, "the tilt must be within 90 degrees");
   require(std::abs(options.lead) < 90.0, "the lead must be within 90 degrees");
   for (const double height : {options.height_from, options.height_to}) {
-    require(height >= 0.0 && height <= 1.0, "the parts of the height must be from 0 to 1");
+    require(height >= 0.0 && height <= 1.0, "the fractions of the height must be from 0 to 1");
   }
   require(options.height_from <= options.height_to,
-          "the height to begin at must not be above that to end at");
+          "the lower end of the height must not be above the upper end");
   require(options.edge_margin >= 0.0, "the margin along the edges must be at least 0 mm");
-  require(isAbove0(options.edge_reach), "the reach round the leading edge must be above 0 mm");
+  require(isAbove0(options.edge_reach), "the reach around the leading edge must be above 0 mm");
   require(isAbove0(options.wheel_radius), "the wheel radius must be above 0 mm");
   require(std::abs(options.depth) < options.wheel_radius, "the depth must be below the wheel radius");
   require(std::isfinite(options.retract) && options.retract >= 0.0, "the retraction must be at least 0 mm");

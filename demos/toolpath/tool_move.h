@@ -1,14 +1,14 @@
-// One move of a toolpath.
+// One pose of a toolpath with its feed.
 #pragma once
 
 #include "octoblisk/types.h"
 
 namespace octoblisk::demos {
 
-/// A pose that the tool goes to, and how fast.
+/// A pose that the tool moves to, and the feed of that motion.
 struct ToolMove {
   Pose tool_in_blisk;
-  double feed = 0.0;  ///< mm/min; 0: rapid, or not told
+  double feed = 0.0;  ///< mm/min; 0: rapid, or not given
 };
 
 }  // namespace octoblisk::demos

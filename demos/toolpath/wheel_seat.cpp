@@ -13,7 +13,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// A cylinder about z whose facets stand round the true one.
+/// A cylinder about z whose facets enclose the true one.
 TriangleMesh cylinderRound(double radius, double width) {
   constexpr std::uint32_t kSegments = 360;
   const double outside = radius / std::cos(std::numbers::pi / kSegments);
@@ -53,11 +53,11 @@ WheelSeat::WheelSeat(const TriangleMesh& blisk, std::span<const int> blade_of_tr
 
 Pose WheelSeat::seated(const Pose& tool_in_blisk, const Vec3& normal, double depth) const {
   constexpr double kTouch = 1e-3;  // mm
-  const auto shifted = [&](double way) {
-    return Pose{tool_in_blisk.rotation, tool_in_blisk.translation + way * normal};
+  const auto shifted = [&](double distance) {
+    return Pose{tool_in_blisk.rotation, tool_in_blisk.translation + distance * normal};
   };
   for (const double lift : {1.0, 4.0, 16.0}) {
-    // The pose given touches at one point at least, so that this way ends in the blade.
+    // The given pose touches at one point at least, so this motion ends inside the blade.
     const Pose from = shifted(lift), to = shifted(-1.0);
     const auto touch = sweep(*blade_, *wheel_, Motion(from, to), kTouch);
     if (!touch) return tool_in_blisk;

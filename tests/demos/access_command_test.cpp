@@ -1,4 +1,4 @@
-// octoblisk access, run as its users run it.
+// octoblisk access, run as users run it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
       outcome.exit_code,
       std::ranges::any_of(points, [](const auto& row) { return row.at("free_fraction") == "0"; }) ? 1 : 0);
 
-  // The same bytes from one thread.
+  // One thread must give the same bytes.
   ASSERT_LE(run(grid + "--threads 1 --no-picture --out alone").exit_code, 1);
   for (const char* table : {"points.csv", "ranges.csv"}) {
     EXPECT_EQ(contentOf(file("map") / table), contentOf(file("alone") / table));
@@ -95,7 +95,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
 TEST_F(AccessCommand, ofAPathTakesThePosesThatTouchAndTellsTiltsAgainstThem) {
   ASSERT_LE(runOctoblisk(folder_.path(), "grind --no-pictures --out first").exit_code, 1);
   std::vector<Pose> path = readPoses(file("first/path.csv"));
-  path = {path[0], path[100], path[140], path[432]};  // away, two at work, away
+  path = {path[0], path[100], path[140], path[432]};  // away, two working poses, away
   writePoses(file("four.csv"), path);
   const Outcome outcome = run("--path four.csv --tilt-from -2 --tilt-to 2 --tilt-step 2 --out map");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -121,13 +121,14 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   folder_.write("tool/more.json", more);
   const std::pair<const char*, const char*> cases[] = {
       {"--blisk missing.stl --out run", "missing.stl"},
-      {"--tool tool/more.json --out run", "tool/more.json: allowed[0]: here one part may touch"},
+      {"--tool tool/more.json --out run",
+       "tool/more.json: allowed[0]: access and repair allow only one part to touch"},
       {"--tool tool/none.json --out run", "tool/none.json: no such file"},
-      {"--axis 1,2 --out run", "--axis: '1,2' is no direction"},
+      {"--axis 1,2 --out run", "--axis: '1,2' is neither a direction"},
       {"--path short.csv --out run", "short.csv:2"},
       {"--path away.csv --out run", "away.csv"},
       {"--path away.csv --ground-blade 2 --out run", "away.csv"},
-      {"--path points.csv --out .", "points.csv: cannot be both read and written"},
+      {"--path points.csv --out .", "points.csv: is also an input file"},
       {"--ground-blade 99 --out run", "--ground-blade 99"},
       {"--tilt-from 10 --tilt-to 5 --out run", "--tilt-to"},
       {"--tilt-from -180 --tilt-to 180 --out run", "--tilt-to"},
@@ -142,7 +143,7 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
     expectRefusal(run(arguments), "octoblisk: --");
   }
   const std::string help = run("--help").out;
-  for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "Degrees"})
+  for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "DEG"})
     EXPECT_THAT(help, HasSubstr(told));
 }
 

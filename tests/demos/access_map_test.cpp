@@ -1,4 +1,4 @@
-// Free ranges of tilt and lead, against closed forms.
+// Free ranges of tilt and lead, compared with closed forms.
 #include "access/access_map.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// A bar of 2 mm thickness from the origin to x = 20, in a slot of planes at y = ± half_gap.
+/// A bar 2 mm thick from the origin to x = 20, in a slot between planes at y = ± half_gap.
 constexpr double kLength = 20.0, kHalfThickness = 1.0, kHalfGap = 7.3;
 
 struct Slot {
@@ -37,7 +37,7 @@ ContactSite siteAtOrigin() {
 TEST(AccessMap, ofABarInASlotIsTheClosedForm) {
   const Slot slot;
   for (const double margin : {0.0, 1.5}) {
-    // A far corner is L sin t + h cos t off the middle plane.
+    // A far corner is L sin t + h cos t away from the middle plane.
     const auto is_free = [&](int degrees) {
       const double tilt = degrees * kDegree;
       const double reach = kLength * std::abs(std::sin(tilt)) + kHalfThickness * std::abs(std::cos(tilt));
@@ -57,8 +57,8 @@ TEST(AccessMap, ofABarInASlotIsTheClosedForm) {
     EXPECT_EQ(found[0].ranges[0].tilt_to, last);
     EXPECT_EQ(found[0].ranges[1].tilt_from, 180 - last) << "joined across half a turn";
     EXPECT_EQ(found[0].ranges[1].tilt_to, 180 + last);
-    ASSERT_EQ(found[0].in_the_way.size(), 1u);
-    EXPECT_EQ(found[0].in_the_way[0].times, 360 - found[0].free);
+    ASSERT_EQ(found[0].obstacles.size(), 1u);
+    EXPECT_EQ(found[0].obstacles[0].times, 360 - found[0].free);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(AccessMap, leadTurnsTheBarOutOfTheSlotsPlaneOrNot) {
   EXPECT_EQ(found[0].free, 3u) << "tilt 0 alone";
   EXPECT_EQ(found[0].lead_from, -40.0);
   EXPECT_EQ(found[0].lead_to, 40.0);
-  // About z it does not.
+  // About z it does not stay between them.
   site.normal = Vec3::UnitZ();
   found = accessOf(judge, {&site, 1}, options);
   ASSERT_TRUE(found[0].widest);
@@ -160,7 +160,7 @@ TEST(AccessMap, oneFreeTiltIsCalledSo) {
   };
   EXPECT_EQ(verdictOf(0.0, 1), "free at one tilt: tilt 0° alone at lead 0°");
   EXPECT_EQ(verdictOf(0.0, 6), "free over 30° or less: tilt 0° to 5° at lead 0°, shown at their middle");
-  EXPECT_EQ(verdictOf(90.0, 1), "nowhere free: most often in the way: bar on hub or shroud");
+  EXPECT_EQ(verdictOf(90.0, 1), "nowhere free: most frequent obstacle: bar on hub or shroud");
 }
 
 TEST(AccessMap, pictureShowsEachPointInItsColour) {
@@ -199,13 +199,13 @@ TEST(AccessMap, whatAStudyKeepsInLinesIsReadBack) {
   EXPECT_EQ(tallyOf(read), tallyOf(summary));
   read.add(summary);
   EXPECT_EQ(read.points, 18u);
-  EXPECT_EQ(read.in_the_way.at("arm on hub or shroud"), 4u);
+  EXPECT_EQ(read.obstacles.at("arm on hub or shroud"), 4u);
   for (const std::string wrong :
        {"none", "1 0", "1 0 0 rubbish", "1 0 0 ", "1 0 0\t", "1 0 -1", "1 0 1\tbelt", "1 0 1\t1",
         "1 0 1\t1 belt\x1b[2J", "1 0 1\t1 b\xc3\xa9lt"}) {
     EXPECT_THROW(accessSummaryOfTally(wrong), std::invalid_argument) << wrong;
   }
-  EXPECT_EQ(accessSummaryOfTally("1 0 1\t1  belt on blade 2").in_the_way.count(" belt on blade 2"), 1u)
+  EXPECT_EQ(accessSummaryOfTally("1 0 1\t1  belt on blade 2").obstacles.count(" belt on blade 2"), 1u)
       << "a part's name may begin with a space";
 }
 

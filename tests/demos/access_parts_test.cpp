@@ -1,4 +1,4 @@
-// octoblisk access by parts, with breaks, and by octoblisk merge.
+// octoblisk access in parts and with interruptions, and octoblisk merge.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST_F(AccessParts, partsOfOtherQuestionsAreRefusedByName) {
   for (const char* other : {"margin", "blade"}) {
     const Outcome outcome = run("merge first " + std::string(other) + " --out points.csv");
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.error, HasSubstr(std::string(other) + ": is of another study than first"));
+    EXPECT_THAT(outcome.error, HasSubstr(std::string(other) + ": belongs to another study than first"));
     EXPECT_FALSE(exists("points.csv"));
   }
   EXPECT_EQ(run(access_ + "--shard 3/2 --out part").exit_code, 2);
@@ -63,7 +63,7 @@ TEST_F(AccessParts, partsOfOtherQuestionsAreRefusedByName) {
 
 TEST_F(AccessParts, anUnfinishedRunIsGoneOnFrom) {
   ASSERT_LE(run(access_ + "--out plain --no-picture").exit_code, 1);
-  // What a run leaves that was ended after its first group: a part cut off.
+  // A run that ended after its first group leaves a truncated part.
   ASSERT_LE(run(access_ + "--shard 1/1 --out whole").exit_code, 1);
   const std::string whole = content("whole");
   const std::size_t first = whole.find("# checksum"), second = whole.find("# checksum", first + 1);
@@ -72,7 +72,7 @@ TEST_F(AccessParts, anUnfinishedRunIsGoneOnFrom) {
   folder_.write("again/points.csv.partial", whole.substr(0, second + 30));
   const Outcome refused = run(access_ + "--out again --no-picture");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.error, HasSubstr("holds the answers of an unfinished run"));
+  EXPECT_THAT(refused.error, HasSubstr("has the answers of an unfinished run"));
   const Outcome resumed = run(access_ + "--resume --out again --no-picture");
   EXPECT_LE(resumed.exit_code, 1) << resumed.error;
   for (const char* file : {"points.csv", "ranges.csv"}) {

@@ -1,4 +1,4 @@
-// The depth of large triangles in the belt, whose own are a hundredth of their size.
+// The depth of large triangles in the belt, whose triangles are a hundred times smaller.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -12,7 +12,8 @@ namespace octoblisk::demos {
 namespace {
 
 TEST(BeltDepth, ofALargeTriangleIsFoundInBoundedTime) {
-  // Cut again and again where the nearest triangle of the belt changes, its parts became needles without end.
+  // When the triangle was divided wherever the nearest triangle of the belt changes, its parts became ever
+  // thinner needles.
   const Triangle triangle = {Vec3(44.210235595703125, 216.90574645996094, -17.76934814453125),
                              Vec3(47.041255950927734, 235.3446807861328, -15.842578887939453),
                              Vec3(57.97440719604492, 232.89260864257812, -23.37813377380371)};
@@ -33,7 +34,7 @@ TEST(BeltDepth, ofALargeTriangleIsFoundInBoundedTime) {
   ASSERT_EQ(found.gouging, Gouging::found);
   EXPECT_LE(found.upper_bound, found.depth + 0.01);
 
-  double deepest = 0.0;  // of the points of a grid
+  double deepest = 0.0;  // over the points of a grid
   constexpr int kSteps = 300;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; i + j <= kSteps; ++j) {

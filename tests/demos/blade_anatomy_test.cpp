@@ -27,7 +27,7 @@ double radius(const Vec3& point) { return std::hypot(point.x(), point.y()); }
 double angle(const Vec3& point) { return std::atan2(point.y(), point.x()); }
 Vec3 centroid(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-/// Where a triangle is at a place of the meridian (z, radius); none where it is not there.
+/// The point of a triangle at a place of the meridian (z, radius); none if the triangle does not reach it.
 std::optional<Vec3> atMeridian(const Triangle& t, double z, double r) {
   Vec3 weights;
   for (int k = 0; k < 3; ++k) {
@@ -41,8 +41,8 @@ std::optional<Vec3> atMeridian(const Triangle& t, double z, double r) {
   return weights[0] * t[0] + weights[1] * t[1] + weights[2] * t[2];
 }
 
-/// The truth about some triangles of a blade of a generated blisk: its side is that on which no other
-/// triangle of the blade lies beyond it at the same z and radius.
+/// The true side of some triangles of a generated blade: the side on which no other triangle of the blade
+/// lies beyond it at the same z and radius.
 std::map<std::size_t, BladePart> trueParts(const Blisk& blisk, int blade, double tip_radius, bool shroud) {
   std::vector<std::size_t> of_blade;
   for (std::size_t t = 0; t < blisk.mesh.triangleCount(); ++t) {
@@ -68,7 +68,7 @@ std::map<std::size_t, BladePart> trueParts(const Blisk& blisk, int blade, double
   return parts;
 }
 
-/// Whether the forward side of the middle section bulges: its points' mean offset from the chord.
+/// Whether the middle section bulges to its forward side: the mean offset of its points from the chord.
 bool forwardIsConvex(const SectionLoop& loop) {
   const auto by_z = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
   const Vec3 leading = *std::min_element(loop.begin(), loop.end(), by_z);
@@ -102,7 +102,8 @@ TEST_P(Anatomy, findsTheAxisWhereverTheBliskLies) {
   ASSERT_EQ(found.blades.count, count);
   EXPECT_EQ(found.blades.shrouded, GetParam().second);
 
-  // Numbers go round as the generator's, or the other way where the axis does, from any blade.
+  // The numbers run in the generator's direction, or in the opposite one if the axis is reversed, from any
+  // blade.
   const bool reversed = found.axis.direction.dot(direction) < 0.0;
   std::map<int, std::map<int, int>> met;
   for (std::size_t t = 0; t < truth_.mesh.triangleCount(); ++t) {
@@ -147,7 +148,7 @@ TEST_P(Anatomy, convexSidesEdgesAndAreasDoNotDependOnWhereTheBliskLies) {
   ASSERT_TRUE(anatomy.convex_side);
   EXPECT_EQ(*anatomy.convex_side, forward_convex ? BladeSide::forward : BladeSide::backward);
 
-  // The generator's blade 1 stands where its sections do.
+  // The generator's blade 1 is where its sections are.
   const Pose blisk_in_truth = truth_.blisk_in_mesh.inverse() * found.mesh_in_blisk.inverse();
   const Vec3 leading_tip = extremeOf(truth_.sections.loops.back(), false);
   int fitting = 0;
@@ -204,7 +205,7 @@ TEST(BladeAnatomy, straightBladesHaveNoConvexSide) {
 TEST(BladeAnatomy, theChannelIsAsWideAsBruteForceSays) {
   const Blisk blisk = makeDefaultBlisk(20'000);
   const BliskAnatomy anatomy = findAnatomy(blisk.mesh, findBlades(blisk.mesh));
-  std::vector<Vec3> here, there;  // about at mid height
+  std::vector<Vec3> here, there;  // at about mid height
   for (std::size_t t = 0; t < blisk.mesh.triangleCount(); ++t) {
     const Vec3 center = centroid(blisk.mesh.triangle(t));
     if (std::abs(radius(center) - 188.0) > 5.0) continue;
@@ -262,7 +263,8 @@ TEST(BliskAxis, refusesWhatIsNoBlisk) {
 }
 
 TEST(BliskAxis, refusesBladesThatDoNotRepeat) {
-  // One blade swollen along Z: alike enough to be counted, not to be turned onto its neighbour.
+  // One blade is swollen along Z: similar enough to be counted, but its neighbour does not match it after
+  // rotation.
   const Blisk blisk = makeDefaultBlisk(10'000);
   std::vector<Vec3> vertices = blisk.mesh.vertices();
   std::vector<bool> of_one(vertices.size(), false);
@@ -300,7 +302,7 @@ class BladesCommand : public ::testing::Test {
 TEST_F(BladesCommand, writesALineABladeAndAPicture) {
   const Outcome outcome = run("--out found");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_THAT(outcome.out, HasSubstr("24 blades round the axis (0, 0, 1)"));
+  EXPECT_THAT(outcome.out, HasSubstr("24 blades about the axis (0, 0, 1)"));
   const std::string table = contentOf(folder_.path() / "found/blades.csv");
   EXPECT_EQ(std::ranges::count(table, '\n'), 25);
   EXPECT_NEAR(std::stod(table.substr(table.find("\n24,") + 4)), 345.0, 1e-4) << "degrees";
@@ -317,7 +319,7 @@ TEST_F(BladesCommand, refusesInOneLineWhatItCannotTell) {
       {"--blisk missing.stl --out run", "missing.stl"},
       {"--blisk arm.ply --out run", "arm.ply: no blades"},
       {"--blisk arm.ply --axis 1,0,0 --out run", "arm.ply: no blades"},
-      {"--axis 1,0,0 --out run", "no blades were found round the given axis"},
+      {"--axis 1,0,0 --out run", "no blades were found about the given axis"},
       {"--axis 0,0,0 --out run", "--axis"},
       {"--axis 0,0,1,5 --out run", "--axis"},
       {"--axis 0,nan,1 --out run", "--axis"},

@@ -30,7 +30,7 @@ TriangleMesh turned(const TriangleMesh& mesh, double angle) {
   return TriangleMesh(std::move(vertices), mesh.triangles());
 }
 
-/// The same triangles, no two of which share a vertex.
+/// The same triangles without shared vertices.
 TriangleMesh unwelded(const TriangleMesh& mesh) {
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
@@ -42,7 +42,7 @@ TriangleMesh unwelded(const TriangleMesh& mesh) {
   return TriangleMesh(std::move(vertices), std::move(triangles));
 }
 
-/// Blades of their own triangles through an open cylinder, as lofting makes them.
+/// Blades with their own triangles that pass through an open cylinder, as lofting makes them.
 Blisk bladesThroughAnOpenHub() {
   const Blisk whole = makeDefaultBlisk(20'000);
   std::vector<Vec3> vertices = whole.mesh.vertices();
@@ -73,7 +73,7 @@ Blisk bladesThroughAnOpenHub() {
   return {TriangleMesh(std::move(vertices), std::move(triangles)), std::move(blade_of_triangle)};
 }
 
-/// An octahedron whose triangles are cut into four, over and over.
+/// An octahedron whose triangles are divided into four repeatedly.
 TriangleMesh sphere(double radius, int halvings) {
   std::vector<Triangle> faces;
   for (const double x : {-1.0, 1.0}) {
@@ -101,7 +101,8 @@ TriangleMesh sphere(double radius, int halvings) {
   return TriangleMesh(std::move(vertices), std::move(triangles));
 }
 
-/// At least 95 % of the blades' triangles have their number; none has another's, and the rings have none.
+/// At least 95 % of the blades' triangles have their number; none has another blade's, and the rings have
+/// none.
 void expectNumbersOf(const Blisk& blisk, const BladesFound& found) {
   ASSERT_EQ(found.count, kBlades);
   ASSERT_EQ(found.blade_of_triangle.size(), blisk.mesh.triangleCount());

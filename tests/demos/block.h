@@ -1,4 +1,4 @@
-// A box whose faces are grids of triangles, and meshes of several.
+// A box whose faces are grids of triangles, and meshes made of several boxes.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   return {vertices, triangles};
 }
 
-/// Not turned.
+/// Without rotation.
 inline Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 
 }  // namespace octoblisk::demos

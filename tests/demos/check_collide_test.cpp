@@ -1,4 +1,4 @@
-// octoblisk check: whether surfaces meet, and by which triangles.
+// octoblisk check: whether surfaces meet, and which triangles.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
@@ -25,7 +25,7 @@ using ::testing::StartsWith;
 /// One line of a result file.
 struct Answer {
   bool colliding = false;
-  TrianglePair pair;  ///< where colliding
+  TrianglePair pair;  ///< if colliding
 };
 
 /// Reads a result file and checks its form.
@@ -51,9 +51,9 @@ std::vector<Answer> readAnswers(const std::filesystem::path& file) {
   return answers;
 }
 
-/// The belt's frame in the default blisk's: at the angle (radians) and height about its axis, the contact
-/// wheel's centre `radius` from it, the arm outwards but for small turns (radians, about its own axes).
-/// Lengths in mm.
+/// The belt's frame in the default blisk's frame: at an angle (radians) and height about its axis, with the
+/// contact wheel's centre at `radius`, and the arm outwards except for small turns (radians, about its own
+/// axes). Lengths in mm.
 Pose beltPose(double angle, double radius, double height, const Vec3& turns = Vec3::Zero()) {
   const Mat3 outwards = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
   const double turn = turns.norm();
@@ -61,7 +61,7 @@ Pose beltPose(double angle, double radius, double height, const Vec3& turns = Ve
   return {outwards * Eigen::AngleAxisd(turn, axis).toRotationMatrix(), outwards * Vec3(radius, 0.0, height)};
 }
 
-/// Poses of the belt round the default blisk's blades, of radii 128 … 240 mm.
+/// Poses of the belt around the default blisk's blades, whose radii are 128 … 240 mm.
 std::vector<Pose> posesRoundBlades(int count) {
   std::mt19937_64 random(2024);
   const auto between = [&](double low, double high) {
@@ -115,8 +115,8 @@ struct Cutout {
   }
 };
 
-/// All pairs of triangles that meet: those of bruteForcePairs over all triangles, for which only the ones in
-/// the other mesh's bounds come into question.
+/// All triangle pairs that meet: those of bruteForcePairs over all triangles, restricted to the triangles in
+/// the other mesh's bounds, because no others can meet.
 std::vector<TrianglePair> pairsThatMeet(const TriangleMesh& fixed, const TriangleMesh& moving,
                                         const Pose& pose) {
   const Cutout in_moving(moving, pose, fixed.bounds());

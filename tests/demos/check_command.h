@@ -1,4 +1,4 @@
-// A fixture that runs octoblisk check as its users do: the real executable, in a folder of its own.
+// A fixture that runs octoblisk check as users do: the real executable, in its own folder.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@
 namespace octoblisk::demos {
 
 inline const std::string kPoseHeader = "x,y,z,qw,qx,qy,qz\n";
-/// So few stations follow the wheels less closely: they need a wider gap, mm.
+/// With few stations the belt follows the wheels less closely, so it needs a wider gap, mm.
 inline const std::string kCoarseBelt = " --stations 96 --points-per-station 16 --wheel-gap 0.2";
 
 class CheckCommand : public ::testing::Test {

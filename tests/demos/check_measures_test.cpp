@@ -1,4 +1,4 @@
-// octoblisk check: clearance, depth and the ways between poses.
+// octoblisk check: clearance, depth and the motions between poses.
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -24,7 +24,8 @@ std::vector<std::string> fieldsOf(const std::string& row) {
   return fields;
 }
 
-/// Two boxes of edges 2 and 1, as OBJ files, and a way of the small one along x past and into the large one.
+/// Two boxes with edges 2 and 1, as OBJ files, and a path of the small one along x past and into the large
+/// one.
 void writeBoxes(const std::filesystem::path& folder) {
   for (const auto& [name, half] : {std::pair("large", 1.0), std::pair("small", 0.5)}) {
     writeMesh(folder / (std::string(name) + ".obj"), *octoblisk::testing::boxMesh({half, half, half}));
@@ -33,7 +34,8 @@ void writeBoxes(const std::filesystem::path& folder) {
 
 TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   writeBoxes(folder_.path());
-  // Apart by 1, by 0.25, in by 0.3, wholly inside, then through the large one to the other side at a stroke.
+  // Apart by 1, by 0.25, in by 0.3, wholly inside, then in one motion through the large one to the other
+  // side.
   const std::string poses = kPoseHeader +
                             "2.5,0,0,1,0,0,0\n1.75,0,0,1,0,0,0\n1.2,0,0,1,0,0,0\n0.1,0,0,1,0,0,0\n" +
                             "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n";
@@ -49,7 +51,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
   EXPECT_THAT(one.out, HasSubstr("\nLeast clearance: 0 at pose 2\n"));
   EXPECT_THAT(one.out, HasSubstr("\nGreatest depth: 0.6 at pose 3\n"));
   EXPECT_THAT(one.out,
-              HasSubstr("\n5 ways between poses: 1 free, 4 not proved to keep 0.001 (4 come nearer, "));
+              HasSubstr("\n5 motions between poses: 1 free, 4 not proved to keep 0.001 (4 come nearer, "));
   EXPECT_EQ(run(arguments + "three.csv --threads 3").exit_code, 1);
   EXPECT_EQ(contentOf(folder_.path() / "one.csv"), contentOf(folder_.path() / "three.csv"));
 
@@ -62,7 +64,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
     bool colliding;
     double clearance, depth, fraction;
   };
-  // The ways meet where the small box is within 0.001 … 0.001125 of the large one.
+  // The motions hit where the small box is within 0.001 … 0.001125 of the large one.
   const std::vector<Row> expected = {{false, 1.0, 0.0, nothing},     {false, 0.25, 0.0, 1.0},
                                      {true, 0.0, 0.3, 0.249 / 0.55}, {false, 0.4, 0.6, 0.0},
                                      {false, 1.0, 0.0, nothing},     {false, 1.0, 0.0, 0.999 / 5.0}};
@@ -73,7 +75,7 @@ TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
     EXPECT_EQ(fields[1] == "1", expected[i].colliding) << line;
     EXPECT_NEAR(std::stod(fields[4]), expected[i].clearance, 1e-9) << line;
     EXPECT_NEAR(std::stod(fields[5]), expected[i].depth, 1e-3) << line;
-    if (i == 4) continue;  // out of the large box again: met on the way, wherever that is proved
+    if (i == 4) continue;  // it leaves the large box: it hits, at a fraction that is not specified
     EXPECT_EQ(fields[6].empty(), std::isnan(expected[i].fraction)) << line;
     if (!fields[6].empty()) {
       EXPECT_NEAR(std::stod(fields[6]), expected[i].fraction, 5e-4) << line;
@@ -92,7 +94,7 @@ TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
   EXPECT_EQ(run("check --fixed large.obj" + measures + "large.csv").exit_code, 1);
   EXPECT_EQ(run("check --fixed mixed.obj" + measures + "mixed.csv").exit_code, 1);
   EXPECT_EQ(contentOf(folder_.path() / "large.csv"), contentOf(folder_.path() / "mixed.csv"));
-  // The moving one, too.
+  // The moving mesh too.
   const std::string moving =
       "check --fixed small.obj --poses poses.csv --clearance --depth --signed --moving ";
   EXPECT_EQ(run(moving + "large.obj --out large.csv").exit_code, 1);
@@ -102,7 +104,7 @@ TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
 
 TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
   writeBoxes(folder_.path());
-  // Above a corner region of the large box's top, turned about z: apart by 0.25, in by 0.3, wholly inside.
+  // Above a corner region of the large box's top, rotated about z: apart by 0.25, in by 0.3, wholly inside.
   folder_.write("poses.csv", kPoseHeader + "0.2,0.1,1.75,1,0,0,0\n0.2,0.1,1.2,1,0,0,0\n0,0,0.45,1,0,0,0\n");
   const std::string arguments =
       "check --fixed large.obj --moving small.obj --poses poses.csv --signed --tolerance 1e-6 --out ";
@@ -124,15 +126,16 @@ TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
     ASSERT_EQ(fields.size(), 11u) << line;
     EXPECT_NEAR(std::stod(fields[4]), expected, 1e-6);
     EXPECT_NEAR(std::stod(fields[7]), 1.0, 1e-6);
-    EXPECT_NEAR(std::stod(fields[10]), 0.0, 1e-6);  // turning about z changes nothing
+    EXPECT_NEAR(std::stod(fields[10]), 0.0, 1e-6);  // rotation about z changes nothing
   }
   writeMesh(folder_.path() / "sheet.obj", *octoblisk::testing::waveSheet(1, 0.1, 4));
   EXPECT_EQ(
       run("check --fixed sheet.obj --moving small.obj --poses poses.csv --signed --out out.csv").exit_code,
       1);
-  expectRefusal(run("check --fixed sheet.obj --moving sheet.obj --poses poses.csv --signed --out two.csv"),
-                "sheet.obj: signed distances need a closed mesh; the moving one is open, and here 16 of its "
-                "edges are open");
+  expectRefusal(
+      run("check --fixed sheet.obj --moving sheet.obj --poses poses.csv --signed --out two.csv"),
+      "sheet.obj: signed distances need a closed mesh; the moving mesh is open and so is this one: 16 of its "
+      "edges are open");
 }
 
 TEST_F(CheckCommand, aMeshInsideAnotherIsFoundByItsDepthAlone) {
@@ -157,7 +160,7 @@ TEST_F(CheckCommand, freeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
   folder_.write("past.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n2.5,3,0,1,0,0,0\n");
   const Outcome past = run(arguments + "past.csv");
   EXPECT_EQ(past.exit_code, 0);
-  EXPECT_THAT(past.out, HasSubstr("1 way between poses: 1 free, 0 not proved to keep 0.001\n"));
+  EXPECT_THAT(past.out, HasSubstr("1 motion between poses: 1 free, 0 not proved to keep 0.001\n"));
   EXPECT_THAT(contentOf(folder_.path() / "out.csv"), HasSubstr("\n0,0,,,\n1,0,,,1\n"));
   folder_.write("through.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n");
   const Outcome through = run(arguments + "through.csv");
@@ -171,8 +174,8 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
   const Outcome outcome =
       run("check --fixed sheet.obj --moving small.obj --poses poses.csv --depth --out out.csv");
-  expectRefusal(outcome, "sheet.obj: depths need a closed mesh, and 16 of its edges are open");
-  EXPECT_THAT(outcome.error, HasSubstr("swap the two, with each pose inverted"));
+  expectRefusal(outcome, "sheet.obj: depths need a closed fixed mesh, but 16 of its edges are open");
+  EXPECT_THAT(outcome.error, HasSubstr("swap the two meshes and invert each pose"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
   EXPECT_EQ(
       run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv").exit_code, 1);

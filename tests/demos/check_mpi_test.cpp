@@ -1,4 +1,4 @@
-// octoblisk check by the ranks of mpirun.
+// octoblisk check on the ranks of mpirun.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// On one machine, whoever the user is and however many processors it has.
+/// On one machine, for any user and any number of processors.
 const std::string kMpirun = std::string(MPIRUN " --oversubscribe --bind-to none ") +
                             "--mca btl_vader_single_copy_mechanism none --mca btl self,vader " +
                             (::geteuid() == 0 ? "--allow-run-as-root " : "");
@@ -32,7 +32,7 @@ class CheckRanks : public CheckParts {
   }
 };
 
-/// The process of a rank below another process; 0 where there is none.
+/// The process of a rank, a descendant of another process; 0 if there is none.
 pid_t processOfRank(pid_t above, int rank) {
   const std::string task = "/proc/" + std::to_string(above);
   const std::string children = contentOf(task + "/task/" + std::to_string(above) + "/children");
@@ -137,8 +137,8 @@ TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
   refused("check --fixed ring.obj --moving box.obj --poses no.csv --out out.csv",
           "octoblisk: no.csv: no such");
   refused(check_ + "--out missing/out.csv",
-          "octoblisk: missing/out.csv: cannot be written, as there is no folder missing");
-  refused(check_ + "--out out.csv --shard 3/2", "octoblisk: --shard: '3/2' is no part");
+          "octoblisk: missing/out.csv: cannot be written: there is no folder missing");
+  refused(check_ + "--out out.csv --shard 3/2", "octoblisk: --shard: '3/2' is not a part");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A fixture of octoblisk check over many poses, by parts and processes.
+// A fixture that runs octoblisk check over many poses, in parts and in several processes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -37,7 +37,7 @@ class CheckParts : public CheckCommand {
     writePoses(folder_.path() / "poses.csv", poses);
   }
 
-  /// Goes through the poses so many times, so that it takes a while.
+  /// Repeats the poses this many times, so that a run takes a while.
   void repeatPoses(int times) {
     const std::string once = content("poses.csv");
     const std::string lines = once.substr(once.find('\n') + 1);
@@ -49,7 +49,7 @@ class CheckParts : public CheckCommand {
   std::string content(const std::string& name) const { return contentOf(folder_.path() / name); }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder_.path() / name); }
 
-  /// Waits until the unfinished result has answers; false where that does not come.
+  /// Waits until the unfinished result has answers; false if that does not happen.
   bool waitForAnswers(const std::string& result) const {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point latest = Clock::now() + std::chrono::minutes(2);
@@ -60,7 +60,7 @@ class CheckParts : public CheckCommand {
     return true;
   }
 
-  /// All that a summary tells but times.
+  /// A summary without its times.
   static std::string withoutTimes(const std::string& told) {
     const std::size_t time = told.find("; "), line_end = told.find('\n');
     return time < line_end ? told.substr(0, time) + told.substr(line_end) : told;

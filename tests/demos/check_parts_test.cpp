@@ -1,4 +1,4 @@
-// octoblisk check by parts, with breaks, and octoblisk merge.
+// octoblisk check in parts and with interruptions, and octoblisk merge.
 #include "demos/check_parts.h"
 
 #include <signal.h>
@@ -24,7 +24,7 @@ TEST_F(CheckParts, shardsMergeToTheFileAndTheWordsOfThePlainRun) {
     ASSERT_EQ(plain.exit_code, 1) << plain.error;
     for (const int count : {1, 2, 3, 7}) {
       std::string parts;
-      for (int i = count; i >= 1; --i) {  // the order does not count
+      for (int i = count; i >= 1; --i) {  // the order must not matter
         const std::string name = "part" + std::to_string(i);
         const Outcome part = run(check_ + columns + "--threads " + std::to_string(i) + " --shard " +
                                  std::to_string(i) + "/" + std::to_string(count) + " --out " + name);
@@ -61,8 +61,8 @@ TEST_F(CheckParts, partsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
        {std::pair("columns", "options"), {"fixed", "fixed"}, {"moving", "moving"}, {"poses", "poses"}}) {
     const Outcome outcome = run(std::string("merge first ") + name + " --out merged.csv");
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.error,
-              std::string("octoblisk: ") + name + ": is of another study than first: other " + what + "\n");
+    EXPECT_EQ(outcome.error, std::string("octoblisk: ") + name +
+                                 ": belongs to another study than first: other " + what + "\n");
     EXPECT_FALSE(exists("merged.csv"));
   }
   EXPECT_LE(run("merge second first --out merged.csv").exit_code, 1)
@@ -73,17 +73,18 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   for (const std::string wrong : {"0/2", "3/2", "2", "a/b", "1/2/3"}) {
     const Outcome outcome = run(check_ + "--out out.csv --shard " + wrong);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --shard: '" + wrong + "' is no part of a whole"));
+    EXPECT_THAT(outcome.error, StartsWith("octoblisk: --shard: '" + wrong + "' is not a part I/N"));
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
-                  "missing/out.csv: cannot be written, as there is no folder missing\n");
-    expectRefused(check_.substr(6) + options + "--out .", ".: this is a folder");
-    expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: cannot be both");
+                  "missing/out.csv: cannot be written: there is no folder missing\n");
+    expectRefused(check_.substr(6) + options + "--out .", ".: is a folder");
+    expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: is also");
   }
-  expectRefused(check_.substr(6) + "--resume --out /dev/null", "/dev/null: is no file that could be resumed");
+  expectRefused(check_.substr(6) + "--resume --out /dev/null",
+                "/dev/null: is a device, which --resume cannot continue");
   EXPECT_EQ(run("merge poses.csv --out merged.csv").error,
-            "octoblisk: poses.csv: is no part of a study: its first line is another\n");
+            "octoblisk: poses.csv: is not a part of a study: its first line does not match\n");
   EXPECT_EQ(run("merge missing --out merged.csv").error, "octoblisk: missing: no such file\n");
   EXPECT_EQ(run("merge --out merged.csv").exit_code, 2);
   EXPECT_FALSE(exists("merged.csv"));
@@ -91,13 +92,13 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   EXPECT_FALSE(exists("out.csv.partial"));
 }
 
-/// A part of one item, of right checksums.
+/// A part of one item with right checksums.
 std::string partOf(const Study& study, const std::string& rows, const std::string& tally) {
   const std::string head = headOf(study, {0, 1});
   return head + textOf({{0, 1}, rows, tally}, head);
 }
 
-/// Checksums are no proof that octoblisk wrote it.
+/// Right checksums do not prove that octoblisk wrote the part.
 TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string columns = "pose,colliding,triangle_fixed,triangle_moving", rows = "0,0,,\n";
   const std::string right = "1 0 0 0 0 0";
@@ -110,25 +111,26 @@ TEST_F(CheckParts, partsOfRightChecksumsAndWrongWordsAreRefused) {
   EXPECT_EQ(content("merged.csv"), columns + '\n' + rows);
   folder_.write("merged.csv", "of an earlier run");
   EXPECT_EQ(merge(study, "1 0 0 0 0 least\x1b").error,
-            "octoblisk: part: has a tally of no check: '1 0 0 0 0 least?'\n");
+            "octoblisk: part: has a tally that is not from check: '1 0 0 0 0 least?'\n");
   Study other = study;
   for (const std::string options :
        {"", "non\x1b", "none depth", "clearance tolerance 0.5", "depth tolerance 1 "}) {
     other.options = options;
     std::string shown = options;
     std::ranges::replace(shown, '\x1b', '?');
-    EXPECT_EQ(merge(other, right).error, "octoblisk: part: has options of no check: '" + shown + "'\n");
+    EXPECT_EQ(merge(other, right).error,
+              "octoblisk: part: has options that are not from check: '" + shown + "'\n");
   }
   other = study;
   for (const std::string name : {"", "fix\ned", "\x1b[2J"}) {
     other.inputs[0].name = name;
     EXPECT_EQ(merge(other, right).error,
-              "octoblisk: part: is no part of a study: its head is damaged or cut off\n");
+              "octoblisk: part: is not a part of a study: its head is damaged or truncated\n");
   }
   EXPECT_EQ(content("merged.csv"), "of an earlier run");
 }
 
-/// Its other files are made of the table, once that is written.
+/// The other files of access are made from the finished table.
 TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   const std::string row = "0,,1,2,3,0,0,1,5,7,0.5,0,-10,20,0,0,,,0.5,0.5,0 -10 20";
   const std::string right = "1 180 1\t1 belt on blade 2";
@@ -147,7 +149,7 @@ TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
     EXPECT_EQ(content("points.csv"), "of an earlier run");
   };
   folder_.write("points.csv", "of an earlier run");
-  const std::string no_map = " of no accessibility map: ";
+  const std::string no_map = " not from an accessibility map: ";
   Study other = study;
   other.options = "none";
   expect_refused(other, row + '\n', right, "options" + no_map + "'none'");
@@ -160,7 +162,7 @@ TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
   std::string word = row;
   word.replace(word.find(",5,"), 3, ",x,");
   expect_refused(study, word + '\n', right, "a row" + no_map + "'" + word + "'");
-  expect_refused(study, row, right, "a row without its end: '" + row + "'");
+  expect_refused(study, row, right, "an incomplete row: '" + row + "'");
   expect_refused(study, row + '\n' + row + '\n', right, "2 rows for 1 points");
   expect_refused(study, "", right, "0 rows for 1 points");
 
@@ -197,12 +199,12 @@ TEST_F(CheckParts, ctrlCLeavesWhatWasAnsweredToBeResumed) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped; stopped.csv.partial holds "));
-  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers: go on with --resume\n"));
+  EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers; continue with --resume\n"));
   EXPECT_FALSE(exists("stopped.csv"));
   const Outcome refused = run(arguments + "stopped.csv");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.error,
-              StartsWith("octoblisk: stopped.csv.partial: holds the answers of an unfinished run"));
+              StartsWith("octoblisk: stopped.csv.partial: has the answers of an unfinished run"));
   EXPECT_EQ(run(arguments + "stopped.csv --resume").exit_code, 1);
   EXPECT_EQ(content("stopped.csv"), content("plain.csv"));
 }

@@ -1,4 +1,4 @@
-// octoblisk check: bad input is one line that names it.
+// octoblisk check: bad input gives a one-line message that names it.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -61,8 +61,8 @@ TEST_F(CheckRefusal, ofBadPosesNamesFileAndLine) {
   expectPosesRefused(kPoseHeader + "+-5,0,0,1,0,0,0\n", "2");
   expectRefused("--fixed blisk.stl --moving belt.stl --poses missing.csv --out result.csv",
                 "missing.csv: no such file");
-  expectRefused("--fixed blisk.stl --moving belt.stl --poses . --out result.csv", ".: this is a folder");
-  expectRefused("--fixed . --moving belt.stl --poses poses.csv --out result.csv", ".: this is a folder");
+  expectRefused("--fixed blisk.stl --moving belt.stl --poses . --out result.csv", ".: is a folder");
+  expectRefused("--fixed . --moving belt.stl --poses poses.csv --out result.csv", ".: is a folder");
   expectRefused("--fixed blisk.stl --moving belt.stl --poses belt.stl --out result.csv",
                 "belt.stl:1: the file is binary");
   folder_.write("none.csv", kPoseHeader);

@@ -132,16 +132,16 @@ TEST_F(ClFiles, rapidIsForOneMove) {
 TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
   const std::string good = "GOTO/0,0,0\n";
   const std::pair<const char*, const char*> cases[] = {
-      {"CIRCLE/0,0,0,0,0,1,5", "CIRCLE is of an arc"},
+      {"CIRCLE/0,0,0,0,0,1,5", "CIRCLE belongs to an arc"},
       {"INDIRV/1,0,0\n", "arc"},
       {"TLON,GOFWD/ (CIRCLE/ 1,2,3,$\n5),ON,(LINE/1,2,3,4,5,6)", "arc"},
       {"MOVARC/0,0,0,0,0,1,5,ANGLE,90", "arc"},
       {"CYCLE/DRILL,5", "CYCLE makes motions"},
       {"GOFWD/C1,PAST,L2", "GOFWD makes motions"},
       {"CALL/SUB", "CALL makes motions"},
-      {"TRACUT/MAT1", "TRACUT moves or turns"},
-      {"ORIGIN/0,0,5", "ORIGIN moves or turns"},
-      {"COPY/1,TRANSL,0,0,5,4", "COPY moves or turns"},
+      {"TRACUT/MAT1", "TRACUT transforms the"},
+      {"ORIGIN/0,0,5", "ORIGIN transforms the"},
+      {"COPY/1,TRANSL,0,0,5,4", "COPY transforms the"},
       {"MSYS/0,0,5,1,0,0,0,1,0", "MSYS"},
       {"MODE/INCR", "incremental"},
       {"P1 = POINT/1,2,3", "APT source"},
@@ -160,8 +160,8 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"GOTO/1,2,3,0,0,0", "length is 0.0"},
       {"GOTO/1,2,3,0,0,1.01", "within 0.001"},
       {"GOTO/1,2,3,1e300,1e300,0", "length"},
-      {"GOTO/1,2,3,0,0,1,0,0,1", "not square"},
-      {"GOTO/2e12,0,0", "beyond 1e12"},
+      {"GOTO/1,2,3,0,0,1,0,0,1", "not perpendicular"},
+      {"GOTO/2e12,0,0", "more than 1e12"},
       {"GODLTA/5", "1 values"},
       {"TLAXIS/0,0", "TLAXIS"},
       {"UNITS/FURLONGS", "UNITS"},
@@ -174,10 +174,10 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"FEDRAT/0", "above 0"},
       {"FEDRAT/0.1,IPR", "SPINDL"},
       {"SPINDL/100,SFM\nFEDRAT/0.1,IPR", "SPINDL"},
-      {"/1,2,3", "no APT statement"},
-      {"%O1234", "no APT statement"},
+      {"/1,2,3", "not an APT statement"},
+      {"%O1234", "not an APT statement"},
       {"GOTO/1,2,3,$", "beyond the end"},
-      {"FINI\nGOTO/1,2,3", "behind FINI"}};
+      {"FINI\nGOTO/1,2,3", "after FINI"}};
   for (const auto& [statement, named] : cases) {
     const std::string message = refusal(good + statement);
     EXPECT_THAT(message, AllOf(HasSubstr("path.cl:"), HasSubstr(named))) << statement;
@@ -185,12 +185,12 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
                 message.find("path.cl:3:") != std::string::npos)
         << message;
   }
-  EXPECT_THAT(refusal(""), HasSubstr("no moves"));
-  EXPECT_THAT(refusal("PARTNO X\nFINI\n"), HasSubstr("no moves"));
+  EXPECT_THAT(refusal(""), HasSubstr("no motions"));
+  EXPECT_THAT(refusal("PARTNO X\nFINI\n"), HasSubstr("no motions"));
   EXPECT_THAT(refusal("GODLTA/1,2,3\n"), HasSubstr("path.cl:1:"));
   EXPECT_THAT(refusal(good + std::string("GOTO/1,2,3\0,4\n", 15)),
               AllOf(HasSubstr(":2:"), HasSubstr("binary")));
-  EXPECT_THAT(refusal(std::string(1'000'000, 'A')), HasSubstr("no moves"));
+  EXPECT_THAT(refusal(std::string(1'000'000, 'A')), HasSubstr("no motions"));
   EXPECT_THAT(refusal(good + "GOTO/\x1b[31m,2,3"), ::testing::Not(HasSubstr("\x1b")));
   messageOf<std::runtime_error>([&] { readClFile(folder_.path() / "missing.cl"); });
   messageOf<std::runtime_error>([&] { readClFile(folder_.path()); });
@@ -227,7 +227,7 @@ TEST_F(ClFiles, knowsEitherKindOfFileByExtensionOrContent) {
 TEST_F(ClFiles, sixNumbersAreCompletedByTheSurface) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(blisk.mesh));
-  // Over the hub's cylinder the wheel must lie along its axis or round it, square to the arm.
+  // Over the hub's cylinder the wheel must lie along its axis or around it, perpendicular to the arm.
   const ClFile file = read(
       "GOTO/300,0,90,1,0,0\nGOTO/138,0,90,0,1,0\nGOTO/138,0,91,0,0.6,0.8\nGOTO/138,0,92,0.9998,0.02,0\n");
   const std::vector<ToolMove> moves = toolMovesOf(file, tree);

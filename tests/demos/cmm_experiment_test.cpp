@@ -1,4 +1,4 @@
-// The whole of it: stock, measurement, plan, pass, measurement.
+// The whole experiment: stock, measurement, plan, pass, measurement.
 #include "paper/cmm/cmm_experiment.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(CmmExperiment, startsFromThePapersStatistics) {
     EXPECT_NEAR(stock.max, wanted.max, 1e-10);
     EXPECT_NEAR(stock.mean, wanted.mean, 1e-10);
     EXPECT_NEAR(stock.deviation, wanted.deviation, 1e-10);
-    // What the CMM makes of it: its noise is 0.5 µm.
+    // The CMM's measurement of it: its noise is 0.5 µm.
     const ErrorStatistics& before = standard().before[area];
     EXPECT_NEAR(before.mean, wanted.mean, 0.0002);
     EXPECT_NEAR(before.deviation, wanted.deviation, 0.0003);
@@ -41,7 +41,7 @@ TEST(CmmExperiment, withoutNoiseTheCmmMeasuresTheStock) {
   CmmExperimentOptions options;
   options.cmm.noise = 0.0;
   const CmmExperiment result = run(options);
-  // In the hollow between two facets of the blade's mesh the ball rests beside the point, 0.2 µm too high.
+  // In the hollow between two facets of the blade's mesh, the ball rests beside the point, 0.2 µm too high.
   double sum = 0.0;
   for (const MeasuredPoint& point : result.points) {
     const std::size_t index = result.strip.grid.index(point.row, point.station);
@@ -77,7 +77,7 @@ TEST(CmmExperiment, nothingIsAddedAndThePlanTakesOffWhatIsAskedOnTheSides) {
     EXPECT_NEAR(ideal.after[side].mean, 0.0, 0.001);
     EXPECT_LT(ideal.after[side].deviation, ideal.before[side].deviation);
   }
-  // Of a belt that cuts by a quarter less than planned a quarter of the error stays.
+  // If the belt cuts a quarter less than planned, a quarter of the error remains.
   CmmExperimentOptions blunt = exact;
   blunt.errors.preston_factor = 0.75;
   const CmmExperiment left = run(blunt);

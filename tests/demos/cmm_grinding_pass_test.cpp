@@ -1,4 +1,4 @@
-// Preston's removal against closed forms on a flat plate, and what a plan reaches.
+// Preston's removal compared with closed forms on a flat plate, and the accuracy of a plan.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST(CmmGrindingPass, onePoseRemovesPrestonsVolume) {
     EXPECT_NEAR(volumeOf(grid, depths), expected, 1e-9 * expected);
     EXPECT_NEAR(pass.force(pose), 20.0, 1e-9);
 
-    // No removal where there is no force: beyond the wheel's width and the contact's half width.
+    // Without force there is no removal: beyond the wheel's width and the contact's half width.
     const double b = std::sqrt(process.wheel.radius * indentationOnFlat(process.wheel, 20.0));
     const double height = grid.height(pass.strokeRows()[stroke]);
     const double x = grid.at(0, pose % grid.stations()).flat.x();
@@ -63,7 +63,8 @@ TEST(CmmGrindingPass, onePoseRemovesPrestonsVolume) {
   }
 }
 
-// A long flat, an even feed f and strokes s apart: K_p F v / (f s) everywhere, but for the strokes' ripple.
+// On a long flat, with an even feed f and strokes s apart: K_p F v / (f s) everywhere, except for the
+// strokes' ripple.
 TEST(CmmGrindingPass, anEvenFeedOnAFlatRemovesAnEvenDepth) {
   GrindingProcess process;
   process.step_over = 1.0;
@@ -111,8 +112,8 @@ TEST(CmmGrindingPass, noDwellOrNoForceRemovesNothing) {
   for (const double depth : pass.removal(pass.dwellsOfFeed(20.0), nothing)) EXPECT_EQ(depth, 0.0);
 }
 
-// What is wanted varies more slowly than the wheel is wide, so a plan can reach it away from the edges, where
-// strokes are so dense that they leave no ripple.
+// The wanted depths vary more slowly than the wheel is wide, so a plan can reach them away from the edges,
+// where strokes are so dense that they leave no ripple.
 TEST(CmmGrindingPass, aPlanReachesWhatIsWanted) {
   const SectionGrid grid = plate(160.0, 161, 0.5, 81);
   GrindingProcess process;
@@ -154,8 +155,8 @@ TEST(CmmGrindingPass, grindingIsRemovalTimesItsErrors) {
     EXPECT_NE(shaken, model);
     noise_of_volume += volumeOf(grid, shaken) / volumeOf(grid, model) - 1.0;
   }
-  // Some 2000 mm of strokes hold 200 stretches of 10 mm, twice the correlation length, that are on their own:
-  // the mean of 16 passes deviates by 0.05 / √3200 or 0.0009.
+  // Strokes of about 2000 mm have 200 independent intervals of 10 mm, twice the correlation length: the mean
+  // of 16 passes deviates by 0.05 / √3200 or 0.0009.
   EXPECT_NEAR(noise_of_volume / 16, 0.0, 0.003);
 }
 

@@ -1,4 +1,4 @@
-// Hertz's closed forms, and the sliced contact of a wheel against them.
+// Hertz's closed forms, and the sliced contact of a wheel compared with them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ TEST(CmmHertz, lineContactCarriesItsForceAndBendsToItsRadius) {
   const double modulus = 2.3, radius = 9.5, load = 1.1;
   const LineContact contact = lineContact(load, radius, modulus);
   EXPECT_NEAR(0.5 * pi * contact.peak_pressure * contact.half_width, load, 1e-12);
-  // Under p0 √(1 - x²/b²) a half-plane's surface bends to the curvature 2 p0 / (E* b): that of the wheel.
+  // Under p0 √(1 - x²/b²) a half-plane's surface bends to the curvature 2 p0 / (E* b), which is the wheel's.
   EXPECT_NEAR(2.0 * contact.peak_pressure / (modulus * contact.half_width), 1.0 / radius, 1e-12);
 }
 
@@ -36,8 +36,8 @@ TEST(CmmHertz, equalRadiiAreASphere) {
   EXPECT_NEAR(contact.peak_pressure, 2.0 * a * modulus / (pi * radius), 1e-7);
 }
 
-// The gap of the undeformed surfaces, by the pressure's own deflections: Johnson's equations, with the
-// standard library's elliptic integrals.
+// The gap of the undeformed surfaces, from the pressure's deflections: Johnson's equations, with the standard
+// library's elliptic integrals.
 TEST(CmmHertz, ellipsesMeetBothRadii) {
   for (const double greater : {9.6, 12.0, 40.0, 300.0, 1e5}) {
     const double lesser = 9.5, force = 7.0, modulus = 2.3;
@@ -106,14 +106,14 @@ TEST_F(CmmWheelContact, onAConvexSurfaceIsTheClosedForm) {
   const SectionGrid grid = openGrid(40.0, 2001, 1.0, 2, [&](double x) {
     return std::sqrt(curvature_radius * curvature_radius - x * x) - curvature_radius;
   });
-  const double d = 0.2;  // the contact then ends within the wheel
+  const double d = 0.2;  // small enough that the contact ends within the wheel
   const double half_length = std::sqrt(2.0 * d * curvature_radius);
   ASSERT_LT(half_length, 0.5 * wheel.width);
   const auto slices = contactOn(grid, 0.0, d);
   // ∫ (π/4) E* (d - x²/2R') dx
   const double expected = pi / 3.0 * wheel.contactModulus() * d * half_length;
   EXPECT_NEAR(forceOf(slices, grid, 0), expected, 0.01 * expected);
-  // Slices stand alone, so that they are not Hertz's ellipse; how far off is what this tells.
+  // Slices are independent, so they do not give Hertz's ellipse; this measures the difference.
   const EllipticContact ellipse =
       ellipticContact(expected, curvature_radius, wheel.radius, wheel.contactModulus());
   double peak = 0.0;

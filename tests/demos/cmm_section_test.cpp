@@ -1,4 +1,4 @@
-// The report's section on the ground blade: its tables are what the experiment says, its figures are there.
+// The report's section on the ground blade: its tables match the experiment, and its figures exist.
 #include "paper/cmm/cmm_section.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Surfaces for the tests of the ground blade: sections that are known in closed form, as grids.
+// Surfaces for the tests of the ground blade: grids of sections with closed forms.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// y(x) of every section from x = -length/2 to length/2, `rows` of them, a spacing apart from height 0.
-/// Outwards is +y, which is +z in space; up is +y in space.
+/// `rows` sections y(x) from x = -length/2 to length/2, a spacing apart, from height 0. Outwards is +y, which
+/// is +z in space; up is +y in space.
 inline SectionGrid openGrid(double length, int stations, double spacing, int rows,
                             const std::function<double(double)>& profile) {
   std::vector<double> heights;

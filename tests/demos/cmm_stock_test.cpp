@@ -1,4 +1,4 @@
-// The statistics of a stock, and the sections it lies on.
+// The statistics of a stock, and its sections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,7 +120,7 @@ TEST(CmmStock, isSmoothSeededAndNowhereBeyondItsExtremes) {
   }
 }
 
-/// One straight blade, an elliptic tube along +x whose middle line is bent by `camber`.
+/// One straight blade: an elliptic tube along +x whose middle line is bent by `camber`.
 struct Tube {
   static constexpr double kChord = 40.0, kThick = 3.0;
 
@@ -192,7 +192,7 @@ TEST(CmmStrip, itsNormalsPointOutwardsAndItsAreasAreWhereTheyBelong) {
     for (std::size_t row = 0; row < strip.grid.rows(); row += 10) {
       for (std::size_t k = 0; k < strip.grid.stations(); ++k) {
         const SectionGrid::Point& point = strip.grid.at(row, k);
-        // From the middle line of the bent ellipse outwards.
+        // Outwards from the middle line of the bent ellipse.
         const double x = point.flat.x() / 20.0;
         const double middle = toward * 2.0 * (1.0 - x * x);
         const Vec3 out(0.0, (point.position.y() - middle) / 2.25, point.position.z() / 400.0);

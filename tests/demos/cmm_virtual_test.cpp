@@ -1,4 +1,4 @@
-// The virtual CMM on surfaces that are known.
+// The virtual CMM on known surfaces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,8 +48,8 @@ TEST(VirtualCmm, aFlatIsExact) {
   }
 }
 
-// Beside a spike of height h the ball of radius r rests on its tip: at a distance d it is up by
-// h - r + √(r² - d²).
+// Beside a spike of height h, the ball of radius r rests on its tip: at a distance d it is raised by h - r +
+// √(r² - d²).
 TEST(VirtualCmm, theBallTouchesBesideThePointWhereSomethingIsHigher) {
   const SectionGrid grid = plate(40.0, 401, 0.1, 101);
   std::vector<double> displacements(grid.size(), 0.0);

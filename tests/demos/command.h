@@ -1,4 +1,4 @@
-// Runs the octoblisk executable as its users do.
+// Runs the octoblisk executable as users do.
 #pragma once
 
 #include <sys/wait.h>
@@ -20,7 +20,7 @@ inline std::string contentOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A number that tells, where it is not the expected one, what the command said.
+/// A number that prints the command's messages if it is not the expected one.
 struct ExitCode {
   int value = -1;
   std::string error;  ///< what the command wrote to standard error
@@ -40,14 +40,14 @@ struct Outcome {
   std::string error;
 };
 
-/// Of a command that std::system ran, and whose output is in the folder.
+/// The outcome of a command that std::system ran and whose output is in the folder.
 inline Outcome outcomeOf(int status, const std::filesystem::path& folder) {
   const std::string error = contentOf(folder / "stderr.txt");
   return {{WIFEXITED(status) ? WEXITSTATUS(status) : -1, error}, contentOf(folder / "stdout.txt"), error};
 }
 
 inline std::string octobliskIn(const std::filesystem::path& folder, const std::string& arguments) {
-  // Under the leak sanitizer, what the libraries keep to the end is no leak of ours.
+  // Memory that the libraries keep until the end is not a leak of this project.
   return "cd '" + folder.string() +
          "' && export LSAN_OPTIONS='suppressions=" OCTOBLISK_LEAK_SUPPRESSIONS
          ":print_suppressions=0' && exec '" OCTOBLISK_COMMAND "' " +
@@ -59,7 +59,7 @@ inline Outcome runOctoblisk(const std::filesystem::path& folder, const std::stri
   return outcomeOf(std::system(octobliskIn(folder, arguments).c_str()), folder);
 }
 
-/// Starts it and does not wait for it. It heeds Ctrl-C, whoever runs the tests.
+/// Starts it and does not wait for it. It reacts to Ctrl-C, even if the tests ignore it.
 inline pid_t startOctoblisk(const std::filesystem::path& folder, const std::string& arguments) {
   const std::string command = octobliskIn(folder, arguments);
   const pid_t child = ::fork();

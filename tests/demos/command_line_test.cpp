@@ -24,25 +24,29 @@ TEST_F(CommandLine, anUnknownSubcommandIsNamedWithTheNearest) {
     return outcome.error;
   };
   EXPECT_EQ(refusal("chek --fixed a"),
-            "octoblisk: 'chek' is no subcommand; did you mean 'check'? There are: grind, blades, path, "
+            "octoblisk: 'chek' is not a subcommand; did you mean 'check'? The subcommands are: grind, "
+            "blades, path, "
             "access, repair, make, check, merge, paper, gallery\n");
   EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
   EXPECT_EQ(refusal("polish"),
-            "octoblisk: 'polish' is no subcommand; there are: grind, blades, path, access, repair, make, "
+            "octoblisk: 'polish' is not a subcommand; the subcommands are: grind, blades, path, access, "
+            "repair, make, "
             "check, merge, paper, gallery\n");
 }
 
 TEST_F(CommandLine, sizesAreBoundedAndTheMessageIsShort) {
   const std::pair<std::string, std::string> cases[] = {
-      {"make belt --stations 2e9", "--stations: '2e9' is no whole number from 16 to 100000"},
-      {"make belt --stations 2000000000", "--stations: '2000000000' is no whole number from 16 to 100000"},
+      {"make belt --stations 2e9", "--stations: '2e9' is not a whole number from 16 to 100000"},
+      {"make belt --stations 2000000000", "--stations: '2000000000' is not a whole number from 16 to 100000"},
       {"make arm --stations 100000 --points-per-station 100000", "stations times points"},
-      {"make belt --width nan", "--width: 'nan' is no number from -100000 to 100000"},
-      {"make blisk --section-count 1000000", "--section-count: '1000000' is no whole number from 2 to 1000"},
-      {"make blisk --triangles 100000000", "--triangles: '100000000' is no whole number from 1 to 10000000"},
-      {"make blisk --tip-radius 1e300", "--tip-radius: '1e300' is no number"},
-      {"make blisk --shroud-thickness 3", "--shroud-thickness requires --shroud"},
-      {"make blisk --shroud-overhang 3", "--shroud-overhang requires --shroud"}};
+      {"make belt --width nan", "--width: 'nan' is not a number from -100000 to 100000"},
+      {"make blisk --section-count 1000000",
+       "--section-count: '1000000' is not a whole number from 2 to 1000"},
+      {"make blisk --triangles 100000000",
+       "--triangles: '100000000' is not a whole number from 1 to 10000000"},
+      {"make blisk --tip-radius 1e300", "--tip-radius: '1e300' is not a number"},
+      {"make blisk --shroud-thickness 3", "--shroud-thickness needs --shroud"},
+      {"make blisk --shroud-overhang 3", "--shroud-overhang needs --shroud"}};
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments + " --out made.stl");
     expectRefusal(outcome, "octoblisk: " + message);
@@ -54,7 +58,7 @@ TEST_F(CommandLine, sizesAreBoundedAndTheMessageIsShort) {
 }
 
 TEST_F(CommandLine, wrongOptionsAreToldInOneLine) {
-  expectRefusal(run(""), "A subcommand is required; see octoblisk --help");
+  expectRefusal(run(""), "a subcommand is required; see octoblisk --help");
   expectRefusal(run("grind"), "--out is required; see octoblisk grind --help");
   expectRefusal(run("make belt"), "--out is required; see octoblisk make belt --help");
   expectRefusal(run("make belt --out belt.stl --colour red"), "--colour");
@@ -76,7 +80,7 @@ TEST_F(CommandLine, helps) {
 
 TEST_F(CommandLine, theManualTellsOfEverySubcommand) {
   const std::string manual = contentOf(OCTOBLISK_MANUAL), refusal = run("polish").error;
-  std::istringstream names(refusal.substr(refusal.find("there are: ") + 11));
+  std::istringstream names(refusal.substr(refusal.find("subcommands are: ") + 17));
   int count = 0;
   for (std::string name; names >> name; ++count) {
     std::erase(name, ',');
@@ -92,7 +96,8 @@ TEST_F(CommandLine, tellsItsVersion) {
 }
 
 TEST_F(CommandLine, aFileThatCannotBeMadeIsNamedOnce) {
-  EXPECT_EQ(run("make arm --out nowhere/arm.stl").error, "octoblisk: nowhere/arm.stl: cannot be written, as there is no folder nowhere\n");
+  EXPECT_EQ(run("make arm --out nowhere/arm.stl").error,
+            "octoblisk: nowhere/arm.stl: cannot be written: there is no folder nowhere\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How much of a blade's side is ground: against brute force at many more places of the same path.
+// The coverage of a blade's side, compared with brute force at many more places of the same path.
 #include "grinding/coverage.h"
 
 #include <gmock/gmock.h>
@@ -90,7 +90,7 @@ TEST(Coverage, points_vs_bruteforce) {
       EXPECT_LT(deepest, -kCoverageReach + 0.01) << cell;
       continue;
     }
-    // Of all places the deepest: no place in between is missed by more than a step allows.
+    // The deepest of all places: no place in between is missed by more than a step permits.
     EXPECT_NEAR(found[cell].depth, deepest, 0.01) << cell;
     const double at_pose =
         closestPoint(*belt, path[found[cell].pose].inverse() * grid.middleOf(cell).position).value().distance;

@@ -1,4 +1,5 @@
-// Proofs that a part stays within a depth on a move, by closed forms and against depths at many places.
+// Proofs that a part stays within a depth on a motion, compared with closed forms and with depths at many
+// places.
 #include "grinding/depth_proof.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double kMostDepth = 0.1;
 
-/// A trees' surface with its tree.
+/// A tree and its surface.
 struct Solid {
   explicit Solid(const TriangleMesh& mesh) : tree(treeOf(mesh)), surface(*tree) {}
   std::shared_ptr<const ClusteredOctree> tree;
@@ -36,14 +37,14 @@ TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
   EXPECT_TRUE(isProved(0.02, 0.08));
   EXPECT_TRUE(isProved(-5.0, 0.08));
   EXPECT_FALSE(isProved(0.02, 0.11));
-  const Motion move(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the way
+  const Motion move(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the motion
   EXPECT_TRUE(proof.holds(move, 0.0, 0.8, Vec3::UnitX(), kMostDepth));
   EXPECT_FALSE(proof.holds(move, 0.0, 0.95, Vec3::UnitX(), kMostDepth));
   EXPECT_FALSE(proof.holds(move, 0.0, 0.8, -Vec3::UnitX(), kMostDepth)) << "the lift leads in";
 }
 
 TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
-  // Ends are 0.02 mm deep in the wall's face; amid the way stands a ridge, 0.2 mm high and as wide.
+  // The ends are 0.02 mm deep in the wall's face; between them is a ridge, 0.2 mm high and 0.2 mm wide.
   TriangleMesh wall = block({1, 50, 50}, 3);
   std::vector<Vec3> vertices = wall.vertices();
   std::vector<TriangleMesh::Indices> triangles = wall.triangles();

@@ -84,8 +84,8 @@ TEST(FlowChart, drawsBoxesAndArrowsWithTheirWords) {
   EXPECT_THAT(svg, HasSubstr(">a &lt; b?</text>"));
   EXPECT_THAT(svg, HasSubstr(">so it is</text>"));
   EXPECT_THAT(svg, HasSubstr(">yes</text>"));
-  // 300 × 74 pixels and 40 between; the arrow from the middle of one's lower edge to that of the other's
-  // upper.
+  // 300 × 74 pixels with 40 between them; the arrow runs from the middle of one lower edge to the middle of
+  // the other's upper edge.
   EXPECT_THAT(svg, HasSubstr("width=\"510\" height=\"228\""));
   EXPECT_THAT(svg, HasSubstr("M170 94 V114 H340 V134"));
 }
@@ -133,7 +133,7 @@ TEST(Plot, refusesWhatItCannotDraw) {
   plot.series = {{"s", {1, 2}, {1, 2}}};
   EXPECT_THAT(message(plot, "none/p.svg"), HasSubstr("p.svg: cannot be written"));
   plot.series = {{"s", {1, 2}, {std::nan(""), std::nan("")}}};
-  EXPECT_THAT(message(plot, "p.svg"), HasSubstr("gnuplot could not draw it: "));
+  EXPECT_THAT(message(plot, "p.svg"), HasSubstr("gnuplot cannot draw the plot: "));
 }
 
 TEST(Plot, namesThePackageWhereGnuplotIsMissing) {

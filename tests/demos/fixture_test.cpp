@@ -1,4 +1,4 @@
-// Obstacles beside the blisk: against every part's own touch and distance, in grind and in the judge.
+// Obstacles beside the blisk, compared with each part's own touches and distances, in grind and in the judge.
 #include "grinding/fixture.h"
 
 #include <gmock/gmock.h>
@@ -40,7 +40,7 @@ GrindingJob builtInJob() {
 TEST(Fixture, isJudgedLikeTheRest_vs_collideOfEachPart) {
   GrindingJob job = builtInJob();
   const GrindingRun without = runGrinding(job);
-  // A clamp that the arm sweeps through at some poses, and a peg beside it that is near at some.
+  // A clamp that the arm passes through at some poses, and a peg beside it that is near at some poses.
   job.fixtures = {{"clamp", treeOf(moved(block({30, 20, 60}, 2), Vec3(330, 40, 0)))},
                   {"peg", treeOf(moved(block({2, 2, 2}, 1), Vec3(300, 58, 0)))}};
   const GrindingRun run = runGrinding(job);
@@ -176,9 +176,10 @@ TEST_F(GrindCommand, obstaclesAreNamedInTheTablesAndInWords) {
 TEST_F(GrindCommand, refusesObstaclesThatAreNone) {
   writeMesh(file("clamp.obj"), block({1, 1, 1}, 1));
   expectRefusal(run("--obstacle none.stl --out run"), "none.stl: no such file");
-  expectRefusal(run("--obstacle clamp.obj,3 --out run"), "--obstacle clamp.obj,3: '3': a name must be of");
+  expectRefusal(run("--obstacle clamp.obj,3 --out run"),
+                "--obstacle clamp.obj,3: '3': a name must consist of");
   expectRefusal(run("--obstacle clamp.obj --obstacle clamp.obj --out run"),
-                "--obstacle clamp.obj: there are two of the name 'clamp'");
+                "--obstacle clamp.obj: two obstacles have the name 'clamp'");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The gallery: what its scenes show, and how their pictures are put on a sheet.
+// The gallery: the numbers of its scenes, and the arrangement of their pictures on a sheet.
 #include "gallery/gallery.h"
 
 #include <gmock/gmock.h>
@@ -105,7 +105,7 @@ TEST(ContactSheet, isTheSameForAnyNumberOfThreadsAndHasEveryFrame) {
   EXPECT_EQ(one.pixels, two.pixels);
   EXPECT_EQ(one.width, 3 * 96 + 2 * 6);
   EXPECT_GT(one.height, 2 * 80 + 6);
-  // What moved is elsewhere in every frame, and the last place is empty.
+  // The moving bodies are elsewhere in every frame, and the last place is empty.
   const int top = one.height - (2 * 80 + 6);
   const auto tile = [&](int column, int row) {
     std::vector<demos::Image::Pixel> pixels;
@@ -150,7 +150,7 @@ TEST(GalleryCommand, writesASceneTheSameTwice) {
   const demos::Outcome unknown = demos::runOctoblisk(folder.path(), "gallery shape --out a");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.error,
-              HasSubstr("octoblisk: 'shape' is no scene; there are: hello-shape, chain-of-tori"));
+              HasSubstr("octoblisk: 'shape' is not a scene; the scenes are: hello-shape, chain-of-tori"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// octoblisk grind: blisks that are open, shrouded, lie anyhow, face inward or are none.
+// octoblisk grind: blisks that are open, shrouded, in any position or inward-facing, and meshes that are not
+// blisks.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ TEST_F(GrindCommand, aHoleElsewhereChangesNoDepthAndIsToldOf) {
       run("--blisk open.ply --belt tool.ply --path press.csv --poses-only --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.error, HasSubstr("edges are open, the first from ("));
-  EXPECT_THAT(outcome.error, HasSubstr("is unknown, which counts as interference"));
+  EXPECT_THAT(outcome.error, HasSubstr("are unknown, which counts as interference"));
   const auto table = readTable(file("run/poses.csv"));
   EXPECT_NEAR(std::stod(table.at(0).at("depth_mm")), 0.05, 1e-3);
   EXPECT_EQ(table.at(0).at("verdict"), "interference") << "no blades: every touch is";
@@ -93,7 +94,7 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
     const auto table = readTable(file(folder + std::string("/poses.csv")));
     ASSERT_EQ(table.size(), about_z.size());
     for (std::size_t pose = 0; pose < table.size(); ++pose) {
-      // Files round to single precision: limits themselves may fall to either side.
+      // Files round to single precision, so a value at a limit may fall to either side.
       const double depth = std::stod(about_z[pose].at("depth_mm"));
       const double clearance = std::stod(about_z[pose].at("clearance_mm"));
       constexpr double kRounding = 1e-3;
@@ -149,8 +150,8 @@ TEST_F(GrindCommand, aBliskOfBothWindingsGivesTheSameTablesAndIsTold) {
         runOctoblisk(folder_.path(), "blades --blisk " + way + ".ply --no-picture --out of_" + way);
     ASSERT_EQ(blades.exit_code, 0);
     const bool is_told = outcome.error.find(
-                             "mixed.ply: 25056 of its 50112 triangles face the other way than "
-                             "those beside; turned round") != std::string::npos;
+                             "mixed.ply: 25056 of its 50112 triangles face the opposite way to "
+                             "their neighbours; they are reversed") != std::string::npos;
     EXPECT_EQ(is_told, way == "mixed") << outcome.error;
     EXPECT_EQ(blades.error, outcome.error);
     const std::string of_file = " --blisk " + way + ".ply";
@@ -190,13 +191,13 @@ TEST_F(GrindCommand, aSurfaceOfOneSideIsRefused) {
   }
   writeMesh(file("strip.ply"), TriangleMesh(std::move(vertices), std::move(triangles)));
   expectRefusal(run("--blisk strip.ply --out run"),
-                "strip.ply: its triangles cannot face one way: the surface has one side alone");
+                "strip.ply: its triangles cannot be oriented consistently: the surface is one-sided");
 }
 
 TEST(Orientation, whatWasTurnedIsTurnedBack) {
   std::mt19937_64 random(130);
   const auto ring = octoblisk::testing::torus(2, 0.8, 16, 10);
-  // A block with a hollow, and apart from it a ring: three parts, each as it was or the other way as a whole.
+  // A block with a cavity, and a separate ring: three parts, each in its orientation or reversed as a whole.
   const TriangleMesh hollow = joined(block({5, 5, 5}, 3), turned(block({2, 2, 2}, 2)));
   const TriangleMesh all = joined(hollow, moved(*ring, Vec3(20, 0, 0)));
   for (int i = 0; i < 20; ++i) {
@@ -218,7 +219,7 @@ TEST(Orientation, whatWasTurnedIsTurnedBack) {
 
 TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
   ASSERT_EQ(runOctoblisk(folder_.path(), "make drive-wheel --out round.ply").exit_code, 0);
-  // The wheel, 20 mm wide at x = 270 to 330, is no blisk; the belt's contact wheel is put into its rim.
+  // The wheel, 20 mm wide at x = 270 to 330, is not a blisk; the belt's contact wheel is placed in its rim.
   folder_.write("touch.csv", "x,y,z,qw,qx,qy,qz\n335,0,0,1,0,0,0\n");
   const Outcome outcome = run("--blisk round.ply --path touch.csv --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1);

@@ -1,4 +1,4 @@
-// A fixture that runs octoblisk grind as its users do, in a folder of its own.
+// A fixture that runs octoblisk grind as users do, in its own folder.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -37,9 +37,9 @@ TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
                       std::stod(row.at("normal_z")));
     EXPECT_NEAR(normal.norm(), 1.0, 1e-6);
   }
-  EXPECT_EQ(table[0].at("move"), "");
-  EXPECT_EQ(table[1].at("move"), "free");
-  EXPECT_EQ(table[1].at("move_fraction"), "1");
+  EXPECT_EQ(table[0].at("motion"), "");
+  EXPECT_EQ(table[1].at("motion"), "free");
+  EXPECT_EQ(table[1].at("motion_fraction"), "1");
   EXPECT_GT(std::filesystem::file_size(file("run/overview.png")), 10'000u);
   EXPECT_GT(std::filesystem::file_size(file("run/closeup.png")), 1'000u);
 }

@@ -1,4 +1,4 @@
-// octoblisk grind: bad input is one line that names it, and leaves what is there as it was.
+// octoblisk grind: bad input gives a one-line message that names it, and existing files stay as they are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST_F(GrindCommand, neverWritesATableOverThePathItReads) {
   folder_.write("poses.csv", path);
   const Outcome refused = run("--path poses.csv --no-pictures --out .");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.error, HasSubstr("poses.csv: cannot be both read and written"));
+  EXPECT_THAT(refused.error, HasSubstr("poses.csv: is also an input file"));
   EXPECT_EQ(contentOf(file("poses.csv")), path);
 }
 

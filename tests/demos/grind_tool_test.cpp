@@ -1,4 +1,4 @@
-// octoblisk grind: meshes and tools of one's own.
+// octoblisk grind: a user's meshes and tools.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
   EXPECT_EQ(summary["parts"].size(), 5u);
   const auto own = readTable(file("own/poses.csv")), built_in = readTable(file("built_in/poses.csv"));
   ASSERT_EQ(own.size(), built_in.size());
-  // Its two parts of the belt are what the whole is; the back is half a millimetre off what the contact side
-  // touches, and has a margin below that there. No other part comes as near as its margin.
+  // The two parts of the belt behave like the whole belt; the back is half a millimetre from the surface that
+  // the contact side touches, and has a smaller margin there. No other part comes as near as its margin.
   std::size_t intended = 0;
   for (std::size_t pose = 0; pose < own.size(); ++pose) {
     EXPECT_EQ(own[pose].at("verdict"), built_in[pose].at("verdict")) << "pose " << pose;
@@ -47,14 +47,14 @@ TEST_F(GrindCommand, theToolThatMakeWritesGrindsAsTheBuiltInOne) {
   }
   EXPECT_GT(intended, own.size() / 4);
 
-  // An edited table: the belt may touch nothing.
+  // In an edited table the belt may touch nothing.
   std::string edited = contentOf(file("tool/tool.json"));
   edited.replace(edited.find("\"ground\""), 8, std::string("2"));
   folder_.write("tool/edited.json", edited);
   ASSERT_EQ(run("--tool tool/edited.json --poses-only --no-pictures --out edited").exit_code, 1);
   EXPECT_EQ(nlohmann::json::parse(contentOf(file("edited/summary.json")))["poses"]["intended_contact"], 0);
   EXPECT_THAT(run("--tool tool/edited.json --ground-blade 3 --out edited").error,
-              HasSubstr("no part may touch it"));
+              HasSubstr("no part may touch that blade"));
   edited.replace(edited.find("\"blade\": 2"), 10, std::string("\"blade\": 99"));
   folder_.write("tool/edited.json", edited);
   EXPECT_THAT(run("--tool tool/edited.json --out edited").error, HasSubstr("blade 99: the blisk has 24"));

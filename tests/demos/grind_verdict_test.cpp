@@ -1,4 +1,4 @@
-// octoblisk grind: what it calls interference.
+// octoblisk grind: the verdicts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_EQ(summary["limits"]["ground_blade"], 1);
   EXPECT_THAT(outcome.out, HasSubstr("ground blade 1 of 24 (intended up to 0.1 mm deep)"));
 
-  // Each pose has the worst of its contacts' verdicts, and the runs that interfere are those of the summary.
+  // Each pose has the worst of its contacts' verdicts, and the interfering runs match the summary.
   const auto table = readTable(file("run/poses.csv"));
   ASSERT_EQ(table.size(), path.size());
   std::set<std::size_t> interfering, of_contacts, of_summary;
@@ -90,13 +90,13 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_EQ(interfering, of_summary);
   double depth_on_moves = 0.0;
   for (std::size_t pose = 1; pose < table.size(); ++pose) {
-    const double bound = std::stod(table[pose].at("move_depth_at_most_mm"));
+    const double bound = std::stod(table[pose].at("motion_depth_at_most_mm"));
     if (touching[pose - 1].contains("belt") && touching[pose].contains("belt")) {
       EXPECT_GT(bound, 0.0) << "pose " << pose;
     }
     depth_on_moves = std::max(depth_on_moves, bound);
   }
-  EXPECT_NEAR(summary["moves"]["depth_on_moves_at_most_mm"], depth_on_moves, 1e-6);
+  EXPECT_NEAR(summary["motions"]["depth_on_motions_at_most_mm"], depth_on_moves, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
   double ground = 0.0, area = 0.0;
@@ -112,7 +112,7 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_THAT(outcome.out, HasSubstr("\nGround: " + std::to_string(std::lround(100.0 * ground / area)) +
                                      " % of the convex side of blade 1; not reached: root below 0.4"));
 
-  // The belt alone touches: a sample of its depths, and where pairs of triangles mislead.
+  // Only the belt touches: a sample of its depths, and places where triangle pairs mislead.
   const TriangleMesh belt_mesh = embeddedBeltGrinder().front().mesh;
   const auto belt = treeOf(belt_mesh);
   const octoblisk::Surface blisk_surface(*blisk), belt_surface(*belt);
@@ -184,26 +184,26 @@ TEST_F(GrindCommand, theDepthOfATouchIsThatOfTheSolidsHoweverFineTheMeshes) {
 }
 
 TEST_F(GrindCommand, aMoveThroughABladeIsInterferenceAtClearPoses) {
-  // In by the axis of a channel, and round the rim to the next: straight through the blades.
+  // In along the axis of a channel, and around the rim to the next channel: straight through the blades.
   folder_.write("jump.csv",
                 "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n0,300,0,0.7071067811865476,0,0,0.7071067811865476\n");
   const Outcome outcome = run("--path jump.csv --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.error;
   EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
-  EXPECT_THAT(outcome.out, HasSubstr("moves that hit what must not be touched: 1,"));
+  EXPECT_THAT(outcome.out, HasSubstr("motions that hit a forbidden surface: 1,"));
   const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
-  EXPECT_EQ(summary["moves"]["hit"], 1);
+  EXPECT_EQ(summary["motions"]["hit"], 1);
   EXPECT_EQ(summary["partial"], false);
   const auto table = readTable(file("run/poses.csv"));
-  EXPECT_EQ(table.at(1).at("move"), "hit");
-  EXPECT_NE(table.at(1).at("move_part"), "");
-  const double fraction = std::stod(table.at(1).at("move_fraction"));
+  EXPECT_EQ(table.at(1).at("motion"), "hit");
+  EXPECT_NE(table.at(1).at("motion_part"), "");
+  const double fraction = std::stod(table.at(1).at("motion_fraction"));
   EXPECT_GT(fraction, 0.0);
   EXPECT_LT(fraction, 0.5);
 
   const Outcome poses_only = run("--path jump.csv --poses-only --no-pictures --out run");
   EXPECT_EQ(poses_only.exit_code, 0);
-  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["moves"].is_null());
+  EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["motions"].is_null());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The verdicts of a run against FCL.
+// The verdicts of a run compared with FCL.
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ double distanceOf(const Model& blisk, const Model& part, const Pose& pose) {
                                fcl::DistanceRequestd(), result);
 }
 
-/// The built-in grinder on the built-in blisk's blade 1; without a path.
+/// The built-in grinder on the built-in blisk's blade 1, without a path.
 GrindingJob builtInJob() {
   GrindingJob job;
   job.blisk = treeOf(embeddedBlisk());
@@ -65,7 +65,7 @@ GrindingJob builtInJob() {
   return job;
 }
 
-/// How deep points lie in a solid, by FCL's distances.
+/// The depths of points in a solid, from FCL's distances.
 class DepthsByFcl {
  public:
   explicit DepthsByFcl(const TriangleMesh& solid)
@@ -75,7 +75,7 @@ class DepthsByFcl {
                      [](std::size_t) { return true; });
   }
 
-  /// 0 outside.
+  /// 0 for a point outside.
   double at(const Vec3& point) const {
     fcl::DistanceRequestd request;
     request.enable_nearest_points = true;
@@ -84,7 +84,7 @@ class DepthsByFcl {
                                                   transformOf({Mat3::Identity(), point}), request, result);
     const Vec3 normal = scaledNormal(solid_.triangle(static_cast<std::size_t>(result.b1)));
     if (normal.dot(point - result.nearest_points[0]) >= 0.0) return 0.0;
-    // Where an edge is nearest, one of its triangles may say so of a point outside.
+    // If an edge is nearest, one of its triangles may report a point outside as inside.
     return testing::windingNumber(solid_, point) > 0.5 ? distance : 0.0;
   }
 

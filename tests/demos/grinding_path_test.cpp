@@ -202,12 +202,12 @@ TEST(GrindingPath, saysInOneLineWhatMakesNoPath) {
   expectThrow(of_another_mesh, "not those of this mesh", asIs);
   BladesFound empty_blade = blades();
   std::replace(empty_blade.blade_of_triangle.begin(), empty_blade.blade_of_triangle.end(), 1, 0);
-  expectThrow(empty_blade, "no point of its forward side", asIs);
+  expectThrow(empty_blade, "no point on its forward side", asIs);
 
   expectThrow(blades(), "no blade 0", [](auto& o) { o.blade = 0; });
-  expectThrow(blades(), "no blade 25: they are numbered 1 to 24", [](auto& o) { o.blade = 25; });
+  expectThrow(blades(), "no blade 25: the blades are numbered 1 to 24", [](auto& o) { o.blade = 25; });
   expectThrow(blades(), "number of passes", [](auto& o) { o.passes = 0; });
-  expectThrow(blades(), "poses a pass", [](auto& o) { o.poses_per_pass = -1; });
+  expectThrow(blades(), "poses per pass", [](auto& o) { o.poses_per_pass = -1; });
   expectThrow(blades(), "retraction poses", [](auto& o) { o.retract_poses = 0; });
   expectThrow(blades(), "lean", [](auto& o) { o.lean_degrees = kNan; });
   expectThrow(blades(), "lean", [](auto& o) { o.lean_degrees = 90.0; });

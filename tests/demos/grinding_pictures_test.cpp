@@ -1,4 +1,4 @@
-// What the pictures of a grinding run show.
+// The content of a grinding run's pictures.
 #include "report/grinding_pictures.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// An arm beside a block, all of which is blade 2; the arm touches it, or is 40 mm away.
+/// An arm beside a block, which is blade 2 as a whole; the arm touches it, or is 40 mm away.
 GrindingRun runWith(bool touches) {
   GrindingRun run;
   run.blisk = treeOf(block({50, 50, 20}, 16));

@@ -1,4 +1,4 @@
-// Runs along a path: what happens between the poses, by closed forms; stops; threads.
+// Runs along a path: the motions between the poses, compared with closed forms; stops; threads.
 #include "grinding/grinding_run.h"
 
 #include <gmock/gmock.h>
@@ -89,7 +89,7 @@ TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
 }
 
 TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
-  // Depths 0.05, 0.05, 0.3 and away: one slide, one too deep, one out of it.
+  // Depths 0.05, 0.05, 0.3 and away: one motion slides, one becomes too deep, one leaves.
   const std::vector<Pose> path = {at(-1.45, 0, 0), at(-1.45, 3, 0), at(-1.2, 3, 0), at(-3, 3, 0)};
   const TriangleMesh wall = block({1, 5, 5}, 2), bit = block({0.5, 0.5, 0.5}, 2);
   GrindingJob job = jobOf(wall, 1, bit, path);
@@ -103,7 +103,7 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   EXPECT_GE(run.depthBound(), 0.3);
   EXPECT_THAT(inWords(run),
               ::testing::HasSubstr(
-                  "proved within the limit on 1 of 3 moves; on the others not measured, but no more than "));
+                  "proved within the limit on 1 of 3 motions; not proved on the others, but at most "));
 
   std::vector<TriangleMesh::Indices> open = wall.triangles();
   open.erase(open.begin());
@@ -137,7 +137,7 @@ TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
   EXPECT_FALSE(run.interferes());
 }
 
-/// Poses at random in a fan of blades.
+/// Random poses in a fan of blades.
 GrindingJob randomJob(int poses) {
   const auto fan = testing::fan(9, 10);
   GrindingJob job = jobOf(*fan, 1, *testing::torus(0.3, 0.08, 20, 12), {});
@@ -244,9 +244,9 @@ TEST(GrindingRun, stoppedItKeepsThePosesDone) {
 
 TEST(ProgressBar, rateAndTimeLeft) {
   EXPECT_EQ(rateAndTimeLeft(0, 10, 1.0), "");
-  EXPECT_EQ(rateAndTimeLeft(500, 1000, 5.0), "100 a second, 5 s left");
-  EXPECT_EQ(rateAndTimeLeft(10, 1010, 4.0), "2.5 a second, 6 min 40 s left");
-  EXPECT_EQ(rateAndTimeLeft(1, 3601, 2.0), "0.5 a second, 2 h 0 min 0 s left");
+  EXPECT_EQ(rateAndTimeLeft(500, 1000, 5.0), "100 per second, 5 s left");
+  EXPECT_EQ(rateAndTimeLeft(10, 1010, 4.0), "2.5 per second, 6 min 40 s left");
+  EXPECT_EQ(rateAndTimeLeft(1, 3601, 2.0), "0.5 per second, 2 h 0 min 0 s left");
 }
 
 }  // namespace

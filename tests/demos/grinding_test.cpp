@@ -1,4 +1,4 @@
-// The grinding cell and its verdicts, and the default assets that they run on.
+// The grinding cell and its verdicts, and the default assets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ std::vector<int> bladesOf(std::span<const PartContact> contacts, std::span<const
   return blades;
 }
 
-/// The depths of pairs of triangles: for each part that touches, its deepest contact.
+/// The depths of triangle pairs: the deepest contact of each part that touches.
 std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts) {
   std::map<std::size_t, PartDepth> deepest;
   for (const auto& [part, contact] : contacts) {
@@ -93,7 +93,7 @@ std::vector<PartDepth> depthsOfPairs(std::span<const PartContact> contacts) {
   return found;
 }
 
-/// Judged by the depths of pairs of triangles.
+/// Judges by the depths of triangle pairs.
 PoseReport judgedReport(const Pose& pose, std::vector<PartContact> contacts,
                         std::span<const int> blade_of_triangle, const VerdictRules& rules) {
   PoseReport report;
@@ -108,7 +108,7 @@ PoseReport judgedReport(const Pose& pose, std::vector<PartContact> contacts,
   return report;
 }
 
-/// Four posts of blade 1 about a post of blade 2, which is lower; their tops face up.
+/// Four posts of blade 1 around a post of blade 2, which is lower; their tops face up.
 struct Posts {
   static constexpr double kStep = 0.01;  ///< by which blade 2 is lower
 
@@ -120,7 +120,7 @@ struct Posts {
     for (const double x : {-2.0, 2.0}) {
       for (const double y : {-2.0, 2.0}) add({x, y, -1.0}, 1);
     }
-    add({1.0, -0.5, -1.0 - kStep}, 2);  // off the edge between the two triangles that lie on them
+    add({1.0, -0.5, -1.0 - kStep}, 2);  // off the shared edge of the two triangles
   }
 
   void add(const Vec3& center, int blade) {
@@ -142,7 +142,7 @@ TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt)
   const auto judged = [&](double depth, bool per_blade) {
     const Pose pose{Mat3::Identity(), Vec3(0.0, 0.0, 1.0 - depth)};
     const std::vector<PartContact> all = cell.contactsAt(pose);
-    // As if all triangles were of one blade: a few of each patch, whosever they are.
+    // As if all triangles belonged to one blade: a few contacts of each patch, on any of the blades.
     const std::vector<int> one_blade(posts.triangles.size(), 1);
     return judgedReport(pose, reduceContacts(all, per_blade ? posts.blade_of_triangle : one_blade),
                         posts.blade_of_triangle, rules);
@@ -173,7 +173,7 @@ TEST(ReduceContacts, verdicts_vs_all_contacts_of_bruteforce) {
     const auto of_pairs = testing::bruteForceContacts(*blisk, *belt, pose, kReach);
     double depth = 0.0;  // of the belt
     for (const Contact& contact : of_pairs) depth = std::max(depth, -contact.distance);
-    std::pair<Verdict, double> expected{Verdict::clear, -1.0};  // verdict and depth of the worst of all
+    std::pair<Verdict, double> expected{Verdict::clear, -1.0};  // verdict and depth of the worst contact
     for (const Contact& contact : of_pairs) {
       const PartDepth of_belt{.depth = depth};
       const Verdict verdict = verdictOf({0, contact}, blade_of_triangle[contact.triangle_a], &of_belt, rules);
@@ -207,7 +207,7 @@ TEST(Verdict, onlyTheBeltMayTouchOnlyTheGroundBladeOnlySoDeep) {
   const VerdictRules rules{.grinding_part = 0, .ground_blade = 3, .max_depth = 0.1};
   const auto touch = [&](std::size_t part, int blade, double depth, bool is_known = true) {
     const PartDepth of_part{.part = part, .depth = depth, .is_known = is_known};
-    return verdictOf(contactOf(part, -1e-3), blade, &of_part, rules);  // the pair of triangles is less deep
+    return verdictOf(contactOf(part, -1e-3), blade, &of_part, rules);  // the triangle pair is less deep
   };
   const auto apart = [&](std::size_t part, int blade) {
     return verdictOf(contactOf(part, 0.2), blade, nullptr, rules);
@@ -245,7 +245,7 @@ TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
 
 TEST(Verdict, ofAPartWhollyInsideIsInterference) {
   PoseReport pose;
-  pose.contacts = {contactOf(0, 0.2)};  // off the surface, from within
+  pose.contacts = {contactOf(0, 0.2)};  // away from the surface, inside
   pose.blades = {3};
   pose.depths = {{.part = 0, .depth = 1.5, .is_inside = true}};
   pose.depth_blades = {3};

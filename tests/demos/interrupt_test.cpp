@@ -1,4 +1,4 @@
-// Ctrl-C amid grind and repair: what was done is left, marked partial.
+// Ctrl-C during grind and repair: the finished poses are kept, marked as partial.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Whether the process has a handler of its own for SIGINT.
+/// Whether the process has its own handler for SIGINT.
 bool handlesInterrupt(pid_t process) {
   std::istringstream status(contentOf("/proc/" + std::to_string(process) + "/status"));
   for (std::string key; status >> key;) {
@@ -32,7 +32,7 @@ bool handlesInterrupt(pid_t process) {
 
 class Interrupt : public ::testing::Test {
  protected:
-  /// Runs it until it heeds Ctrl-C and has had a while to work, then presses that.
+  /// Runs it until it reacts to Ctrl-C and has worked for a while, then sends Ctrl-C.
   Outcome interrupted(const std::string& arguments) {
     using namespace std::chrono_literals;
     const pid_t child = startOctoblisk(folder_.path(), arguments);
@@ -46,7 +46,7 @@ class Interrupt : public ::testing::Test {
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }
 
-  /// Poses beside the disk, near to it, so many that there is no end soon.
+  /// Poses beside the disk and near it, enough for a long run.
   void writeLongPath() const {
     std::vector<Pose> path;
     for (int k = 0; k < 200'000; ++k) {
@@ -64,10 +64,10 @@ TEST_F(Interrupt, grindKeepsThePosesDone) {
       interrupted("grind --path long.csv --ground-blade 1 --no-pictures --no-report --out run");
   EXPECT_EQ(stopped.exit_code, 130);
   if (!exists("run/summary.json")) {  // the machine had no while for it
-    EXPECT_THAT(stopped.error, HasSubstr("stopped before a pose was done: nothing is written"));
+    EXPECT_THAT(stopped.error, HasSubstr("stopped before the first pose was done: no file was written"));
     return;
   }
-  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has the poses that were done, marked partial\n");
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has the finished poses, marked as partial\n");
   const auto summary = nlohmann::json::parse(contentOf(file("run/summary.json")));
   EXPECT_EQ(summary["partial"], true);
   EXPECT_EQ(summary["poses_of_path"], 200'000);
@@ -79,7 +79,7 @@ TEST_F(Interrupt, grindKeepsThePosesDone) {
 TEST_F(Interrupt, repairLeavesWhatItHas) {
   const Outcome stopped = interrupted("repair --out run");
   EXPECT_EQ(stopped.exit_code, 130);
-  EXPECT_EQ(stopped.error, "octoblisk: stopped: what was repaired so far is in run/path.csv.partial\n");
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: the poses repaired so far are in run/path.csv.partial\n");
   EXPECT_FALSE(exists("run/path.csv"));
   EXPECT_FALSE(exists("run/changes.csv"));
   EXPECT_GT(readPoses(file("run/path.csv.partial")).size(), 300u);

@@ -1,5 +1,5 @@
-// Whether a pose or a move is free: against octoblisk grind's own way of judging, and by every pair of
-// triangles.
+// Whether a pose or a motion is free, compared with octoblisk grind's own judgement and with every triangle
+// pair.
 #include "grinding/judge.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<ToolPart> defaultGrinder() {
   return parts;
 }
 
-/// As octoblisk grind judges.
+/// Judges as octoblisk grind does.
 std::vector<PoseReport> judgedByGrind(const std::shared_ptr<const ClusteredOctree>& blisk,
                                       const std::vector<ToolPart>& parts, const BladesFound& blades,
                                       const std::vector<Pose>& poses, const VerdictRules& rules) {
@@ -85,7 +85,7 @@ TEST(Judge, callsFreeWhatGrindDoesNotCallInterference) {
   EXPECT_GT(free, 3 * poses.size() / 10);
   EXPECT_LT(free, 7 * poses.size() / 10);
 
-  // The same bits from one thread.
+  // One thread must give the same bits.
   Judge alone(blisk, parts, blades.blade_of_triangle, rules, 1);
   const std::vector<PoseState> same = alone.statesOf(poses);
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -152,8 +152,8 @@ TEST(Judge, aPressIsTooDeepFromTheLimitOnWithTheBoreCutOpenToo) {
       intended += b.verdict == Verdict::intended_contact;
       too_deep += b.verdict == Verdict::interference;
       if (b.verdict != Verdict::intended_contact && b.verdict != Verdict::interference) continue;
-      // The belt is as deep as it is pressed, or deeper, where the blade is hollow: to 1 % and a chord of its
-      // polygons.
+      // The belt is as deep as it is pressed, or deeper where the blade is hollow: to within 1 % and a chord
+      // of its polygons.
       EXPECT_EQ(b.verdict == Verdict::interference, b.depths[0].depth > limit) << p << ' ' << options.depth;
       if (options.depth > 1.05 * limit) {
         EXPECT_EQ(b.verdict, Verdict::interference);
@@ -185,7 +185,7 @@ TEST(Judge, aTouchOfADoubledSurfaceIsUnknownAndCountsAsInterference) {
   EXPECT_TRUE(doubled.interferes());
 }
 
-/// Two plates, above and below y = 0, with a gap between.
+/// Two plates, above and below y = 0, with a gap between them.
 TriangleMesh slot(double half_gap) {
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
@@ -257,7 +257,7 @@ TEST(Judge, findsARidgeBetweenPosesHalfAMillimetreApart) {
   EXPECT_TRUE(found[0]->too_deep);
   EXPECT_FALSE(found[1]);
 
-  // Of an open blisk nothing is proved, but every half millimetre is asked.
+  // For an open blisk nothing is proved, but the depth is measured every half millimetre.
   std::vector<TriangleMesh::Indices> open = ridge.triangles();
   std::erase_if(open, [&](const TriangleMesh::Indices& t) { return vertices[t[0]].x() == -3.0; });
   Judge of_open(treeOf(TriangleMesh(vertices, open)), {{"bar", treeOf(block({0.2, 0.5, 0.5}, 1))}},
@@ -317,7 +317,7 @@ TEST(Judge, knowsWhatIsWhollyInsideAndWhatIsTooNear) {
 }
 
 TEST(Judge, judgesThePressOnTheGroundBladeAloneByItsDepth) {
-  // The block's face x = 20 is the ground blade, its other faces the rest.
+  // The block's face x = 20 is the ground blade; its other faces are the rest.
   const TriangleMesh wall = block({20, 20, 20}, 4);
   std::vector<int> blades(wall.triangleCount(), 0);
   for (std::size_t t = 0; t < blades.size(); ++t) {

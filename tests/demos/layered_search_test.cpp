@@ -1,4 +1,4 @@
-// The cheapest way through layers, against a search over every pair of nodes.
+// The cheapest route through layers, compared with a search over every pair of nodes.
 #include "repair/layered_search.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Step = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
-/// Blocked nodes and steps first, then cost.
+/// Orders by blocked nodes and steps first, then by cost.
 struct Price {
   int blocked = 0;
   double cost = 0.0;
@@ -58,7 +58,7 @@ struct Scene {
     }
     return sum;
   }
-  /// Of the best way, by all pairs of nodes.
+  /// The value of the best route, found over all pairs of nodes.
   Price best() const {
     std::vector<Price> layer;
     for (std::uint32_t node = 0; node < grid.size(); ++node) layer.push_back(ofNode(0, node));
@@ -104,7 +104,7 @@ TEST(LayeredSearch, isTheBestOfAllPairsOfNodes) {
         search.blockNode(p, node);
       }
     }
-    // What the first few answers lead over is blocked as well.
+    // The nodes on the first few routes are blocked as well.
     for (int k = 0; k < 5; ++k) {
       const auto way = search.cheapest();
       const std::size_t p = 1 + random() % (scene.poses - 1);

@@ -32,7 +32,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// A binary STL of the given facets, whose header announces `count` of them.
+/// A binary STL with the given facets; its header declares `count` of them.
 std::string binaryStl(const std::vector<std::array<float, 9>>& facets, std::uint32_t count,
                       const std::string& title = "binary") {
   std::string bytes = title + std::string(80 - title.size(), '\0');
@@ -144,7 +144,7 @@ TEST_F(MeshFile, refusesWhatIsNoMeshFile) {
   EXPECT_THAT(refusal("m.step", kObj), HasSubstr("'.step'"));
   for (const char* name : {"m.stl", "m.obj", "m.ply"}) EXPECT_THAT(refusal(name, ""), HasSubstr("empty"));
   EXPECT_THAT(refusal("m.ply", "play\n"), HasSubstr("m.ply:1: "));
-  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("no STL file"));
+  EXPECT_THAT(refusal("m.stl", "nothing"), HasSubstr("not an STL file"));
   EXPECT_THAT(messageOf<std::runtime_error>([&] { readMesh(folder_.path() / "."); }),
               ::testing::Not(HasSubstr("no such file")));
 }
@@ -194,7 +194,7 @@ TEST_F(MeshFile, refusesEveryTruncationOfPly) {
   }
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "element face 2", "element face 2000000000")),
               HasSubstr("truncated"));
-  // Of no properties, so that nothing in the body could be missing.
+  // Without properties, so nothing in the body can be missing.
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "element face 2", "element none 1e15\nelement face 2")),
               HasSubstr("truncated"));
 }
@@ -210,14 +210,17 @@ TEST_F(MeshFile, refusesCountsThatAreNone) {
 
 TEST_F(MeshFile, refusesIndicesOfNoVertex) {
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 4")),
-              AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are 4")));
+              AllOf(HasSubstr("m.ply:15: "), HasSubstr("uses vertex 4, but there are only 4")));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 2 -1")), HasSubstr("uses vertex -1"));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "3 0 2 3", "3 0 1e76 3")), HasSubstr("uses vertex 1e+76"));
   const std::pair<const char*, const char*> of_obj[] = {
-      {"f 1 2 9", "uses vertex 9, but there are 4"},   {"f 1/1 2/2 5/3", "uses vertex 5, but there are 4"},
-      {"f 0 1 2", "uses vertex 0, but there are 4"},   {"f -5 1 2", "uses vertex -5, but there are 4"},
-      {"f 1 2 x", "'x' is no index of a vertex"},      {"f 1 2 /3", "'' is no index of a vertex"},
-      {"f 1 2 99999999999999999999", "is no index of"}};
+      {"f 1 2 9", "uses vertex 9, but there are only 4"},
+      {"f 1/1 2/2 5/3", "uses vertex 5, but there are only 4"},
+      {"f 0 1 2", "uses vertex 0, but there are only 4"},
+      {"f -5 1 2", "uses vertex -5, but there are only 4"},
+      {"f 1 2 x", "'x' is not an index of a vertex"},
+      {"f 1 2 /3", "'' is not an index of a vertex"},
+      {"f 1 2 99999999999999999999", "is not an index of"}};
   for (const auto& [face, message] : of_obj) {
     EXPECT_THAT(refusal("m.obj", kObj + face + "\n" + "f 2 3 4\n"),
                 AllOf(HasSubstr("m.obj:7: "), HasSubstr(message)));
@@ -250,7 +253,7 @@ TEST_F(MeshFile, refusesCoordinatesThatAreNoNumbers) {
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "inf")), HasSubstr("triangle 1 (counted from 0) "));
   EXPECT_THAT(refusal("m.ply", replaced(kPly, "1.5", "nan")), HasSubstr("triangle 1 (counted from 0) "));
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e50")),
-              HasSubstr("infinite, or beyond single precision"));
+              HasSubstr("infinite, or beyond the range of 32-bit floats"));
   EXPECT_THAT(refusal("m.obj", replaced(kObj, "1.5", "1e20")), HasSubstr("1e+20, beyond 1e+12"));
 }
 

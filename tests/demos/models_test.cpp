@@ -166,7 +166,7 @@ TEST(Blisk, takesHubsAndBladesOfOtherShapes) {
   parameters.stagger_tip = -62.0;
   parameters.chord_hub = parameters.chord_tip = 95.0;
   const RadiusProfile cone({{-70.0, 88.0}, {0.0, 100.0}, {75.0, 115.0}});  // clips the roots
-  const RadiusProfile thin({{-70.0, 84.0}, {75.0, 88.0}});                 // the roots are drawn down to it
+  const RadiusProfile thin({{-70.0, 84.0}, {75.0, 88.0}});  // the roots are extended down to it
   BliskOptions options;
   options.blade_count = 22;
   for (const RadiusProfile& hub : {cone, thin}) {

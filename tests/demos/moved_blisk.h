@@ -1,4 +1,4 @@
-// Blisks of random sizes, thrown into space, of which the truth is known.
+// Random blisks in random positions, with known blades and axes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@ struct RandomBlisk {
   BladeSections sections;
   Blisk blisk;  ///< about Z
   Pose blisk_in_mesh = {};
-  TriangleMesh mesh;  ///< the same, moved
+  TriangleMesh mesh;  ///< the same blisk in its position
   std::string name;
 };
 

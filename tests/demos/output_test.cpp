@@ -1,4 +1,4 @@
-// What the command writes where it cannot: no room, links, devices. What was there stays.
+// The command's output in difficult cases: full disks, links, devices. Existing files stay.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class Output : public ::testing::Test {
  protected:
   Outcome run(const std::string& arguments) const { return runOctoblisk(folder_.path(), arguments); }
 
-  /// Where no file can be longer than 512 bytes: writing fails as on a full disk.
+  /// No file can be longer than 512 bytes, so writing fails as on a full disk.
   Outcome runWithoutRoom(const std::string& arguments) const {
     const std::string command = octobliskIn(folder_.path(), arguments);
     return outcomeOf(std::system(("trap '' XFSZ; ulimit -f 1; " + command).c_str()), folder_.path());
@@ -30,7 +30,7 @@ class Output : public ::testing::Test {
 
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
 
-  /// The names of all files in the folder and below.
+  /// The names of all files in the folder and its subfolders.
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
@@ -91,7 +91,7 @@ TEST_F(Output, whereThereIsNoRoomTheOldFileStaysAndTheCauseIsTold) {
   for (const std::string& name : names()) EXPECT_THAT(name, ::testing::Not(HasSubstr("unfinished-")));
 }
 
-/// One output after the other is a link to a device without room: the line names it and the cause.
+/// Each output in turn is a link to a device without space: the message names it and the cause.
 class NoRoom : public Output {
  protected:
   void SetUp() override {
@@ -116,7 +116,7 @@ class NoRoom : public Output {
           << arguments;
       EXPECT_TRUE(std::filesystem::is_symlink(file(full)));
     }
-    // These are all that it writes.
+    // These are all files that it writes.
     std::filesystem::remove_all(file(out));
     std::filesystem::create_directories(file(out));
     EXPECT_LE(run(arguments).exit_code, 1) << arguments;
@@ -199,8 +199,8 @@ TEST_F(Output, goesThroughLinks) {
   EXPECT_GT(std::filesystem::file_size(file("elsewhere/new.stl")), 84u);
   const Outcome lost = run("path --out lost.csv");
   EXPECT_EQ(lost.exit_code, 2);
-  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written, as there is no folder "));
-  // The table of a study, too.
+  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written: there is no folder "));
+  // The table of a study too.
   writePoses(file("poses.csv"), std::vector<Pose>{at(0, 0, 0)});
   writeMesh(file("a.obj"), block({5, 5, 5}, 2));
   ASSERT_EQ(run("check --fixed a.obj --moving a.obj --poses poses.csv --out link.csv").exit_code, 1);

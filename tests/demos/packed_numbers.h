@@ -1,4 +1,4 @@
-// Numbers as the files of a replay pack them, unpacked.
+// Unpacks the numbers in the files of a replay.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// The bytes of base64, whose padding may end it.
+/// The bytes of base64, which may end with padding.
 inline std::string decoded(const std::string& base64_text) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -26,7 +26,7 @@ inline std::string decoded(const std::string& base64_text) {
   return bytes;
 }
 
-/// In the order of this machine's bytes.
+/// In this machine's byte order.
 template <typename Number>
 std::vector<Number> numbersOf(const std::string& bytes) {
   std::vector<Number> numbers(bytes.size() / sizeof(Number));

@@ -1,4 +1,4 @@
-// octoblisk paper, run as its users run it.
+// octoblisk paper, run as users run it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using ::testing::StartsWith;
 
 class PaperCommand : public ::testing::Test {
  protected:
-  /// A slab, which is taken for a blade alone.
+  /// A slab, which is treated as a single blade.
   PaperCommand() { writeMesh(folder_.path() / "slab.stl", block({40.0, 25.0, 2.0}, 6)); }
   Outcome run(const std::string& arguments) { return runOctoblisk(folder_.path(), "paper " + arguments); }
   std::string content(const std::string& name) const { return contentOf(folder_.path() / name); }
@@ -40,7 +40,7 @@ TEST_F(PaperCommand, tablesOfABladeAreTheSameAgain) {
   EXPECT_THAT(nodes, HasSubstr("\"k = 2, paper\",11718*,4842,3154,"));
   EXPECT_EQ(nodes, content("two/table1_nodes.csv"));
   EXPECT_EQ(content("one/report.md"), content("two/report.md")) << "Table 1 has no times";
-  EXPECT_THAT(content("one/report.md"), HasSubstr("# The paper, run again"));
+  EXPECT_THAT(content("one/report.md"), HasSubstr("# The paper's experiments, rerun"));
   EXPECT_THAT(content("one/report.md"), HasSubstr("## Errata"));
   EXPECT_EQ(std::ranges::count(content("one/split_cells.csv"), '\n'), 1 + 2 * 80);
 }
@@ -77,7 +77,7 @@ TEST_F(PaperCommand, table3OfTheBuiltInBlisk) {
 }
 
 TEST_F(PaperCommand, whatFailsLeavesNoFolder) {
-  // Without area there is nothing to take points from, which shows only after the folder was made.
+  // A mesh without area has no points, which is only found after the folder is created.
   folder_.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   std::filesystem::create_directory(folder_.path() / "kept");
   for (const std::string out : {"new", "kept"}) {
@@ -94,11 +94,11 @@ TEST_F(PaperCommand, badInputIsToldInOneLine) {
   const std::pair<std::string, std::string> cases[] = {
       {"table1 --blade none.stl --out out", "octoblisk: none.stl: "},
       {"all --blade text.stl --out out", "octoblisk: text.stl: "},
-      {"table3 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
-      {"table4 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found round the z axis"},
+      {"table3 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found about the z axis"},
+      {"table4 --blade slab.stl --out out", "octoblisk: slab.stl: no blades were found about the z axis"},
       {"table1 --blade slab.stl --points 100 --out file/out",
-       "octoblisk: file/out: the folder cannot be made"},
-      {"table6 --out out", "octoblisk: 'table6' is no subcommand; did you mean 'table1'?"}};
+       "octoblisk: file/out: cannot create the folder"},
+      {"table6 --out out", "octoblisk: 'table6' is not a subcommand; did you mean 'table1'?"}};
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
     expectRefusal(outcome, message);

@@ -1,4 +1,4 @@
-// Table 3 of the paper: which boxes are left at a pose, and what is false or missed.
+// Table 3 of the paper: the boxes left at a pose, false alarms and misses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,13 +84,13 @@ TEST(BoxDetection, leafBoxesLeft_vs_everyPair) {
       }
     }
     const BoxesLeft near_box = leavesNear(blisk, pose * belt_box), near_boxes = leavesNear(blisk, belt, pose);
-    // Found from the root down: a leaf's box that overlaps only outside of one round it is left out.
+    // The search starts at the root, so a leaf box that overlaps only outside a box above it is left out.
     ASSERT_LE(near_box.leaves, against_box.leaves) << "pose " << i;
     ASSERT_LE(near_boxes.leaves, against_boxes.leaves) << "pose " << i;
     ASSERT_LE(near_boxes.volume, against_boxes.volume + 1e-12);
     found += near_box.leaves + near_boxes.leaves;
     expected += against_box.leaves + against_boxes.leaves;
-    // What touches is in a leaf that is found.
+    // Every touch is in a found leaf.
     const bool touches = !testing::bruteForcePairs(blisk.mesh(), belt.mesh(), pose).empty();
     ASSERT_TRUE(near_boxes.isColliding() || !touches) << "pose " << i;
     ASSERT_TRUE(near_box.isColliding() || !touches) << "pose " << i;
@@ -271,7 +271,7 @@ TEST(DetectionReplay, posesSayWhatTheTrianglesAndTheBoxesSay) {
   EXPECT_EQ(counted, small.poses.size());
 }
 
-/// Whether a triangle of the body meets the box of any leaf's points, by looking at all of both.
+/// Whether a triangle of the body meets the box of any leaf's points, by brute force.
 bool meetsAnyFittedBox(const Points& cloud, const Segmentation& segmentation, const TriangleMesh& body,
                        const Pose& pose) {
   const Octree& octree = segmentation.octrees().front();
@@ -319,7 +319,7 @@ TEST(SurfacePoints, lieEvenlyOnTheSurfaceAndAreTheSameForTheSameSeed) {
     ++on_face[static_cast<std::size_t>(2 * axis) + (points[i][axis] > 0.0)];
     for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, (points[i] - points[j]).norm());
   }
-  // Evenly packed, 200 points on an area of 24 are 0.37 apart at most; random ones come within 0.02.
+  // Evenly spread, 200 points on an area of 24 are at most 0.37 apart; random ones come within 0.02.
   EXPECT_GT(nearest, 0.2);
   for (const int count : on_face) EXPECT_NEAR(count, 200 / 6, 9);
   EXPECT_TRUE(points == evenPoints(box, 200, 3));

@@ -1,4 +1,4 @@
-// Tables 1 and 2 of the paper: their definitions, and the numbers that they are compared with.
+// Tables 1 and 2 of the paper: their definitions, and the published numbers.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -37,13 +37,13 @@ Points twoCubes() {
 
 TEST(Segmentation, nodesAreKPlusEightForEachSplit) {
   const Points points = twoCubes();
-  // Each cluster is one cube: one split parts its eight corners.
+  // Each cluster is one cube: one split separates its eight corners.
   const Segmentation improved(clustersOf(points, {.k = 2}), 1, CellFrame::cube);
   EXPECT_EQ(improved.totalNodes(), 2u + 8u * 2u);
   EXPECT_DOUBLE_EQ(improved.leafVolume(), 2.0);
   EXPECT_DOUBLE_EQ(improved.rootVolume(), 2.0);
-  // The root has sides of 101: one split parts the cubes, then cells of 101/2, 101/4, … 101/64 at each of
-  // them are divided, the last of which, its middle within the cube, parts the corners.
+  // The root has sides of 101: one split separates the cubes. Then cells of 101/2, 101/4, … 101/64 at each
+  // cube are divided; the last one, whose middle is inside the cube, separates the corners.
   const Segmentation traditional(clustersOf(points, {.k = 0}), 1, CellFrame::cube);
   EXPECT_EQ(traditional.totalNodes(), 1u + 8u * (1u + 6u + 6u));
   EXPECT_NEAR(traditional.leafVolume(), 16.0 * std::pow(101.0 / 128.0, 3), 1e-9);
@@ -65,7 +65,7 @@ TEST(Segmentation, framesOfCells) {
   EXPECT_LT(rootOf(CellFrame::principal_box), 0.2 * rootOf(CellFrame::box));
 }
 
-/// Counts by the definition alone: a cell with more points than FNOP has eight parts.
+/// Counts directly by the definition: a cell with more points than FNOP has eight children.
 std::size_t nodesOf(const Points& points, const Vec3& low, double side, std::size_t fnop) {
   if (points.size() <= fnop) return 1;
   std::array<Points, 8> parts;

@@ -1,4 +1,4 @@
-// How the report on the paper counts and compares: small cases by hand.
+// Counts and comparisons in the report on the paper: small cases computed by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(PaperSpread, ofOddAndEvenCounts) {
 }
 
 TEST(PaperPublished, changesThatThePaperPrints) {
-  // Its last column, row by row, and in the text the gains of Tables 1 and 2.
+  // The last column, row by row, and the gains of Tables 1 and 2 in the text.
   const auto changes = [](const DetectionTable& of) {
     std::vector<std::string> all;
     for (std::size_t run = 0; run < of.traditional.seconds.size(); ++run) {
@@ -89,7 +89,7 @@ TEST(PaperErrata, areFourteenAndComputedFromThePapersTables) {
 TEST(MethodTables, theLeastOfAColumn) {
   MethodTable<int> table{};
   for (std::size_t method = 0; method < kMethods; ++method) table[method].fill(10);
-  table[0][4] = 1;  // the traditional method is none of the choices
+  table[0][4] = 1;  // the traditional method must not be chosen
   table[methodOfClusters(5)][4] = 3;
   table[methodOfClusters(7)][4] = 3;
   EXPECT_EQ(kOfLeast(table, 4), 5u) << "the least k of equals";

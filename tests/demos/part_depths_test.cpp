@@ -1,4 +1,4 @@
-// How deep the tool's parts lie in the blisk, as solids.
+// Penetration depths of the tool's parts in the blisk, as solids.
 #include "grinding/part_depths.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// The depths at one pose of a tool of one part.
+/// The depths at one pose of a tool with one part.
 std::vector<PartDepth> depthsOf(const TriangleMesh& blisk, const TriangleMesh& tool, const Pose& pose,
                                 double limit) {
   return PartDepths(treeOf(blisk), {{"tool", treeOf(tool)}}, limit, 1).measure({&pose, 1}).front();
@@ -37,7 +37,7 @@ TEST(PartDepths, ofAFlatToolIsHowFarItIsPressedHoweverFineTheMeshesAre) {
 }
 
 TEST(PartDepths, aBladeThinnerThanTheLimitIsNotCutThroughUnseen) {
-  // The tool's own points are at most half a thickness deep: the edge that it swallowed tells.
+  // The tool's own points are at most half a thickness deep; the edge inside it is deeper.
   const auto found = depthsOf(block({5, 0.05, 5}, 10), block({3, 2, 2}, 4), at(7.0, 0.013, 0.1), 0.1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_GE(found[0].depth, 0.9);
@@ -67,7 +67,7 @@ TEST(PartDepths, ofOpenMeshes) {
   };
   EXPECT_EQ(kindOf(box, box), DepthKind::of_solids);
   EXPECT_EQ(kindOf(box, *sheet), DepthKind::of_part);
-  // A sheet is solid below, as far as it reaches.
+  // A sheet is solid below itself, as far as it extends.
   const auto in_sheet = depthsOf(*sheet, box, at(0, 0, 0.3), 0.1);
   ASSERT_EQ(in_sheet.size(), 1u);
   EXPECT_TRUE(in_sheet[0].is_known);
@@ -83,7 +83,7 @@ TEST(PartDepths, ofOpenMeshes) {
 
 constexpr double kSpacing = 0.02;
 
-/// The greatest depth in the tool of a grid of points on the blisk's surface.
+/// The greatest depth in the tool over a grid of points on the blisk's surface.
 double deepestSample(const TriangleMesh& blisk, const octoblisk::Surface& tool, const Pose& blisk_in_tool) {
   double deepest = 0.0;
   for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
@@ -118,7 +118,7 @@ TEST(PartDepths, isTheGreaterOfBothWays_vs_depths_of_a_grid_of_points) {
     const octoblisk::Surface surface(*tree);
     std::vector<Pose> poses;
     while (std::ssize(poses) < kPoses) {
-      // From a touch on, a little deeper: most poses are near the limit.
+      // From a touch to slightly deeper: most poses are near the limit.
       Pose pose = testing::randomPose(random, 1.3);
       const Clearance apart = distance(*tree, *tool, pose);
       if (apart.distance <= 0.0) continue;
@@ -139,7 +139,7 @@ TEST(PartDepths, isTheGreaterOfBothWays_vs_depths_of_a_grid_of_points) {
       EXPECT_LE(found[i][0].depth, greater + kSpacing) << "pose " << i;
       deep += found[i][0].depth > kLimit;
       if (of_blisk < of_tool + kSpacing) continue;
-      ++of_blisks;  // then its point is that deep
+      ++of_blisks;  // then the deepest point is the blisk's
       const Vec3 point = blisk_in_tool * found[i][0].point_on_blisk;
       EXPECT_EQ(locate(tool_surface, point), PointLocation::inside);
       EXPECT_NEAR(closestPoint(*tool, point)->distance, found[i][0].depth, 1e-12);

@@ -1,4 +1,4 @@
-// Toolpaths written back in their own format, with some poses changed.
+// Toolpaths written back in their own format with some poses changed.
 #include "toolpath/path_file.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
 
 class PathFileTest : public ::testing::Test {
  protected:
-  /// Changes some poses, writes the path, reads it back, and expects it to be what was written.
-  /// Which lines of the file were kept.
+  /// Changes some poses, writes the path, reads it back and compares it with the written poses. Returns which
+  /// lines of the file were kept.
   std::vector<bool> changed(const std::filesystem::path& file, const std::vector<std::size_t>& which) {
     const PathFile read = readPathFile(file, *blisk_);
     std::vector<Pose> poses = read.poses();
@@ -98,11 +98,11 @@ TEST_F(PathFileTest, ofAClFileKeepsAllThatIsNotChanged) {
     for (const std::size_t line : lost) kept[line] = false;
     return kept;
   };
-  // An absolute move behind which nothing hangs on it.
+  // No later motion depends on this absolute one.
   EXPECT_EQ(changed(file, {7}), keptBut({18}));
-  // The next one goes on with the tool axis of the changed one.
+  // The next motion inherits the tool axis of the changed one.
   EXPECT_EQ(changed(file, {5}), keptBut({15, 16, 17}));
-  // Two go on from the changed one.
+  // Two motions continue from the changed one.
   EXPECT_EQ(changed(file, {2}), keptBut({10, 11, 12}));
   EXPECT_EQ(changed(file, {0}), keptBut({5}));
   for (int i = 0; i < 40; ++i) {

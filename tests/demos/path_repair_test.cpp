@@ -1,4 +1,4 @@
-// Repaired paths, judged again by every pair of triangles.
+// Repaired paths, judged again by every triangle pair.
 #include "repair/path_repair.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Pose standing(double x, double y, double z) {
   return pose;
 }
 
-/// A floor whose top is z = 0, with a ridge across, from x = -3 to 3 and up to z = 4.
+/// A floor with its top at z = 0, with a ridge across it from x = -3 to 3 and up to z = 4.
 TriangleMesh ridge() {
   return joined(moved(block({40, 20, 5}, 4), {0, 0, -5}), moved(block({3, 19, 3}, 3), {0, 0, 1}));
 }
@@ -76,7 +76,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
           << "on the way to " << p;
     }
   }
-  // 3.5 mm are needed at the least.
+  // At least 3.5 mm are needed.
   double most = 0.0;
   for (const PoseRepair& pose : repair.poses) most = std::max(most, pose.change.retract);
   EXPECT_GT(most, 3.5);
@@ -91,7 +91,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
 
 TEST_F(PathRepairOver, whatCannotBeRepairedIsLeftAndNamed) {
   const TriangleMesh solid = ridge();
-  // Ten millimetres below the floor's top there is no way out within two.
+  // Ten millimetres below the floor's top, no change within two millimetres is free.
   const std::vector<Pose> path = {standing(-20, 0, 3.0), standing(-18, 0, -5.0), standing(-16, 0, 3.0)};
   const ChangeLimits limits = {.tilt = 4, .slide = 2, .retract = 2, .retract_per_pose = 2};
   const PathRepair repair = repaired(solid, path, limits);
@@ -113,10 +113,10 @@ TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   EXPECT_FALSE(repair.isFree());
   const auto left = describeLeft(repair, judge_->parts(), BodyNames(1));
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_EQ(left[0], "move to pose 1: bit on hub or shroud");
+  EXPECT_EQ(left[0], "motion to pose 1: bit on hub or shroud");
 }
 
-/// A floor to be ground, whose top is z = 0, with a low step on it that must not be touched.
+/// A floor to be ground, with its top at z = 0 and a low step on it that must not be touched.
 struct FloorWithStep {
   TriangleMesh floor = moved(block({40, 20, 5}, 4), {0, 0, -5});
   TriangleMesh mesh = joined(floor, moved(block({0.5, 11.25, 0.04}, 2), {0, 8.75, 0.041}));
@@ -150,7 +150,7 @@ TEST_F(PathRepairOver, keepsContactWhereAChangeCanAndNamesWhatLostIt) {
   }
   EXPECT_LE(keeping.poses[8].change.slide, -4.0);
   EXPECT_EQ(least.poses[8].change.slide, 0.0);
-  // Where no slide is left, the contact is lost, and the path is still repaired.
+  // If no slide is left, the contact is lost, and the path is still repaired.
   const PathRepair must_lose = repaired({.tilt = 0, .slide = 2, .retract = 2}, true);
   EXPECT_TRUE(must_lose.isFree());
   EXPECT_EQ(must_lose.contactsLost(), 3u) << "no more than must be";

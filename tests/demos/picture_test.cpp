@@ -81,7 +81,7 @@ int difference(const Image::Pixel& pixel, Color color) {
   return largest;
 }
 
-/// Something of everything.
+/// A scene with every kind of object.
 Picture busyPicture() {
   Picture picture;
   picture.scene.addMesh(cube(), {}, palette::kSteel);
@@ -198,7 +198,7 @@ TEST(Picture, tellsItsProgressAndIsTheSame) {
         });
     EXPECT_TRUE(image.pixels == renderSmall(busyPicture()).pixels);
     EXPECT_TRUE(std::ranges::is_sorted(told));
-    if (threads > 1) continue;  // one of them tells of all
+    if (threads > 1) continue;  // one of them is enough
     ASSERT_GT(of, 1u);
     ASSERT_EQ(told.size(), of);
     EXPECT_EQ(told.back(), of);
@@ -300,7 +300,7 @@ TEST(CornerNormals, sharpAtCreasesSmoothElsewhere) {
 }
 
 TEST(CornerNormals, verticesAtOnePlaceAreOne) {
-  // Two triangles that bend along an edge they share by place, not by index.
+  // Two triangles that bend along an edge shared by position, not by index.
   const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, -0.2}};
   const std::vector<TriangleMesh::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
   const auto normals = cornerNormals(vertices, triangles, 0.5);

@@ -48,7 +48,7 @@ TEST_F(PoseFile, isTranslationThenQuaternionWithTheScalarFirst) {
 
 TEST_F(PoseFile, namesASemicolonThatSeparatesColumns) {
   EXPECT_THAT(refusal("x;y;z;qw;qx;qy;qz\n1;2;3;1;0;0;0\n"),
-              HasSubstr(":1: columns are separated by ';'; they must be separated by ','"));
+              HasSubstr(":1: the columns are separated by ';'; separate them by ','"));
 }
 
 TEST_F(PoseFile, normalisesQuaternionsOfFewDigits) {

@@ -1,4 +1,4 @@
-// Tables that the command writes, read back.
+// Reads back tables that the command wrote.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What bad input to the octoblisk command must come to.
+// The expected result of bad input to the octoblisk command.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 
 namespace octoblisk::demos {
 
-/// Exit code 2, and one line of the command's own that names what is wrong.
+/// Exit code 2, and a one-line message of the command that names the fault.
 inline void expectRefusal(const Outcome& outcome, const std::string& named) {
   EXPECT_EQ(outcome.exit_code, 2) << named;
   EXPECT_THAT(outcome.error, ::testing::StartsWith("octoblisk: "));

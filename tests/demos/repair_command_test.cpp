@@ -32,7 +32,7 @@ class RepairCommand : public ::testing::Test {
     return poses;
   }
 
-  /// The poses that changes.csv says are left.
+  /// The poses that changes.csv lists as left.
   std::set<std::size_t> left(const std::string& folder) const {
     std::set<std::size_t> poses;
     for (const auto& row : readTable(file(folder + "/changes.csv"))) {
@@ -41,7 +41,7 @@ class RepairCommand : public ::testing::Test {
     return poses;
   }
 
-  /// The part [from, to) of a path.
+  /// The section [from, to) of a path.
   void cut(const std::string& from_file, std::size_t from, std::size_t to, const std::string& to_file) const {
     const std::vector<Pose> path = readPoses(file(from_file));
     ASSERT_LE(to, path.size());
@@ -66,10 +66,10 @@ TEST_F(RepairCommand, grindRepairGrindOfTheDefaultBliskEndsClean) {
   EXPECT_EQ(readPoses(file("repaired/path.csv")).size(), 20u);
   EXPECT_THAT(contentOf(file("repaired/changes.csv")), HasSubstr("belt too deep in blade 1"));
 
-  // What is free already stays as it is.
+  // Free poses stay as they are.
   const Outcome again = run("repair --path repaired/path.csv --ground-blade 1 --out again");
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_THAT(again.out, HasSubstr(": 0 interfered; left: 0 poses, 0 moves between free poses"));
+  EXPECT_THAT(again.out, HasSubstr(": 0 interfered; left: 0 poses, 0 motions between free poses"));
   EXPECT_THAT(again.out, ::testing::Not(HasSubstr("Changed:")));
 }
 
@@ -93,7 +93,7 @@ TEST_F(RepairCommand, aClFileComesBackAsAClFileWithItsFeeds) {
   }
   EXPECT_GE(changed, 4u);
   EXPECT_EQ(run("grind --path repaired/path.cls --ground-blade 1 --no-pictures --out after").exit_code, 0);
-  // The path that grind writes has the feeds as well.
+  // The path that grind writes also has the feeds.
   EXPECT_THAT(contentOf(file("after/path.csv")), HasSubstr("x,y,z,qw,qx,qy,qz,feed\n"));
   const Outcome of_table = run("repair --path after/path.csv --ground-blade 1 --no-report --out again");
   EXPECT_EQ(of_table.exit_code, 0) << of_table.error;
@@ -141,10 +141,10 @@ TEST_F(RepairCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   const std::pair<const char*, const char*> cases[] = {
       {"--path missing.csv --out run", "missing.csv"},
       {"--path short.csv --out run", "short.csv:2"},
-      {"--path path.csv --out .", "path.csv: cannot be both read and written"},
-      {"--tilt-grid 5 --out run", "--tilt-grid: is above --tilt-per-pose"},
+      {"--path path.csv --out .", "path.csv: is also an input file"},
+      {"--tilt-grid 5 --out run", "--tilt-grid: must not be above --tilt-per-pose"},
       {"--ground-blade 99 --out run", "--ground-blade 99"},
-      {"--tilt 1000 --tilt-grid 0.01 --out run", "too many changes"}};
+      {"--tilt 1000 --tilt-grid 0.01 --out run", "too many combinations"}};
   for (const auto& [arguments, named] : cases) {
     expectRefusal(run("repair " + std::string(arguments)), named);
     EXPECT_FALSE(std::filesystem::exists(file("run")));

@@ -39,7 +39,7 @@ TEST(ReplayBoxes, haveTheBoxesOfEachLevelAsTheTreeTells) {
   EXPECT_LT(some.whole_to, some.deepest);
   const int deepest_shown = std::ranges::max(some.boxes, {}, &ReplayBox::depth).depth;
   EXPECT_GT(deepest_shown, some.whole_to);
-  // What is left of the leaves is nearer to the place than what is not.
+  // The kept leaves are nearer to the place than the others.
   double farthest = 0.0, mean = 0.0;
   std::size_t leaves = 0;
   for (const ReplayBox& each : some.boxes) {

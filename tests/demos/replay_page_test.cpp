@@ -1,4 +1,4 @@
-// The page of a replay and the run in it, read back.
+// Reads back the page of a replay and the run in it.
 #include "report/replay_page.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ TEST(ReplayPage, runReadsBackAsItWas) {
   EXPECT_EQ(track["findings"][0], nlohmann::json({1.0, 1, 0, 2, 1, 0.25, -1}));
   EXPECT_EQ(track["findings"][1], nlohmann::json({1.5, 1, -1, -1, 0, nullptr, 2}));
 
-  // The mesh in 16-bit steps: to half a step.
+  // The mesh in 16-bit steps, accurate to half a step.
   const auto& mesh = run["blisk"]["mesh"];
   const auto steps = numbersOf<std::uint16_t>(decoded(mesh["vertices"]));
   const auto corners = numbersOf<std::uint32_t>(decoded(mesh["triangles"]));
@@ -103,7 +103,7 @@ TEST(ReplayPage, saysWhatItLeavesOut) {
   const ReplayLimits limits{.boxes = 500, .contacts = 3};
   const auto run = nlohmann::json::parse(replayJson(replay, meshes, limits));
   ASSERT_EQ(run["notes"].size(), 2u);
-  EXPECT_THAT(run["notes"][0].get<std::string>(), HasSubstr("Simplified for display only: the blisk"));
+  EXPECT_THAT(run["notes"][0].get<std::string>(), HasSubstr("Simplified for display: the blisk"));
   EXPECT_THAT(run["notes"][1].get<std::string>(), HasSubstr("Cluster boxes below level"));
   EXPECT_LE(decoded(run["blisk"]["mesh"]["triangles"]).size(), 2'000u * 12);
   EXPECT_LE(decoded(run["boxes"]["depths"]).size(), 500u);
@@ -111,7 +111,7 @@ TEST(ReplayPage, saysWhatItLeavesOut) {
   replay.tracks[0].poses[1].contacts.resize(10, replay.tracks[0].poses[1].contacts[1]);
   const auto fewer = nlohmann::json::parse(replayJson(replay, meshes, limits));
   EXPECT_EQ(fewer["notes"].size(), 3u);
-  // The one contact that is left is the worst.
+  // The one remaining contact is the worst.
   EXPECT_EQ(numbersOf<std::uint8_t>(decoded(fewer["tracks"][0]["contacts"]["verdict"])),
             std::vector<std::uint8_t>{1});
 }

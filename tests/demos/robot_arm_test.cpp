@@ -1,4 +1,4 @@
-// Where the arm's links are, and the joints that put the flange where it is wanted.
+// The frames of the arm's links, and the joints that bring the flange to a pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 using Mat4 = Eigen::Matrix4d;
 
-/// One joint's matrix, element by element as textbooks print it.
+/// One joint's matrix, element by element as in textbooks.
 Mat4 dhMatrix(double theta, double d, double a, double alpha) {
   const double ct = std::cos(theta), st = std::sin(theta), ca = std::cos(alpha), sa = std::sin(alpha);
   Mat4 matrix;
@@ -25,7 +25,7 @@ Mat4 dhMatrix(double theta, double d, double a, double alpha) {
   return matrix;
 }
 
-/// The default arm's frames by products of these, its dimensions typed in again.
+/// The default arm's frames as products of these matrices, with its dimensions written out again.
 std::array<Mat4, 6> framesByMatrices(const Joints& q) {
   const Mat4 steps[] = {dhMatrix(q[0], 500.0, 175.0, -kPi / 2.0), dhMatrix(q[1] - kPi / 2.0, 0.0, 900.0, 0.0),
                         dhMatrix(q[2], 0.0, 175.0, -kPi / 2.0),   dhMatrix(q[3], 960.0, 0.0, kPi / 2.0),
@@ -42,8 +42,8 @@ Joints randomJoints(std::mt19937_64& random, const SixAxisArm& arm) {
   return joints;
 }
 
-/// How far apart two poses are: mm, and the greatest difference of the rotations' elements, in mm at 1 m.
-/// Far from where two axes lie in one line or the elbow is straight, so that joints follow from poses.
+/// The distance of two poses: mm, and the greatest difference of the rotations' elements, in mm at 1 m.
+/// Only joints away from parallel axes and a straight elbow, so that poses determine joints.
 bool isRegular(const SixAxisArm& arm, const Joints& joints) {
   const Vec3 wrist = linkFrames(arm, joints)[3].translation;
   const double elbow = joints[2] + std::atan2(arm.forearm, arm.elbow_offset);
@@ -117,7 +117,7 @@ TEST(InverseKinematics, withoutLimits_finds8DifferentPostures) {
     if (!isRegular(arm, joints)) continue;
     ++tried;
     const Postures postures = posturesFor(arm, flangeAt(arm, joints), Joints::Zero());
-    ASSERT_GE(postures.count, 4);  // turned round, the wrist may be out of reach
+    ASSERT_GE(postures.count, 4);  // with the arm facing away, the wrist may be out of reach
     ASSERT_EQ(postures.count % 4, 0);
     of_all_branches += postures.count == 8;
     for (int a = 0; a < postures.count; ++a) {
@@ -178,7 +178,7 @@ TEST(InverseKinematics, tellsWhyAPoseIsNotReached) {
   flange.translation = {5000.0, 0.0, 500.0};
   EXPECT_EQ(inverseKinematics(arm, flange, Joints::Zero()).reach, Reach::too_far);
 
-  SixAxisArm without_offset;  // else it would reach back over itself
+  SixAxisArm without_offset;  // otherwise it would reach back over itself
   without_offset.shoulder_offset = 0.0;
   flange.translation = {10.0, 0.0, without_offset.shoulder_height + without_offset.flange};
   EXPECT_EQ(inverseKinematics(without_offset, flange, Joints::Zero()).reach, Reach::too_far);  // too near

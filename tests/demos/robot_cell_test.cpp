@@ -1,4 +1,4 @@
-// The arm in Bullet's world: its frames, its motors, and what it detects.
+// The arm in Bullet's world: its frames, its motors, and its contacts.
 #include "paper/robot/robot_cell.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kToolLength = 300.0;
 
-/// A ring about y for a blisk before the arm, two bars for a tool.
+/// A ring about y as the blisk in front of the arm, and two bars as the tool.
 RobotCellSetup smallSetup() {
   RobotCellSetup setup;
   setup.blisk = treeOf(testing::torus(200.0, 60.0, 40, 24));
@@ -72,8 +72,8 @@ TEST(RobotCell, atRest_theMotorsHoldTheArm) {
   EXPECT_LT((cell.joints() - readyJoints()).cwiseAbs().maxCoeff(), 1e-7);
 }
 
-/// Lets the arm hold itself for a while with a torque of joint 2 of some part of what its weight asks for:
-/// by hand, the sum of weights times how far before the axis they are.
+/// Lets the arm hold itself for a while, with joint 2 limited to a fraction of the torque that its weight
+/// requires: computed directly, as the sum of weights times their distances in front of the axis.
 double sagOfJoint2(double part) {
   RobotCellSetup setup = smallSetup();
   const Joints joints = readyJoints();
@@ -84,7 +84,7 @@ double sagOfJoint2(double part) {
     const Vec3 center = frames[link] * Vec3(0.5 * (bodies[link].from + bodies[link].to));
     torque += 9810.0 * bodies[link].mass * (center.x() - setup.arm.shoulder_offset);
   }
-  const Vec3 tool = frames[5] * setup.tool_in_flange.translation;  // both bars are even about it
+  const Vec3 tool = frames[5] * setup.tool_in_flange.translation;  // both bars are symmetric about it
   torque += 9810.0 * setup.tool_mass * (tool.x() - setup.arm.shoulder_offset);
   setup.servo.torque[1] = part * torque * 1e-6;  // N m
 
@@ -179,7 +179,7 @@ TEST(RobotCell, detects_whatExactQueriesSay_whereTheToolIsThoughtToBe) {
         }
       }
     }
-    ASSERT_EQ(cell.joints(), before);  // looking moves nothing
+    ASSERT_EQ(cell.joints(), before);  // detection moves nothing
     ASSERT_LT(apart(cell.linkFrame(3), linkFrames(setup.arm, before)[3]), 1e-8);
   }
   EXPECT_GT(asked, 100);

@@ -1,4 +1,4 @@
-// The experiment on a robot: its layout, its path in time, the paper's boxes, and the run itself.
+// The robot experiment: its layout, its timed path, the paper's boxes, and the run itself.
 #include "paper/robot/robot_experiment.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ std::vector<Pose> coarsePathOf(const GrindingPathOptions& options) {
   return makeGrindingPath(coarseScene().blisk->mesh(), coarseScene().blades, options);
 }
 
-/// Some 60 mm along a blade, pressed into it so deep.
+/// About 60 mm along a blade, pressed into it to this depth.
 RobotScene sceneOfShortPath(double depth) {
   RobotScene scene = coarseScene();
   GrindingPathOptions options;
@@ -67,7 +67,7 @@ CellLayout layoutOf(const RobotScene& scene) {
   return chooseLayout({}, scene.path, scene.blisk->mesh().bounds(), stand);
 }
 
-/// Fast enough for a test: some 60 ticks.
+/// Fast enough for a test: about 60 ticks.
 RobotRunOptions quickOptions() {
   RobotRunOptions options;
   options.speed = 50.0;
@@ -122,7 +122,7 @@ TEST(CellLayout, tellsHowFarTheArmGets_whereItCannotFollow) {
     chooseLayout({}, path, bounds, stand);
     FAIL() << "it reached 4 m";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("pose 0 (from 0), which is out of reach"));
+    EXPECT_THAT(error.what(), HasSubstr("pose 0 (counted from 0), which is out of reach"));
   }
   EXPECT_THROW(chooseLayout({}, {}, bounds), std::invalid_argument);
 }
@@ -153,8 +153,8 @@ TEST(RobotRun, onASlowPath_theToolStaysNearIt_andNoTickIsLost) {
   EXPECT_NEAR(static_cast<double>(run.ticks.size()) * options.control_period, run.duration,
               2.0 * options.control_period);
   EXPECT_GT(run.worst_position_error, 0.0);
-  // At a steady rate the servos lag by (1 − 0.9) · 20 mm/s / 40 per second = 0.05 mm; a little more at bends
-  // and at the start, where the path is at full speed at once.
+  // At a steady rate the servos lag by (1 − 0.9) · 20 mm/s / 40 per second = 0.05 mm; slightly more at bends
+  // and at the start, where the path begins at full speed.
   EXPECT_LT(run.mean_position_error, 0.1);
   EXPECT_LT(run.worst_position_error, 0.6);
   EXPECT_GT(run.least_margin_to_limits, 0.1);

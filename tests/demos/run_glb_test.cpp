@@ -1,4 +1,4 @@
-// The glTF file of a replay, taken apart.
+// Parses the glTF file of a replay.
 #include "report/run_glb.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 namespace octoblisk::demos {
 namespace {
 
-/// A binary glTF file taken apart.
+/// A parsed binary glTF file.
 struct Glb {
   explicit Glb(const std::string& file) {
     const auto words = numbersOf<std::uint32_t>(file.substr(0, 20));
@@ -116,7 +116,7 @@ TEST(RunGlb, movesTheToolFromPoseToPose) {
     EXPECT_NEAR(q.norm(), 1.0, 1e-6);
     EXPECT_TRUE(q.toRotationMatrix().isApprox(replay.tracks[0].poses[p].tool_in_blisk.rotation, 1e-6));
     if (p == 0) continue;
-    double dot = 0.0;  // the shorter way round
+    double dot = 0.0;  // positive for the shorter turn
     for (std::size_t k = 0; k < 4; ++k) dot += double{turns[4 * p + k]} * turns[4 * p - 4 + k];
     EXPECT_GE(dot, 0.0) << p;
   }

@@ -1,4 +1,4 @@
-// A folder of a test's own, gone when the test ends.
+// A test's own folder, removed when the test ends.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace octoblisk::demos {
 
-/// Of a name that no other has: the same test may run at the same time in another build of the machine.
+/// Its name is unique, because the same test may run at the same time in another build on the machine.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -39,7 +39,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// The message of what a call throws as Exception; a failure, and empty, if it throws nothing.
+/// The message of the Exception that a call throws; a failure, and an empty message, if it throws none.
 template <typename Exception, typename Call>
 std::string messageOf(Call call) {
   try {

@@ -1,4 +1,4 @@
-// A replay to be written and read back.
+// A small replay to write and read back.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@
 
 namespace octoblisk::demos {
 
-/// A block as the blisk, a little one as the tool, three poses with a turn, and names that mean harm.
+/// A block as the blisk, a small block as the tool, three poses with a turn, and malicious names.
 inline Replay smallReplay(const std::string& name = "part") {
   Replay replay;
   replay.command = "grind";
@@ -29,7 +29,7 @@ inline Replay smallReplay(const std::string& name = "part") {
   for (int p = 0; p < 3; ++p) {
     ReplayPose pose;
     pose.tool_in_blisk.translation = Vec3(1.5 * p, -2.0, 40.0);
-    // A half turn and more: the quaternions' signs must be chosen.
+    // More than half a turn: the quaternions' signs must be chosen.
     pose.tool_in_blisk.rotation = Eigen::AngleAxisd(2.5 * p, Vec3::UnitZ()).toRotationMatrix();
     if (p == 1) {
       pose.verdict = 1;

@@ -11,7 +11,7 @@
 namespace octoblisk::gallery {
 namespace {
 
-/// Fewer nodes and triangles, and sooner pressed.
+/// Fewer nodes and triangles, and pressed sooner.
 BeltOnBladeOptions smallOptions() {
   BeltOnBladeOptions options;
   options.blisk_triangles = 10'000;
@@ -23,7 +23,7 @@ BeltOnBladeOptions smallOptions() {
   return options;
 }
 
-/// Nodes that a strand bends round, and where they are: in the tool's frame.
+/// The nodes around which a strand bends, and their positions in the tool's frame.
 std::vector<Vec3> nodesInTool(const SoftBelt& belt) {
   const Pose world_in_tool = belt.toolInWorld().inverse();
   std::vector<Vec3> nodes;
@@ -33,7 +33,7 @@ std::vector<Vec3> nodesInTool(const SoftBelt& belt) {
   return nodes;
 }
 
-/// Of no two stations is one far from the next, and the loop goes round both wheels, on them.
+/// No station is far from the next, and the loop runs around both wheels, on their surfaces.
 void expectOnWheels(const SoftBelt& belt, const SoftBeltOptions& options) {
   const double rolling = options.sizes.contact_wheel_radius + 0.5 * options.sizes.thickness,
                driving = options.sizes.drive_wheel_radius + 0.5 * options.sizes.thickness;
@@ -50,7 +50,7 @@ void expectOnWheels(const SoftBelt& belt, const SoftBeltOptions& options) {
     const Vec3 from_drive = node - Vec3(options.sizes.wheel_distance, 0, 0);
     EXPECT_GT(node.head<2>().norm(), rolling - 1e-6);
     EXPECT_GT(from_drive.head<2>().norm(), driving - 1e-6);
-    // Where the belt wraps a wheel it lies on it; a chord of the nodes' spacing stands off by less.
+    // Where the belt wraps a wheel it lies on it; the chord between nodes is off by less.
     if (node.x() < -0.5 * rolling) {
       EXPECT_LT(node.head<2>().norm(), rolling + 0.5);
       ++on_contact_wheel;
@@ -92,14 +92,14 @@ TEST(SoftBelt, staysOnItsWheelsUnderTensionAndBendsOverTheBlade) {
   EXPECT_GT(pressed_steps, 10u);
   EXPECT_GT(touching_steps, pressed_steps / 2);
   EXPECT_GT(most_touching, 5u);
-  // The nodes are in the middle of the belt: not even half its thickness is to be in the blade.
+  // The nodes are in the middle of the belt: less than half its thickness may be in the blade.
   EXPECT_LT(deepest, 0.1);
 
-  // It was driven.
+  // The belt was driven.
   const Vec3 now = scene.belt().toolInWorld().inverse() * scene.belt().node(0, 0);
   EXPECT_GT((now - first).norm(), 10.0);
 
-  // Without giving way the strand would be in the blade.
+  // Without yielding, the strand would be in the blade.
   demos::BeltParameters sizes = options.belt.sizes;
   sizes.contact_wheel_radius += 0.5 * sizes.thickness;
   sizes.drive_wheel_radius += 0.5 * sizes.thickness;

@@ -1,4 +1,4 @@
-// The belt's running speed and its forces on a blisk that may turn, by closed forms.
+// The belt's running speed and its forces on a blisk that may turn, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ TEST(BeltLoop, runsRoundTheContactWheelAndAlongTheStrands) {
   const BeltParameters belt;
   const BeltLoop loop(makeBelt());
   const double outside = belt.contact_wheel_radius + belt.thickness;
-  for (const double radius : {belt.contact_wheel_radius, outside}) {  // both faces run the same way
+  for (const double radius : {belt.contact_wheel_radius, outside}) {  // both faces run in the same direction
     for (double angle = 1.8; angle < 4.4; angle += 0.13) {            // on the wheel, at -x
       const Vec3 normal(std::cos(angle), std::sin(angle), 0.0);
       const Vec3 ahead(normal.y(), -normal.x(), 0.0);
@@ -33,8 +33,8 @@ TEST(BeltLoop, runsRoundTheContactWheelAndAlongTheStrands) {
   EXPECT_NEAR((loop.directionAt(outside * below + 120.0 * along_below) - lower).norm(), 0.0, 1e-3);
 }
 
-/// A drum about Z, a prism of many sides, with a boss on it at +x, whose flat top a wider tool presses on:
-/// the force goes through the axis, and no edge that touches could give it another direction.
+/// A drum about Z, a prism with many sides, with a boss at +x. A wider tool presses on the boss's flat top,
+/// so the force goes through the axis, and no touching edge can give it another direction.
 constexpr double kRadius = 100.0;  // of the boss's top
 constexpr double kDrumRadius = 98.0, kHalfHeight = 10.0;
 
@@ -65,7 +65,8 @@ TriangleMesh drum() {
   return {vertices, triangles};
 }
 
-/// A block whose face at -x, wider than the boss, is the belt's; at the drum's +x, pressed in by a depth.
+/// A block whose face at -x, wider than the boss, acts as the belt; it is at the drum's +x, pressed in by a
+/// depth.
 ToolPart pad() { return {"belt", treeOf(block({4, 20, 3}, 1)), 20.0}; }
 Pose pressed(double depth) { return {Mat3::Identity(), Vec3(kRadius + 4.0 - depth, 0, 0)}; }
 
@@ -100,7 +101,7 @@ TEST(SpindleCell, aFreeDrumTurnsByTorqueOverItsInertia) {
   EXPECT_NEAR(load.acceleration, load.torque / inertia, 0.02 * load.torque / inertia);
   EXPECT_NEAR(load.torque, 0.25 * 800.0 * 0.05 * kRadius * 1e-3, 0.03 * load.torque);
 
-  // A brake that holds less than that lets it go by the rest.
+  // A weaker brake lets the blisk accelerate by the remaining torque.
   SpindleOptions weak = options;
   weak.hold = 0.4 * load.torque;
   SpindleCell braked(treeOf(mesh), Pose(), pad(), 20.0, weak);

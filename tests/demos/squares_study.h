@@ -1,4 +1,4 @@
-// A study whose table the tests know: each item answers to none to two rows of its square.
+// A study with a known table: each item has none to two rows with its square.
 #pragma once
 
 #include <algorithm>

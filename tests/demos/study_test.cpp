@@ -1,4 +1,4 @@
-// Studies by parts, with breaks: the table is that of one run.
+// Studies in parts and with interruptions: the table equals that of one run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ class StudyFiles : public ::testing::Test {
     return run(squaresStudy(kItems), target, [](ItemRange items) { return squaresOf(items); });
   }
 
-  /// Runs until so many items at least are answered, then breaks.
+  /// Runs until at least this many items are answered, then stops.
   void runUntil(const StudyTarget& target, std::size_t items) {
     const auto break_there = [&](ItemRange asked) {
       if (asked.begin >= items) throw std::runtime_error("the machine is gone");
@@ -56,7 +56,7 @@ class StudyFiles : public ::testing::Test {
               "the machine is gone");
   }
 
-  /// Writes a part for each of `count` shards and returns their names.
+  /// Writes one part per shard and returns their names.
   std::vector<std::filesystem::path> writeParts(std::size_t count, const Study& study) {
     std::vector<std::filesystem::path> parts;
     for (std::size_t i = 1; i <= count; ++i) {
@@ -131,27 +131,26 @@ TEST_F(StudyFiles, aShardIsToldAsPartAndWhole) {
   for (const std::string wrong : {"", "3", "3/", "/7", "0/7", "8/7", "-1/7", "3/7x", "1/0", "3 / 7",
                                   "1/2000000", "99999999999999999999/99999999999999999999"}) {
     EXPECT_THAT(messageOf<std::invalid_argument>([&] { parseShard(wrong); }),
-                AllOf(StartsWith("'"), HasSubstr(wrong.substr(0, 60) + "' is no part of a whole")))
+                AllOf(StartsWith("'"), HasSubstr(wrong.substr(0, 60) + "' is not a part I/N")))
         << wrong;
   }
 }
 
 TEST_F(StudyFiles, mergeRefusesWhatIsNotTheWholeStudyAndNamesTheFile) {
   const std::vector<std::filesystem::path> parts = writeParts(3);
-  EXPECT_EQ(refusalOf({parts[0], parts[2]}), "3_of_3: begins at item 32: items 16 to 32 behind those of " +
-                                                 parts[0].string() + " are missing");
+  EXPECT_EQ(refusalOf({parts[0], parts[2]}),
+            "3_of_3: begins at item 32: items 16 to 32 after those of " + parts[0].string() + " are missing");
   EXPECT_EQ(refusalOf({parts[1], parts[2]}), "2_of_3: begins at item 16: items 0 to 16 are missing");
-  EXPECT_EQ(refusalOf({parts[1], parts[0]}), "2_of_3: ends before item 32, no part holds items 32 to 50");
+  EXPECT_EQ(refusalOf({parts[1], parts[0]}), "2_of_3: ends before item 32, and no part has items 32 to 50");
   EXPECT_EQ(refusalOf({parts[0], parts[1], parts[1], parts[2]}),
-            "2_of_3: holds items that " + parts[1].string() + " holds too, from 16");
+            "2_of_3: repeats items of " + parts[1].string() + ", from 16");
   const std::vector<std::filesystem::path> halves = writeParts(2);
-  EXPECT_THAT(refusalOf({parts[0], parts[1], halves[1]}), StartsWith("2_of_2: holds items that "));
+  EXPECT_THAT(refusalOf({parts[0], parts[1], halves[1]}), StartsWith("2_of_2: repeats items of "));
   EXPECT_EQ(refusalOf({parts[0], file("missing")}), "missing: no such file");
-  EXPECT_EQ(refusalOf({parts[0], folder_.path()}),
-            folder_.path().string() + ": this is a folder, not a file");
+  EXPECT_EQ(refusalOf({parts[0], folder_.path()}), folder_.path().string() + ": is a folder, not a file");
   EXPECT_THAT(refusalOf({folder_.write("table.csv", squaresTable(kItems))}),
-              StartsWith("table.csv: is no part of a study"));
-  EXPECT_THAT(refusalOf({folder_.write("empty", "")}), StartsWith("empty: is no part of a study"));
+              StartsWith("table.csv: is not a part of a study"));
+  EXPECT_THAT(refusalOf({folder_.write("empty", "")}), StartsWith("empty: is not a part of a study"));
 }
 
 TEST_F(StudyFiles, mergeRefusesPartsOfOtherStudies) {
@@ -160,7 +159,7 @@ TEST_F(StudyFiles, mergeRefusesPartsOfOtherStudies) {
     run(other, {file("other"), Shard{2, 2}}, [](ItemRange items) { return squaresOf(items); });
     return refusalOf({parts[0], file("other")});
   };
-  const std::string begin = "other: is of another study than " + parts[0].string() + ": other ";
+  const std::string begin = "other: belongs to another study than " + parts[0].string() + ": it has other ";
   Study other = squaresStudy(kItems);
   other.inputs[1].fingerprint = 3;
   EXPECT_EQ(refusalWith(other), begin + "rules");
@@ -192,14 +191,14 @@ TEST_F(StudyFiles, mergeRefusesAPartCutOffOrChangedAtAnyByte) {
     ASSERT_THAT(refusalOf({parts[0], file("changed")}), StartsWith("changed: ")) << bytes;
   }
   folder_.write("longer", whole + "more");
-  EXPECT_EQ(refusalOf({parts[0], file("longer")}), "longer: has something behind its end");
+  EXPECT_EQ(refusalOf({parts[0], file("longer")}), "longer: has extra bytes after its end");
 }
 
 TEST_F(StudyFiles, mergeNeverWritesOverAPart) {
   const std::vector<std::filesystem::path> parts = writeParts(2);
   const std::string before = contentOf(parts[1]);
   EXPECT_THAT(messageOf<std::runtime_error>([&] { mergeParts(parts, parts[1].string()); }),
-              HasSubstr("cannot be both read and written"));
+              HasSubstr("is also an input file"));
   EXPECT_EQ(contentOf(parts[1]), before);
 }
 
@@ -272,17 +271,17 @@ TEST_F(StudyFiles, anUnfinishedRunIsNeitherWrittenOverNorMistaken) {
     return message;
   };
   EXPECT_THAT(refusal(squaresStudy(kItems), {file("all.csv"), {}}),
-              HasSubstr("go on with --resume, or remove"));
+              HasSubstr("continue it with --resume, or remove"));
   Study other = squaresStudy(kItems);
   other.inputs[0].fingerprint = 9;
-  EXPECT_THAT(refusal(other, {file("all.csv"), {}, true}), HasSubstr("was begun with other numbers"));
+  EXPECT_THAT(refusal(other, {file("all.csv"), {}, true}), HasSubstr("belongs to a run with other numbers"));
   EXPECT_THAT(refusal(squaresStudy(kItems), {file("all.csv"), Shard{1, 2}, true}),
-              HasSubstr("was begun as another part: items 0 to 50"));
+              HasSubstr("belongs to another part: items 0 to 50"));
   folder_.write("all.csv.partial", "something of the user's own");
   EXPECT_THAT(messageOf<std::runtime_error>([&] {
                 run({file("all.csv"), {}});
               }),
-              HasSubstr("is no part of a study"));
+              HasSubstr("is not a part of a study"));
   EXPECT_EQ(content("all.csv.partial"), "something of the user's own");
 }
 
@@ -316,7 +315,7 @@ TEST_F(StudyFiles, aStopLeavesWhatWasAnswered) {
   } catch (const Stopped& stopped) {
     EXPECT_EQ(stopped.exitCode(), 128 + SIGTERM);
     EXPECT_EQ(stopped.what(),
-              "stopped; " + file("all.csv.partial") + " holds 16 of 50 answers: go on with --resume");
+              "stopped: " + file("all.csv.partial") + " has 16 of 50 answers; continue with --resume");
   }
   EXPECT_FALSE(exists("all.csv"));
   EXPECT_EQ(run({file("all.csv"), {}, true}).answered, kItems - 16);

@@ -24,7 +24,7 @@ std::vector<Edge> directedEdges(const TriangleMesh& mesh) {
   return edges;
 }
 
-/// Six times the signed volume of a tetrahedron, 0 where it is no more than rounding.
+/// Six times the signed volume of a tetrahedron; 0 if it is only rounding.
 double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
@@ -41,7 +41,7 @@ bool properlyCrosses(const Vec3& from, const Vec3& to, const Triangle& t) {
   return side_0 * side_1 > 0.0 && side_1 * side_2 > 0.0;
 }
 
-/// Whether an edge of the first triangle that shares no vertex with the second crosses it.
+/// Whether an edge of the first triangle that has no vertex of the second crosses it.
 bool edgeCrosses(const TriangleMesh& mesh, std::size_t first, std::size_t second) {
   const auto& others = mesh.triangles()[second];
   const auto isShared = [&](std::uint32_t v) {
@@ -80,7 +80,7 @@ long eulerCharacteristic(const TriangleMesh& mesh) {
 }
 
 std::size_t countCrossings(const TriangleMesh& mesh) {
-  // Triangles are paired in the cells of a grid; a pair that meets in several cells is counted in one.
+  // Triangles are paired in the cells of a grid; a pair that meets in several cells counts in one of them.
   const double cell_size = mesh.bounds().halfExtents().maxCoeff() / 20.0;
   using Cell = std::array<int, 3>;
   std::map<Cell, std::vector<std::size_t>> grid;

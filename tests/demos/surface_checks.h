@@ -1,4 +1,4 @@
-// What a closed surface must be, checked edge by edge and pair by pair.
+// Checks a closed surface edge by edge and pair by pair.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"
@@ -11,7 +11,8 @@ bool isWatertight(const TriangleMesh& mesh);
 /// Vertices − edges + triangles: 2 − 2·genus for a closed surface.
 long eulerCharacteristic(const TriangleMesh& mesh);
 
-/// Pairs of triangles, sharing one vertex at most, of which an edge of one properly crosses the other.
+/// The number of triangle pairs, sharing at most one vertex, in which an edge of one properly crosses the
+/// other.
 std::size_t countCrossings(const TriangleMesh& mesh);
 
 }  // namespace octoblisk::demos

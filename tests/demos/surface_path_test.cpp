@@ -122,7 +122,7 @@ TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFo
     const double side = options().region == forward ? 1.0 : -1.0;
     EXPECT_TRUE(at_edge || side * facing > 0.3) << facing;
 
-    // Tilt: the arm's angle above the tangent plane. Lead: of its projection, from the outward direction.
+    // Tilt: the arm's angle above the tangent plane. Lead: its projection's angle from the outward direction.
     const Vec3 arm = pose.rotation.col(0);
     EXPECT_NEAR(std::asin(arm.dot(normal)), radians(options().tilt), 1e-9);
     EXPECT_NEAR(pose.rotation.col(2).dot(normal), 0.0, 1e-12) << "the wheel lies on the surface";
@@ -151,7 +151,7 @@ TEST_P(SurfacePaths, passesKeepTheStepOverAndAreNoMoreThanNeeded) {
     EXPECT_LE(widest, fine.step_over + 1e-9);
     greatest = std::max(greatest, widest);
   }
-  // Across the surface it may be nearer than along it, round the edge most of all.
+  // In space the distance may be shorter than along the surface, especially around the edge.
   EXPECT_GT(greatest,
             (fine.region == leading_edge && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
 }
@@ -244,7 +244,7 @@ TEST_F(PathCommand, writesTheSamePosesEitherWayAndGrindReadsBoth) {
   }
 }
 
-/// With so much tilt the belt's strands keep off it too.
+/// With this much tilt, the belt's strands also keep off it.
 TEST_F(PathCommand, noPoseGougesTheBladeThatItGrinds) {
   for (const char* side : {"concave", "convex"}) {
     ASSERT_EQ(
@@ -327,7 +327,7 @@ TEST_F(PathCommand, writesAWholeFileOrNone) {
   EXPECT_EQ(run("--blade 25 --out path.csv").exit_code, 2);
   EXPECT_EQ(contentOf(file("path.csv")), "as it was");
   const Outcome refused = run("--step-over 40 --out missing/path.csv");
-  EXPECT_EQ(refused.error, "octoblisk: missing/path.csv: cannot be written, as there is no folder missing\n");
+  EXPECT_EQ(refused.error, "octoblisk: missing/path.csv: cannot be written: there is no folder missing\n");
   EXPECT_EQ(run("--step-over 40 --out /dev/null").exit_code, 0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null")) << "not a file that took its place";
 }

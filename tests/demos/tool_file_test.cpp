@@ -1,4 +1,4 @@
-// Tool files: what is read and written, and what is refused in which words.
+// Tool files: reading, writing, and the messages for invalid files.
 #include "grinding/tool_file.h"
 
 #include <gmock/gmock.h>
@@ -83,38 +83,37 @@ TEST_F(ToolFiles, whatIsWrongIsNamed) {
     return "{\"parts\": [" + belt + "], \"" + table + "\": [" + content + "]}";
   };
   const std::pair<std::string, const char*> cases[] = {
-      {"", ":1: this is no JSON"},
-      {"{\n\"parts\": [,]}", ":2: this is no JSON"},
-      {"[]", ": this must be an object"},
+      {"", ":1: not valid JSON"},
+      {"{\n\"parts\": [,]}", ":2: not valid JSON"},
+      {"[]", ": must be an object"},
       {"{}", ": the key \"parts\" is missing"},
-      {parts(""), ": parts: there must be a part"},
-      {R"({"parts": {}})", ": parts: this must be a list"},
-      {R"({"parts": [], "speed": 1})", ": unknown key 'speed'; there are: parts, allowed, margins"},
-      {R"({"parts": [], "parts": []})", ": the key 'parts' is there twice"},
+      {parts(""), ": parts: must have at least one part"},
+      {R"({"parts": {}})", ": parts: must be a list"},
+      {R"({"parts": [], "speed": 1})", ": unknown key 'speed'; the keys are: parts, allowed, margins"},
+      {R"({"parts": [], "parts": []})", ": the key 'parts' is repeated"},
       {parts(R"({"name": "belt"})"), ": parts[0]: the key \"mesh\" is missing"},
       {parts(R"({"name": "belt", "mesh": "none.ply"})"), "none.ply: no such file"},
       {parts(R"({"name": "belt", "mesh": "none.ply"})"), ": parts[0].mesh: "},
-      {parts(R"({"name": "belt", "mesh": 3})"), ": parts[0].mesh: this must be text"},
+      {parts(R"({"name": "belt", "mesh": 3})"), ": parts[0].mesh: must be text"},
       {parts(R"({"name": "belt", "mesh": ""})"), ": parts[0].mesh: the name is empty"},
       {parts(R"({"name": "belt", "mesh": "belt.ply\u0000"})"),
-       ": parts[0].mesh: a file's name must be without"},
-      {parts(R"({"name": "belt", "mesh": "no\nbelt.ply"})"),
-       ": parts[0].mesh: a file's name must be without"},
-      {parts(R"({"name": "a,b", "mesh": "belt.ply"})"), ": parts[0].name: a name must be"},
-      {parts(R"({"name": "any", "mesh": "belt.ply"})"), ": parts[0].name: this name means every part"},
+       ": parts[0].mesh: a file name must not contain"},
+      {parts(R"({"name": "belt", "mesh": "no\nbelt.ply"})"), ": parts[0].mesh: a file name must not contain"},
+      {parts(R"({"name": "a,b", "mesh": "belt.ply"})"), ": parts[0].name: a name must consist"},
+      {parts(R"({"name": "any", "mesh": "belt.ply"})"), ": parts[0].name: this name is reserved"},
       {parts(R"({"name": "belt", "mesh": "belt.ply", "max_depth_mm": -1})"),
-       ": parts[0].max_depth_mm: this must be a number from 0 to"},
-      {parts(R"({"name": "belt", "mesh": "belt.ply", "max_depth_mm": "1"})"), ": this must be a number"},
+       ": parts[0].max_depth_mm: must be a number from 0 to"},
+      {parts(R"({"name": "belt", "mesh": "belt.ply", "max_depth_mm": "1"})"), ": must be a number"},
       {parts(R"({"name": "belt", "mesh": "belt.ply", "max_depth_mm": 1e999})"), ": a number is too large"},
-      {parts(belt + "," + belt), ": parts[1].name: there are two parts 'belt'"},
-      {row("allowed", R"({"part": "arm", "blade": 1})"), ": allowed[0].part: there is no part 'arm'"},
-      {row("allowed", R"({"part": "belt", "blade": 0})"), ": allowed[0].blade: this must be a number from 1"},
-      {row("allowed", R"({"part": "belt", "blade": 1.5})"), ": allowed[0].blade: this must be a blade's"},
-      {row("allowed", R"({"part": "belt", "blade": "tip"})"), ": allowed[0].blade: this must be a blade's"},
+      {parts(belt + "," + belt), ": parts[1].name: two parts are named 'belt'"},
+      {row("allowed", R"({"part": "arm", "blade": 1})"), ": allowed[0].part: no part is named 'arm'"},
+      {row("allowed", R"({"part": "belt", "blade": 0})"), ": allowed[0].blade: must be a number from 1"},
+      {row("allowed", R"({"part": "belt", "blade": 1.5})"), ": allowed[0].blade: must be a blade number"},
+      {row("allowed", R"({"part": "belt", "blade": "tip"})"), ": allowed[0].blade: must be a blade number"},
       {row("margins", R"({"part": "belt", "blade": 1})"),
        ": margins[0]: the key \"near_miss_mm\" is missing"},
       {row("margins", R"({"part": "belt", "blade": 1, "near_miss_mm": -0.1})"),
-       ": margins[0].near_miss_mm: this must be a number from 0 to 5"}};
+       ": margins[0].near_miss_mm: must be a number from 0 to 5"}};
   for (const auto& [content, expected] : cases) {
     const std::filesystem::path file = write(content);
     const std::string message = messageOf<std::runtime_error>([&] { readToolFile(file); });

@@ -48,18 +48,19 @@ TEST_F(Units, sizesThatDoNotFitAreRefusedBeforeAnythingIsComputed) {
        {std::tuple("m", "1000", "0.7077"), std::tuple("in", "25.4", "27.86")}) {
     const std::string file = std::string(unit) + ".ply";
     const std::string expected = file + ": the blisk is " + size +
-                                 " mm across, the belt 347.3 mm: one of the two " + "is not in mm. --units " +
-                                 unit + " (a factor of " + factor +
-                                 ") would make the blisk 707.7 mm; --units mm takes the sizes as they are";
+                                 " mm across, the belt is 347.3 mm: one of them " +
+                                 "is probably not in mm. --units " + unit + " (a factor of " + factor +
+                                 ") would make the blisk 707.7 mm; --units mm accepts the sizes as they are";
     expectRefusal(run("grind --blisk " + file + kGrind), expected);
     expectRefusal(run("access --blisk " + file + " --out run"), expected);
     expectRefusal(run("repair --blisk " + file + " --path poses.csv --out run"), expected);
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "run"));
   }
-  expectRefusal(run("path --blisk m.ply --out path.csv"),
-                "m.ply: the blisk is 0.7077 mm across, the contact wheel 19 mm: one of the two is not in mm. "
-                "--units m (a "
-                "factor of 1000)");
+  expectRefusal(
+      run("path --blisk m.ply --out path.csv"),
+      "m.ply: the blisk is 0.7077 mm across, the contact wheel is 19 mm: one of them is probably not in mm. "
+      "--units m (a "
+      "factor of 1000)");
 }
 
 TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
@@ -71,13 +72,13 @@ TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
     EXPECT_EQ(given.error, "");
     const Outcome found = run("grind --units auto --blisk " + unit + ".ply" + kGrind);
     EXPECT_EQ(firstLine(found), firstLine(expected));
-    EXPECT_THAT(found.error, HasSubstr("note: " + unit + ".ply: read in " + unit + ": "));
+    EXPECT_THAT(found.error, HasSubstr("note: " + unit + ".ply: read in " + unit + ", because "));
     EXPECT_THAT(run("blades --units auto --blisk " + unit + ".ply --no-picture --out blades").out,
                 HasSubstr("24 blades "));
     EXPECT_EQ(run("path --units " + unit + " --blisk " + unit + ".ply --out " + unit + ".csv").exit_code, 0);
   }
   EXPECT_THAT(run("grind --units auto --blisk mm.ply" + std::string(kGrind)).error,
-              HasSubstr("note: mm.ply: read in mm: "));
+              HasSubstr("note: mm.ply: read in mm, because "));
 }
 
 TEST_F(Units, ofTheToolAreGivenOrFound) {
@@ -91,9 +92,10 @@ TEST_F(Units, ofTheToolAreGivenOrFound) {
       toInches(entry.path(), folder_.path() / "inches" / entry.path().filename());
   }
   toInches(folder_.path() / "belt.ply", folder_.path() / "belt_in.ply");
-  expectRefusal(run("grind --belt belt_in.ply" + tables + "run"),
-                "the blisk: the blisk is 707.7 mm across, the belt 13.68 mm: one of the two is not in mm. "
-                "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
+  expectRefusal(
+      run("grind --belt belt_in.ply" + tables + "run"),
+      "the blisk: the blisk is 707.7 mm across, the belt is 13.68 mm: one of them is probably not in mm. "
+      "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
   for (const auto& [mm, in] : {std::pair("--belt belt.ply", "--belt belt_in.ply"),
                                std::pair("--tool tool/tool.json", "--tool inches/tool.json")}) {
     const Outcome expected = run(std::string("grind ") + mm + tables + "mm");
@@ -103,13 +105,13 @@ TEST_F(Units, ofTheToolAreGivenOrFound) {
     EXPECT_EQ(given.error, "");
     const Outcome found = run(std::string("grind --tool-units auto ") + in + tables + "auto");
     EXPECT_EQ(firstLine(found), firstLine(expected));
-    EXPECT_THAT(found.error, HasSubstr(": read in in: "));
+    EXPECT_THAT(found.error, HasSubstr(": read in in, because "));
   }
   expectRefusal(run("grind --tool-units in" + tables + "run"), "--tool-units: the built-in tool is in mm");
 }
 
 TEST_F(Units, ofObstaclesAreTheBlisks) {
-  // 51 mm of bar, which by its own size might be inches, far from the tool.
+  // A bar of 51 mm, which by its own size could be in inches, far from the tool.
   ASSERT_EQ(
       runOctoblisk(folder_.path(), "make arm --arm-start 300 --wheel-distance 340 --out clamp.ply").exit_code,
       0);
@@ -129,7 +131,7 @@ TEST_F(Units, ofAccessRepairAndCheck) {
   const Outcome repair = run("repair --blisk mm.ply" + path + "mm");
   EXPECT_LE(repair.exit_code, 1) << repair.error;
   EXPECT_EQ(firstLine(run("repair --units in --blisk in.ply" + path + "in")), firstLine(repair));
-  // Boxes of 4 and 2 mm, in mm and in metres, 1 mm in each other.
+  // Boxes of 4 and 2 mm, in mm and in metres, 1 mm deep in each other.
   folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n2,0,0,1,0,0,0\n5,0,0,1,0,0,0\n");
   for (const auto& [name, size] : {std::pair("large", 2.0), std::pair("small", 1.0)}) {
     writeMesh(folder_.path() / (std::string(name) + ".obj"), block(Vec3::Constant(size), 1));
@@ -146,9 +148,9 @@ TEST_F(Units, ofAccessRepairAndCheck) {
 
 TEST_F(Units, aMarginThatMakesAllTrianglesNearIsRefused) {
   expectRefusal(run("grind --units mm --blisk m.ply" + std::string(kGrind)),
-                "--near-miss 0.5: for a blisk of 0.7077 mm it may be at most 0.01415");
+                "--near-miss 0.5: must be at most 0.01415 for a blisk of 0.7077 mm");
   expectRefusal(run("access --units mm --blisk m.ply --margin 0.5 --out run"),
-                "--margin 0.5: for a blisk of 0.7077 mm it may be at most 0.01415");
+                "--margin 0.5: must be at most 0.01415 for a blisk of 0.7077 mm");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Contact wheels set down on a surface: where they come to lie, by closed forms.
+// Contact wheels seated on a surface: their positions, compared with closed forms.
 #include "toolpath/wheel_seat.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWheelRadius = 9.5, kBeltWidth = 20.0, kDepth = 0.02;
 
-/// A surface y = bulge · (z² − x²·0) over x and z within ± 30: a trough along x where the bulge is above 0.
+/// A surface y = bulge · (z² − x²·0) over x and z within ± 30: a trough along x if the bulge is positive.
 TriangleMesh trough(double bulge) {
   constexpr int kSteps = 120;
   std::vector<Vec3> vertices;
@@ -33,8 +33,8 @@ TriangleMesh trough(double bulge) {
   return {vertices, triangles};
 }
 
-/// The height of the wheel's axis over the trough's bottom when it is seated from the nominal pose, with the
-/// wheel's axis along z.
+/// The height of the wheel's axis over the trough's bottom when it is seated from the nominal pose, with its
+/// axis along z.
 double seatedHeight(double bulge) {
   const TriangleMesh surface = trough(bulge);
   const std::vector<int> blades(surface.triangleCount(), 1);
@@ -53,7 +53,7 @@ TEST(WheelSeat, onAFlatOrBulgingSurfaceIsWhereItTouchesThePoint) {
 }
 
 TEST(WheelSeat, inATroughLiesOnItsEdges) {
-  // At the wheel's edges, 10 mm off the middle, the trough is as high as this.
+  // At the wheel's edges, 10 mm from the middle, the trough has this height.
   for (const double bulge : {0.002, 0.006, 0.02}) {
     const double edge = bulge * 0.25 * kBeltWidth * kBeltWidth;
     EXPECT_NEAR(seatedHeight(bulge), edge + kWheelRadius - kDepth, 3e-3 + 0.001 * edge) << bulge;

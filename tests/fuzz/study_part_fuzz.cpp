@@ -22,8 +22,8 @@ std::optional<PartText> readOrRefused(std::string_view text) {
   try {
     return readPart(text);
   } catch (const std::invalid_argument& refusal) {
-    if (!std::string_view(refusal.what()).starts_with("is no part of a study: ") &&
-        !std::string_view(refusal.what()).starts_with("has item ")) {
+    if (!std::string_view(refusal.what()).starts_with("is not a part of a study: ") &&
+        !std::string_view(refusal.what()).starts_with("repeats item ")) {
       fuzz::fail("an unclear refusal", refusal.what());
     }
   }

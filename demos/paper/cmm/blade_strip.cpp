@@ -10,17 +10,17 @@ namespace octoblisk::demos {
 namespace {
 
 void requireUsable(const BladeStripOptions& options) {
-  require(options.sections >= 2, "there must be two measured sections at least");
+  require(options.sections >= 2, "there must be at least two measured sections");
   require(options.span_from >= 0.0 && options.span_from < options.span_to && options.span_to <= 1.0,
-          "the parts of the span must ascend from 0 to 1");
+          "the fractions of the span must ascend from 0 to 1");
   require(options.row_spacing > 0.0 && options.margin > 0.0, "the row spacing and margin must be above 0 mm");
   require(options.border_part > 0.0 && options.edge_part > options.border_part &&
               options.edge_part + options.border_part < 0.5,
-          "the parts of a side at its edges must be above the borders' and below a half");
-  require(options.points_per_area >= 2, "there must be two measured points an area at least");
+          "the fraction of a side at its edges must be above the borders' fraction and below a half");
+  require(options.points_per_area >= 2, "there must be at least two measured points per area");
 }
 
-/// Parts 0..1 of a side's length for its stations: of steps that grow from its edges to its middle.
+/// The stations of a side as fractions 0..1 of its length; the steps grow from the edges to the middle.
 std::vector<double> partsOfSide() {
   constexpr double kFirst = 0.0015;
   constexpr double kGrowth = 1.12;
@@ -35,7 +35,7 @@ std::vector<double> partsOfSide() {
   return parts;
 }
 
-/// The points at parts of a side's length; the last part, the next side's first, is left out.
+/// Appends the points at fractions of a side's length, except the last, which is the first of the next side.
 void appendSide(const std::vector<SectionPoint>& side, const std::vector<double>& parts,
                 std::vector<SectionPoint>& row) {
   std::vector<double> arc = {0.0};
@@ -58,7 +58,7 @@ double smoothStep(double from, double to, double value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Of a station of a side, at a part of its length from the leading edge.
+/// For a station of a side, at a fraction of its length from the leading edge.
 BladeStrip::Shares sharesAt(double part, bool convex, const BladeStripOptions& options) {
   const double low = options.edge_part - options.border_part;
   const double high = options.edge_part + options.border_part;
@@ -68,13 +68,13 @@ BladeStrip::Shares sharesAt(double part, bool convex, const BladeStripOptions& o
   return {leading, convex ? middle : 0.0, trailing, convex ? 0.0 : middle};
 }
 
-/// The stations wholly of an area, in their order along it.
+/// The stations that lie wholly in an area, in order along it.
 std::vector<std::size_t> stationsOf(std::size_t area, const std::vector<BladeStrip::Shares>& shares) {
   std::vector<std::size_t> stations;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     if (shares[k][area] == 1.0) stations.push_back(k);
   }
-  // The leading edge's begin on the concave side, at the end of the section.
+  // Those of the leading edge begin on the concave side, at the end of the section.
   for (std::size_t k = 1; k < stations.size(); ++k) {
     if (stations[k] == stations[k - 1] + 1) continue;
     std::rotate(stations.begin(), stations.begin() + static_cast<std::ptrdiff_t>(k), stations.end());
@@ -83,7 +83,7 @@ std::vector<std::size_t> stationsOf(std::size_t area, const std::vector<BladeStr
   return stations;
 }
 
-/// As many of them at most, spread evenly over their length.
+/// At most `most` of them, spread evenly over their length.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& stations, const SectionGrid& grid,
                                 std::size_t row, int count) {
   std::vector<double> way = {0.0};
@@ -101,7 +101,7 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& stations, const 
   return chosen;
 }
 
-/// Heights of the grid's rows, and which of them are measured.
+/// The heights of the grid's rows, and the rows that are measured.
 struct Rows {
   std::vector<double> heights;
   std::vector<std::size_t> measured;

@@ -23,7 +23,7 @@ std::vector<double> measure(const CmmExperiment& experiment, std::span<const dou
   return measureDeviations(ClusteredOctree::build(part), points, options);
 }
 
-/// Where the CMM probes, section by section, from the leading edge round.
+/// The points that the CMM probes, section by section, starting at the leading edge.
 std::vector<MeasuredPoint> measuredPointsOf(const BladeStrip& strip) {
   std::vector<MeasuredPoint> points;
   for (const std::size_t row : strip.measured_rows) {
@@ -52,14 +52,14 @@ AreaStatistics statisticsByArea(const std::vector<MeasuredPoint>& points, const 
   return statistics;
 }
 
-/// The errors measured before, all over the grid: round each measured section by straight lines between its
-/// points, and straight from section to section.
+/// The errors measured before, interpolated over the whole grid: linearly between the points around each
+/// measured section, and linearly from section to section.
 std::vector<double> measuredEverywhere(const CmmExperiment& experiment) {
   const BladeStrip& strip = experiment.strip;
   const SectionGrid& grid = strip.grid;
   std::vector<std::vector<double>> sections;
   for (const std::size_t row : strip.measured_rows) {
-    std::vector<std::pair<double, double>> known;  // part of the way round, error
+    std::vector<std::pair<double, double>> known;  // position around the section, error
     for (const MeasuredPoint& point : experiment.points) {
       if (point.row == row) known.emplace_back(strip.partRound(point.station), point.before);
     }
@@ -93,7 +93,7 @@ std::vector<double> measuredEverywhere(const CmmExperiment& experiment) {
   return errors;
 }
 
-/// One feed for all: such that the mean removal of the measured points is their mean error.
+/// One feed for all poses, such that the mean removal at the measured points is their mean error.
 std::vector<double> evenDwells(const CmmExperiment& experiment, const GrindingPass& pass) {
   const std::vector<double> dwells = pass.dwellsOfFeed(1.0);
   const std::vector<double> depths = pass.removal(dwells);

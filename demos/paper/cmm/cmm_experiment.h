@@ -1,4 +1,4 @@
-// The paper's measurement of a blade before and after grinding (Table 5, figs. 13-14), simulated.
+// Simulates the paper's measurement of a blade before and after grinding (Table 5, figs. 13-14).
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace octoblisk::demos {
 
-/// How the pass's dwells are found.
+/// The method that plans the pass's dwells.
 enum class PassPlan {
-  measured,  ///< point by point from the errors measured before, to take off all of them
-  even,      ///< one feed for all poses, to take off as much as the mean error measured before
+  measured,  ///< point by point from the errors measured before, to remove all of them
+  even,      ///< one feed for all poses, to remove the mean error measured before
 };
 
 struct CmmExperimentOptions {
@@ -23,11 +23,11 @@ struct CmmExperimentOptions {
   StockOptions stock;
   GrindingProcess process;
   ProcessErrors errors;
-  CmmOptions cmm;  ///< of the measurement before; the one after has the next seed
+  CmmOptions cmm;  ///< of the first measurement; the second one has the next seed
   PassPlan plan = PassPlan::measured;
 };
 
-/// A point that is measured before and after.
+/// A point measured before and after.
 struct MeasuredPoint {
   std::size_t row = 0;  ///< of the strip's grid
   std::size_t station = 0;
@@ -36,7 +36,7 @@ struct MeasuredPoint {
   double after = 0.0;
 };
 
-/// How the pass went. Forces in N, feeds in mm/s, time in s.
+/// The values of a pass. Forces in N, feeds in mm/s, time in s.
 struct PassSummary {
   double indentation = 0.0;         ///< mm
   double contact_half_width = 0.0;  ///< across the section on a flat, mm
@@ -50,15 +50,15 @@ struct PassSummary {
 struct CmmExperiment {
   BladeStrip strip;
   std::vector<double> stock{};          ///< error of each point of the strip's grid before, mm
-  std::vector<double> ground{};         ///< and after
-  std::vector<MeasuredPoint> points{};  ///< section by section, from the leading edge round
-  AreaStatistics stock_at_points{};     ///< of the stock itself, without the CMM: exactly those asked for
+  std::vector<double> ground{};         ///< the same after
+  std::vector<MeasuredPoint> points{};  ///< section by section, starting at the leading edge
+  AreaStatistics stock_at_points{};     ///< of the stock itself, without the CMM: exactly as requested
   AreaStatistics before{}, after{};     ///< as measured
   PassSummary pass{};
 };
 
-/// Makes a stock on a blade of any blisk, measures it, plans a pass from what was measured, grinds, and
-/// measures again. Deterministic. Throws std::invalid_argument: what its parts refuse.
+/// Makes a stock on a blade of any blisk, measures it, plans a pass from the measurements, grinds, and
+/// measures again. Deterministic. Throws std::invalid_argument as its steps do.
 CmmExperiment runCmmExperiment(const TriangleMesh& blisk, const BladesFound& blades,
                                const CmmExperimentOptions& options = {});
 

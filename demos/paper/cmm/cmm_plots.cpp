@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMagnification = 100.0;  // of deviations in the profile plots
 
-/// Turns a section so that its chord lies along x, from the leading edge at 0.
+/// Rotates a section so that its chord lies along x, with the leading edge at 0.
 class ChordFrame {
  public:
   ChordFrame(const BladeStrip& strip, std::size_t row)
@@ -31,7 +31,7 @@ class ChordFrame {
 
 std::size_t middleRow(const BladeStrip& strip) { return strip.measured_rows[strip.measured_rows.size() / 2]; }
 
-/// The section moved outwards everywhere by an even deviation, magnified.
+/// The section moved outwards by a constant deviation, magnified.
 Series curveAt(const BladeStrip& strip, std::size_t row, double deviation, std::string name,
                SeriesStyle style) {
   const ChordFrame frame(strip, row);
@@ -61,13 +61,13 @@ Plot profilePlot(const CmmExperiment& experiment, double MeasuredPoint::*deviati
   measured.y.push_back(measured.y.front());
   return {.title = when + ", deviations magnified " + fixedText(kMagnification, 0) + " times",
           .x_label = "along the chord, mm",
-          .y_label = "across it, stretched, mm",
+          .y_label = "across the chord, magnified, mm",
           .series = {curveAt(strip, row, 0.0, "nominal", SeriesStyle::line), std::move(measured),
                      curveAt(strip, row, kProfileTolerance, "tolerance +0.05 mm", SeriesStyle::dashed_line)}};
 }
 
-/// The errors of an area of the middle section over the way along the section; the leading edge's from its
-/// concave side on.
+/// The errors of an area of the middle section over the length along the section; those of the leading edge
+/// start on its concave side.
 Plot errorPlot(const CmmExperiment& experiment, BladeArea area) {
   const BladeStrip& strip = experiment.strip;
   const std::size_t row = middleRow(strip);
@@ -118,10 +118,10 @@ std::vector<Figure> drawCmmFigures(const CmmExperiment& experiment, const std::f
     figures.push_back({file, caption});
   };
   add("fig13a_profile_before.svg", profilePlot(experiment, &MeasuredPoint::before, "Before"),
-      "Fig. 13a: the middle section before grinding, simulated. So magnified, the tolerance of -0.05 mm "
-      "would lie beyond the blade's other side");
+      "Fig. 13a: the middle section before grinding, simulated. At this magnification the tolerance of -0.05 "
+      "mm would lie beyond the blade's other side");
   add("fig13b_profile_after.svg", profilePlot(experiment, &MeasuredPoint::after, "After"),
-      "Fig. 13b: and after");
+      "Fig. 13b: the same section after grinding");
   for (const BladeArea area : kBladeAreas) {
     const std::string letter = letterOf(area);
     const char small = static_cast<char>(letter.front() - 'A' + 'a');

@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// Of the middle section, drawn into the folder. Throws as writeSvg.
+/// Draws those of the middle section into the folder. Throws as writeSvg.
 std::vector<Figure> drawCmmFigures(const CmmExperiment& experiment, const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

@@ -21,7 +21,7 @@ double meanOverAreas(const AreaStatistics& statistics, double ErrorStatistics::*
   return sum;
 }
 
-/// "76-93 %": from the least to the greatest over the areas, of the mean error before.
+/// "76-93 %": the least and the greatest share of an area's mean error that was removed.
 std::string removedShare(const AreaStatistics& before, const AreaStatistics& after) {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -least;
@@ -38,7 +38,7 @@ std::string spreadText(const AreaStatistics& before, const AreaStatistics& after
          fixedText(1000.0 * meanOverAreas(after, &ErrorStatistics::deviation), 2) + " µm";
 }
 
-/// Mean of the two edges' mean errors less that of the two sides', µm.
+/// The mean of the two edges' mean errors minus that of the two sides', in µm.
 double edgesAboveSides(const AreaStatistics& statistics) {
   const auto [leading, convex, trailing, concave] = statistics;
   return 500.0 * (leading.mean + trailing.mean - convex.mean - concave.mean);
@@ -58,7 +58,7 @@ std::string whatAgrees(const CmmExperiment& planned) {
   const auto outside = std::count_if(planned.points.begin(), planned.points.end(), [](const auto& point) {
     return std::abs(point.after) > kProfileTolerance;
   });
-  return "The mean error falls in " + std::to_string(falling) + " of 4 areas, in the paper in all; " +
+  return "The mean error decreases in " + std::to_string(falling) + " of 4 areas, in the paper in all 4; " +
          (outside == 0 ? std::string("no point ends") : countedText(outside, "point ends", "points end")) +
          " outside the tolerance of ±0.05 mm. ";
 }
@@ -70,38 +70,41 @@ std::vector<std::string> verdict(const CmmExperiment& planned, const CmmExperime
         return a.after < b.after;
       })->after;
   return {
-      "What is put in: the errors before. At the measured points the stock has exactly the minimum, maximum, "
-      "mean and standard deviation of the paper's Table 5 in each area: a smooth random field is bent by an "
-      "increasing function until it does. The CMM then adds its noise, " +
+      "Input: the errors before grinding. At the measured points the stock has exactly the minimum, maximum, "
+      "mean and standard deviation of the paper's Table 5 in each area: an increasing function maps a smooth "
+      "random field to values with these statistics. The CMM then adds its noise, " +
           fixedText(1000.0 * options.cmm.noise, 1) + " µm, to each point.",
-      "What comes out: the errors after. The dwell at each pose is planned from the errors measured before, "
-      "to take off all of them; the belt then cuts as Hertz's pressure and Preston's removal say, with " +
+      "Output: the errors after grinding. The dwell at each pose is planned from the errors measured before, "
+      "to remove all of them. The belt then cuts by Hertz's pressure and Preston's removal, with " +
           fixedText(options.errors.preston_factor, 2) +
-          " times the coefficient planned with, and a force that is biased and noisy. No number of the "
-          "paper's rows \"after\" enters.",
-      whatAgrees(planned) + "What does not agree is by how much it falls. The paper's pass took off " +
-          removedShare(kPaperBefore, kPaperAfter) + " of the mean error of an area, ours takes off " +
+          " times the planned coefficient, and with a force that is biased and noisy. The simulation does "
+          "not use the paper's rows \"after\".",
+      whatAgrees(planned) + "The amounts do not agree. The paper's pass removed " +
+          removedShare(kPaperBefore, kPaperAfter) + " of an area's mean error, ours removes " +
           removedShare(planned.before, planned.after) +
-          ". A pass that is to take off the whole error misses by the share by which the belt cuts otherwise "
-          "than planned: for the paper's numbers it would have cut a quarter to a third of what was planned. "
-          "Either that pass was not to reach the nominal surface, or it was not planned from these errors; "
-          "the paper does not say.",
-      "The standard deviation tells more. In the paper it goes from " +
+          ". A pass that is planned to remove the whole error misses by the share by which the belt cuts "
+          "more or less than planned. For the paper's numbers, it would have cut only a quarter to a third "
+          "of the planned amount. Either that pass was not meant to reach the nominal surface, or it was not "
+          "planned from these errors; the paper does not say.",
+      "The standard deviation shows more. In the paper it changes from " +
           spreadText(kPaperBefore, kPaperAfter) +
-          " (mean of the areas): the grinding did not even the errors out. Here it goes from " +
-          spreadText(planned.before, planned.after) + " by the planned pass, and from " +
+          " (mean of the areas): the grinding did not even the errors out. Here it changes from " +
+          spreadText(planned.before, planned.after) + " with the planned pass, and from " +
           spreadText(even.before, even.after) +
-          " by one of an even feed that is not planned point by point and is to take off the mean error "
-          "(second table); on the sides B and D alone by an even feed from " +
-          sidesText(even.before) + " to " + sidesText(even.after) + " µm, in the paper from " +
+          " with a pass of one even feed, which is not planned point by point and is meant to remove the "
+          "mean error (second table). On the sides B and D alone it changes with the even feed from " +
+          sidesText(even.before) + " to " + sidesText(even.after) + " µm, and in the paper from " +
           sidesText(kPaperBefore) + " to " + sidesText(kPaperAfter) +
-          " µm. By an even feed the edges A and C end " + fixedText(edgesAboveSides(even.after), 1) +
-          " µm above the sides B and D, by the planned pass " + fixedText(edgesAboveSides(planned.after), 1) +
-          " µm, in the paper " + fixedText(edgesAboveSides(kPaperAfter), 1) + " µm.",
-      "The lowest point after lies at " + mm(lowest) +
-          " mm; below 0 is cut into the nominal blade. A careful pass would be planned with a margin.",
-      "Left out: the belt's wear along the pass, its own stiffness and tension, heat, the bending of the "
-      "blade under the force (which for a thin blade may exceed the errors), and how errors change the "
+          " µm. With the even feed the edges A and C end " + fixedText(edgesAboveSides(even.after), 1) +
+          " µm above the sides B and D, with the planned pass " +
+          fixedText(edgesAboveSides(planned.after), 1) + " µm, and in the paper " +
+          fixedText(edgesAboveSides(kPaperAfter), 1) + " µm.",
+      "The lowest point after grinding is at " + mm(lowest) +
+          " mm; a negative value is a cut into the nominal blade. A careful pass would be planned with a "
+          "margin.",
+      "Not modelled: the belt's wear along the pass, its own stiffness and tension, heat, the bending of the "
+      "blade under the force (which for a thin blade may exceed the errors), and the effect of the errors on "
+      "the "
       "pressure."};
 }
 
@@ -122,9 +125,8 @@ Section cmmSection(const TriangleMesh& blisk, const BladesFound& blades, const C
 }
 
 std::vector<Claim> cmmClaims(const CmmRuns& runs) {
-  return {
-      {"Table 5: part of an area's mean error that the pass takes off, least to greatest (here simulated)",
-       removedShare(kPaperBefore, kPaperAfter), removedShare(runs.planned.before, runs.planned.after)}};
+  return {{"Table 5: share of an area's mean error that the pass removes, least to greatest (here simulated)",
+           removedShare(kPaperBefore, kPaperAfter), removedShare(runs.planned.before, runs.planned.after)}};
 }
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// What the report says of Table 5 and figures 13 and 14: a blade measured before and after grinding.
+// The report's section on Table 5 and figures 13 and 14: a blade measured before and after grinding.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace octoblisk::demos {
 
-/// The pass as the options plan it, and one of an even feed.
+/// The pass planned with the options, and a pass with an even feed.
 struct CmmRuns {
   CmmExperimentOptions options;
   CmmExperiment planned, even;
 };
 
-/// Throws std::invalid_argument: what runCmmExperiment refuses.
+/// Throws std::invalid_argument as runCmmExperiment does.
 CmmRuns runCmm(const TriangleMesh& blisk, const BladesFound& blades,
                const CmmExperimentOptions& options = {});
 
-/// Runs the experiment again with other parameters, and draws the figures into the folder. Throws as runCmm
-/// and writeSvg.
+/// Repeats the experiment with other parameters, and draws the figures into the folder. Throws as runCmm and
+/// writeSvg.
 Section cmmSection(const TriangleMesh& blisk, const BladesFound& blades, const CmmRuns& runs,
                    const std::filesystem::path& folder);
 

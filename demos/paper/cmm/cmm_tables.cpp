@@ -35,7 +35,7 @@ Table tableOf(std::string name, std::string caption, const CmmExperiment& experi
   return table;
 }
 
-/// One parameter at a time away from what the tables use.
+/// One parameter changed from the value that the tables use.
 struct Variation {
   std::string name;
   std::function<void(CmmExperimentOptions&)> change;
@@ -52,8 +52,8 @@ std::vector<Variation> variations() {
        [](CmmExperimentOptions& o) { o.errors.preston_factor = 0.7; }},
       {"the belt cuts 10 % more than planned",
        [](CmmExperimentOptions& o) { o.errors.preston_factor = 1.1; }},
-      {"force noise 15 % in place of 5 %", [](CmmExperimentOptions& o) { o.errors.force_noise = 0.15; }},
-      {"strokes twice as far apart", [](CmmExperimentOptions& o) { o.process.step_over *= 2.0; }},
+      {"force noise 15 % instead of 5 %", [](CmmExperimentOptions& o) { o.errors.force_noise = 0.15; }},
+      {"strokes at twice the distance", [](CmmExperimentOptions& o) { o.process.step_over *= 2.0; }},
       {"a wheel half as wide", [](CmmExperimentOptions& o) { o.process.wheel.width *= 0.5; }},
       {"a harder cover, Shore A 60", [](CmmExperimentOptions& o) { o.process.wheel.shore_a = 60.0; }},
       {"another stock and other noise",
@@ -70,7 +70,8 @@ Table variationsTable(const TriangleMesh& blisk, const BladesFound& blades,
                       const CmmExperiment& even) {
   Table table{
       .name = "table5_variations",
-      .caption = "Mean and standard deviation of the errors after (mm), one parameter changed at a time",
+      .caption =
+          "Mean and standard deviation of the errors after grinding (mm), one parameter changed at a time",
       .columns = {"pass", "A mean", "B mean", "C mean", "D mean", "A std", "B std", "C std", "D std"},
       .rows = {}};
   const auto add = [&](const std::string& name, const AreaStatistics& after) {
@@ -84,7 +85,7 @@ Table variationsTable(const TriangleMesh& blisk, const BladesFound& blades,
     variation.change(changed);
     add(variation.name, runCmmExperiment(blisk, blades, changed).after);
   }
-  add("not planned: one feed everywhere", even.after);
+  add("not planned: one feed for all poses", even.after);
   add("the paper, after", kPaperAfter);
   add("the paper, before", kPaperBefore);
   return table;
@@ -104,13 +105,13 @@ Table parametersTable(const CmmExperimentOptions& options, const CmmExperiment& 
   const PassSummary& pass = experiment.pass;
   const std::string assumed = "assumed";
   add("errors before, by area", "Table 5", "mm", "the paper");
-  add("their correlation length along the section, up the blade",
+  add("correlation length of the errors along the section, up the blade",
       fixedText(options.stock.correlation_along, 1) + ", " + fixedText(options.stock.correlation_up, 1), "mm",
       assumed);
   add("normal force on a flat", fixedText(process.set_force, 1), "N", "doi 10.1177/1687814017700827");
-  add("mean force reached over force set", fixedText(options.errors.force_factor, 3), "",
+  add("mean force reached divided by force set", fixedText(options.errors.force_factor, 3), "",
       "doi 10.1177/1687814017700827 (20.4 N for 20 N)");
-  add("force noise, its correlation along a stroke",
+  add("force noise; its correlation length along a stroke",
       fixedText(100.0 * options.errors.force_noise, 0) + " %, " +
           fixedText(options.errors.force_correlation, 1) + " mm",
       "", assumed);
@@ -127,29 +128,29 @@ Table parametersTable(const CmmExperimentOptions& options, const CmmExperiment& 
       fixedText(pass.indentation, 2) + " mm, " + fixedText(pass.contact_half_width, 2) + " mm, " +
           fixedText(pass.peak_pressure, 3) + " MPa",
       "", "Hertz: K. L. Johnson, Contact Mechanics, 1985");
-  add("force on the blade, from and to",
+  add("least and greatest force on the blade",
       fixedText(pass.least_force, 1) + ", " + fixedText(pass.greatest_force, 1), "N",
       "the same peak pressure everywhere");
   add("belt speed v", fixedText(process.belt_speed / 1000.0, 0), "m/s", assumed);
   add("Preston coefficient K_p of dh = K_p p v dt, as planned", fixedText(1e6 * process.preston, 1),
       "10⁻⁶ mm²/N", assumed + "; F. W. Preston, 1927");
-  add("true K_p over the planned one", fixedText(options.errors.preston_factor, 2), "",
-      assumed + ": a belt somewhat worn");
-  add("strokes apart", fixedText(process.step_over, 1), "mm", assumed);
-  add("feed, limits", fixedText(process.least_feed, 0) + " to " + fixedText(process.greatest_feed, 0), "mm/s",
-      assumed);
-  add("feed, as planned", fixedText(pass.least_feed, 1) + " to " + fixedText(pass.greatest_feed, 1), "mm/s",
+  add("true K_p divided by the planned K_p", fixedText(options.errors.preston_factor, 2), "",
+      assumed + ": a slightly worn belt");
+  add("distance between strokes", fixedText(process.step_over, 1), "mm", assumed);
+  add("limits of the feed", fixedText(process.least_feed, 0) + " to " + fixedText(process.greatest_feed, 0),
+      "mm/s", assumed);
+  add("planned feed", fixedText(pass.least_feed, 1) + " to " + fixedText(pass.greatest_feed, 1), "mm/s",
       "result");
-  add("strokes, time of the pass", std::to_string(pass.strokes) + ", " + fixedText(pass.time, 0) + " s", "",
-      "result");
+  add("number of strokes, time of the pass",
+      std::to_string(pass.strokes) + ", " + fixedText(pass.time, 0) + " s", "", "result");
   add("CMM: ball radius, noise",
       fixedText(options.cmm.probe_radius, 2) + ", " + fixedText(options.cmm.noise, 4), "mm", assumed);
   add("CMM: sections, points",
       std::to_string(experiment.strip.measured_rows.size()) + ", " + std::to_string(experiment.points.size()),
       "", assumed);
   add("profile tolerance in figure 13, to either side", fixedText(kProfileTolerance, 2), "mm", assumed);
-  add("areas A and C: of a side's length at each edge", fixedText(100.0 * options.strip.edge_part, 0) + " %",
-      "", assumed);
+  add("areas A and C: share of a side's length at each edge",
+      fixedText(100.0 * options.strip.edge_part, 0) + " %", "", assumed);
   return table;
 }
 
@@ -163,7 +164,8 @@ std::vector<Table> cmmTables(const TriangleMesh& blisk, const BladesFound& blade
   return {
       tableOf("table5_errors",
               "Table 5: the error of each area before and after (mm), " + points + ", simulated", planned),
-      tableOf("table5_even_pass", "The same by a pass that is not planned: one feed everywhere (mm)", even),
+      tableOf("table5_even_pass", "The same for a pass that is not planned: one feed for all poses (mm)",
+              even),
       variationsTable(blisk, blades, options, planned, even), parametersTable(options, planned)};
 }
 

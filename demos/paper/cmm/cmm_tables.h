@@ -9,9 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// The planned pass and the even one beside the paper; what other parameters would have made of it, for which
-/// the experiment is run again with each; the parameters.
-/// Throws std::invalid_argument: what runCmmExperiment refuses.
+/// The planned pass and the even one beside the paper; the results with other parameters, each from a new run
+/// of the experiment; the parameters. Throws std::invalid_argument as runCmmExperiment does.
 std::vector<Table> cmmTables(const TriangleMesh& blisk, const BladesFound& blades,
                              const CmmExperimentOptions& options, const CmmExperiment& planned,
                              const CmmExperiment& even);

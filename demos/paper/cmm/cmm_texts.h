@@ -1,4 +1,4 @@
-// How the report's section on Table 5 names things.
+// Names and numbers in the report's section on Table 5.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What Table 5 of the paper tells of a sample of errors.
+// The statistics of a sample of errors that the paper's Table 5 gives.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,8 @@
 
 namespace octoblisk::demos {
 
-/// mm. The paper does not say whether its deviation is that of a sample (n - 1) or of all (n); here n - 1.
+/// In mm. The paper does not say whether its deviation is that of a sample (n - 1) or of all values (n); here
+/// n - 1.
 struct ErrorStatistics {
   double min = 0.0;
   double max = 0.0;
@@ -14,7 +15,7 @@ struct ErrorStatistics {
   double deviation = 0.0;  ///< standard
 };
 
-/// Of at least two values. Throws std::invalid_argument where there are fewer.
+/// Throws std::invalid_argument for fewer than two values.
 ErrorStatistics statisticsOf(std::span<const double> errors);
 
 }  // namespace octoblisk::demos

@@ -16,7 +16,7 @@ void requirePositive(double value, const char* name) {
   }
 }
 
-/// ∫ √(1 - t²) dt from 0 to t, of t clamped to [-1, 1].
+/// ∫ √(1 - t²) dt from 0 to t, with t clamped to [-1, 1].
 double areaUnderCircle(double t) {
   t = std::clamp(t, -1.0, 1.0);
   return 0.5 * (t * std::sqrt((1.0 - t) * (1.0 + t)) + std::asin(t));
@@ -104,7 +104,7 @@ std::vector<double> GrindingPass::weighed(std::span<const double> values) const 
 std::vector<double> GrindingPass::plan(std::span<const double> wanted, int rounds) const {
   std::vector<double> depths(wanted.begin(), wanted.end());
   for (double& depth : depths) depth = std::max(depth, 0.0);
-  // Each depth counts by the area of its cell, or dense stations would count more.
+  // Each depth is weighted by the area of its cell; otherwise dense stations would count more.
   std::vector<double> areas;
   for (std::size_t row = 0; row < grid_.rows(); ++row) {
     for (std::size_t k = 0; k < grid_.stations(); ++k) {
@@ -133,7 +133,7 @@ std::vector<double> GrindingPass::grind(std::span<const double> dwells, const Pr
   std::vector<double> loads;
   double noise = random.normal();
   for (const Pose& pose : poses_) {
-    // A first-order autoregression: what is left of the noise of a step before, and fresh noise.
+    // A first-order autoregression: the remainder of the previous step's noise, plus fresh noise.
     const double kept = std::exp(-pose.step / errors.force_correlation);
     noise = kept * noise + std::sqrt(1.0 - kept * kept) * random.normal();
     const double force = errors.force_factor * (1.0 + errors.force_noise * noise);

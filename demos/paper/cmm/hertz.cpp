@@ -9,8 +9,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// K and (K - E) / K of the complete elliptic integrals, by the arithmetic-geometric mean: the difference
-/// loses no digits where e is small.
+/// K and (K - E) / K of the complete elliptic integrals, by the arithmetic-geometric mean; so the difference
+/// loses no digits for small e.
 struct EllipticIntegrals {
   double first;  ///< K
   double drop;   ///< (K - E) / K
@@ -52,7 +52,7 @@ LineContact lineContact(double force_per_length, double radius, double contact_m
 EllipticContact ellipticContact(double force, double radius_1, double radius_2, double contact_modulus) {
   if (force <= 0.0) return {};
   const auto [lesser, greater] = std::minmax({radius_1, radius_2});
-  // R'/R'' falls as b/a grows to 1; its logarithm is bisected, as b/a may be small.
+  // R'/R'' falls as b/a grows to 1. The bisection is in the logarithm, because b/a may be small.
   double low = std::log(1e-8);
   double high = 0.0;
   for (int k = 0; k < 100; ++k) {

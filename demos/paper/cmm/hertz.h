@@ -1,7 +1,8 @@
 // Hertz's contact of elastic solids: a wheel on a flat, and two curved surfaces.
 //
 // Units: mm, N, MPa = N/mm². Equations: K. L. Johnson, Contact Mechanics (1985), chapter 4. They hold for
-// contacts that are small beside the radii and the elastic cover; a soft wheel strains them.
+// contacts that are small compared with the radii and the elastic cover; a soft wheel is at the limit of
+// this.
 #pragma once
 
 namespace octoblisk::demos {
@@ -14,8 +15,9 @@ struct ElasticSolid {
 /// E* of two solids: 1/E* = (1-ν₁²)/E₁ + (1-ν₂²)/E₂ (MPa).
 double contactModulus(const ElasticSolid& a, const ElasticSolid& b);
 
-/// The modulus of rubber (MPa) of a Shore A hardness S in (0, 100), by A. N. Gent (1958), "On the relation
-/// between indentation hardness and Young's modulus": 0.0981 (56 + 7.62336 S) / (0.137505 (254 - 2.54 S)).
+/// The modulus of rubber (MPa) with a Shore A hardness S in (0, 100), after A. N. Gent (1958), "On the
+/// relation between indentation hardness and Young's modulus": 0.0981 (56 + 7.62336 S) / (0.137505 (254
+/// - 2.54 S)).
 double rubberModulus(double shore_a);
 
 /// A cylinder of radius R on a flat, pressed by a force per length q: b² = 4qR / (πE*), p₀ = 2q / (πb).

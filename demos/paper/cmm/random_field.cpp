@@ -17,7 +17,7 @@ double RandomNumbers::normal() {
 SmoothField::SmoothField(std::uint64_t seed, double curve_length, double correlation_along,
                          double correlation_up) {
   RandomNumbers random(seed);
-  // The spectrum of a Gaussian correlation is Gaussian; round a closed curve only whole waves fit.
+  // The spectrum of a Gaussian correlation is Gaussian; only whole waves fit around a closed curve.
   const double round_deviation = curve_length / (2.0 * std::numbers::pi * correlation_along);
   for (int k = 0; k < kWaves; ++k) {
     const double round = 2.0 * std::numbers::pi * std::round(round_deviation * random.normal());

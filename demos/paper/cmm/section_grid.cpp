@@ -10,16 +10,16 @@ SectionGrid::SectionGrid(std::vector<double> heights, const std::vector<std::vec
                          bool closed)
     : heights_(std::move(heights)), closed_(closed) {
   if (rows.size() < 2 || rows.size() != heights_.size()) {
-    throw std::invalid_argument("a grid of sections needs two rows at least, and a height for each");
+    throw std::invalid_argument("a grid of sections needs at least two rows, and one height per row");
   }
   stations_ = rows.front().size();
-  if (stations_ < 3) throw std::invalid_argument("a grid of sections needs three stations at least");
+  if (stations_ < 3) throw std::invalid_argument("a grid of sections needs at least three stations");
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (rows[row].size() != stations_) {
       throw std::invalid_argument("row " + std::to_string(row) + " has another number of stations");
     }
     if (row > 0 && !(heights_[row] > heights_[row - 1])) {
-      throw std::invalid_argument("row " + std::to_string(row) + " is not above the one before");
+      throw std::invalid_argument("row " + std::to_string(row) + " is not above the previous row");
     }
     for (const SectionPoint& point : rows[row]) {
       points_.push_back({.position = point.position, .flat = point.flat});
@@ -69,7 +69,7 @@ void SectionGrid::measureSections() {
 }
 
 void SectionGrid::findNormals() {
-  double area = 0.0;  // twice the first section's, positive where it turns to the left
+  double area = 0.0;  // twice the first section's area, positive if it turns to the left
   for (std::size_t k = 0; k < stations_ && closed_; ++k) {
     const Vec2& from = at(0, k).flat;
     const Vec2& to = at(0, next(k)).flat;
@@ -92,7 +92,8 @@ void SectionGrid::findNormals() {
 }
 
 TriangleMesh SectionGrid::displaced(std::span<const double> displacements) const {
-  if (displacements.size() != size()) throw std::invalid_argument("there is not a displacement a point");
+  if (displacements.size() != size())
+    throw std::invalid_argument("the numbers of displacements and points differ");
   std::vector<Vec3> vertices;
   for (std::size_t k = 0; k < size(); ++k) {
     vertices.push_back(points_[k].position + displacements[k] * points_[k].normal);

@@ -1,4 +1,4 @@
-// A surface as rows of points: along a section, and section by section up.
+// A surface as rows of points, one row per section.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@ class SectionGrid {
     Vec2 flat = Vec2::Zero();
     Vec2 flat_normal = Vec2::Zero();  ///< of the section, unit, outwards
     double arc = 0.0;                 ///< length of the section from its first station
-    double width = 0.0;               ///< of the station's cell: half of the way to both its neighbours
+    double width = 0.0;               ///< of the station's cell: half the distances to both neighbours
   };
 
-  /// The rows' heights ascend. In space, along × up must point to the left of the section in its plane, as
-  /// z × e_r = e_theta does on a blade. Outwards is out of a closed section, and to the left of an open one.
-  /// Throws std::invalid_argument: fewer than two rows or three stations, rows of unlike length, heights that
-  /// do not ascend, neighbours at one place.
+  /// The rows' heights must ascend. In space, along × up must point to the left of the section in its plane,
+  /// as z × e_r = e_theta does on a blade. Outwards means out of a closed section, and to the left of an open
+  /// one. Throws std::invalid_argument: fewer than two rows or three stations, rows of different lengths,
+  /// heights that do not ascend, neighbours at the same place.
   SectionGrid(std::vector<double> heights, const std::vector<std::vector<SectionPoint>>& rows, bool closed);
 
   std::size_t rows() const { return heights_.size(); }
@@ -34,7 +34,8 @@ class SectionGrid {
   bool closed() const { return closed_; }
   double height(std::size_t row) const { return heights_[row]; }
 
-  /// The lower and upper end of a row's cell, half-way to the next rows; its own height where there is none.
+  /// The lower and upper end of a row's cell, half-way to the neighbouring rows; its own height if it has no
+  /// neighbour there.
   double cellBottom(std::size_t row) const;
   double cellTop(std::size_t row) const;
 
@@ -42,14 +43,14 @@ class SectionGrid {
   const Point& at(std::size_t row, std::size_t station) const { return points_[index(row, station)]; }
   const std::vector<Point>& points() const { return points_; }
 
-  /// The length of a row's section, all the way round where it is closed.
+  /// The length of a row's section, including the closing step if it is closed.
   double length(std::size_t row) const;
 
-  /// The surface whose points are moved along their normals, outward oriented; one displacement a point.
+  /// The surface with its points displaced along their normals, oriented outward; one displacement per point.
   TriangleMesh displaced(std::span<const double> displacements) const;
 
  private:
-  std::size_t next(std::size_t station) const;  ///< itself at an open end
+  std::size_t next(std::size_t station) const;  ///< the station itself at an open end
   std::size_t last(std::size_t station) const;
   void measureSections();
   void findNormals();
@@ -57,7 +58,7 @@ class SectionGrid {
   std::vector<double> heights_;
   std::size_t stations_ = 0;
   bool closed_;
-  double outward_ = 1.0;  ///< -1: outwards is to the section's right
+  double outward_ = 1.0;  ///< -1 if outwards is to the section's right
   std::vector<Point> points_;
 };
 

@@ -17,7 +17,7 @@ double spreadOut(double u, double spread) {
 
 double skewed(double v, double skew) { return v / (v + (1.0 - v) * skew); }
 
-/// The middle of an interval, halved again and again towards where `tooLow` changes from true to false.
+/// Bisects an interval to the place where `tooLow` changes from true to false.
 template <typename TooLow>
 double bisect(double low, double high, const TooLow& tooLow) {
   for (int k = 0; k < kHalvings; ++k) {
@@ -58,7 +58,7 @@ StatisticsMap::StatisticsMap(std::span<const double> sample, const ErrorStatisti
   const double off =
       std::max(std::abs(reached.mean - wanted.mean), std::abs(reached.deviation - wanted.deviation));
   if (!(off <= 1e-9 * (wanted.max - wanted.min))) {
-    throw std::invalid_argument("no stock has the minimum, maximum, mean and deviation asked for");
+    throw std::invalid_argument("no stock has the requested minimum, maximum, mean and deviation");
   }
 }
 

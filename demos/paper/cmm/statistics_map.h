@@ -1,4 +1,4 @@
-// An increasing map that gives a sample the statistics asked for.
+// An increasing map that gives a sample the requested statistics.
 #pragma once
 
 #include <span>
@@ -8,18 +8,19 @@
 
 namespace octoblisk::demos {
 
-/// Maps values x of a field to errors so that a given sample of them gets exactly a given least, greatest and
-/// mean value and standard deviation:
-///   u = the part of the sample below x, in [0, 1]; straight from value to value
+/// Maps values x of a field to errors so that a given sample of them gets exactly the given minimum, maximum,
+/// mean and standard deviation:
+///   u = the fraction of the sample below x, in [0, 1]; linear from value to value
 ///   v = u - s sin(2πu) / 2π      the spread s in [-1, 1] sets the deviation
 ///   w = v / (v + (1 - v) k)      the skew k > 0 sets the mean
 ///   error = min + (max - min) w
-/// s and k are found by nested bisection. All steps are increasing and continuous; all but the first, whose
-/// kinks are as small as the sample is large, are smooth.
+/// s and k are found by nested bisection. All steps are increasing and continuous. All but the first are
+/// smooth; the kinks of the first become small for a large sample.
 class StatisticsMap {
  public:
-  /// Throws std::invalid_argument where the sample has fewer than two different values, or where no s and k
-  /// give the statistics: the deviation must be about 0.21 to 0.38 of the range, the mean not far off centre.
+  /// Throws std::invalid_argument if the sample has fewer than two different values, or if no s and k give
+  /// the statistics:
+  /// the deviation must be about 0.21 to 0.38 of the range, the mean not far off centre.
   StatisticsMap(std::span<const double> sample, const ErrorStatistics& wanted);
 
   double operator()(double value) const;

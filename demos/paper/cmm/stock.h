@@ -9,22 +9,22 @@
 
 namespace octoblisk::demos {
 
-/// The correlation lengths (mm) are assumed: the paper gives none.
+/// The correlation lengths (mm) are assumed, because the paper gives none.
 struct StockOptions {
-  AreaStatistics statistics = kPaperBefore;  ///< of each area
+  AreaStatistics statistics = kPaperBefore;  ///< per area
   double correlation_along = 8.0;
   double correlation_up = 15.0;
   std::uint64_t seed = 1;
 };
 
-/// The error of each point of the strip's grid (mm, outwards is above 0).
+/// The error of each point of the strip's grid (mm, positive outwards).
 ///
-/// One SmoothField runs round the blade. In each area a StatisticsMap turns its values into errors such that
-/// the points that are measured, of all measured sections together, have exactly the statistics asked for;
-/// points in between follow smoothly, within the least and the greatest error. Across the borders of areas,
-/// where nothing is measured, the errors of either area pass into each other by their shares.
+/// One SmoothField covers the blade. In each area a StatisticsMap turns its values into errors such that the
+/// measured points of all measured sections together have exactly the requested statistics. Points in between
+/// follow smoothly, within the least and the greatest error. Across the borders of areas, where nothing is
+/// measured, the errors of both areas are blended by their shares.
 ///
-/// Throws std::invalid_argument: what StatisticsMap refuses, a length not above 0.
+/// Throws std::invalid_argument as StatisticsMap does, and for a length not above 0.
 std::vector<double> makeStock(const BladeStrip& strip, const StockOptions& options = {});
 
 /// The grid's indices of the measured points of an area, section by section.

@@ -12,16 +12,17 @@ namespace {
 
 constexpr double kTouch = 1e-7;  // mm
 
-/// How far above the nominal surface a ball touches that comes down from `approach`, where it does.
+/// The height above the nominal surface at which a ball that comes down from `approach` touches, if it
+/// touches.
 std::optional<double> touchOf(const ClusteredOctree& part, const NominalPoint& point,
                               const CmmOptions& options) {
-  constexpr int kMostSteps = 10'000;  // many only where the ball glances along a surface
+  constexpr int kMostSteps = 10'000;  // needed only if the ball glances along a surface
   double above = options.approach;
   for (int step = 0; step < kMostSteps && above >= -options.approach; ++step) {
     const Vec3 center = point.position + (options.probe_radius + above) * point.normal;
     const auto closest = closestPoint(part, center);
     if (!closest) return std::nullopt;
-    // No surface is nearer: the ball may go as far without touching.
+    // No surface is nearer, so the ball may move this far without touching.
     const double free = closest->distance - options.probe_radius;
     if (step == 0 && free <= 0.0) return std::nullopt;
     if (free < kTouch) return above;
@@ -43,7 +44,7 @@ std::vector<double> measureDeviations(const ClusteredOctree& part, std::span<con
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto touch = touchOf(part, points[k], options);
     if (!touch) {
-      throw std::invalid_argument("the CMM's ball starts in touch or meets nothing at point " +
+      throw std::invalid_argument("the CMM's ball touches at the start, or meets nothing, at point " +
                                   std::to_string(k));
     }
     deviations.push_back(*touch + options.noise * random.normal());

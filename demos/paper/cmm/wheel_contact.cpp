@@ -11,10 +11,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// Slices steeper than this against the wheel carry next to nothing, and round a thin edge they face away.
+/// Slices steeper than this against the wheel carry almost nothing; around a thin edge they face away.
 constexpr double kLeastCosine = 0.05;
 
-/// A station as the wheel sees it.
+/// A station, relative to the wheel.
 struct Reached {
   std::size_t station;
   double from, to;  ///< of its cell, along the tangent

@@ -9,9 +9,10 @@
 
 namespace octoblisk::demos {
 
-/// A wheel with a rubber cover. Its axis lies along the section; it is as round as `radius` across it.
+/// A wheel with a rubber cover. Its axis lies along the section; across the section it is as round as
+/// `radius`.
 struct ContactWheel {
-  /// Outer, with the belt (mm): of the grinder of the paths. Assumed.
+  /// Outer radius with the belt (mm), the same as for the grinding paths. Assumed.
   double radius = BeltParameters{}.contact_wheel_radius + BeltParameters{}.thickness;
   double width = BeltParameters{}.width;  ///< mm; assumed
   double shore_a = 40.0;                  ///< of the cover; assumed
@@ -23,32 +24,34 @@ struct ContactWheel {
       const;  ///< E* of cover and blade, MPa (hertz.h); the belt's own stiffness is left out
 };
 
-/// How deep a force (N) presses the wheel into a flat: d = 4F / (πE*L), for L the width (mm).
+/// The depth to which a force (N) presses the wheel into a flat: d = 4F / (πE*L), where L is the width (mm).
 double indentationOnFlat(const ContactWheel& wheel, double force);
 
-/// The part of the contact on a station's cell.
+/// The contact on one station's cell.
 struct ContactSlice {
   std::uint32_t station = 0;
-  double covered = 0.0;        ///< part of the cell's width under the wheel, 0..1
+  double covered = 0.0;        ///< fraction of the cell's width under the wheel, 0..1
   double half_width = 0.0;     ///< b, across the section, mm
   double peak_pressure = 0.0;  ///< p₀, MPa; p = p₀ √(1 - y²/b²)
 };
 
-/// Pressed along the normal of a station so that it is `indentation` (mm) deep where it first touches.
+/// The wheel is pressed along the normal of a station until it is `indentation` (mm) deep where it first
+/// touches.
 ///
-/// At x along the section's tangent there, let g be the depth of the surface under the tangent and φ the
-/// angle of its normal. Each slice of the wheel is a line contact pressed in by d(x) = (indentation - g +
-/// least g) cos φ, with a force per length q = πE*d/4, hence b = √(Rd) and p₀ = (E*/2) √(d/R) (V. L. Popov,
-/// Contact Mechanics and Friction, 2010, the method of dimensionality reduction for cylinders). On a flat
-/// this is Hertz's line contact, exactly; a slice does not feel its neighbours, and the rims press no harder.
-/// So it holds on flat, concave, convex and sharply rounded places, and where the wheel overhangs an edge.
-/// The surface is taken as straight across the section, where the wheel is far rounder.
+/// At x along the section's tangent there, let g be the depth of the surface below the tangent and φ the
+/// angle of its normal. Each slice of the wheel is a line contact with the indentation d(x) = (indentation -
+/// g + least g) cos φ and a force per length q = πE*d/4, and so b = √(Rd) and p₀ = (E*/2) √(d/R) (V. L.
+/// Popov, Contact Mechanics and Friction, 2010, the method of dimensionality reduction for cylinders). On a
+/// flat this is exactly Hertz's line contact. A slice does not interact with its neighbours, and the rims
+/// press no harder. So the model holds on flat, concave, convex and sharply rounded places, and where the
+/// wheel overhangs an edge. The surface is treated as straight across the section, where the wheel is far
+/// rounder.
 ///
-/// Replaces `slices`, whose memory is used again; by ascending distance in either direction.
+/// Overwrites `slices` and reuses its memory; they are ordered by ascending distance in either direction.
 void findContact(const SectionGrid& grid, std::size_t row, std::size_t station, const ContactWheel& wheel,
                  double indentation, std::vector<ContactSlice>& slices);
 
-/// The force of a contact along the normal of each slice, summed (N): Σ (π/2) p₀ b · width.
+/// The force of a contact: the sum over its slices along their normals (N), Σ (π/2) p₀ b · width.
 double forceOf(const std::vector<ContactSlice>& slices, const SectionGrid& grid, std::size_t row);
 
 }  // namespace octoblisk::demos

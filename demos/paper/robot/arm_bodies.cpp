@@ -65,7 +65,7 @@ MassOfBody joined(std::span<const MassOfBody> bodies) {
     whole.mass += body.mass;
     whole.center += body.mass * body.center;
   }
-  if (!(whole.mass > 0.0)) throw std::invalid_argument("bodies that move as one must have a mass");
+  if (!(whole.mass > 0.0)) throw std::invalid_argument("bodies that are joined must have a mass");
   whole.center /= whole.mass;
   for (const MassOfBody& body : bodies) {
     whole.inertia += body.inertia + pointInertia(body.mass, body.center - whole.center);

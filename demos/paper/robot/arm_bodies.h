@@ -1,4 +1,4 @@
-// What the arm's links are made of: convex bodies for collisions and pictures, masses for their motion.
+// The bodies of the arm's links: convex for collisions and pictures, with masses for their dynamics.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace octoblisk::demos {
 
-/// A round bar in a link's own frame (mm), its mass in kg spread evenly in it.
+/// A round bar in a link's own frame (mm), with its mass in kg spread evenly in it.
 struct LinkBody {
   Vec3 from, to;
   double radius;
   double mass;
 };
 
-/// One for each link; they follow the arm's dimensions. Radii and masses are assumed.
+/// One per link; they follow the arm's dimensions. Radii and masses are assumed.
 std::array<LinkBody, 6> linkBodies(const SixAxisArm& arm);
 
-/// The bar as a closed surface, outward oriented: a prism of 16 sides about it.
+/// The bar as a closed mesh, oriented outward: a prism of 16 sides around it.
 TriangleMesh meshOf(const LinkBody& body);
 
-/// Mass, centre of mass and inertia about it, along the axes of the frame it is given in: kg, mm, kg mm².
+/// Mass, centre of mass, and inertia about the centre of mass along the frame's axes: kg, mm, kg mm².
 struct MassOfBody {
   double mass = 0.0;
   Vec3 center = Vec3::Zero();
@@ -35,7 +35,7 @@ MassOfBody massOf(const TriangleMesh& mesh, double mass);
 /// The same in another frame.
 MassOfBody operator*(const Pose& pose, const MassOfBody& body);
 
-/// Bodies that move as one. Throws std::invalid_argument where they have no mass.
+/// Joins bodies to one rigid body. Throws std::invalid_argument if they have no mass.
 MassOfBody joined(std::span<const MassOfBody> bodies);
 
 }  // namespace octoblisk::demos

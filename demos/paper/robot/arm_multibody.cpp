@@ -10,7 +10,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kTorqueUnit = 1e6;  // kg mm²/s² in a newton metre
+constexpr double kTorqueUnit = 1e6;  // kg mm²/s² per newton metre
 constexpr int kFlange = static_cast<int>(RobotCell::kLinks) - 1;
 
 btQuaternion rotationOf(const Mat3& matrix) {
@@ -18,7 +18,7 @@ btQuaternion rotationOf(const Mat3& matrix) {
   return {btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())};
 }
 
-/// Of the flange with the tool on it.
+/// Of the flange together with the tool.
 MassOfBody withTool(const MassOfBody& flange, const RobotCellSetup& setup) {
   double volume = 0.0;
   for (const ToolPart& part : setup.tool) volume += massProperties(part.tree->mesh()).volume;
@@ -86,7 +86,7 @@ ArmMultiBody::ArmMultiBody(const RobotCellSetup& setup, btMultiBodyDynamicsWorld
     motors_.push_back(std::make_unique<btMultiBodyJointMotor>(&body_, link, 0, 0));
     limits_.push_back(std::make_unique<btMultiBodyJointLimitConstraint>(
         &body_, link, btScalar(setup.arm.least[link]), btScalar(setup.arm.greatest[link])));
-    limits_.back()->setMaxAppliedImpulse(BT_LARGE_FLOAT);  // its default of 100 is a length's worth of units
+    limits_.back()->setMaxAppliedImpulse(BT_LARGE_FLOAT);  // the default of 100 is too small in these units
     world_.addMultiBodyConstraint(motors_.back().get());
     world_.addMultiBodyConstraint(limits_.back().get());
   }
@@ -134,7 +134,7 @@ Joints ArmMultiBody::rates() const {
 void ArmMultiBody::command(const Joints& position, const Joints& rate, double seconds) {
   for (int link = 0; link <= kFlange; ++link) {
     btMultiBodyJointMotor& motor = *motors_[static_cast<std::size_t>(link)];
-    // Bullet wants the part of the error that is to vanish within the step.
+    // Bullet expects the fraction of the error to correct within the step.
     motor.setPositionTarget(btScalar(position[link]), btScalar(servo_.position_gain * seconds));
     motor.setVelocityTarget(btScalar(servo_.feedforward * rate[link]));
     motor.setMaxAppliedImpulse(btScalar(servo_.torque[link] * kTorqueUnit * seconds));

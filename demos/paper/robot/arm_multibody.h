@@ -1,4 +1,4 @@
-// The arm with its tool as Bullet's Featherstone body: links, colliders, motors and limits of its joints.
+// The arm with its tool as a Featherstone body of Bullet: links, colliders, motors and limits of its joints.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -16,10 +16,10 @@ class btMultiBodyDynamicsWorld;
 
 namespace octoblisk::demos {
 
-/// Links 0 to 5 turn; each part of the tool is a link fixed to the last. A Bullet link's frame has the axes
-/// of its DH frame, and its origin in the centre of mass; a part's is the tool's frame, its mass is in
-/// link 5. Bullet knows the diagonal of a link's inertia alone, along these axes: products of inertia are
-/// dropped.
+/// Links 0 to 5 turn; each part of the tool is a link fixed to the last of them. The frame of a turning
+/// Bullet link has the axes of its DH frame and its origin in the centre of mass. A part's frame is the
+/// tool's frame, and its mass is included in link 5. Bullet supports only a diagonal inertia of a link, along
+/// these axes: products of inertia are dropped.
 class ArmMultiBody {
  public:
   ArmMultiBody(const RobotCellSetup& setup, btMultiBodyDynamicsWorld& world);
@@ -35,14 +35,14 @@ class ArmMultiBody {
   Joints joints() const;
   Joints rates() const;
 
-  /// What the motors are to do in the next step, of `seconds`.
+  /// Sets the motors' targets for the next step, of `seconds`.
   void command(const Joints& position, const Joints& rate, double seconds);
 
-  /// Puts the colliders where Bullet has the links, or where they would be.
+  /// Moves the colliders to Bullet's links, or to where the links would be at given joints.
   void showBodies();
   void showBodies(const SixAxisArm& arm, const Joints& joints, const Pose& tool_in_base);
 
-  Pose linkFrame(std::size_t link) const;  ///< of a collider that is shown where the link is
+  Pose linkFrame(std::size_t link) const;  ///< the frame of a collider at the link
   Pose toolInBase() const;
 
  private:
@@ -57,7 +57,7 @@ class ArmMultiBody {
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
   std::vector<std::unique_ptr<btMultiBodyJointMotor>> motors_;
   std::vector<std::unique_ptr<btMultiBodyJointLimitConstraint>> limits_;
-  btAlignedObjectArray<btQuaternion> rotations_;  // Bullet's scratch
+  btAlignedObjectArray<btQuaternion> rotations_;  // scratch memory for Bullet
   btAlignedObjectArray<btVector3> origins_;
 };
 

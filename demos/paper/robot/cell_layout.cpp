@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeap = 0.5 * std::numbers::pi;
 
-/// How far the arm gets along a path by one branch.
+/// How far along a path the arm gets with one branch.
 struct Way {
   std::size_t reached = 0;  ///< poses
   Reach why = Reach::reached;
@@ -70,8 +70,8 @@ std::size_t firstNotReached(const SixAxisArm& arm, const CellLayout& layout,
 
 CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_blisk, const Aabb& bounds,
                         const StandOptions& stand) {
-  if (tool_in_blisk.empty()) throw std::invalid_argument("a cell is laid out for a path: there are no poses");
-  if (stand.turntable_steps < 1) throw std::invalid_argument("the turntable needs an angle to try");
+  if (tool_in_blisk.empty()) throw std::invalid_argument("the path for the cell's layout has no poses");
+  if (stand.turntable_steps < 1) throw std::invalid_argument("the turntable needs at least one angle to try");
 
   CellLayout best;
   best.margin = -1.0;
@@ -96,8 +96,9 @@ CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_
   }
   if (best.margin < 0.0) {
     throw std::invalid_argument(
-        "the arm cannot follow the path at any angle of the turntable: at best it gets to pose " +
-        std::to_string(farthest.reached) + " (from 0), which is " + nameOf(farthest.why));
+        "the arm cannot follow the path at any angle of the turntable: at best it reaches all poses before "
+        "pose " +
+        std::to_string(farthest.reached) + " (counted from 0), which is " + nameOf(farthest.why));
   }
   return best;
 }

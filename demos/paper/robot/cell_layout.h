@@ -1,4 +1,5 @@
-// Where the blisk stands beside the arm, and how the arm holds the grinder: chosen so that a path is reached.
+// Chooses the position of the blisk beside the arm, and the arm's hold of the grinder, so that a path is
+// reached.
 #pragma once
 
 #include <vector>
@@ -8,10 +9,11 @@
 
 namespace octoblisk::demos {
 
-/// The blisk's stand: a turntable whose axis lies across the arm's front (along y). All assumed; mm.
+/// The blisk's stand: a turntable whose axis is horizontal across the arm's front (along y). All values are
+/// assumed; mm.
 struct StandOptions {
-  Vec3 center{1250.0, 0.0, 550.0};  ///< of the blisk, in the arm's base
-  int turntable_steps = 72;         ///< angles that are tried, evenly spaced
+  Vec3 center{1250.0, 0.0, 550.0};  ///< of the blisk, in the arm's base frame
+  int turntable_steps = 72;         ///< number of angles to try, evenly spaced
   double tool_length = 380.0;       ///< from the flange to the contact wheel's centre
 };
 
@@ -23,25 +25,26 @@ struct CellLayout {
   double margin = 0.0;           ///< see chooseLayout
 };
 
-/// How the grinder is held: its arm towards the flange, its wheels' axis along the flange's y.
+/// The hold of the grinder: its arm points towards the flange, its wheels' axis is along the flange's y.
 Pose toolInFlange(double tool_length);
 
-/// The blisk on its stand at an angle; its z axis is the turntable's, `middle` (mm) of it at the centre.
+/// The blisk on its stand at an angle. Its z axis is the turntable's; its point at z = `middle` (mm) is at
+/// the centre.
 Pose bliskInBase(const StandOptions& stand, double turntable_angle, double middle);
 
-/// The first pose that the arm cannot reach on its way from `start`, always taking the nearest joints; the
-/// number of poses where it reaches all.
+/// The first pose that the arm cannot reach on a path from `start`, always with the nearest joints; the
+/// number of poses if it reaches all.
 std::size_t firstNotReached(const SixAxisArm& arm, const CellLayout& layout,
                             const std::vector<Pose>& tool_in_blisk, Reach& why);
 
-/// Tries the turntable's angles, and all branches for the path's first pose, and takes those with the
-/// greatest margin: the least distance, all along the path, of a joint from its limits and of joint 5 from 0,
-/// where the wrist is singular (rad). A path on which a joint leaps by more than a quarter of a turn between
-/// poses does not count as reached.
+/// Tries the turntable's angles and all branches for the path's first pose, and takes those with the greatest
+/// margin: the least distance (rad), along the whole path, of a joint from its limits and of joint 5 from 0,
+/// where the wrist is singular. A path on which a joint jumps by more than a quarter turn between poses does
+/// not count as reached.
 ///
-/// `tool_in_blisk`: the belt's poses in the blisk's frame; `bounds`: the blisk's, mm.
-/// Throws std::invalid_argument where no angle lets the arm reach every pose: with the pose it gets to at
-/// best, and why no farther; for an empty path; for fewer than one step of the turntable.
+/// `tool_in_blisk`: the belt's poses in the blisk's frame; `bounds`: the blisk's, mm. Throws
+/// std::invalid_argument if no angle lets the arm reach every pose, with the first pose that it cannot reach
+/// at best and the reason; for an empty path; for fewer than one step of the turntable.
 CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_blisk, const Aabb& bounds,
                         const StandOptions& stand = {});
 

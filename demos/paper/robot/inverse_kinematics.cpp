@@ -9,11 +9,10 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kInLine =
-    1e-9;  // sine below which two axes count as in one line, mm for the wrist on axis 1
+constexpr double kInLine = 1e-9;  // sine below which two axes count as parallel; mm for the wrist on axis 1
 constexpr double kRounding = 1e-12;
 
-/// Puts each joint on the turn nearest to another within its limits; false where no turn is.
+/// Moves each joint by whole turns to the value nearest to another within its limits; false if there is none.
 bool turnWithinLimits(const SixAxisArm& arm, const Joints& near, Joints& joints) {
   for (Eigen::Index i = 0; i < joints.size(); ++i) {
     const double least = arm.least[i], greatest = arm.greatest[i];
@@ -26,7 +25,7 @@ bool turnWithinLimits(const SixAxisArm& arm, const Joints& near, Joints& joints)
   return true;
 }
 
-/// The wrist's two ways to turn the flange, given the joints before it.
+/// The two solutions of the wrist for an orientation of the flange, given the joints before it.
 struct WristJoints {
   double joint4, joint5, joint6;
 };

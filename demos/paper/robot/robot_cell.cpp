@@ -17,14 +17,14 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kGravity = 9810.0;     // mm/s²
-constexpr int kSolverIterations = 200;  // six motors on one chain: enough to agree with each other
+constexpr int kSolverIterations = 200;  // enough for six motors on one chain
 
 RobotCellSetup checked(RobotCellSetup setup) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw std::invalid_argument(message);
   };
   require(setup.blisk != nullptr, "a robot cell needs a blisk");
-  require(!setup.tool.empty(), "a robot cell needs a tool of at least one part");
+  require(!setup.tool.empty(), "a robot cell needs a tool with at least one part");
   require(setup.tool_mass >= 0.0, "the tool's mass must be at least 0 kg");
   require(setup.servo.position_gain >= 0.0, "the servos' position gain must be at least 0 per second");
   require(setup.servo.feedforward >= 0.0, "the servos' feedforward must be at least 0");
@@ -73,7 +73,7 @@ class RobotCell::World {
     blisk_.setWorldTransform(toBullet(setup.blisk_in_base));
     blisk_.setCollisionFlags(blisk_.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
     world_.addRigidBody(&blisk_);
-    // No contact acts on anything, so a step need not look for any; detect() asks for them by itself.
+    // Contacts have no effect, so a step does not compute any; detect() computes them when needed.
     dispatcher_.setNearCallback([](btBroadphasePair&, btCollisionDispatcher&, const btDispatcherInfo&) {});
     reach(0.0);
   }
@@ -86,7 +86,7 @@ class RobotCell::World {
 
   void step(double seconds) { world_.stepSimulation(btScalar(seconds), 0); }
 
-  /// Contacts of all bodies as they are shown, up to a distance.
+  /// The contacts of all shown bodies, up to a distance.
   void contacts(double reach_of_contacts, std::vector<CellContact>& found) {
     found.clear();
     reach(reach_of_contacts);
@@ -111,7 +111,7 @@ class RobotCell::World {
   }
 
  private:
-  /// Lets broadphase and contacts reach so far: Bullet's own default, 0.02, is a length in its world's units.
+  /// Sets the reach of broadphase and contacts: Bullet's own default, 0.02, depends on the unit of length.
   void reach(double distance) {
     blisk_shape_.setContactBreakingThreshold(btScalar(distance));
     for (std::size_t part = 0; part + kLinks < arm_.bodies(); ++part) {

@@ -14,11 +14,11 @@
 
 namespace octoblisk::demos {
 
-/// The motor of each joint: it turns at the commanded rate, times `feedforward`, plus the position's error
-/// times `position_gain`, as far as its torque goes. Assumed.
+/// The motor of each joint: it turns at the commanded rate times `feedforward`, plus the position error times
+/// `position_gain`, within the limit of its torque. Assumed.
 struct ServoOptions {
   double position_gain = 40.0;  ///< 1/s
-  double feedforward = 0.9;     ///< part of the commanded rate
+  double feedforward = 0.9;     ///< fraction of the commanded rate
   /// Greatest torques, N m.
   Joints torque = (Joints() << 4000.0, 4000.0, 2500.0, 500.0, 400.0, 200.0).finished();
 };
@@ -33,30 +33,29 @@ struct RobotCellSetup {
   Pose tool_in_flange;
 };
 
-/// Where the arm and its tool are thought to be: what the encoders say, and how far off the tool is.
+/// The believed state of the arm and its tool: the encoders' values, and the error of the tool.
 struct Belief {
   Joints joints;
-  Pose tool_error;  ///< in the tool's frame: where the tool is thought to be in where the joints put it
+  Pose tool_error;  ///< in the tool's frame: the believed tool, relative to the tool that the joints give
 };
 
 /// A contact or near miss of a moving body with the blisk.
 struct CellContact {
-  std::size_t body = 0;        ///< a link, 0 to 5, or 6 and more a part of the tool
+  std::size_t body = 0;        ///< 0 to 5: a link; from 6: a part of the tool
   std::uint32_t triangle = 0;  ///< of the blisk
   double distance = 0.0;       ///< mm; <= 0: touching
   Vec3 point = Vec3::Zero();   ///< on the blisk, in the base
 };
 
-/// The arm is a btMultiBody: six hinged links, convex, and for each part of the tool a link fixed to the
-/// flange, of our shape; the blisk is a static body of our shape; the broadphase is ours. What touches is
-/// seen and not felt: no contact pushes the arm, as the blisk is to be kept from touches and the force of
-/// grinding is not modelled.
+/// The arm is a btMultiBody: six hinged convex links and, fixed to the flange, one link per part of the tool
+/// with our shape. The blisk is a static body with our shape, and the broadphase is ours. Contacts are
+/// detected but have no effect on the arm, because the force of grinding is not modelled.
 class RobotCell {
  public:
   static constexpr std::size_t kLinks = 6;
 
-  /// Throws std::invalid_argument for a missing blisk, a tool without parts, or a position gain, feedforward,
-  /// torque or mass that is negative.
+  /// Throws std::invalid_argument for a missing blisk, a tool without parts, or a negative position gain,
+  /// feedforward, torque or mass.
   explicit RobotCell(RobotCellSetup setup);
   ~RobotCell();
   RobotCell(const RobotCell&) = delete;
@@ -65,10 +64,10 @@ class RobotCell {
   const RobotCellSetup& setup() const { return setup_; }
   std::string nameOfBody(std::size_t body) const;
 
-  /// Puts the arm there at rest.
+  /// Moves the arm to the joints, at rest.
   void place(const Joints& joints);
 
-  /// Lets the motors follow a command that goes evenly from one position to the next, for `seconds`, in
+  /// Lets the motors follow a command that runs evenly from one position to the next, for `seconds`, in
   /// `steps` steps of the world. The servos see the joints with the encoders' error.
   void drive(const Joints& from, const Joints& to, double seconds, int steps, const Joints& encoder_error);
 
@@ -79,12 +78,12 @@ class RobotCell {
   Pose linkFrame(std::size_t link) const;
   Pose toolInBlisk() const;  ///< as Bullet has it
 
-  /// Where the tool is thought to be.
+  /// The believed pose of the tool.
   Pose toolInBlisk(const Belief& belief) const;
 
-  /// Bullet's contacts of everything that moves with the blisk, if all were where it is thought to be: pairs
-  /// by the broadphase, then for each the closest-points query up to the distance `reach` (mm, >= 0). The
-  /// arm itself stays where it is. The answer is good until the next call.
+  /// Bullet's contacts of all moving bodies with the blisk, with all bodies at their believed poses: pairs
+  /// from the broadphase, then the closest-points query for each, up to the distance `reach` (mm, >= 0). The
+  /// arm itself does not move. The result is valid until the next call.
   std::span<const CellContact> detect(const Belief& belief, double reach);
 
  private:

@@ -22,17 +22,17 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   require(!scene.tool.empty(), "a robot's run needs a tool");
   require(!scene.clouds.empty(), "a robot's run needs clouds of the blisk's parts");
   require(scene.blades.blade_of_triangle.size() == scene.blisk->mesh().triangleCount(),
-          "the blades are not those of this blisk");
+          "the blade numbers are not for this blisk");
   require(options.control_period > 0.0, "the control period must be above 0 s");
-  require(options.steps_a_tick > 0, "a tick needs a step of the world");
+  require(options.steps_a_tick > 0, "a tick needs at least one step of the world");
   require(options.margin >= 0.0, "the margin must be at least 0 mm");
   require(options.k_means.k > 0 && options.leaf_capacity > 0,
-          "the numbers of clusters and of points a leaf must be above 0");
+          "the numbers of clusters and of points per leaf must be above 0");
   require(options.noise.encoder >= 0.0 && options.noise.position >= 0.0 && options.noise.direction >= 0.0,
           "standard deviations of noise must be at least 0");
 }
 
-/// Sums what each tick says of a method.
+/// Sums the answers of a method over the ticks.
 class Tally {
  public:
   Tally(RobotMethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
@@ -41,7 +41,7 @@ class Tally {
 
   void add(const RobotAnswer& answer, const Touches& truth) {
     const auto [clock, processor] = answer.taken;
-    result_.mean_seconds += processor;  // their sum, until finished
+    result_.mean_seconds += processor;  // the sum, until finished
     result_.worst_seconds = std::max(result_.worst_seconds, processor);
     result_.worst_clock_seconds = std::max(result_.worst_clock_seconds, clock);
     result_.late_ticks += clock > period_;
@@ -70,7 +70,7 @@ RobotCellSetup setupOf(const RobotScene& scene, const CellLayout& layout, const 
   return setup;
 }
 
-/// Frames of the links in the blisk's, as Bullet has them.
+/// Frames of the links in the blisk's frame, from Bullet.
 std::array<Pose, 6> linksInBlisk(const RobotCell& cell) {
   const Pose base_in_blisk = cell.setup().blisk_in_base.inverse();
   std::array<Pose, 6> links;
@@ -78,7 +78,7 @@ std::array<Pose, 6> linksInBlisk(const RobotCell& cell) {
   return links;
 }
 
-/// Which 99.9 % of the ticks do not exceed.
+/// The time that 99.9 % of the ticks do not exceed.
 double usualSeconds(const RobotRun& run, std::size_t method) {
   std::vector<float> seconds;
   for (const RobotTick& tick : run.ticks) seconds.push_back(tick.seconds[method]);
@@ -100,7 +100,7 @@ void summarize(RobotRun& run) {
   }
 }
 
-/// A run, tick by tick.
+/// One run, tick by tick.
 class RobotLoop {
  public:
   RobotLoop(const RobotScene& scene, const CellLayout& layout, const RobotRunOptions& options,
@@ -146,7 +146,7 @@ class RobotLoop {
   }
 
  private:
-  /// Commands the arm for a tick, from where it was commanded to be; the first time puts it there.
+  /// Commands the arm for a tick, starting from the last command; the first call places it.
   void moveTo(const Pose& wanted) {
     const Pose flange_in_base = layout_.blisk_in_base * wanted * layout_.tool_in_flange.inverse();
     const Posture posture = inverseKinematics(arm_, flange_in_base, commanded_);
@@ -161,7 +161,7 @@ class RobotLoop {
     commanded_ = next;
   }
 
-  /// Measures where the tool is, and notes how far off the arm and the measurement are.
+  /// Measures the tool's pose, and records the errors of the arm and of the measurement.
   Belief sense(const Pose& wanted, RobotTick& tick) {
     const Joints joints = cell_.joints();
     const Pose tool_in_blisk = cell_.toolInBlisk();
@@ -182,7 +182,8 @@ class RobotLoop {
     tick.forbidden = touches.forbidden;
     run_.arm.true_ticks += truth_.ofArm(linksInBlisk(cell_));
     for (std::size_t turn = 0; turn < kRobotMethods; ++turn) {
-      const std::size_t m = (k + turn) % kRobotMethods;  // the first finds the caches cold: each in turn
+      // Rotates, because the first method finds cold caches.
+      const std::size_t m = (k + turn) % kRobotMethods;
       const auto method = static_cast<RobotMethod>(m);
       const RobotAnswer answer = methods_.ask(method, belief);
       tallies_[m].add(answer, touches);

@@ -11,11 +11,11 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostStretches = 250;  // of a line: more would blur
+constexpr std::size_t kMostStretches = 250;  // per line: more would blur
 
 using ValueOf = std::function<double(const RobotTick&)>;
 
-/// The greatest value of each of a few hundred stretches of time.
+/// The greatest value in each of a few hundred intervals of time.
 Series greatest(const RobotRun& run, const std::string& name, const ValueOf& value) {
   Series series{.name = name, .x = {}, .y = {}, .style = SeriesStyle::line};
   const std::size_t stretch = run.ticks.size() / kMostStretches + 1;
@@ -44,9 +44,9 @@ Plot timePlot(const RobotRun& run) {
     };
   };
   const double period = 1e3 * run.options.control_period;
-  return {.title = "Time of detection at a tick",
+  return {.title = "Detection time per tick",
           .x_label = "time along the path (s)",
-          .y_label = "time of detection (ms)",
+          .y_label = "detection time (ms)",
           .y_log = true,
           .series = {{.name = "control period",
                       .x = {0.0, run.ticks.back().time},
@@ -79,7 +79,7 @@ Picture cellPicture(const RobotReport& report, const RobotScene& scene) {
   for (const Pose& pose : scene.path) path.push_back(run.layout.blisk_in_base * pose.translation);
   picture.scene.addPolyline(path, {.color = palette::kPurple, .width = 2.5f, .hidden_opacity = 0.3f});
   picture.annotation = {.title = "The simulated cell, half-way along the path",
-                        .subtitle = "The bodies that collide; the blisk's stand is left out",
+                        .subtitle = "The colliding bodies; the blisk's stand is not drawn",
                         .legend = {{palette::kOrange, "arm"},
                                    {palette::kSky, "belt grinder"},
                                    {palette::kSteel, "blisk"},
@@ -97,13 +97,14 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   writeSvg(errorPlot(run), folder / "table4_errors.svg");
   writeSvg(timePlot(run), folder / "table4_times.svg");
   writePng(cellPicture(report, scene), (folder / "table4_cell.png").string());
-  const std::string stretches = " of the first run: the greatest of each of at most " +
-                                std::to_string(kMostStretches) + " stretches of time.";
+  const std::string stretches = " of the first run: the greatest value in each of at most " +
+                                std::to_string(kMostStretches) + " intervals of time.";
   return {{"table4_errors.svg",
-           "The wheel's centre from where it is to be (tracking) and measured from where it is (sensing)," +
+           "Distance of the wheel's centre from its target (tracking) and of the measured centre from the "
+           "true one (sensing)," +
                stretches},
           {"table4_times.svg",
-           "Detection times, the processor's, all contacts being those in Bullet," + stretches},
+           "Detection times in processor time; \"contacts\" are all those in Bullet," + stretches},
           {"table4_cell.png", "The cell in Bullet: arm, grinder and blisk (fig. 11b of the paper)."}};
 }
 

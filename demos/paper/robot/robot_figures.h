@@ -1,4 +1,4 @@
-// The figures to Table 4: errors and times along the path, and the cell.
+// The figures for Table 4: errors and times along the path, and the cell.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace octoblisk::demos {
 
-/// Draws them into the folder: two plots of the first run, and a picture of the cell half-way along it.
-/// Throws as writeSvg and writePng.
+/// Draws into the folder two plots of the first run, and a picture of the cell half-way along it. Throws as
+/// writeSvg and writePng.
 std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene& scene,
                                      const std::filesystem::path& folder);
 

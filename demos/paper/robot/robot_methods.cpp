@@ -26,7 +26,7 @@ class TickWatch {
   Stopwatch processor_;
 };
 
-/// Of the boxes that the broadphase looks at first.
+/// The volume of the boxes that the broadphase tests first.
 double boxVolume(const ClusteredOctree& tree) {
   double volume = 0.0;
   for (const Obb& box : tree.boxes(ClusteredOctreeBroadphase::kDefaultDepth)) volume += box.volume();

@@ -1,4 +1,4 @@
-// The methods of detection that are compared in the loop of the robot (Table 4).
+// The detection methods that are compared in the robot's control loop (Table 4).
 #pragma once
 
 #include <cstddef>
@@ -12,36 +12,36 @@
 
 namespace octoblisk::demos {
 
-/// All are asked about the pose that is measured.
+/// All of them check the measured pose.
 enum class RobotMethod {
   traditional,  ///< the belt's one box against one octree over the blisk's points, by 15 separating axes
-  improved,     ///< the paper's: against an octree for each cluster of each blade
-  yes_or_no,    ///< triangles, exactly, of belt and blisk alone, to the first two that meet
-  exact,        ///< all contacts of tool and arm, exactly, by Bullet with our shape and broadphase
-  margin,       ///< the same, with a margin for what the arm does not know
+  improved,     ///< the paper's: the same against an octree for each cluster of each blade
+  yes_or_no,    ///< exact, only on the triangles of belt and blisk, up to the first pair that meets
+  exact,        ///< exact, all contacts of tool and arm, by Bullet with our shape and broadphase
+  margin,       ///< the same, with a margin for the measuring errors
 };
 inline constexpr std::size_t kRobotMethods = 5;
 
-/// In seconds: by the clock, and of this thread's processor time.
+/// In seconds: by the clock, and processor time of this thread.
 struct TimeTaken {
   double clock = 0.0, processor = 0.0;
 };
 
-/// What a method says at a tick.
+/// The answer of a method at a tick.
 struct RobotAnswer {
   bool touch = false;           ///< the belt touches the blisk
-  bool forbidden = false;       ///< something touches that must not
-  std::set<std::size_t> links;  ///< of the arm that touch the blisk
+  bool forbidden = false;       ///< there is a forbidden touch
+  std::set<std::size_t> links;  ///< links of the arm that touch the blisk
   TimeTaken taken;
 };
 
-/// Asks them one at a time.
+/// Runs the methods one at a time.
 class RobotMethods {
  public:
-  /// All must outlive it. Throws std::invalid_argument where the scene's clouds have no points.
+  /// All arguments must outlive it. Throws std::invalid_argument if the scene's clouds have no points.
   RobotMethods(const RobotScene& scene, const RobotRunOptions& options, RobotCell& cell);
 
-  /// Volume of the boxes that are to be examined, mm³.
+  /// The volume of the boxes to examine, mm³.
   double range(RobotMethod method) const;
 
   RobotAnswer ask(RobotMethod method, const Belief& belief) const;

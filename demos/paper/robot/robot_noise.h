@@ -1,4 +1,4 @@
-// The errors of an arm's sensors, drawn anew for each run and each tick.
+// The errors of an arm's sensors, drawn for each run and each tick.
 #pragma once
 
 #include <random>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// The same for the same seed.
+/// The sequence is the same for the same seed.
 class RobotNoise {
  public:
   explicit RobotNoise(const NoiseOptions& options);

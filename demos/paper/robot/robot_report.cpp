@@ -12,7 +12,7 @@ using namespace detail;
 namespace {
 
 constexpr std::size_t kRuns = 3;         // along the path, as in the paper
-constexpr std::size_t kTicksToOne = 16;  // of the first run, of which one is asked over the seeds
+constexpr std::size_t kTicksToOne = 16;  // of the first run: one of these is used over the seeds
 
 void add(RobotAlarms& sum, const RobotAlarms& alarms) {
   sum.alarms += alarms.alarms;

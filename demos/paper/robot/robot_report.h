@@ -1,4 +1,4 @@
-// The runs of the robot that Table 4 is made of.
+// The robot's runs for Table 4.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace octoblisk::demos {
 
-/// The experiment: three runs along the path, as in the paper, that differ by their noise, and one along the
-/// same path held off the blade, where every touch is interference.
+/// The experiment: three runs along the path, as in the paper, with different noise, and one along the same
+/// path lifted off the blade, where every touch is interference.
 struct RobotReport {
   std::string blisk_name;
   std::size_t path_poses = 0;
-  double lift = 0.0;  ///< of the second path, mm
+  double lift = 0.0;  ///< of the lifted path, mm
   SixAxisArm arm;
   ServoOptions servo;
   StandOptions stand;
@@ -25,22 +25,22 @@ struct RobotReport {
   DetectionSeeds seeds;  ///< of the paper's methods, at ticks of the first run
 };
 
-/// Chooses the layout for the scene's path and makes the runs, their seeds counted on from the options'. The
-/// lifted path is to begin near the scene's; `parts_of_seed` gives the clouds of the blisk's parts. Throws as
-/// chooseLayout and runRobot.
+/// Chooses the layout for the scene's path and makes the runs, with seeds counted up from that of the
+/// options. The lifted path must begin near the scene's path; `parts_of_seed` gives the clouds of the blisk's
+/// parts. Throws as chooseLayout and runRobot.
 RobotReport runRobotExperiment(const RobotScene& scene, std::string blisk_name,
                                const std::vector<Pose>& lifted_path, double lift,
                                const RobotRunOptions& options,
                                const std::function<std::vector<Points>(std::uint64_t seed)>& parts_of_seed,
                                const Progress& progress);
 
-/// What a method did on several runs together.
+/// The results of a method over several runs.
 struct RobotTotals {
-  std::size_t ticks = 0, touching = 0, forbidden = 0;  ///< in truth
-  double mean_seconds = 0.0, usual_seconds = 0.0;      ///< the mean of the runs, the greatest of them
+  std::size_t ticks = 0, touching = 0, forbidden = 0;  ///< true numbers
+  double mean_seconds = 0.0, usual_seconds = 0.0;      ///< mean over the runs; greatest of the runs
   double worst_seconds = 0.0, worst_clock_seconds = 0.0;
   std::size_t late = 0;
-  RobotAlarms touch, wrong;  ///< of touches, and of what must not touch
+  RobotAlarms touch, wrong;  ///< for touches, and for forbidden touches
 };
 RobotTotals totalsOf(std::span<const RobotRun> runs, RobotMethod method);
 

@@ -1,4 +1,4 @@
-// What the cell of the robot's experiment holds (Table 4).
+// The content of the robot's cell (Table 4).
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ struct RobotScene {
   std::shared_ptr<const ClusteredOctree> blisk;
   BladesFound blades;
   std::vector<ToolPart> tool;
-  std::vector<Points> clouds;  ///< of the blisk's parts, for the methods of the paper: see partClouds
+  std::vector<Points> clouds;  ///< of the blisk's parts, for the paper's methods: see partClouds
   std::vector<Pose> path;      ///< the tool in the blisk's frame, mm
 };
 
-/// The blisk with the built-in belt grinder. `clouds`: of its parts, see partClouds.
+/// The blisk with the built-in belt grinder. `clouds` are those of its parts: see partClouds.
 RobotScene robotScene(const PaperModel& blisk, std::vector<Points> clouds, std::vector<Pose> path);
 
 }  // namespace octoblisk::demos

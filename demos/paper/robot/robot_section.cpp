@@ -21,20 +21,20 @@ std::string setUp(const RobotReport& report) {
          fixedText(report.runs.front().duration, 1) + " s at " + fixedText(options.speed, 0) +
          " mm/s, with inverse kinematics in closed form. At each tick of " +
          milliseconds(options.control_period) +
-         " ms every method is asked about the pose that the encoders give, which is not quite the pose where "
-         "the tool is; what is true is said by the exact triangles there. The paper names neither robot nor "
-         "control: what is assumed is listed below. It is a simulation, and shows whether detection fits "
-         "into such a loop, not how a certain robot behaves.";
+         " ms every method checks the pose that the encoders give, which differs slightly from the true pose "
+         "of the tool; the exact triangles at the true pose give the truth. The paper names neither the "
+         "robot nor its control; the assumptions are listed below. This is a simulation: it shows whether "
+         "detection fits into such a loop, not how a particular robot behaves.";
 }
 
 std::string rangeVerdict(const RobotReport& report) {
   const RobotRun& run = report.runs.front();
   const double traditional = run.of(RobotMethod::traditional).range,
                improved = run.of(RobotMethod::improved).range, ours = run.of(RobotMethod::exact).range;
-  return "Range: parts and clusters change it by " + changeText(traditional, improved) + " here, by " +
+  return "Range: parts and clusters change it by " + changeText(traditional, improved) + " here, and by " +
          changeText(kPublishedTraditionalRange, kPublishedImprovedRange) +
          " in the paper. It does not depend on the robot, so the paper's Table 4 repeats its Table 3. The "
-         "boxes that our broadphase looks at first hold " +
+         "boxes that our broadphase tests first have a volume of " +
          rangeText(ours) + " · 10⁴ mm³, " + changeText(traditional, ours) + ".";
 }
 
@@ -51,17 +51,18 @@ std::string timeVerdict(const RobotReport& report) {
          "; the paper: " +
          changeText(spreadOf(kPublishedTable4.traditional.seconds).median,
                     spreadOf(kPublishedTable4.improved.seconds).median) +
-         ", of hundreds of seconds for a path of unknown length). Exactly, on the triangles, yes or no "
+         ", with hundreds of seconds for a path of unknown length). The exact yes or no on the triangles "
          "takes " +
-         microseconds(verdict.mean_seconds) + " µs, all contacts of all parts and of the arm in Bullet " +
-         microseconds(exact.mean_seconds) + " µs, up to " + fixedText(options.margin, 2) + " mm away " +
-         microseconds(margin.mean_seconds) + " µs. Of these 99.9 % of the ticks stay within " +
+         microseconds(verdict.mean_seconds) +
+         " µs; all contacts of all parts and of the arm in Bullet take " + microseconds(exact.mean_seconds) +
+         " µs, and those up to " + fixedText(options.margin, 2) + " mm away " +
+         microseconds(margin.mean_seconds) + " µs. For these three, 99.9 % of the ticks stay within " +
          milliseconds(verdict.usual_seconds) + ", " + milliseconds(exact.usual_seconds) + " and " +
-         milliseconds(margin.usual_seconds) + " ms, of a period of " + milliseconds(options.control_period) +
-         " ms; the worst took " + milliseconds(verdict.worst_seconds) + ", " +
-         milliseconds(exact.worst_seconds) + " and " + milliseconds(margin.worst_seconds) +
-         " ms. That is the processor's time, interrupts of the machine included; by the clock this machine, "
-         "which is no real-time system and does other work too, took up to " +
+         milliseconds(margin.usual_seconds) + " ms; the control period is " +
+         milliseconds(options.control_period) + " ms; the worst took " + milliseconds(verdict.worst_seconds) +
+         ", " + milliseconds(exact.worst_seconds) + " and " + milliseconds(margin.worst_seconds) +
+         " ms. This is processor time, including interrupts of the machine. By the clock, this machine, "
+         "which is not a real-time system and does other work too, took up to " +
          milliseconds(
              std::max({verdict.worst_clock_seconds, exact.worst_clock_seconds, margin.worst_clock_seconds})) +
          " ms.";
@@ -76,25 +77,24 @@ std::string alarmVerdict(const RobotReport& report) {
   const RobotTotals exact = totalsOf(report.runs, RobotMethod::exact),
                     margin = totalsOf(report.runs, RobotMethod::margin);
   const RobotRun& first = report.runs.front();
-  return "Alarms: held " + fixedText(report.lift, 0) + " mm off the blade, boxes raise false alarms at " +
+  return "Alarms: lifted " + fixedText(report.lift, 0) +
+         " mm off the blade, the traditional boxes raise false alarms at " +
          falsely(RobotMethod::traditional) +
-         " of the ticks without a touch, divided into parts and clusters at " +
+         " of the ticks without a touch, the boxes of parts and clusters at " +
          falsely(RobotMethod::improved) + ", the triangles at " + falsely(RobotMethod::exact) +
-         ". Exact detection is as good as the pose it is given: the tool is measured " +
-         fixedText(first.mean_sensing_error, 3) + " mm off on average, and over the " +
+         ". Exact detection is as good as its pose: the tool is measured " +
+         fixedText(first.mean_sensing_error, 3) + " mm off on average. Over the " +
          std::to_string(report.runs.size()) +
-         " runs along the blade, into which the belt is to be pressed by " +
-         fixedText(GrindingPathOptions{}.depth, 2) + " mm, it misses " +
+         " runs along the blade, into which the belt should be pressed by " +
+         fixedText(GrindingPathOptions{}.depth, 2) + " mm, exact detection misses " +
          partText(exact.touch.missed, exact.touching) + " touches and gives " +
          partText(exact.touch.false_alarms, exact.ticks - exact.touching) +
          " false alarms. With a margin of " + fixedText(first.options.margin, 2) + " mm it misses " +
-         partText(margin.touch.missed, margin.touching) + ", at the price of " +
+         partText(margin.touch.missed, margin.touching) + ", but gives " +
          partText(margin.touch.false_alarms, margin.ticks - margin.touching) +
-         " alarms of what is near and does not touch. Of the ticks at which something touches that must "
-         "not, " +
+         " alarms for near places that do not touch. Of the ticks with a forbidden touch, " +
          partText(exact.wrong.missed, exact.forbidden) + " are missed without a margin, " +
-         partText(margin.wrong.missed, margin.forbidden) +
-         " with it. How deep a touch is, is not asked in the loop.";
+         partText(margin.wrong.missed, margin.forbidden) + " with it. The loop does not measure depths.";
 }
 
 std::string armVerdict(const RobotReport& report) {
@@ -104,13 +104,13 @@ std::string armVerdict(const RobotReport& report) {
     truly += run.arm.true_ticks;
     unreached += run.unreached_ticks;
   }
-  return "Arm: its own links meet the blisk at " + countedText(found, "tick", "ticks") + " by Bullet, at " +
-         std::to_string(truly) + " by exact queries at the true joints; " +
+  return "Arm: its own links meet the blisk at " + countedText(found, "tick", "ticks") +
+         " according to Bullet, and at " + std::to_string(truly) + " by exact queries at the true joints; " +
          countedText(unreached, "tick", "ticks") +
-         " had a pose out of reach. The tool strays from its path by " +
+         " had a pose out of reach. The tool deviates from its path by " +
          fixedText(report.runs.front().mean_position_error, 3) + " mm on average and " +
          fixedText(report.runs.front().worst_position_error, 3) +
-         " mm at most; the servos' lag alone, (1 − feedforward) · speed / position gain, is " +
+         " mm at most; the lag of the servos alone, (1 − feedforward) · speed / position gain, is " +
          fixedText((1.0 - report.servo.feedforward) * report.runs.front().options.speed /
                        report.servo.position_gain,
                    3) +
@@ -124,7 +124,7 @@ std::vector<Claim> robotClaims(const RobotReport& report) {
 }
 
 Section robotSection(const RobotReport& report) {
-  return {.title = "Table 4: detection in the loop of a robot",
+  return {.title = "Table 4: detection in the control loop of a robot",
           .paragraphs = {setUp(report), rangeVerdict(report), timeVerdict(report), seedsVerdict(report.seeds),
                          alarmVerdict(report), armVerdict(report)},
           .tables = robotTables(report)};

@@ -1,4 +1,4 @@
-// What the report says of Table 4: the experiment on a robot.
+// The report's section on Table 4: the experiment on a robot.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// Tables and words; no figures.
+/// Text and tables, without figures.
 Section robotSection(const RobotReport& report);
 
 std::vector<Claim> robotClaims(const RobotReport& report);

@@ -12,7 +12,7 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr std::array<const char*, kRobotMethods> kMethodNames = {
-    "traditional octree, the belt one box", "the paper's improved, the belt one box",
+    "traditional octree, belt as one box", "paper's improved octrees, belt as one box",
     "exact, belt and blisk: yes or no", "exact, all contacts in Bullet", "exact, all contacts in Bullet"};
 
 std::string nameOf(RobotMethod method, const RobotRunOptions& options) {
@@ -22,7 +22,7 @@ std::string nameOf(RobotMethod method, const RobotRunOptions& options) {
 
 std::string degrees(double angle, int digits) { return fixedText(angle * 180.0 / std::numbers::pi, digits); }
 
-/// The time is that of the whole path.
+/// Times are totals over the whole path.
 DetectionNumbers numbersOf(const std::vector<RobotRun>& runs, RobotMethod method) {
   DetectionNumbers numbers{.range = runs.front().of(method).range, .seconds = {}};
   for (const RobotRun& run : runs) {
@@ -35,7 +35,7 @@ Table paperTable(const RobotReport& report) {
   return comparisonTable(
       "table4_paper",
       "Table 4 in the paper's form: traditional and improved octrees in the loop of the simulated robot, and "
-      "in the paper. The time is the processor's, of all ticks of the path together",
+      "in the paper. Our times are processor times, summed over all ticks of the path",
       {numbersOf(report.runs, RobotMethod::traditional), numbersOf(report.runs, RobotMethod::improved)},
       kPublishedTable4, 3);
 }
@@ -45,8 +45,8 @@ Table timesTable(const RobotReport& report) {
   Table table{
       .name = "table4_times",
       .caption = "Range and time of each method in the loop, over the " + std::to_string(report.runs.size()) +
-                 " runs, in the processor's time and by the clock, which other work on the machine delays; "
-                 "the control period is " +
+                 " runs, in processor time and by the clock, which includes other work of the machine; the "
+                 "control period is " +
                  milliseconds(options.control_period) + " ms",
       .columns = {"method", "range (10⁴ mm³)", "mean tick (µs)", "99.9 % of ticks within (ms)",
                   "worst tick (ms)", "worst tick by the clock (ms)", "ticks beyond the period by the clock"},
@@ -66,8 +66,8 @@ Table alarmsTable(const RobotReport& report) {
   Table table{
       .name = "table4_alarms",
       .caption =
-          "Alarms against the exact triangles at the true pose: of the belt touching the blisk at all, and "
-          "of what must not touch (the belt another blade or the hub, another part anything)",
+          "Alarms compared with the exact triangles at the true pose: for any touch of the belt with the "
+          "blisk, and for forbidden touches (the belt on another blade or the hub, another part on anything)",
       .columns = {"path", "method", "missed touches", "false alarms", "missed interference",
                   "false alarms of interference"},
       .rows = {}};
@@ -83,8 +83,8 @@ Table alarmsTable(const RobotReport& report) {
                             tells ? partText(sum.wrong.false_alarms, sum.ticks - sum.forbidden) : "–"});
     }
   };
-  add_path("as ground", report.runs);
-  add_path("held " + fixedText(report.lift, 0) + " mm off", std::span(&report.lifted, 1));
+  add_path("ground", report.runs);
+  add_path("lifted " + fixedText(report.lift, 0) + " mm", std::span(&report.lifted, 1));
   return table;
 }
 
@@ -92,11 +92,11 @@ Table robotTable(const RobotReport& report) {
   Table table{
       .name = "table4_robot",
       .caption =
-          "The simulated robot along the path: where the contact wheel's centre is against where it "
-          "is to be, and where it is measured to be",
+          "The simulated robot along the path: errors of the contact wheel's centre from its target "
+          "(tracking), and of its measurement (sensing)",
       .columns = {"run", "ticks", "duration (s)", "tracking error, mean (mm)", "tracking error, worst (mm)",
-                  "turn off, worst (°)", "sensing error, mean (mm)", "sensing error, worst (mm)",
-                  "least way to a joint's limit (°)", "ticks with a pose out of reach",
+                  "direction error, worst (°)", "sensing error, mean (mm)", "sensing error, worst (mm)",
+                  "least distance to a joint limit (°)", "ticks with a pose out of reach",
                   "ticks with arm and blisk in collision, found / true"},
       .rows = {}};
   const auto add_run = [&](const std::string& name, const RobotRun& run) {
@@ -108,7 +108,7 @@ Table robotTable(const RobotReport& report) {
                           std::to_string(run.arm.ticks) + " / " + std::to_string(run.arm.true_ticks)});
   };
   for (std::size_t k = 0; k < report.runs.size(); ++k) add_run(std::to_string(k + 1), report.runs[k]);
-  add_run("held " + fixedText(report.lift, 0) + " mm off", report.lifted);
+  add_run("lifted " + fixedText(report.lift, 0) + " mm", report.lifted);
   return table;
 }
 
@@ -126,25 +126,25 @@ Table assumptionsTable(const RobotReport& report) {
   std::string masses;
   for (const LinkBody& body : linkBodies(arm)) masses += (masses.empty() ? "" : ", ") + plain(body.mass);
   const std::string slamani =
-      "measured of an ABB IRB 1600: M. Slamani, A. Nubiola, I. Bonev, Industrial Robot 39 (1), 2012; taken "
-      "as three standard deviations";
+      "measured for an ABB IRB 1600: M. Slamani, A. Nubiola, I. Bonev, Industrial Robot 39 (1), 2012; "
+      "treated as three standard deviations";
   return {
       .name = "table4_assumed",
-      .caption = "What the paper does not say of its robot, and what is taken here",
+      .caption = "Values that the paper does not give for its robot, and the values used here",
       .columns = {"parameter", "value", "from"},
       .rows = {
           {"control period", milliseconds(options.control_period) + " ms",
            "ABB's Externally Guided Motion reads and writes positions every 4 ms"},
-          {"path speed; turn rate, at most",
+          {"path speed; greatest turn rate",
            plain(options.speed) + " mm/s; " + fixedText(options.turn_rate, 1) + " rad/s", "assumed"},
           {"steps of the Bullet world at each tick", std::to_string(options.steps_a_tick), "assumed"},
           {"margin of the last method", fixedText(options.margin, 2) + " mm", "assumed"},
-          {"octrees of the paper's methods: k of each part, FNOP",
+          {"octrees of the paper's methods: k per part, FNOP",
            std::to_string(options.k_means.k) + ", " + std::to_string(options.leaf_capacity),
            "the paper's optimum in Table 1"},
-          {"repeatability of the tool's place, along each axis, one draw a run",
+          {"repeatability of the tool's position, along each axis, drawn once per run",
            fixedText(3e3 * options.noise.position, 0) + " µm", slamani},
-          {"repeatability of its direction, about each axis, one draw a run",
+          {"repeatability of its direction, about each axis, drawn once per run",
            fixedText(3e6 * options.noise.direction, 0) + " µrad", slamani},
           {"noise of each encoder, standard deviation, at each tick",
            fixedText(1e6 * options.noise.encoder, 0) + " µrad", "assumed"},
@@ -155,20 +155,20 @@ Table assumptionsTable(const RobotReport& report) {
           {"arm: d1, a1, a2, a3, d4, d6",
            plain(arm.shoulder_height) + ", " + plain(arm.shoulder_offset) + ", " + plain(arm.upper_arm) +
                ", " + plain(arm.elbow_offset) + ", " + plain(arm.forearm) + ", " + plain(arm.flange) + " mm",
-           "assumed, of the size of an industrial arm with 2 m of reach"},
+           "assumed, typical of an industrial arm with 2 m of reach"},
           {"joint limits", listOf(arm.least, in_degrees) + " to " + listOf(arm.greatest, in_degrees) + " °",
            "assumed"},
-          {"masses of the links, of the grinder", masses + ", " + plain(RobotCellSetup{}.tool_mass) + " kg",
+          {"masses of the links; of the grinder", masses + ", " + plain(RobotCellSetup{}.tool_mass) + " kg",
            "assumed"},
-          {"blisk's centre before the arm; turntable's angle",
+          {"blisk's centre in front of the arm; turntable's angle",
            plain(report.stand.center.x()) + ", " + plain(report.stand.center.y()) + ", " +
                plain(report.stand.center.z()) + " mm; " +
                degrees(report.runs.front().layout.turntable_angle, 0) + "°",
-           "place assumed; angle chosen for the greatest margin of the joints"},
+           "position assumed; angle chosen for the greatest margin of the joints"},
           {"grinder, from the flange to the contact wheel's centre", plain(report.stand.tool_length) + " mm",
            "assumed"},
           {"gravity", "9810 mm/s²", ""},
-          {"force of grinding", "none", "left out: contacts are seen and not felt"}}};
+          {"force of grinding", "none", "not modelled: contacts are detected but have no effect"}}};
 }
 
 }  // namespace

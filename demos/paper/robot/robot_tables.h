@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// In the paper's form; times; alarms; the robot; what is assumed.
+/// In the paper's form; times; alarms; the robot; the assumptions.
 std::vector<Table> robotTables(const RobotReport& report);
 
 std::string microseconds(double seconds);  ///< "12.3"

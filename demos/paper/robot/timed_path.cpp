@@ -6,7 +6,7 @@
 namespace octoblisk::demos {
 
 TimedPath::TimedPath(std::vector<Pose> poses, double speed, double turn_rate) : poses_(std::move(poses)) {
-  if (poses_.empty()) throw std::invalid_argument("a path to follow needs a pose");
+  if (poses_.empty()) throw std::invalid_argument("the path to follow has no poses");
   if (!(speed > 0.0) || !(turn_rate > 0.0)) {
     throw std::invalid_argument("the speed along a path and its rate of turn must be above 0");
   }

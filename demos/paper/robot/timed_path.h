@@ -1,4 +1,4 @@
-// A path of poses as a motion: where the tool is to be at a time.
+// A path of poses as a motion over time.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,23 @@
 
 namespace octoblisk::demos {
 
-/// From pose to pose straight on, turning evenly, at constant speed, without a stop between.
+/// From pose to pose straight and turning evenly, at constant speed, without stops.
 class TimedPath {
  public:
-  /// `speed` (mm/s) of the poses' origin, or slower where it would turn faster than `turn_rate` (rad/s).
+  /// `speed` (mm/s) is that of the poses' origin; it is lower where the tool would turn faster than
+  /// `turn_rate` (rad/s).
   /// Throws std::invalid_argument for no poses, or a speed or rate not above 0.
   TimedPath(std::vector<Pose> poses, double speed, double turn_rate);
 
   const std::vector<Pose>& poses() const { return poses_; }
   double duration() const { return times_.back(); }  ///< seconds
 
-  /// At a time in seconds from the first pose; before it the first pose, after the end the last.
+  /// At a time in seconds from the first pose; the first pose before it, the last pose after the end.
   Pose at(double time) const;
 
  private:
   std::vector<Pose> poses_;
-  std::vector<double> times_;  // of the poses
+  std::vector<double> times_;  // per pose
 };
 
 }  // namespace octoblisk::demos

@@ -1,4 +1,4 @@
-// What truly touches: exact queries on the triangles at a pose, with no world and no broadphase.
+// The true touches: exact queries on the triangles at a pose, without a world or a broadphase.
 #pragma once
 
 #include <array>
@@ -12,8 +12,9 @@
 namespace octoblisk::demos {
 
 struct Touches {
-  bool belt = false;       ///< the tool's first part touches the blisk
-  bool forbidden = false;  ///< it touches another blade than the ground one, or the hub; or another part does
+  bool belt = false;  ///< the tool's first part touches the blisk
+  /// It touches another blade than the ground one, or the hub; or another part touches.
+  bool forbidden = false;
 };
 
 class TrueTouch {

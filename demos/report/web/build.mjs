@@ -1,5 +1,5 @@
-// Makes the page of the replay, one file, from src/: node build.mjs [OUT]. It is checked in as ../replay_page.html,
-// so that the build of the program needs no npm; octoblisk writes a run in its middle.
+// Builds the page of the replay, one file, from src/: node build.mjs [OUT]. The page is checked in as
+// ../replay_page.html, so that building the program needs no npm; octoblisk inserts a run.
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
 
@@ -21,10 +21,10 @@ for (const library of ["three", "uplot"]) {
   const licence = (await text(`node_modules/${library}/LICENSE`)).trim().replaceAll("--", "- -");
   licences.push(`${library} ${versions[library]}\n\n${licence}`);
 }
-const notice = `<!-- Made by demos/report/web/build.mjs (./dev web); do not edit. In it are:\n\n${licences.join("\n\n")}\n-->`;
+const notice = `<!-- Made by demos/report/web/build.mjs (./dev web); do not edit. It contains:\n\n${licences.join("\n\n")}\n-->`;
 const page = (await text("src/index.html"))
   .replace("<!DOCTYPE html>", () => `<!DOCTYPE html>\n${notice}`)
   .replace("@@STYLE@@", () => style.trim())
   .replace("@@SCRIPT@@", () => script);
-if (page.split("@@RUN@@").length !== 2) throw new Error("the page must have one place for the run");
+if (page.split("@@RUN@@").length !== 2) throw new Error("the page must have exactly one placeholder for the run");
 await writeFile(process.argv[2] ?? here("../replay_page.html"), page);

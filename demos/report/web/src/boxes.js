@@ -1,8 +1,8 @@
-// The cluster boxes of the blisk's tree, a level at a time.
+// Draws the cluster boxes of the blisk's tree, one level at a time.
 import { BufferAttribute, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, ShaderMaterial, Color } from "three";
 
 const kLeaf = 128; // bit of a box's depth
-const kNear = 60; // mm round the tool
+const kNear = 60; // mm around the tool
 
 export class Boxes {
   constructor(boxes) {
@@ -36,7 +36,7 @@ export class Boxes {
     this.object.visible = false;
   }
 
-  /** Shows the boxes of a level, and leaves above it; only those near `place` if it is not null. */
+  /** Shows the boxes of a level and the leaves above it; only those near `place` if it is not null. */
   show(level, place) {
     const { depths, centers, halfExtents, turns } = this.boxes;
     const { center, extent, turn } = this.object.geometry.attributes;

@@ -1,4 +1,4 @@
-// Numbers over the path, with the offending poses marked; a click jumps.
+// Draws numbers over the path and marks poses with interference; a click jumps to a pose.
 import uPlot from "uplot";
 import { drawSign, kColors, kSigns } from "./signs.js";
 
@@ -44,7 +44,7 @@ export class Chart {
     const y = stretched ? { distr: 4, asinh: chart.stretch, range: (plot, low, high) => [
       4 * Math.min(low, -chart.stretch), 1.3 * Math.max(high, chart.stretch)] } : { range: (plot, low, high) => {
       const room = 0.06 * (high - low || 1);
-      return [low - 2.5 * room, high + room]; // signs stand at the foot
+      return [low - 2.5 * room, high + room]; // leaves room for the signs
     } };
     const axis = { stroke: "#21262e", font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif",
       grid: { stroke: "#dfe4ea", width: 1 }, ticks: { stroke: "#8a93a0", width: 1 } };
@@ -78,7 +78,7 @@ export class Chart {
     });
   }
 
-  /** Where poses offend, hatched. */
+  /** Hatches the poses with interference. */
   drawBands(plot) {
     const { ctx, bbox } = plot;
     const { verdict } = this.player.track;
@@ -86,11 +86,11 @@ export class Chart {
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    const offends = (i) => this.run.verdicts[verdict[i]].tone === "interference";
+    const bad = (i) => this.run.verdicts[verdict[i]].tone === "interference";
     for (let first = 0; first < verdict.length; ++first) {
-      if (!offends(first)) continue;
+      if (!bad(first)) continue;
       let last = first;
-      while (last + 1 < verdict.length && offends(last + 1)) ++last;
+      while (last + 1 < verdict.length && bad(last + 1)) ++last;
       const left = plot.valToPos(first - 0.5, "x", true), right = plot.valToPos(last + 0.5, "x", true);
       const width = Math.max(2, right - left);
       ctx.fillStyle = "#fbe3db";
@@ -131,7 +131,7 @@ export class Chart {
     ctx.restore();
   }
 
-  /** A sign at each place of note, at the foot of the chart; not more than there is room for. */
+  /** Draws the signs of the findings at the bottom of the chart, as many as there is room for. */
   drawSigns(plot) {
     const { ctx, bbox } = plot;
     const size = 9 * devicePixelRatio, y = bbox.top + bbox.height - size;
@@ -171,7 +171,7 @@ export class Chart {
     else this.plot.redraw(false);
   }
 
-  /** What is what, as elements. */
+  /** The legend, as elements. */
   key() {
     const line = ({ name, stroke, width, dash }) => `<svg width="26" height="10" aria-hidden="true"><line x1="0" x2="26" y1="5" y2="5" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${(dash ?? []).join(" ")}"/></svg>`;
     const { limits } = this.run.charts[this.chart];
@@ -182,14 +182,14 @@ export class Chart {
       span.append(series.name);
       return span;
     });
-    const offends = document.createElement("span");
-    offends.innerHTML = `<b style="color:${kColors.interference}" aria-hidden="true">${kSigns.interference}</b> hatched: `;
-    offends.append(this.run.verdicts.find((verdict) => verdict.tone === "interference").name);
-    return [...spans, offends];
+    const bad = document.createElement("span");
+    bad.innerHTML = `<b style="color:${kColors.interference}" aria-hidden="true">${kSigns.interference}</b> hatched: `;
+    bad.append(this.run.verdicts.find((verdict) => verdict.tone === "interference").name);
+    return [...spans, bad];
   }
 }
 
-/** Of the splits, 0 and whatever has room beside the label before it on the way outward. */
+/** Labels 0 and, going outward, every split that has room beside the previous label. */
 function labelsOf(plot, splits) {
   const room = 13; // pixels
   const labels = splits.map(() => "");

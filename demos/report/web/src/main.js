@@ -1,4 +1,4 @@
-// Puts the page together: header, replay, chart, table, facts.
+// Assembles the page: header, replay, chart, table, facts.
 import { Chart } from "./chart.js";
 import { Player } from "./player.js";
 import { bladeText, readRun, sentenceOf } from "./run.js";
@@ -59,11 +59,11 @@ function fillFacts() {
   }));
 }
 
-/** What draws this page, beside what made the run. */
+/** The libraries that draw this page; the facts list the software that made the run. */
 function versions() {
   const paragraph = document.createElement("p");
   paragraph.style.flexBasis = "100%";
-  paragraph.textContent = `Drawn by three.js r${THREE_VERSION.split(".")[1]} and uPlot ${UPLOT_VERSION}, both under the MIT licence, whose text is at the head of this file.`;
+  paragraph.textContent = `Drawn by three.js r${THREE_VERSION.split(".")[1]} and uPlot ${UPLOT_VERSION}, both under the MIT licence; its text is at the beginning of this file.`;
   return paragraph;
 }
 
@@ -81,7 +81,7 @@ function fillLegend() {
   const byColor = new Map();
   for (const { color, name } of run.parts) byColor.set(color, [...(byColor.get(color) ?? []), name]);
   for (const [color, names] of byColor) add(color, names.join(", "));
-  add("#c9705e", "blade of the offence");
+  add("#c9705e", "blade with the problem");
   for (const { color, name } of run.side?.colors ?? []) add(color, name);
   const tones = new Set(["clear"]);
   for (const { name, tone } of run.verdicts) {
@@ -107,7 +107,7 @@ function fillTools(scene) {
   const views = ["whole", "tool"].map((view) => {
     const button = document.createElement("button");
     button.id = `look-${view}`;
-    button.textContent = view === "whole" ? "Whole blisk" : "Close up";
+    button.textContent = view === "whole" ? "Whole blisk" : "Close-up";
     button.onclick = () => { scene.look(view); tell(); };
     return button;
   });
@@ -118,7 +118,7 @@ function fillTools(scene) {
   level.id = "level";
   level.setAttribute("aria-label", "Level of the tree");
   for (let k = 0; k <= run.boxes.deepest; ++k) {
-    const whole = k <= run.boxes.whole ? "" : ", near touches";
+    const whole = k <= run.boxes.whole ? "" : ", only near touches";
     level.add(new Option(k === run.boxes.deepest ? `${k} (leaves${whole})` : `${k}${whole}`, k));
   }
   level.value = scene.shown.level;
@@ -128,8 +128,8 @@ function fillTools(scene) {
   const group = document.createElement("span");
   group.className = "group";
   group.append(boxes, " ", level, " ", flag("near the tool", "near"));
-  $("tools").replaceChildren(...views, flag("tool", "tool"), flag("see-through", "glass"), flag("contacts", "contacts"),
-    flag("of all poses", "everywhere"), flag("numbers", "numbers"),
+  $("tools").replaceChildren(...views, flag("tool", "tool"), flag("transparent blisk", "glass"), flag("contacts", "contacts"),
+    flag("contacts of all poses", "everywhere"), flag("blade numbers", "numbers"),
     ...(run.side ? [flag(run.side.name, "side")] : []), group);
 }
 
@@ -142,8 +142,8 @@ function connectPlayer() {
   $("play").onclick = () => player.toggle();
   $("step-back").onclick = () => player.step(-1);
   $("step-on").onclick = () => player.step(1);
-  $("offence-back").onclick = () => player.stepToOffence(-1);
-  $("offence-on").onclick = () => player.stepToOffence(1);
+  $("problem-back").onclick = () => player.stepToProblem(-1);
+  $("problem-on").onclick = () => player.stepToProblem(1);
   $("speed").onchange = () => { player.speed = Number($("speed").value); };
   if (run.tracks.length > 1) {
     $("track-label").hidden = false;
@@ -156,8 +156,8 @@ function connectPlayer() {
     const { target } = event;
     if (target.matches("select, input[type=number]")) return;
     const keys = {
-      ArrowLeft: () => (event.shiftKey ? player.stepToOffence(-1) : player.step(-1)),
-      ArrowRight: () => (event.shiftKey ? player.stepToOffence(1) : player.step(1)),
+      ArrowLeft: () => (event.shiftKey ? player.stepToProblem(-1) : player.step(-1)),
+      ArrowRight: () => (event.shiftKey ? player.stepToProblem(1) : player.step(1)),
       Home: () => player.jump(0), End: () => player.jump(player.last),
     };
     if (event.key === " " && !target.matches("button, input")) keys[" "] = () => player.toggle();
@@ -175,7 +175,7 @@ function tellStatus() {
   const where = `${run.step.one[0].toUpperCase()}${run.step.one.slice(1)} ${index}`;
   if (finding) {
     const part = finding[2] < 0 ? "" : `: ${run.parts[finding[2]].name} on ${bladeText(run, finding[3])}`;
-    text.textContent = `Between ${run.step.many} ${Math.floor(at)} and ${Math.floor(at) + 1}, after ${(100 * (at - Math.floor(at))).toFixed(0)} % of the way: ${verdict.name}${part}`;
+    text.textContent = `Between ${run.step.many} ${Math.floor(at)} and ${Math.floor(at) + 1}, after ${(100 * (at - Math.floor(at))).toFixed(0)} % of the motion: ${verdict.name}${part}`;
   } else {
     text.textContent = `${where} of 0–${last}: ${sentenceOf(run, track, index)}`;
   }
@@ -187,12 +187,12 @@ function tellStatus() {
   $("scrub").setAttribute("aria-valuetext", text.textContent);
   if (document.activeElement !== $("number")) $("number").value = index;
   tellPlaying();
-  const offences = player.offences();
-  $("offence-back").disabled = !offences.some((each) => each < at - 1e-4);
-  $("offence-on").disabled = !offences.some((each) => each > at + 1e-4);
+  const problems = player.problems();
+  $("problem-back").disabled = !problems.some((each) => each < at - 1e-4);
+  $("problem-on").disabled = !problems.some((each) => each > at + 1e-4);
 }
 
-/** Only where it changes: a press of the button is lost if what is pressed is replaced before it is let go. */
+/** Updates the button only when it changes: a press is lost if its target is replaced before the release. */
 function tellPlaying() {
   const [sign, word] = player.playing ? ["❚❚", "Pause"] : ["▶", "Play"];
   if ($("play").querySelector(".word").textContent === word) return;
@@ -206,7 +206,7 @@ function fillChartHead(chart) {
     let select = head.querySelector("select");
     if (!select) {
       select = document.createElement("select");
-      select.setAttribute("aria-label", "What is drawn in the chart");
+      select.setAttribute("aria-label", "Content of the chart");
       run.charts.forEach((each, i) => select.add(new Option(each.title, i)));
       select.onchange = () => { chart.chart = Number(select.value); chart.rebuild(); fillChartHead(chart); };
       head.replaceChildren(select);
@@ -217,7 +217,7 @@ function fillChartHead(chart) {
   $("chart-key").replaceChildren(...chart.key());
   $("widen").parentElement.hidden = !stretch;
   const bad = player.track.verdict.reduce((sum, verdict) => sum + (run.verdicts[verdict].tone === "interference"), 0);
-  $("chart").setAttribute("aria-label", `${title}, over the ${run.step.many} 0 to ${player.last}; ${bad} of them offend. The table has the same in numbers.`);
+  $("chart").setAttribute("aria-label", `${title}, over the ${run.step.many} 0 to ${player.last}; ${bad} of them have interference. The table has the numbers.`);
 }
 
 fillHeader();
@@ -250,6 +250,6 @@ player.onChange(() => {
 });
 player.tell();
 performance.mark("all");
-// For tests, and for who is curious.
+// For tests and for experiments in the console.
 window.octoblisk = { run, player, scene, chart, table };
 document.body.dataset.ready = "true";

@@ -1,4 +1,4 @@
-// Where the replay is: a track, and a place on it between 0 and its last pose, which may be between two poses.
+// The position of the replay: a track, and a place on it from 0 to its last pose, possibly between two poses.
 
 export class Player {
   constructor(run) {
@@ -6,7 +6,7 @@ export class Player {
     this.track = run.tracks[run.start.track];
     this.at = run.start.at;
     this.playing = false;
-    this.speed = 20; // poses a second
+    this.speed = 20; // poses per second
     this.listeners = [];
   }
 
@@ -26,22 +26,22 @@ export class Player {
     this.jump(by > 0 ? Math.floor(this.at + 1e-9) + 1 : Math.ceil(this.at - 1e-9) - 1);
   }
 
-  /** The places that offend, ascending. */
-  offences() {
-    if (!this.track.offences) {
+  /** The places with interference, ascending. */
+  problems() {
+    if (!this.track.problems) {
       const { findings } = this.track;
-      this.track.offences = [...new Set(findings
+      this.track.problems = [...new Set(findings
         .filter((finding) => this.run.verdicts[finding[1]].tone === "interference").map((finding) => finding[0]))]
         .sort((a, b) => a - b);
     }
-    return this.track.offences;
+    return this.track.problems;
   }
 
-  stepToOffence(by) {
+  stepToProblem(by) {
     this.pause();
     const near = 1e-4;
-    const next = by > 0 ? this.offences().find((at) => at > this.at + near)
-      : this.offences().findLast((at) => at < this.at - near);
+    const next = by > 0 ? this.problems().find((at) => at > this.at + near)
+      : this.problems().findLast((at) => at < this.at - near);
     if (next !== undefined) this.jump(next);
   }
 

@@ -1,4 +1,4 @@
-// The run as octoblisk wrote it into the page, with its arrays as typed arrays.
+// Reads the run that octoblisk wrote into the page, with typed arrays.
 
 function bytesOf(base64) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64).buffer;
@@ -12,7 +12,7 @@ const words = (base64) => new Uint32Array(bytesOf(base64));
 const halves = (base64) => new Uint16Array(bytesOf(base64));
 const octets = (base64) => new Uint8Array(bytesOf(base64));
 
-/** A mesh: Float32 vertices (mm) of the 16-bit steps in its box, and Uint32 corners. */
+/** A mesh: Float32 vertices (mm), decoded from 16-bit fractions of its box, and Uint32 corners. */
 function meshOf({ box, vertices, triangles }) {
   return { vertices: positionsOf(box, vertices), triangles: words(triangles) };
 }
@@ -27,7 +27,7 @@ function positionsOf(box, vertices) {
   return positions;
 }
 
-/** The cells of a blade's side as a mesh, a colour for each. */
+/** The cells of a blade's side as a mesh, with one colour per cell. */
 function sideOf({ box, vertices, columns, color_of_cell, ...rest }) {
   const rows = octets(color_of_cell).length / columns;
   const corners = new Uint32Array(6 * rows * columns);
@@ -87,7 +87,7 @@ export function readRun() {
 const kNone = 255;
 const kSides = ["", "forward", "backward", "convex", "concave"];
 
-/** Beyond the blades are obstacles. */
+/** Numbers above those of the blades are obstacles. */
 export const isObstacle = (run, blade) => run.obstacles.length > 0 && blade > run.blade_count;
 
 export const bladeText = (run, blade) => {
@@ -101,7 +101,7 @@ export const millimetres = (value) => {
   return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3).replace("-", "−");
 };
 
-/** What is so at a pose, in a sentence. */
+/** The findings at a pose, in a sentence. */
 export function sentenceOf(run, track, index) {
   const verdict = run.verdicts[track.verdict[index]].name;
   if (track.texts) return `${verdict}${track.texts[index] ? `: ${track.texts[index]}` : ""}`;
@@ -112,7 +112,7 @@ export function sentenceOf(run, track, index) {
     pieces.push(`${run.parts[part[index]].name} on ${bladeText(run, blade[index])}${where}, ${millimetres(depth[index])} mm deep`);
   }
   if (clearancePart[index] !== kNone && clearance[index] > 0) {
-    pieces.push(`clearance from the rest ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
+    pieces.push(`clearance from forbidden surfaces ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
       + `from ${bladeText(run, clearanceBlade[index])}`);
   }
   const changes = track.series.filter((series) => series.told && series.values[index] !== 0)

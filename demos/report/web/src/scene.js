@@ -1,4 +1,4 @@
-// The blisk, the tool at the place of the player, contacts, path and boxes.
+// Draws the blisk, the tool at the player's position, contacts, path and boxes.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, CanvasTexture, Color, DirectionalLight, DoubleSide, Group, Line,
   LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, PerspectiveCamera, Points, PointsMaterial,
@@ -20,7 +20,7 @@ function signTexture(tone) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const context = canvas.getContext("2d");
-  // A white seam sets the sign off from what is behind.
+  // A white outline separates the sign from the background.
   context.shadowColor = "#fff";
   context.shadowBlur = 6;
   for (let i = 0; i < 3; ++i) drawSign(context, tone, 32, 32, 44);
@@ -54,7 +54,7 @@ function linesOf(points, material) {
 }
 
 export class ReplayScene {
-  /** Throws where there is no WebGL. */
+  /** Throws if WebGL is missing. */
   constructor(canvas, run, player) {
     this.canvas = canvas;
     this.run = run;
@@ -76,7 +76,7 @@ export class ReplayScene {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", () => this.draw());
     canvas.addEventListener("keydown", (event) => this.turnByKey(event));
-    // Software renderers may lose the context, or show nothing of a first frame drawn before the page is laid out.
+    // Software renderers may lose the context, or may not show a first frame drawn before the layout.
     canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     canvas.addEventListener("webglcontextrestored", () => this.draw());
     for (const delay of [100, 1000]) setTimeout(() => this.draw(), delay);
@@ -112,7 +112,7 @@ export class ReplayScene {
       materials.push(material);
       this.blades.set(blade, material);
       if (blade === 0) continue;
-      // Its number stands beyond the point of it that is farthest from the axis.
+      // The blade's number is placed outside its point farthest from the axis.
       const { vertices, triangles } = blisk.mesh;
       let farthest = 0, tip = 0;
       for (let i = 3 * first; i < 3 * (first + count); ++i) {
@@ -169,7 +169,7 @@ export class ReplayScene {
     }
   }
 
-  /** The way of the tool's origin, with a sign where a pose offends; the other paths in grey. */
+  /** The path of the tool's origin, with a sign at each pose with interference; the other paths in grey. */
   addPath() {
     this.path = new Group();
     this.scene.add(this.path);
@@ -201,7 +201,7 @@ export class ReplayScene {
     }
   }
 
-  /** Puts the tool where the player is: straight and turning evenly between two poses. */
+  /** Places the tool at the player's position; between two poses it moves straight and turns evenly. */
   place() {
     const { track, at } = this.player;
     const from = Math.floor(at), to = Math.min(from + 1, this.player.last), part = at - from;
@@ -220,8 +220,8 @@ export class ReplayScene {
     this.tool.position.copy(origin);
     this.tool.quaternion.copy(turn);
     if (this.follow) {
-      // Along with the tool while it plays; to what offends where it rests.
-      const aim = this.player.playing ? null : this.offence();
+      // Follows the tool while playing; when paused, turns to the problem.
+      const aim = this.player.playing ? null : this.problem();
       if (aim) way.copy(aim).sub(this.aim);
       this.aim.add(way);
       this.camera.position.add(way);
@@ -230,8 +230,8 @@ export class ReplayScene {
     }
   }
 
-  /** Where the pose offends: the middle one of its offending contacts; null where there is none. */
-  offence() {
+  /** The middle one of the pose's contacts with interference; null if there is none. */
+  problem() {
     const { track, index } = this.player;
     const { first, verdict, points } = track.contacts;
     const places = [];
@@ -243,7 +243,7 @@ export class ReplayScene {
     return places.reduce((best, place) => (place.distanceTo(mean) < best.distanceTo(mean) ? place : best));
   }
 
-  /** The contacts of the pose, or of all. */
+  /** The contacts of the pose, or of all poses. */
   updateContacts() {
     const { track, index } = this.player;
     const { first, verdict, points, normals } = track.contacts;
@@ -256,7 +256,7 @@ export class ReplayScene {
     for (let c = begin; c < end; ++c) {
       byTone.get(this.run.verdicts[verdict[c]].tone).push(points[3 * c], points[3 * c + 1], points[3 * c + 2]);
     }
-    byTone.set("clear", []); // apart, and allowed: nothing to look at
+    byTone.set("clear", []); // apart and allowed: not drawn
     for (const [tone, places] of byTone) {
       const marks = this.marks.get(tone);
       marks.geometry.dispose();
@@ -265,7 +265,7 @@ export class ReplayScene {
       marks.material.size = everywhere ? 9 : 17;
       marks.visible = places.length > 0;
     }
-    // Normals come from the part's side and end at the point.
+    // Normals start on the part's side and end at the point.
     const lines = [];
     const [here, beyond] = contacts ? [first[index], first[index + 1]] : [0, 0];
     for (let c = here; c < beyond; ++c) {
@@ -279,7 +279,7 @@ export class ReplayScene {
     this.contactLines.visible = lines.length > 0;
   }
 
-  /** The blade that the pose wrongly touches glows. */
+  /** Highlights the blade that the pose must not touch but does. */
   updateBlades() {
     const { track, index, at } = this.player;
     if (!track.bladesHit) {
@@ -320,7 +320,7 @@ export class ReplayScene {
     this.draw();
   }
 
-  /** "whole": all of it; "tool": where the tool works, and on with it. */
+  /** "whole": the whole blisk; "tool": the working place, followed as the tool moves. */
   look(view) {
     this.follow = view !== "whole";
     const { origin, turn } = this.pose;
@@ -336,7 +336,7 @@ export class ReplayScene {
       this.camera.position.copy(target).addScaledVector(direction, (3.05 * this.sphere.radius) / narrow);
     } else {
       // From above, along the wheel's axis, leaning outward.
-      this.aim = this.offence() ?? origin.clone();
+      this.aim = this.problem() ?? origin.clone();
       const axis = new Vector3(0, 0, 1).applyQuaternion(turn);
       if (axis.z < 0) axis.negate();
       const direction = axis.addScaledVector(radial, 0.55).normalize();
@@ -378,7 +378,7 @@ export class ReplayScene {
     this.draw();
   }
 
-  /** Numbers are drawn over the blades, those of the far side faintly. */
+  /** Draws the numbers over the blades, those of the far side faintly. */
   fadeNumbers() {
     const { center } = this.sphere, towards = this.camera.position.clone().sub(center);
     for (const { position, material } of this.numbers.children) {

@@ -1,8 +1,8 @@
-// What verdicts look like: never by colour alone, each tone has a sign of its own.
+// The look of verdicts: each tone has its own sign, so that colour is never the only cue.
 export const kSigns = { clear: "○", intended: "●", near: "▲", interference: "✖", open: "?" };
 export const kColors = { clear: "#5c6675", intended: "#00694a", near: "#b87a00", interference: "#c9370c", open: "#6b3fa0" };
 
-/** Draws the sign of a tone round a point of a 2-D canvas. */
+/** Draws the sign of a tone around a point of a 2-D canvas. */
 export function drawSign(context, tone, x, y, size) {
   const r = size / 2;
   context.save();

@@ -1,9 +1,9 @@
-// A mesh as three.js draws it: smooth where it is meant to be, sharp at its creases.
+// Prepares a mesh for three.js: smooth on its surfaces, sharp at its creases.
 import { BufferAttribute, BufferGeometry } from "three";
 
 const kCrease = Math.cos((32 * Math.PI) / 180);
 
-/** Corner by corner, with the mean of the normals round each vertex that do not turn by more than the crease. */
+/** One vertex per corner, with the mean of those normals around the vertex that differ by at most the crease angle. */
 export function geometryOf({ vertices, triangles }) {
   const count = triangles.length / 3;
   const areas = new Float32Array(3 * count), units = new Float32Array(3 * count);
@@ -16,7 +16,7 @@ export function geometryOf({ vertices, triangles }) {
     areas[3 * t] = x; areas[3 * t + 1] = y; areas[3 * t + 2] = z;
     units[3 * t] = x / length; units[3 * t + 1] = y / length; units[3 * t + 2] = z / length;
   }
-  // The triangles round each vertex, one after another.
+  // The triangles around each vertex, in one array.
   const first = new Uint32Array(vertices.length / 3 + 1);
   for (const vertex of triangles) ++first[vertex + 1];
   for (let v = 1; v < first.length; ++v) first[v] += first[v - 1];

@@ -1,11 +1,11 @@
-// The table of offending poses and moves: sorted, filtered, a hundred rows at a time; a row jumps to its pose.
+// The table of findings: sorted, filtered, a hundred rows at a time; a row jumps to its pose.
 import { signSpan } from "./signs.js";
 import { bladeText, millimetres } from "./run.js";
 
 const kRows = 100;
 const kSides = ["–", "forward", "backward", "convex", "concave"];
 
-/** A finding is [place, verdict, part, blade, side, depth or null, pose]; of a move the pose that it leads to, else -1. */
+/** A finding is [place, verdict, part, blade, side, depth or null, pose]; pose is where a motion leads, or -1. */
 export class FindingsTable {
   constructor(run, player) {
     this.run = run;
@@ -39,7 +39,7 @@ export class FindingsTable {
 
   partOf(row) { return row[2] < 0 ? "–" : this.run.parts[row[2]].name; }
   whereOf([at, , , , , , to]) {
-    return to >= 0 ? `move ${to - 1}→${to}` : `${this.run.step.one} ${at}`;
+    return to >= 0 ? `motion ${to - 1}→${to}` : `${this.run.step.one} ${at}`;
   }
 
   makeHead() {
@@ -58,7 +58,7 @@ export class FindingsTable {
     }));
   }
 
-  /** Of the track that is shown. */
+  /** Shows the current track. */
   reset() {
     this.track = this.player.track;
     const { findings } = this.track;
@@ -104,7 +104,7 @@ export class FindingsTable {
     const many = this.rows.length > kRows;
     const count = `${this.rows.length} of ${findings.length}`;
     document.getElementById("shown").textContent = findings.length === 0 ? this.run.findings.none
-      : many ? `${count}; rows ${from + 1} to ${from + rows.length} are shown` : `${count} shown`;
+      : many ? `${count}; rows ${from + 1} to ${from + rows.length} shown` : `${count} shown`;
     document.getElementById("pager").hidden = !many;
     document.getElementById("page-back").disabled = this.page === 0;
     document.getElementById("page-on").disabled = from + kRows >= this.rows.length;
@@ -130,7 +130,7 @@ export class FindingsTable {
     return element;
   }
 
-  /** Marks the row of the place that is shown. */
+  /** Marks the row of the current place. */
   mark(scroll) {
     let marked = null;
     for (const row of this.body.children) {
@@ -141,7 +141,7 @@ export class FindingsTable {
     if (!marked || !scroll) return;
     const above = marked.offsetTop - this.head.offsetHeight, below = marked.offsetTop + marked.offsetHeight;
     if (above >= box.scrollTop && below <= box.scrollTop + box.clientHeight) return;
-    box.scrollTop = above - (box.clientHeight - marked.offsetHeight) / 2; // amid the rows around it
+    box.scrollTop = above - (box.clientHeight - marked.offsetHeight) / 2; // centres the row
   }
 
   update() {

@@ -1,4 +1,4 @@
-// Debian's Chromium with no network, for the tests and the pictures of the page.
+// Starts Debian's Chromium without network, for the tests and the pictures of the page.
 import { chromium } from "playwright-core";
 
 export async function openReport(file, { width = 1280, height = 900, timeout = 240_000 } = {}) {

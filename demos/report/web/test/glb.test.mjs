@@ -1,4 +1,4 @@
-// The glTF file by Khronos' validator: RUN_GLB=…/run.glb node --test test/
+// Checks the glTF file with Khronos' validator: RUN_GLB=…/run.glb node --test test/
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-// A report in a real browser, with the network off: REPORT=…/report.html [BIG_REPORT=…] node --test test/
+// Tests a report in a real browser without network: REPORT=…/report.html [BIG_REPORT=…] node --test test/
 import assert from "node:assert/strict";
 import { resolve } from "node:path";
 import { after, before, test } from "node:test";
@@ -24,7 +24,7 @@ const picture = () => report.page.evaluate(() => new Promise((done) => {
 }));
 const differing = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 12).length;
 
-test("opens without an error and without asking for anything", async () => {
+test("opens without an error and without a request", async () => {
   assert.deepEqual(report.problems, []);
   assert.deepEqual(report.requests, []);
   assert.ok(report.seconds < kOpensWithin, `${report.seconds} s`);
@@ -32,7 +32,7 @@ test("opens without an error and without asking for anything", async () => {
   console.log(`opened in ${report.seconds.toFixed(2)} s`);
 });
 
-test("counts of the head are those of the poses", async () => {
+test("the counts in the header match the poses", async () => {
   const [counts, verdicts] = await report.page.evaluate(() => {
     const { run } = window.octoblisk;
     return [run.counts.map((each) => [each.name, each.count]), run.verdicts.map((each, i) => [each.name,
@@ -42,19 +42,19 @@ test("counts of the head are those of the poses", async () => {
   for (const [name, count] of counts) if (found.get(name)) assert.equal(count, found.get(name), name);
 });
 
-test("something is drawn, and the replay moves it", async () => {
+test("the scene is drawn, and the replay changes it", async () => {
   await jump(0);
   const first = await picture();
   assert.ok(first.some((value) => value !== first[0]), "a blank picture");
   await report.page.selectOption("#speed", "5");
   await report.page.click("#play");
   await report.page.waitForFunction(() => window.octoblisk.player.at > 10);
-  await report.page.click("#play", { delay: 300 }); // held as a hand does, over many frames
+  await report.page.click("#play", { delay: 300 }); // held as by a hand, over many frames
   const reached = await at();
   assert.ok(reached > 10);
-  assert.ok(differing(first, await picture()) > 20, "the picture stays as it was");
+  assert.ok(differing(first, await picture()) > 20, "the picture does not change");
   await report.page.waitForTimeout(200);
-  assert.equal(await at(), reached, "it goes on when paused");
+  assert.equal(await at(), reached, "it continues when paused");
 });
 
 test("a click on a row jumps to its pose", async () => {
@@ -85,10 +85,10 @@ test("a click on the chart jumps", async () => {
   assert.ok(Math.abs((await at()) - 0.75 * last) < 0.02 * last + 1);
 });
 
-test("filters filter, sorting sorts", async () => {
+test("the filters and the sorting work", async () => {
   const all = await report.page.evaluate(() => window.octoblisk.player.track.findings.length);
   const choices = await report.page.locator("#filter-verdict option").allTextContents();
-  assert.ok(choices.length > 2, "one verdict alone");
+  assert.ok(choices.length > 2, "only one verdict");
   let sum = 0;
   for (const choice of choices.slice(1)) {
     await report.page.selectOption("#filter-verdict", choice);
@@ -108,20 +108,20 @@ test("filters filter, sorting sorts", async () => {
   await report.page.locator("#table thead th button").first().click();
 });
 
-test("offences are stepped through, by button and by key", async () => {
+test("problems are stepped through, by button and by key", async () => {
   await jump(0);
-  const offences = await report.page.evaluate(() => window.octoblisk.player.offences());
-  await report.page.click("#offence-on");
-  assert.equal(await at(), offences.find((place) => place > 0));
+  const problems = await report.page.evaluate(() => window.octoblisk.player.problems());
+  await report.page.click("#problem-on");
+  assert.equal(await at(), problems.find((place) => place > 0));
   await report.page.evaluate(() => document.activeElement.blur());
   await report.page.keyboard.press("Shift+ArrowRight");
-  assert.equal(await at(), offences.filter((place) => place > 0)[1]);
+  assert.equal(await at(), problems.filter((place) => place > 0)[1]);
   await report.page.keyboard.press("ArrowRight");
   await report.page.keyboard.press("Home");
   assert.equal(await at(), 0);
 });
 
-test("boxes of every level are shown on a switch", async () => {
+test("the boxes of every level can be shown", async () => {
   await report.page.check("#boxes");
   const levels = await report.page.locator("#level option").count();
   assert.ok(levels > 3);
@@ -131,7 +131,7 @@ test("boxes of every level are shown on a switch", async () => {
   for (let level = 0; level < Math.min(4, levels); ++level) {
     await report.page.selectOption("#level", String(level));
     const shown = await report.page.evaluate(() => window.octoblisk.scene.boxCount);
-    assert.ok(shown > before, `level ${level} has ${shown} boxes, the one above ${before}`);
+    assert.ok(shown > before, `level ${level} has ${shown} boxes, but the level above has ${before}`);
     before = shown;
   }
   await near.check();
@@ -139,7 +139,7 @@ test("boxes of every level are shown on a switch", async () => {
   await report.page.uncheck("#boxes");
 });
 
-test("all that can be pressed has a name, and no text is faint", async () => {
+test("every control has a name, and no text is faint", async () => {
   const nameless = await report.page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas:not(#chart canvas)")]
     .filter((each) => each.offsetParent && !each.textContent.trim() && !each.ariaLabel && !each.labels?.length).map((each) => each.outerHTML));
   assert.deepEqual(nameless, []);
@@ -171,7 +171,7 @@ test("all that can be pressed has a name, and no text is faint", async () => {
   assert.deepEqual(faint, []);
 });
 
-test("nothing has gone wrong by then", () => {
+test("no error was logged", () => {
   assert.deepEqual(report.problems, []);
   assert.deepEqual(report.requests, []);
 });
@@ -181,7 +181,7 @@ test("a blisk of 1.5 million triangles opens as fast", { skip: !process.env.BIG_
   try {
     assert.deepEqual(big.problems, []);
     assert.deepEqual(big.requests, []);
-    assert.match(await big.page.textContent("#notes"), /Simplified for display only/);
+    assert.match(await big.page.textContent("#notes"), /Simplified for display/);
     console.log(`the big one opened in ${big.seconds.toFixed(2)} s`);
     assert.ok(big.seconds < kOpensWithin, `${big.seconds} s`);
   } finally {

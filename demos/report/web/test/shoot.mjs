@@ -1,4 +1,4 @@
-// Pictures of a report at two sizes of the window: node test/shoot.mjs REPORT.html FOLDER
+// Takes pictures of a report at two window sizes: node test/shoot.mjs REPORT.html FOLDER
 import { mkdir } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { openReport } from "./browser.mjs";
