@@ -4,10 +4,13 @@
 #include <exception>
 #include <ios>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "command_line/complain.h"
+#include "command_line/help_formatter.h"
+#include "command_line/manual.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/subcommand_names.h"
 #include "study/launch.h"
@@ -29,10 +32,18 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   const Help& help = helpOf("octoblisk");
   CLI::App app{help.about};
   app.name("octoblisk");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "octoblisk " + version, "The version, and no more");
   app.set_help_all_flag("--help-all", "Help of every subcommand");
   app.footer(help.footer);
+  app.add_option("--manual", "The manual of all subcommands, as Markdown or for man(1), and no more")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"markdown", "man"}))
+      ->each([&](const std::string& format) {
+        std::cout << (format == "man" ? manualForMan(app, version) : manualInMarkdown(app));
+        throw CLI::Success();
+      });
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);
