@@ -25,6 +25,14 @@ TEST(Pages, theReadmeIsShort) {
   EXPECT_LE(std::ranges::count(readme, '\n'), 130);
 }
 
+/// Its few rows of numbers are written by hand.
+TEST(Pages, timesOfTheReadmeAreThoseOfTheResults) {
+  const std::string results = contentOf(kProject / "bench/results/README.md");
+  const auto times = found(contentOf(kProject / "README.md"), "\\| ([0-9.]+ (µs|ms)) \\|");
+  EXPECT_EQ(times.size(), 5u);
+  for (const std::string& time : times) EXPECT_THAT(results, ::testing::HasSubstr("| " + time)) << time;
+}
+
 /// Headings as GitHub names them.
 std::set<std::string> anchorsOf(const std::string& page) {
   std::set<std::string> anchors;
