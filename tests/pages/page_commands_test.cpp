@@ -39,7 +39,8 @@ void makeInputs(const ScratchFolder& folder) {
   const std::string path = "octoblisk path --blisk small.stl --step-over 60 --pose-step 30 --out ";
   ASSERT_EQ(runScript(folder,
                       "octoblisk make blisk --triangles 10000 --out small.stl\n"
-                      "octoblisk make belt --stations 200 --out belt.stl\n" + path + "poses.csv\n")
+                      "octoblisk make belt --stations 200 --out belt.stl\n" +
+                          path + "poses.csv\n")
                 .exit_code,
             0);
 }
