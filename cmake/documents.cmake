@@ -1,4 +1,4 @@
-# The documents of the packages: licence, changelog, and the command's man page.
+# The documents of the packages: licence, changelog, and the man page that demos/CMakeLists.txt makes.
 # octoblisk_pack(FILE NAME): FILE as NAME.gz in the build folder, the same bytes whenever it is made.
 find_program(OCTOBLISK_GZIP gzip REQUIRED)
 function(octoblisk_pack file name)
@@ -23,7 +23,5 @@ if(BUILD_SHARED_LIBS)
 endif()
 if(OCTOBLISK_BUILD_DEMOS)
   octoblisk_install_documents(command octoblisk)
-  configure_file(${PROJECT_SOURCE_DIR}/demos/octoblisk.1.in ${PROJECT_BINARY_DIR}/octoblisk.1 @ONLY)
-  octoblisk_pack(${PROJECT_BINARY_DIR}/octoblisk.1 octoblisk.1)
   install(FILES ${PROJECT_BINARY_DIR}/octoblisk.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
 endif()

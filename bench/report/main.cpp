@@ -1,10 +1,10 @@
 // Makes one page and plots of the rows.
 //
-//   bench_report RESULTS [README]
+//   bench_report RESULTS [PAGE]
 //
 // Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's, which tell where the rows were
 // taken: that goes to RESULTS/machine.json), writes RESULTS/README.md and RESULTS/*.svg, and table and plots
-// into README, between its lines for it.
+// into PAGE, between its lines for it.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -51,7 +51,7 @@ void write(const fs::path& file, const std::string& text) {
   if (!out) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
-int run(const fs::path& results, const char* readme) {
+int run(const fs::path& results, const char* page_file) {
   const Rows rows = readAllRows(results);
   if (rows.empty()) throw std::runtime_error(results.string() + ": has no rows");
   const Row machine = machineIn(results);
@@ -60,7 +60,10 @@ int run(const fs::path& results, const char* readme) {
   write(results / "README.md", page.text);
   for (const auto& [file, plot] : page.plots) draw(plot, results / file);
   for (const auto& [file, plot] : page.time_plots) draw(plot, results / file);
-  if (readme != nullptr) write(readme, spliced(textOf(readme), "benchmarks", summary(rows, "bench/results")));
+  if (page_file != nullptr) {
+    const std::string folder = fs::relative(results, fs::absolute(page_file).parent_path()).generic_string();
+    write(page_file, spliced(textOf(page_file), "benchmarks", summary(rows, folder)));
+  }
   std::printf("%zu rows: %s\n", rows.size(), (results / "README.md").c_str());
   return 0;
 }
@@ -70,7 +73,7 @@ int run(const fs::path& results, const char* readme) {
 
 int main(int argc, char** argv) {
   if (argc != 2 && argc != 3) {
-    std::fprintf(stderr, "usage: bench_report RESULTS [README]\n");
+    std::fprintf(stderr, "usage: bench_report RESULTS [PAGE]\n");
     return 2;
   }
   try {

@@ -56,7 +56,7 @@ struct ResultsPage {
 };
 ResultsPage resultsPage(const Rows& rows, const Row& context);
 
-/// What the root README shows: a table of ours and how many times as long others take, and the plots of the
+/// What docs/methods.md shows: a table of ours and how many times as long others take, and the plots of the
 /// page, two a line, in the folder `results`.
 std::string summary(const Rows& rows, const std::string& results);
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "command_line/complain.h"
+#include "command_line/help_formatter.h"
+#include "command_line/manual.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/subcommand_names.h"
 #include "study/launch.h"
@@ -23,23 +25,6 @@ std::string commandAskedFor(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return app.get_name() + (given.empty() ? "" : ' ' + commandAskedFor(*given.front()));
 }
-
-/// CLI11's help without "{false}", which it adds to the names of flags that switch something off.
-class HelpFormatter final : public CLI::Formatter {
- public:
-  HelpFormatter() {
-    label("REQUIRED", "(required)");
-    label("Needs", "needs");
-    label("Excludes", "excludes");
-  }
-
-  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
-    constexpr std::string_view kFalse = "{false}";
-    std::string name = CLI::Formatter::make_option_name(option, is_positional);
-    const std::size_t place = name.find(kFalse);
-    return place == std::string::npos ? name : name.erase(place, kFalse.size());
-  }
-};
 
 /// CLI11's message, in the style of ours.
 std::string messageOf(const CLI::ParseError& error) {
@@ -77,6 +62,13 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   app.set_version_flag("--version", "octoblisk " + version, "Print the version and exit");
   app.set_help_all_flag("--help-all", "Print the help of all subcommands and exit");
   app.footer(help.footer);
+  app.add_option("--manual", "The manual of all subcommands, as Markdown or for man(1), and no more")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"markdown", "man"}))
+      ->each([&](const std::string& format) {
+        std::cout << (format == "man" ? manualForMan(app, version) : manualInMarkdown(app));
+        throw CLI::Success();
+      });
 
   int exit_code = 0;
   for (const AddCommand add : subcommands) add(app, exit_code);

@@ -7,8 +7,8 @@
 namespace octoblisk::demos {
 
 struct Help {
-  std::string about;   ///< the file up to its first empty line: above the options
-  std::string footer;  ///< the rest: below them
+  std::string about;   ///< the file up to its first empty line: above the options. Its first line is a summary
+  std::string footer;  ///< the rest: below them. Paragraphs, and items that begin with "- "
 };
 
 /// Of a subcommand, or of "octoblisk" itself. Throws std::out_of_range where there is no such file.

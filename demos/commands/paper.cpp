@@ -68,7 +68,7 @@ void addOptions(CLI::App& command, PaperRequest& request) {
 }  // namespace
 
 void addPaperCommand(CLI::App& app, int& exit_code) {
-  CLI::App& paper = *app.add_subcommand("paper", helpOf("paper").about);
+  CLI::App& paper = addSubcommand(app, "paper");
   paper.require_subcommand(1);
   for (const PaperSubcommand& subcommand : kPaperSubcommands) {
     CLI::App& command = *paper.add_subcommand(subcommand.name, subcommand.help);

@@ -149,13 +149,13 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
-/// Every number of the README's table is that of a row that is kept.
-TEST(Results, readmeSaysWhatTheRowsSay) {
+/// Every number of the page's table is that of a row that is kept.
+TEST(Results, thePageSaysWhatTheRowsSay) {
   const fs::path source = OCTOBLISK_SOURCE_DIR;
   const Rows rows = readAllRows(source / "bench" / "results");
   ASSERT_FALSE(rows.empty());
-  const std::string readme = textOf(source / "README.md");
-  EXPECT_EQ(spliced(readme, "benchmarks", summary(rows, "bench/results")), readme);
+  const std::string page = textOf(source / "docs" / "methods.md");
+  EXPECT_EQ(spliced(page, "benchmarks", summary(rows, "../bench/results")), page);
 }
 
 }  // namespace

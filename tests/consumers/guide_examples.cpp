@@ -6,7 +6,7 @@
 #include "guide/how-it-works.h"
 #include "guide/limits.h"
 #include "guide/migrating.h"
-#include "guide/options.h"
+#include "guide/core.h"
 #include "guide/threads.h"
 #include "guide/units.h"
 #ifdef WITH_IMPORTER
@@ -102,20 +102,20 @@ void runHowItWorks() {
   expect(meets(tree, {0.5, 0, 0}).has_value() && !meets(tree, {0, 0, 0.5}), "how-it-works: rings meet");
 }
 
-void runOptions() {
+void runCore() {
   const auto mesh = std::make_shared<const octoblisk::TriangleMesh>(meshOf(32, 1, btScalar(0.2)));
   const auto wider = std::make_shared<const octoblisk::TriangleMesh>(meshOf(32, 2, btScalar(0.2)));
   octoblisk::ClusteredOctree tree = treeOfSoftBody(mesh);
   follow(tree, wider);
-  expect(tree.sharedMesh() == wider, "options: the tree follows the mesh");
+  expect(tree.sharedMesh() == wider, "core: the tree follows the mesh");
   const std::filesystem::path file = "guide_example.tree";
   std::filesystem::remove(file);
   const auto isCompact = [](const octoblisk::ClusteredOctree& read) {
     return read.options().storage == octoblisk::Storage::compact;
   };
-  expect(isCompact(treeFrom(file, mesh)) && std::filesystem::exists(file), "options: built and saved");
+  expect(isCompact(treeFrom(file, mesh)) && std::filesystem::exists(file), "core: built and saved");
   expect(isCompact(treeFrom(file, mesh)) && treeFrom(file, wider).mesh().triangleCount() == 256,
-         "options: mapped");
+         "core: mapped");
   std::filesystem::remove(file);
 }
 
@@ -181,7 +181,7 @@ int main() {
   runMigrating();
   runUnits();
   runHowItWorks();
-  runOptions();
+  runCore();
   runThreads();
 #ifdef WITH_IMPORTER
   runSaving();

@@ -1,7 +1,6 @@
 // The command line of octoblisk as a whole: names, sizes, help, version.
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -76,17 +75,6 @@ TEST_F(CommandLine, helps) {
   EXPECT_THAT(run("check --help").out, HasSubstr("mesh units"));
   EXPECT_THAT(run("check --help").out, HasSubstr("rounded to 32-bit floats"));
   EXPECT_THAT(run("grind --help").out, HasSubstr("--no-pictures  "));
-}
-
-TEST_F(CommandLine, theManualTellsOfEverySubcommand) {
-  const std::string manual = contentOf(OCTOBLISK_MANUAL), refusal = run("polish").error;
-  std::istringstream names(refusal.substr(refusal.find("subcommands are: ") + 17));
-  int count = 0;
-  for (std::string name; names >> name; ++count) {
-    std::erase(name, ',');
-    EXPECT_THAT(manual, HasSubstr("\n.TP\n.B " + name + "\n"));
-  }
-  EXPECT_GE(count, 9);
 }
 
 TEST_F(CommandLine, tellsItsVersion) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -38,9 +39,8 @@ void makeInputs(const ScratchFolder& folder) {
   const std::string path = "octoblisk path --blisk small.stl --step-over 60 --pose-step 30 --out ";
   ASSERT_EQ(runScript(folder,
                       "octoblisk make blisk --triangles 10000 --out small.stl\n"
-                      "octoblisk make belt --stations 200 --out belt.stl\n"
-                      "octoblisk make grinder --out tool\n" +
-                          path + "poses.csv\n" + path + "poses.cl --format apt\n")
+                      "octoblisk make belt --stations 200 --out belt.stl\n" +
+                          path + "poses.csv\n")
                 .exit_code,
             0);
 }
@@ -49,21 +49,13 @@ const std::vector<Placeholder> kPlaceholders = {{"", "DIR", "out"},
                                                 {"--out", "FILE", "out.stl"},
                                                 {"--blisk", "FILE", "small.stl"},
                                                 {"--blade", "FILE", "small.stl"},
-                                                {"--belt", "FILE", "belt.stl"},
                                                 {"", "A", "small.stl"},
                                                 {"", "B", "belt.stl"},
                                                 {"", "POSES.csv", "poses.csv"},
-                                                {"", "FILE.cl", "poses.cl"},
                                                 {"", "RESULT.csv", "RESULT.csv"},
-                                                {"", "TOOL.json", "tool/tool.json"},
-                                                {"", "x,y,z[,px,py,pz]", "0,0,1,0,0,20"},
-                                                {"--blade", "N", "2"},
                                                 {"--points", "N", "100"},
                                                 {"--starts", "N", "2"},
-                                                {"--seed", "N", "3"},
-                                                {"", "MM", "20"},
-                                                {"", "DEG", "5"},
-                                                {"", "MM/MIN", "900"}};
+                                                {"--seed", "N", "3"}};
 
 /// What takes long is left out: pictures.
 std::string withoutPictures(const std::string& call) {
@@ -95,7 +87,7 @@ TEST(Pages, synopsesHold) {
       expectLackOfFile(folder, leastCall(synopsis, kPlaceholders) + ' ' + optional[0] + " missing.stl");
     }
   }
-  EXPECT_GE(calls.size(), 20u);
+  EXPECT_GE(calls.size(), 10u);
   const std::set<std::string> long_commands = {"access", "grind", "paper", "repair"};
   std::set<std::string> commands_run;
   for (const std::string& call : calls) {
@@ -131,6 +123,28 @@ TEST(Pages, theStoryEndsClean) {
       HasSubstr("Changed: 46 poses, tilt up to 2 degrees, slide up to 2 mm, retraction up to 0.05 mm\n"));
   EXPECT_EQ(outcomes[3].exit_code, 0);
   EXPECT_THAT(outcomes[3].out, HasSubstr(" 0 interference\n"));
+}
+
+/// Every step of the tutorial on the files of the steps before, on a path of larger steps.
+TEST(Pages, theTutorialRuns) {
+  const ScratchFolder folder;
+  std::map<std::string, bool> is_clean;
+  for (const CodeBlock& block : blocksOf(Kind::tutorial)) {
+    SCOPED_TRACE(block.place());
+    std::string call = block.text.substr(0, block.text.find('\n'));
+    const std::string command = found(call, "^octoblisk ([a-z]+)").at(0);
+    const std::string out = found(call, "--out ([a-z.]+)").at(0);
+    if (command == "path") call += " --step-over 20 --pose-step 8";
+    if (command == "access") call += " --rows 5 --columns 5 --tilt-step 10";
+    if (command == "grind" || command == "repair" || command == "access") call += " --no-report";
+    const Outcome outcome = runScript(folder, withoutPictures(call));
+    is_clean[out] = outcome.exit_code == 0;
+    EXPECT_TRUE(is_clean[out] || outcome.exit_code == 1) << outcome.error;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / out));
+  }
+  EXPECT_EQ(is_clean.size(), 7u);
+  EXPECT_FALSE(is_clean["first"]);
+  EXPECT_TRUE(is_clean["clean"]);
 }
 
 /// An example of a whole blade, in larger steps.

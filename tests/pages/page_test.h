@@ -31,6 +31,7 @@ enum class Kind {
   row,
   octoblisk,
   story,
+  tutorial,
   example,
   study
 };
@@ -44,9 +45,13 @@ inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 
+/// The page whose calls of octoblisk are run one after another, in one folder.
+inline const std::string kTutorial = "docs/grinding.md";
+
 inline std::optional<Kind> kindOf(const CodeBlock& block) {
   if (const auto known = kLanguages.find(block.language); known != kLanguages.end()) return known->second;
   if (!block.language.empty()) return std::nullopt;
+  if (block.page == kTutorial && block.text.starts_with("octoblisk ")) return Kind::tutorial;
   for (const auto& [beginning, kind] : kBeginnings) {
     if (block.text.starts_with(beginning)) return kind;
   }
@@ -86,6 +91,22 @@ inline std::string replaced(std::string text, const std::string& part, const std
     text.replace(at, part.size(), by);
   }
   return text;
+}
+
+/// A page without its code, in blocks and in sentences, and with every run of blanks as one space.
+inline std::string proseOf(const std::string& text) {
+  std::string prose;
+  bool is_code = false, is_blank = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_mark = text[i] == '`';
+    is_code ^= is_mark && (i == 0 || text[i - 1] != '`');
+    if (is_mark || is_code) continue;
+    const bool was_blank = is_blank;
+    is_blank = text[i] == ' ' || text[i] == '\n';
+    if (!is_blank) prose += text[i];
+    if (is_blank && !was_blank) prose += ' ';
+  }
+  return prose;
 }
 
 /// Runs lines for a shell in a folder, where `octoblisk` is ours.

@@ -1,4 +1,4 @@
-// The table of README.md: which pairs of a moving concave body are found, by ours and by Bullet's own shapes.
+// The table of docs/bullet.md: which pairs of a moving concave body are found, by ours and by Bullet's own shapes.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <BulletSoftBody/btSoftBody.h>

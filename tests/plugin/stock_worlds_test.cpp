@@ -1,4 +1,4 @@
-// The table of README.md, its worlds of other kinds: links of multibodies, and deformables, on and as concave
+// The table of docs/bullet.md, its worlds of other kinds: links of multibodies, and deformables, on and as concave
 // bodies.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
