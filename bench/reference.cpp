@@ -197,7 +197,7 @@ const PrimitiveTruth& truthOf(const Scene& scene, Primitive primitive) {
   const auto [entry, is_new] = known.try_emplace({&scene, primitive});
   PrimitiveTruth& truth = entry->second;
   if (!is_new) return truth;
-  constexpr double kCellSize = 0.1, kFar = 1.0;
+  constexpr double kCellSize = 0.1, kFar = 0.3;
   const Reference reference(*scene.blisk, kCellSize);
   const auto [core, margin] = roundedCore(primitive);
   const double unsure = primitive == Primitive::cylinder ? 1e-3 : 1e-4;
