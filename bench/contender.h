@@ -56,6 +56,15 @@ class WorldClosestQuery : public PoseQuery {
   virtual double nearest(const Pose& belt_in_blisk, double threshold) = 0;
 };
 
+/// The scene's primitive and a small mesh in a Bullet world.
+class WorldPrimitiveQuery {
+ public:
+  virtual ~WorldPrimitiveQuery() = default;
+  /// The least distance of a point that contactPairTest reports, below 0: a depth; infinity where it reports
+  /// none.
+  virtual double nearest(const Pose& primitive_in_mesh) = 0;
+};
+
 /// A ray in a Bullet world.
 class WorldRayQuery {
  public:
@@ -164,6 +173,7 @@ struct Contender {
   Maker<ContactsQuery> contacts = {};
   Maker<WorldContactsQuery> world_contacts = {};
   Maker<WorldClosestQuery> world_closest = {};
+  Maker<WorldPrimitiveQuery> world_primitive = {};
   Maker<WorldRayQuery> world_ray = {};
   Maker<WorldSweepQuery> world_sweep = {};
   Maker<WorldStepQuery> world_step = {};
@@ -180,8 +190,9 @@ template <typename Visit>
 void forEachMaker(Visit&& visit) {
   const auto each = [&](auto... maker) { (visit(maker), ...); };
   each(&Contender::collide, &Contender::contacts, &Contender::world_contacts, &Contender::world_closest,
-       &Contender::world_ray, &Contender::world_sweep, &Contender::world_step, &Contender::pile,
-       &Contender::distance, &Contender::ray, &Contender::build, &Contender::refit, &Contender::boxes);
+       &Contender::world_primitive, &Contender::world_ray, &Contender::world_sweep, &Contender::world_step,
+       &Contender::pile, &Contender::distance, &Contender::ray, &Contender::build, &Contender::refit,
+       &Contender::boxes);
 }
 
 /// All of a group that are built in, ours first, the others by name.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "geometry/triangle_pair.h"
 #include "shared/solids.h"
@@ -13,8 +14,6 @@ namespace octoblisk::bench {
 using namespace detail;
 
 namespace {
-
-constexpr double kCellSize = 2.0;
 
 template <typename Visit>
 void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&& visit) {
@@ -38,10 +37,11 @@ double hitOf(const Triangle& triangle, const Segment& way) {
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= 0.0 ? std::min(t, 1.0) : 1.0;
 }
 
-Reference::Reference(const TriangleMesh& blisk)
+Reference::Reference(const TriangleMesh& blisk, double cell_size)
     : blisk_(blisk),
+      cell_size_(cell_size),
       lowest_(blisk.bounds().min),
-      cells_(((blisk.bounds().max - lowest_) / kCellSize).cast<int>() + Cell::Ones()),
+      cells_(((blisk.bounds().max - lowest_) / cell_size_).cast<int>() + Cell::Ones()),
       begin_(static_cast<std::size_t>(cells_.cast<long>().prod()) + 1, 0) {
   const auto forEachEntry = [&](auto&& enter) {
     for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
@@ -58,7 +58,7 @@ Reference::Reference(const TriangleMesh& blisk)
 }
 
 Reference::Cell Reference::cellOf(const Vec3& point) const {
-  const Vec3 place = ((point - lowest_) / kCellSize).array().floor();
+  const Vec3 place = ((point - lowest_) / cell_size_).array().floor();
   return place.cwiseMax(0.0).cwiseMin((cells_ - Cell::Ones()).cast<double>()).cast<int>();
 }
 
@@ -105,7 +105,7 @@ std::size_t Reference::touchingPairs(const TriangleMesh& belt, const Pose& belt_
 
 double Reference::firstHit(const Segment& way) const {
   const Vec3 direction = way.to - way.from;
-  const double pieces = std::ceil(direction.norm() / kCellSize);
+  const double pieces = std::ceil(direction.norm() / cell_size_);
   double first = 1.0;
   for (double piece = 0.0; piece < pieces; ++piece) {
     if (first <= piece / pieces) break;
@@ -189,6 +189,27 @@ const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses) {
   }
   truth.hit_rate = static_cast<double>(hits) / static_cast<double>(poses.size());
   truth.near_rate = static_cast<double>(near) / static_cast<double>(poses.size());
+  return truth;
+}
+
+const PrimitiveTruth& truthOf(const Scene& scene, Primitive primitive) {
+  static std::map<std::pair<const Scene*, Primitive>, PrimitiveTruth> known;
+  const auto [entry, is_new] = known.try_emplace({&scene, primitive});
+  PrimitiveTruth& truth = entry->second;
+  if (!is_new) return truth;
+  constexpr double kCellSize = 0.1, kFar = 0.3;
+  const Reference reference(*scene.blisk, kCellSize);
+  const auto [core, margin] = roundedCore(primitive);
+  const double unsure = primitive == Primitive::cylinder ? 1e-3 : 1e-4;
+  for (const Pose& pose : scene.path) {
+    const bool touches = reference.within(margin - unsure, *core, pose);
+    if (!touches && reference.within(margin + unsure, *core, pose)) continue;
+    truth.poses.push_back(pose);
+    truth.touches.push_back(touches);
+    truth.hits += touches;
+    if (primitive == Primitive::sphere)
+      truth.distances.push_back(reference.distanceTo(pose.translation, kFar) - margin);
+  }
   return truth;
 }
 

@@ -19,7 +19,7 @@ double hitOf(const Triangle& triangle, const Segment& way);
 /// The triangles of a mesh in the cells of a uniform grid. What its boxes may meet is then tested exactly.
 class Reference {
  public:
-  explicit Reference(const TriangleMesh& blisk);
+  explicit Reference(const TriangleMesh& blisk, double cell_size = 2.0);
 
   /// The pairs of triangles that meet, exactly, of the blisk and the posed belt.
   std::size_t touchingPairs(const TriangleMesh& belt, const Pose& belt_in_blisk) const;
@@ -52,6 +52,7 @@ class Reference {
                    const std::function<bool(const Triangle&, const Triangle&)>& visit) const;
 
   const TriangleMesh& blisk_;
+  double cell_size_;
   Vec3 lowest_;
   Cell cells_;
   std::vector<std::uint32_t> begin_;      // of each cell's triangles
@@ -67,5 +68,17 @@ struct Truth {
 
 /// Found at the first call for these poses, and kept. `poses` must be those of a scene that is kept.
 const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses);
+
+/// The poses at which a primitive touches a small mesh.
+struct PrimitiveTruth {
+  std::vector<Pose> poses;        ///< of the path, without those within 1e-4 of touching; cylinder: 1e-3
+  std::vector<bool> touches;      ///< at each pose
+  std::vector<double> distances;  ///< from sphere to mesh at each pose, below 0: the depth; others: empty
+  std::size_t hits = 0;           ///< poses that touch
+};
+
+/// Found at the first call, and kept. The scene must be kept. All in double precision, by all triangles near
+/// the primitive.
+const PrimitiveTruth& truthOf(const Scene& scene, Primitive primitive);
 
 }  // namespace octoblisk::bench

@@ -13,6 +13,7 @@
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
 #include "models/blisk.h"
+#include "shapes/bodies.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
 
@@ -111,20 +112,56 @@ std::vector<Segment> randomWays(const TriangleMesh& blisk, std::size_t count) {
   return ways;
 }
 
+/// The surface of the hull of points of which no four lie in one plane.
+std::shared_ptr<const TriangleMesh> hullMesh(std::vector<Vec3> points) {
+  const auto count = static_cast<std::uint32_t>(points.size());
+  std::vector<TriangleMesh::Indices> faces;
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < count; ++b) {
+      for (std::uint32_t c = b + 1; c < count; ++c) {
+        const Vec3 normal = (points[b] - points[a]).cross(points[c] - points[a]);
+        const auto above = std::ranges::count_if(
+            points, [&](const Vec3& point) { return normal.dot(point - points[a]) > 1e-12; });
+        if (above == 0) faces.push_back({a, b, c});
+        if (above == count - 3) faces.push_back({a, c, b});
+      }
+    }
+  }
+  return std::make_shared<const TriangleMesh>(std::move(points), std::move(faces));
+}
+
+/// Random poses whose origins are near the surface, outside.
+std::vector<Pose> posesRoundTorus(double major_radius, double minor_radius, std::size_t count) {
+  std::mt19937_64 random(4);
+  std::vector<Pose> poses(count);
+  for (Pose& pose : poses) {
+    const double u = uniform(random, 0.0, 2.0 * std::numbers::pi);
+    const double v = uniform(random, 0.0, 2.0 * std::numbers::pi);
+    const double away = minor_radius + uniform(random, 0.05, 0.19);
+    const double radius = major_radius + away * std::cos(v);
+    const Vec3 origin(radius * std::cos(u), radius * std::sin(u), away * std::sin(v));
+    pose = {testing::randomRotation(random), origin.cast<float>().cast<double>()};
+  }
+  return poses;
+}
+
 /// What a name says.
 struct Sizes {
   std::size_t blisk = 300'000;
   std::size_t belt = 0;  // the default one
   std::size_t bodies = 200;
+  std::size_t torus = 0;  // its triangles; else a blisk
 };
 
 Sizes sizesOf(const std::string& name) {
-  static const std::regex blisk("([0-9]{1,5})k"), belt("belt-([0-9]{1,4})k"), bodies("([0-9]{1,5})-bodies");
+  static const std::regex blisk("([0-9]{1,5})k"), belt("belt-([0-9]{1,4})k"), bodies("([0-9]{1,5})-bodies"),
+      torus("([0-9]{1,6})-triangles");
   const auto number = [](const std::smatch& match) { return std::stoul(match[1]); };
   std::smatch match;
   if (std::regex_match(name, match, blisk)) return {.blisk = 1000 * number(match)};
   if (std::regex_match(name, match, belt)) return {.belt = 1000 * number(match)};
   if (std::regex_match(name, match, bodies)) return {.blisk = 50'000, .bodies = number(match)};
+  if (std::regex_match(name, match, torus)) return {.torus = number(match)};
   throw std::invalid_argument("there is no scene '" + name + "'");
 }
 
@@ -141,9 +178,27 @@ demos::BeltParameters beltOf(std::size_t triangles) {
   return parameters;
 }
 
+Scene torusScene(const std::string& name, std::size_t triangles, const SceneSize& size) {
+  constexpr double kMajorRadius = 1.0, kMinorRadius = 0.35;
+  constexpr std::size_t kPoses = 2000;
+  // Segments round the tube: about as long as those along it, and such that the number is exact.
+  auto round = static_cast<std::size_t>(std::ceil(std::sqrt(0.2 * static_cast<double>(triangles))));
+  while (round > 3 && triangles % (2 * round) != 0) --round;
+  if (round < 3 || triangles % (2 * round) != 0) {
+    throw std::invalid_argument("there is no torus of " + std::to_string(triangles) + " triangles");
+  }
+  Scene scene;
+  scene.name = name;
+  scene.blisk = roundedToFloat(*testing::torus(
+      kMajorRadius, kMinorRadius, static_cast<int>(triangles / (2 * round)), static_cast<int>(round)));
+  scene.path = posesRoundTorus(kMajorRadius, kMinorRadius, size.poses > 0 ? size.poses : kPoses);
+  return scene;
+}
+
 Scene makeScene(const std::string& name, const SceneSize& size) {
   constexpr std::size_t kWays = 100'000, kQuickWays = 10'000;
   const Sizes sizes = sizesOf(name);
+  if (sizes.torus > 0) return torusScene(name, sizes.torus, size);
   const demos::BeltParameters belt = beltOf(sizes.belt);
   Scene scene;
   scene.name = name;
@@ -163,6 +218,34 @@ Scene makeScene(const std::string& name, const SceneSize& size) {
 }
 
 }  // namespace
+
+RoundedCore roundedCore(Primitive primitive) {
+  constexpr int kSides = 64;  // of the cylinder's prism: 0.00011 inside it at most
+  constexpr int kCorners = 20;
+  constexpr double kBoxMargin = 0.01, kHullMargin = 0.04;  // Bullet's for these sizes
+  using Triangles = std::vector<TriangleMesh::Indices>;
+  const auto meshOf = [](std::vector<Vec3> vertices, Triangles triangles) {
+    return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+  };
+  switch (primitive) {
+    case Primitive::sphere:
+      return {meshOf({Vec3::Zero()}, {{0, 0, 0}}), 0.12};
+    case Primitive::box:
+      return {testing::boxMesh(Vec3::Constant(0.1 - kBoxMargin)), kBoxMargin};
+    case Primitive::capsule:
+      return {meshOf({{0, 0, -0.075}, {0, 0, 0.075}}, {{0, 1, 1}}), 0.08};
+    case Primitive::cylinder:
+      return {shapes::cylinder(0.1 - kBoxMargin, 0.1 - kBoxMargin, kSides), kBoxMargin};
+    case Primitive::hull: {
+      std::mt19937_64 random(5);
+      std::vector<Vec3> corners(kCorners);
+      for (Vec3& corner : corners)
+        corner = (0.08 * testing::randomRotation(random).col(0)).cast<float>().cast<double>();
+      return {hullMesh(std::move(corners)), kHullMargin};
+    }
+  }
+  throw std::invalid_argument("there is no such primitive");
+}
 
 const Scene& sceneNamed(const std::string& name, const SceneSize& size) {
   static std::map<std::pair<std::string, SceneSize>, Scene> scenes;

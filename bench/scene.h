@@ -16,8 +16,19 @@ struct Segment {
   Vec3 to = Vec3::Zero();
 };
 
-/// Lengths in mm. All coordinates of the meshes and ways are representable in single precision, so that
-/// contenders of either precision see the same.
+/// Bullet's convex primitives, of half extents about 0.1.
+enum class Primitive { sphere, box, capsule, cylinder, hull };
+
+/// A primitive is all points within `margin` of a convex core, as Bullet has it by default. The cylinder's
+/// core is a prism of many sides.
+struct RoundedCore {
+  std::shared_ptr<const TriangleMesh> core;
+  double margin = 0.0;
+};
+RoundedCore roundedCore(Primitive primitive);
+
+/// Lengths in mm; those of small meshes in any unit. All coordinates of the meshes and ways are representable
+/// in single precision, so that contenders of either precision see the same.
 struct Scene {
   std::string name;
   std::shared_ptr<const TriangleMesh> blisk;
@@ -27,6 +38,7 @@ struct Scene {
   std::vector<Pose> shuffled;                ///< the same, each turned to a random blade, in random order
   std::vector<Segment> ways;  ///< from anywhere to anywhere in a box a little larger than the blisk
   std::size_t bodies = 200;   ///< that fall onto the blisk
+  Primitive primitive = Primitive::sphere;  ///< that touches a small mesh
 };
 
 /// How much of a scene is asked for.
@@ -41,9 +53,12 @@ struct SceneSize {
 ///   300k          the default belt over the default blisk of about so many thousand triangles
 ///   belt-20k      a belt of about so many thousand triangles over the blisk of 300k
 ///   1000-bodies   so many bodies over the blisk of 50k
-/// The path is the same for all: there and back over both sides of a blade in steps of about 1 mm, approach
-/// and retraction, the belt pressed in and lifted off by seeded, smooth amounts. Throws std::invalid_argument
-/// for another name.
+///   500-triangles a small mesh of so many triangles in place of the blisk: a torus of radii 1 and 0.35. No
+///                 belt. The path is 2,000 random poses of a primitive. The origin of the primitive is
+///                 outside the torus, 0.05 to 0.19 from the surface
+/// The path is the same for all blisks: there and back over both sides of a blade in steps of about 1 mm,
+/// approach and retraction, the belt pressed in and lifted off by seeded, smooth amounts. Throws
+/// std::invalid_argument for another name.
 const Scene& sceneNamed(const std::string& name, const SceneSize& size = {});
 
 /// The blisk with every vertex moved by up to 0.5 mm, smoothly: what a refit is for.

@@ -5,6 +5,7 @@
 #include "bullet_world.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
+#include "primitive_on_mesh.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -77,7 +78,8 @@ class BvhOnFloor {
 
 const bool kRegistered =
     registerContender<InBulletWorld<BvhShapes>, BulletContacts<BvhShapes>, BulletRefit<BvhShapes>,
-                      BulletBvhRays, BulletBvhBuild, HullsOnBlisk<BvhOnFloor>>("bullet-bvh") &&
+                      BulletBvhRays, BulletBvhBuild, HullsOnBlisk<BvhOnFloor>, PrimitiveOnMesh<BvhOnFloor>>(
+        "bullet-bvh") &&
     describe("bullet-bvh", bulletVersion());
 
 }  // namespace

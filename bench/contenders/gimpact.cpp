@@ -4,6 +4,7 @@
 #include "contender.h"
 #include "gimpact_shape.h"
 #include "hulls_on_blisk.h"
+#include "primitive_on_mesh.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -45,14 +46,13 @@ class GimpactBuild final : public BuildQuery {
 class GimpactOnFloor {
  public:
   explicit GimpactOnFloor(const Scene& scene) : mesh_(*scene.blisk) {}
-  void registerAt(btCollisionDispatcher* dispatcher) {
-    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher);
-  }
+  void registerAt(btCollisionDispatcher* dispatcher) { algorithm_.registerAt(*dispatcher); }
   btCollisionShape* blisk() { return blisk_.get(); }
 
  private:
   BulletMesh mesh_;
   std::unique_ptr<btGImpactMeshShape> blisk_ = gimpactShape(mesh_);
+  GimpactAlgorithm algorithm_;
 };
 
 class GimpactPile final : public ConcavePileQuery {
@@ -74,7 +74,8 @@ class GimpactPile final : public ConcavePileQuery {
 
 const bool kRegistered =
     registerContender<InBulletWorld<GimpactShapes>, BulletContacts<GimpactShapes>, BulletRefit<GimpactShapes>,
-                      GimpactBuild, HullsOnBlisk<GimpactOnFloor>, GimpactPile>("gimpact") &&
+                      GimpactBuild, HullsOnBlisk<GimpactOnFloor>, GimpactPile,
+                      PrimitiveOnMesh<GimpactOnFloor>>("gimpact") &&
     describe("gimpact", bulletVersion());
 
 }  // namespace

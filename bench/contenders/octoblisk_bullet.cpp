@@ -6,6 +6,7 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/register.h"
+#include "primitive_on_mesh.h"
 
 namespace octoblisk::bench {
 namespace {
@@ -41,6 +42,19 @@ class OursOnFloor {
   ClusteredOctreeShape blisk_;
 };
 
+/// Reports no points of bodies that are apart.
+class OurSmallMesh {
+ public:
+  explicit OurSmallMesh(const Scene& scene) : mesh_(treeOf(scene.blisk)) {
+    mesh_.setContactBreakingThreshold(0);
+  }
+  void registerAt(btCollisionDispatcher* dispatcher) { registerAlgorithm(dispatcher); }
+  btCollisionShape* blisk() { return &mesh_; }
+
+ private:
+  ClusteredOctreeShape mesh_;
+};
+
 class OurPile final : public ConcavePileQuery {
  public:
   explicit OurPile(const Scene&) {
@@ -48,8 +62,8 @@ class OurPile final : public ConcavePileQuery {
   }
 };
 
-const bool kRegistered =
-    registerContender<InBulletWorld<OurShapes>, HullsOnBlisk<OursOnFloor>, OurPile>(kOurs);
+const bool kRegistered = registerContender<InBulletWorld<OurShapes>, HullsOnBlisk<OursOnFloor>, OurPile,
+                                           PrimitiveOnMesh<OurSmallMesh>>(kOurs);
 
 }  // namespace
 }  // namespace octoblisk::bench

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
@@ -102,6 +107,75 @@ TEST(Scene, ourAnswersAreTheReferences) {
     met += first < 1.0;
   }
   EXPECT_GT(met, scene.ways.size() / 10);
+}
+
+/// Points on all triangles. Every point of the mesh is within `step` of one.
+std::vector<Vec3> pointsOn(const TriangleMesh& mesh, double step) {
+  std::vector<Vec3> points;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto [a, b, c] = mesh.triangle(t);
+    const int pieces =
+        1 + static_cast<int>(std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) / step);
+    for (int i = 0; i <= pieces; ++i) {
+      for (int j = 0; i + j <= pieces; ++j) points.emplace_back(a + (i * (b - a) + j * (c - a)) / pieces);
+    }
+  }
+  return points;
+}
+
+class Primitives : public ::testing::TestWithParam<Primitive> {};
+
+TEST_P(Primitives, truthAtSmallMeshes_vs_sampling) {
+  constexpr double kStep = 0.02;
+  const auto [core, margin] = roundedCore(GetParam());
+  const std::vector<Vec3> points = pointsOn(*core, kStep);
+  for (const std::size_t triangles : {500u, 5000u}) {
+    const Scene& scene = sceneNamed(std::to_string(triangles) + "-triangles", {.poses = 400});
+    const TriangleMesh& mesh = *scene.blisk;
+    ASSERT_EQ(mesh.triangleCount(), triangles);
+    const PrimitiveTruth& truth = truthOf(scene, GetParam());
+    EXPECT_GT(truth.poses.size(), scene.path.size() * 95 / 100);
+    EXPECT_GT(truth.hits, truth.poses.size() * 3 / 10);
+    EXPECT_LT(truth.hits, truth.poses.size() * 7 / 10);
+    const Reference reference(mesh, 0.1);
+    for (std::size_t k = 0; k < truth.poses.size(); k += 20) {
+      const Pose& pose = truth.poses[k];
+      EXPECT_NEAR(testing::windingNumber(mesh, pose.translation), 0.0, 1e-9) << k;
+      double least = std::numeric_limits<double>::infinity();
+      for (const Vec3& point : points)
+        least = std::min(least, reference.distanceTo(pose * point, margin + kStep));
+      if (truth.touches[k]) {
+        EXPECT_LE(least, margin + kStep) << k;
+      } else {
+        EXPECT_GT(least, margin) << k;
+      }
+      if (truth.distances.empty()) continue;
+      EXPECT_EQ(truth.distances[k], testing::bruteForceDistance(mesh, pose.translation) - margin);
+      EXPECT_EQ(truth.touches[k], truth.distances[k] < 0.0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Primitives,
+                         ::testing::Values(Primitive::sphere, Primitive::box, Primitive::capsule,
+                                           Primitive::cylinder, Primitive::hull));
+
+TEST(PrimitiveCores, areConvex) {
+  for (const Primitive primitive : {Primitive::box, Primitive::cylinder, Primitive::hull}) {
+    const TriangleMesh core = *roundedCore(primitive).core;
+    for (std::size_t t = 0; t < core.triangleCount(); ++t) {
+      const auto [a, b, c] = core.triangle(t);
+      const Vec3 outward = (b - a).cross(c - a).normalized();
+      for (const Vec3& vertex : core.vertices()) EXPECT_LT(outward.dot(vertex - a), 1e-12);
+    }
+    EXPECT_NEAR(testing::windingNumber(core, Vec3::Zero()), 1.0, 1e-9);
+  }
+}
+
+TEST(Scene, refusesNamesOfNone) {
+  EXPECT_THROW(sceneNamed("many-triangles"), std::invalid_argument);
+  EXPECT_THROW(sceneNamed("501-triangles"), std::invalid_argument);
+  EXPECT_THROW(sceneNamed("4-triangles"), std::invalid_argument);
 }
 
 }  // namespace
