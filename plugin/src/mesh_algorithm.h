@@ -98,8 +98,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   const bool mesh_is_body1_;
   const ShapeTypes types_;
   ShapeTypes substitute_types_;
-  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter>
-      substitute_;  // used while the bodies have other types of shapes
+  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // for other types of shapes
   Manifolds manifolds_;
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
