@@ -27,7 +27,8 @@ class PathQuery {
   PathQuery(const Surface& a, const Surface& b);
 
   /// A pair of triangles that meet, or none. Tests the pair that met at the previous pose first, then the
-  /// triangles around it. Tests nothing if the last distance exceeds the displacement of B's points since.
+  /// triangles around it. Tests nothing else if the last distance exceeds the displacement of B's points
+  /// since.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
   /// The least distance. The last pair found serves as the hint; before there is one, the hint of the options

@@ -51,8 +51,7 @@ class SourceContacts {
   void numberTouched(std::vector<Contact>& found);
 
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t>
-      near_;  // indices of candidates_: those of each cluster on the way after the last's
+  std::vector<std::size_t> near_;  // indices of candidates_, stacked for the clusters on the current path
   std::vector<SourceTriangle> touched_;
   std::vector<std::uint32_t> order_, number_;  // of touched_
 };

@@ -134,9 +134,9 @@ class Axes {
   }
 
   bool tryEdges(double limit) {
-    // Along an axis between the normals of two faces, no corner of the triangle is higher than over the
-    // higher of the two faces, unless it is below both. Few faces have a corner that high over them, and few
-    // edges have such faces.
+    // If a corner of the triangle is below two faces, its height along an axis between their normals is at
+    // most the greater of its heights over them. Few faces have a corner high enough over them, and few edges
+    // have such faces.
     const double needed = std::min(gap_, 0.0) - kPreferred * size_;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
       highest_[f] = middle_height_[f] + radius_;
@@ -163,8 +163,8 @@ class Axes {
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t next = (v + 1) % 3, opposite = (v + 2) % 3;
       // The axis perpendicular to both edges is between the two normals if these are on different sides of
-      // the plane perpendicular to the triangle's edge. It separates the two only if the whole triangle is
-      // beyond the axis's plane.
+      // the plane perpendicular to the triangle's edge. It separates the two only if the triangle's third
+      // corner is beyond this edge.
       const double of_left = over_right[v] - over_right[next], of_right = over_left[next] - over_left[v];
       if (!(of_left * of_right > 0.0)) continue;
       const double part_left = std::abs(of_left), part_right = std::abs(of_right);

@@ -1,4 +1,4 @@
-// Registers ClusteredOctreeShape with a dispatcher. A program must call this once; otherwise bodies fall
+// Registers ClusteredOctreeShape with a dispatcher. Call this once for each dispatcher; otherwise bodies fall
 // through.
 #pragma once
 

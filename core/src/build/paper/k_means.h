@@ -13,8 +13,9 @@ struct KMeansOptions {
   std::size_t k = 2;         ///< number of clusters, 1..n
   std::uint64_t seed = 1;    ///< for the random initial centres (step 1)
   int max_iterations = 300;  ///< limit for one run
-  /// Number of runs from different initial centres. The run with the least S(C) is returned, the first of
-  /// equal ones. 1 is the paper's method: its first run already ends at the cluster means of section 4.1.
+  /// The number of runs from different initial centres. The run with the least S(C) is returned, the first of
+  /// equal ones. 1 equals the paper's choice, which starts from the cluster means of a first run (section
+  /// 4.1): that run has already ended there.
   int starts = 16;
 };
 
