@@ -34,9 +34,9 @@ void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) 
 
 /// Tests triangles like the callback's own class, passes its hits on, and keeps the fraction beyond which
 /// hits no longer matter.
-class HeedingSweep final : public btTriangleConvexcastCallback {
+class ForwardingSweep final : public btTriangleConvexcastCallback {
  public:
-  explicit HeedingSweep(btTriangleConvexcastCallback& target)
+  explicit ForwardingSweep(btTriangleConvexcastCallback& target)
       : btTriangleConvexcastCallback(target.m_convexShape, target.m_convexShapeFrom, target.m_convexShapeTo,
                                      target.m_triangleToWorld, target.m_triangleCollisionMargin),
         target_(target) {
@@ -82,11 +82,11 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
 }
 
 void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& hand_over) {
-  HeedingSweep heeding(sweep);
-  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(heeding.m_hitFraction),
+  ForwardingSweep forwarding(sweep);
+  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(forwarding.m_hitFraction),
                        [&](std::uint32_t triangle, double) {
-                         hand_over(heeding, triangle);
-                         return double(heeding.m_hitFraction);
+                         hand_over(forwarding, triangle);
+                         return double(forwarding.m_hitFraction);
                        });
 }
 

@@ -39,7 +39,7 @@ class TriangleCache {
  private:
   static constexpr double kNothing = -1.0;
 
-  double wayTo(const Pose& pose, const Pose& from) const;
+  double displacementBound(const Pose& pose, const Pose& from) const;
   double reserveFor(const Pose& convex_in_tree, double radius) const;
   void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach,
               double reserve);

@@ -19,7 +19,7 @@ namespace octoblisk::detail {
 /// Reaches are above 0, so the order of their bits is that of their values.
 class RayTask {
  public:
-  RayTask() {}  // NOLINT(modernize-use-equals-default): not set, by {} neither: there are many of them
+  RayTask() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it: there are many of them
   RayTask(float reach, Slot slot)
       : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }

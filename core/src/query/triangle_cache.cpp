@@ -61,7 +61,7 @@ TriangleCache& TriangleCache::operator=(TriangleCache&&) noexcept = default;
 TriangleCache::~TriangleCache() = default;
 
 /// An upper bound of how far points of the core have moved.
-double TriangleCache::wayTo(const Pose& pose, const Pose& from) const {
+double TriangleCache::displacementBound(const Pose& pose, const Pose& from) const {
   const Vec3 center = bounds_.center();
   return (pose * center - from * center).norm() +
          (pose.rotation - from.rotation).norm() * bounds_.halfExtents().norm();
@@ -72,7 +72,7 @@ double TriangleCache::wayTo(const Pose& pose, const Pose& from) const {
 double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) const {
   constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMost = 1.0 / 4.0;
   const double size = bounds_.halfExtents().norm() + radius;
-  const double step = last_at_ ? wayTo(convex_in_tree, *last_at_) : size;
+  const double step = last_at_ ? displacementBound(convex_in_tree, *last_at_) : size;
   return step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
 }
 
@@ -107,7 +107,7 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   }
   const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
   const double of_core = reach + convex.radius();
-  if (!(of_core + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
+  if (!(of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
     last_at_ = convex_in_tree;
     gather(tree, convex, convex_in_tree, reach, reserve);

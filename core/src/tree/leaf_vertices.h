@@ -13,7 +13,7 @@ namespace octoblisk::detail {
 struct LeafVertices {
   float rows[9 * kLanes];
 
-  LeafVertices() {}  // NOLINT(modernize-use-equals-default): {} is not to set it either
+  LeafVertices() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it either
 };
 
 /// Writes the triangles' corners in the frame of a box that is relative to the origin: nine rows (x, y, z of
