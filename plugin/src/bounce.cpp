@@ -5,7 +5,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// How fast two rigid bodies come together at a contact.
+/// The speed at which two rigid bodies approach each other at a contact.
 btScalar approachSpeed(const btPersistentManifold& manifold, const btManifoldPoint& point) {
   const auto velocity = [](const btCollisionObject* object, const btVector3& place) {
     const btRigidBody* const body = btRigidBody::upcast(object);

@@ -12,13 +12,13 @@
 namespace octoblisk::detail {
 namespace {
 
-/// What coordinates in Bullet's precision may be off by once they were used, as a part of their size.
+/// The relative error of coordinates after computations in Bullet's precision.
 constexpr double kRounding = 64.0 * double(SIMD_EPSILON);
 
 double largest(const Vec3& vector) { return vector.cwiseAbs().maxCoeff(); }
 
 void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) {
-  // Bullet lets a ray hit a triangle beside it where a weight of its corners is as low as −1e-4.
+  // Bullet counts a ray as a hit beside a triangle if a barycentric weight is as low as −1e-4.
   constexpr double kRim = 1e-3;
   const Vec3 from = fromBullet(ray.m_from), way = fromBullet(ray.m_to) - from;
   const double rounding =
@@ -32,31 +32,32 @@ void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) 
                        });
 }
 
-/// Tests triangles as its like does, tells that of the hits, and keeps the fraction up to which hits matter.
-class HeedingSweep final : public btTriangleConvexcastCallback {
+/// Tests triangles like the callback's own class, passes its hits on, and keeps the fraction beyond which
+/// hits no longer matter.
+class ForwardingSweep final : public btTriangleConvexcastCallback {
  public:
-  explicit HeedingSweep(btTriangleConvexcastCallback& told)
-      : btTriangleConvexcastCallback(told.m_convexShape, told.m_convexShapeFrom, told.m_convexShapeTo,
-                                     told.m_triangleToWorld, told.m_triangleCollisionMargin),
-        told_(told) {
-    m_hitFraction = told.m_hitFraction;
-    m_allowedPenetration = told.m_allowedPenetration;
+  explicit ForwardingSweep(btTriangleConvexcastCallback& target)
+      : btTriangleConvexcastCallback(target.m_convexShape, target.m_convexShapeFrom, target.m_convexShapeTo,
+                                     target.m_triangleToWorld, target.m_triangleCollisionMargin),
+        target_(target) {
+    m_hitFraction = target.m_hitFraction;
+    m_allowedPenetration = target.m_allowedPenetration;
   }
 
   btScalar reportHit(const btVector3& normal, const btVector3& point, btScalar fraction, int part,
                      int triangle) override {
-    const btScalar wanted = told_.reportHit(normal, point, fraction, part, triangle);
-    m_hitFraction = std::min(m_hitFraction, told_.m_hitFraction);
-    // Others return anything, as nobody looks: 0 or 1 from callbacks that want all hits.
+    const btScalar wanted = target_.reportHit(normal, point, fraction, part, triangle);
+    m_hitFraction = std::min(m_hitFraction, target_.m_hitFraction);
+    // Other callbacks return any value, because Bullet ignores it: 0 or 1 from callbacks that want all hits.
     if (wanted == fraction) m_hitFraction = std::min(m_hitFraction, fraction);
     return wanted;
   }
 
  private:
-  btTriangleConvexcastCallback& told_;
+  btTriangleConvexcastCallback& target_;
 };
 
-/// The box round a convex body that moves, in the frame of the triangles.
+/// The box around a moving convex body, in the frame of the triangles.
 MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   const btTransform to_triangles = sweep.m_triangleToWorld.inverse();
   const Pose from = fromBullet(to_triangles * sweep.m_convexShapeFrom);
@@ -68,11 +69,11 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   box.motion = to.translation - from.translation;
   if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {
     box.start = from * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
-  } else {  // it turns about its origin meanwhile
+  } else {  // the body also turns about its origin
     const double radius = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
     box.start = {from.translation, Mat3::Identity(), Vec3::Constant(radius)};
   }
-  // Bullet's time of impact is where the two are as near as this, world units.
+  // Bullet's time of impact is when the bodies are this near, world units.
   constexpr double kImpactDistance = 0.001;
   const double size = largest(from.translation) + largest(to.translation) + box.start.half_extents.norm();
   box.start.half_extents.array() += 2.0 * kImpactDistance + std::abs(double(sweep.m_allowedPenetration)) +
@@ -81,11 +82,11 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
 }
 
 void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& hand_over) {
-  HeedingSweep heeding(sweep);
-  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(heeding.m_hitFraction),
+  ForwardingSweep forwarding(sweep);
+  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(forwarding.m_hitFraction),
                        [&](std::uint32_t triangle, double) {
-                         hand_over(heeding, triangle);
-                         return double(heeding.m_hitFraction);
+                         hand_over(forwarding, triangle);
+                         return double(forwarding.m_hitFraction);
                        });
 }
 

@@ -1,7 +1,8 @@
-// Bullet's ray tests and convex sweeps against our shape, from within its generic path for concave shapes.
+// Bullet's ray tests and convex sweeps against ClusteredOctreeShape, from within Bullet's generic code for
+// concave shapes.
 //
-// That path gives a shape the bounds of the whole way and a callback that tests each triangle. The callback
-// says what the way is: so the tree is walked along it, and what lies beyond the nearest hit is left out.
+// That code passes the bounds of the whole motion and a callback that tests each triangle. The callback knows
+// the motion, so the tree is searched along it and everything beyond the nearest hit is skipped.
 #pragma once
 
 #include "octoblisk/clustered_octree.h"
@@ -11,7 +12,8 @@ class btTriangleCallback;
 
 namespace octoblisk::detail {
 
-/// Gives a callback triangles as Bullet's meshes do, those alone whose bounds meet a box in the mesh's frame.
+/// Passes triangles to a callback as Bullet's meshes do, but only those whose bounds meet a box in the mesh's
+/// frame.
 class TriangleHandover {
  public:
   TriangleHandover(const ClusteredOctree& tree, const TriangleParts& parts, const Aabb& box)
@@ -26,16 +28,16 @@ class TriangleHandover {
   const Aabb box_;
 };
 
-/// Where the callback is a btTriangleRaycastCallback or a btTriangleConvexcastCallback, hands over the
-/// triangles on its way, nearer ones first by and large, and returns true; else false.
+/// If the callback is a btTriangleRaycastCallback or a btTriangleConvexcastCallback, passes it the triangles
+/// along its motion, roughly nearest first, and returns true. Otherwise returns false.
 ///
-/// A ray's callback is given every triangle that it may count as hit at less than its m_hitFraction, its
-/// tolerance at edges included: its hits are those of the generic path.
+/// A ray's callback gets every triangle that it may count as a hit below its m_hitFraction, including its
+/// tolerance at edges. Its hits are therefore those of the generic code.
 ///
-/// A sweep's callback is told of its hits by reportHit, and they are those of the generic path, found by
-/// Bullet's own btTriangleConvexcastCallback::processTriangle; one that a class derived from it has instead
-/// is not called. Bullet leaves a sweep's m_hitFraction as it is; here, where reportHit returns the very
-/// fraction it was told, as closest-hit callbacks do, farther hits are left out from then on.
+/// A sweep's callback gets its hits through reportHit. They are the hits of the generic code, found by
+/// Bullet's own btTriangleConvexcastCallback::processTriangle; an override in a derived class is not called.
+/// Bullet does not change a sweep's m_hitFraction. Here, if reportHit returns exactly the fraction that it
+/// was given, as closest-hit callbacks do, farther hits are skipped from then on.
 bool castTriangles(btTriangleCallback& callback, const TriangleHandover& hand_over);
 
 }  // namespace octoblisk::detail

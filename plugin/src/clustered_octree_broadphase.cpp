@@ -61,7 +61,7 @@ BroadphaseStatistics ClusteredOctreeBroadphase::statistics() const {
   return statistics;
 }
 
-/// Whether our shapes meet; asked once there is one.
+/// Whether the dispatcher handles our shape; tested once such a shape exists.
 bool ClusteredOctreeBroadphase::isAnswered(btDispatcher* dispatcher) {
   auto* const known = dynamic_cast<btCollisionDispatcher*>(dispatcher);
   if (!has_our_shape_ || is_answered_ || !known) return true;
@@ -70,7 +70,8 @@ bool ClusteredOctreeBroadphase::isAnswered(btDispatcher* dispatcher) {
 }
 
 void ClusteredOctreeBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
-  assert(isAnswered(dispatcher) && "registerAlgorithm was not called: bodies fall through");
+  assert(isAnswered(dispatcher) &&
+         "registerAlgorithm was not called on this dispatcher: bodies fall through");
   stages_->boxes.calculateOverlappingPairs(dispatcher);
   stages_->tight.refine(dispatcher);
 }

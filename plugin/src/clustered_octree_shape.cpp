@@ -88,13 +88,13 @@ void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) 
   const TriangleParts parts(std::move(source.part_begin), source.mesh.triangleCount());
   auto mesh = std::make_shared<const TriangleMesh>(std::move(source.mesh));
   if (mesh->triangleCount() == unscaled_->triangleCount() && parts != parts_) {
-    throw std::invalid_argument("ClusteredOctreeShape: refit with triangles in other parts");
+    throw std::invalid_argument("ClusteredOctreeShape: to refit, triangles must stay in their parts");
   }
   refit(std::move(mesh));
 }
 
 void ClusteredOctreeShape::refit(std::shared_ptr<const TriangleMesh> unscaled) {
-  if (!unscaled) throw std::invalid_argument("ClusteredOctreeShape: refit with a null mesh");
+  if (!unscaled) throw std::invalid_argument("ClusteredOctreeShape: the mesh to refit to is null");
   if (unscaled->triangleCount() != unscaled_->triangleCount()) {
     throw std::invalid_argument("ClusteredOctreeShape: refit with " +
                                 std::to_string(unscaled->triangleCount()) + " triangles; the shape has " +
@@ -149,7 +149,7 @@ void ClusteredOctreeShape::calculatePrincipalAxisTransform(btScalar mass, btTran
 void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, const btVector3& aabb_min,
                                                const btVector3& aabb_max) const {
   const TriangleMesh& mesh = tree_->mesh();
-  // Callers that want everything pass boxes of any size, infinite ones too.
+  // Callers that want all triangles pass boxes of any size, even infinite ones.
   const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
                  fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
   if (!(box.min.array() <= box.max.array()).all()) return;

@@ -21,16 +21,16 @@ namespace {
 
 void check(const BladeTable& table, std::size_t number) {
   const std::string name = "blade table " + std::to_string(number);
-  if (!table.object) throw std::invalid_argument(name + " is of no body");
+  if (!table.object) throw std::invalid_argument(name + " has no body: set BladeTable::object");
   const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(table.object->getCollisionShape());
-  if (!shape) throw std::invalid_argument(name + ": its body's shape is no ClusteredOctreeShape");
+  if (!shape) throw std::invalid_argument(name + ": the shape of its body is not a ClusteredOctreeShape");
   const std::size_t triangles = shape->tree().mesh().triangleCount();
   if (table.blade_of_triangle.size() == triangles) return;
   throw std::invalid_argument(name + " has " + std::to_string(table.blade_of_triangle.size()) +
                               " numbers for " + std::to_string(triangles) + " triangles");
 }
 
-/// 0 where the point is of another shape, or numbered by someone else.
+/// 0 if the point belongs to another shape or has numbers from elsewhere.
 int bladeOf(const btCollisionObject* object, TriangleId triangle, std::span<const BladeTable> blades) {
   const auto table = std::ranges::find(blades, object, &BladeTable::object);
   if (table == blades.end()) return 0;
@@ -41,7 +41,7 @@ int bladeOf(const btCollisionObject* object, TriangleId triangle, std::span<cons
   return number < table->blade_of_triangle.size() ? table->blade_of_triangle[number] : 0;
 }
 
-/// Grows from body to body that is added to a world.
+/// Increases with each body that is added to a world.
 int order(const btCollisionObject* object) { return object->getBroadphaseHandle()->getUid(); }
 
 auto sortedBy(const ReportedContact& contact) {

@@ -14,7 +14,7 @@ void drawClusters(btIDebugDraw& drawer, const btTransform& shape_in_world, const
                   int depth, const btVector3& color) {
   constexpr int kCorners = 8;
   for (const Obb& box : shape.tree().boxes(depth)) {
-    // Bit k of a corner's number: the side along axis k that it is on.
+    // Bit k of a corner's number: the side of axis k on which the corner is.
     btVector3 corners[kCorners];
     for (int corner = 0; corner < kCorners; ++corner) {
       const Vec3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);

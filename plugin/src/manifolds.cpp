@@ -8,18 +8,19 @@
 namespace octoblisk::detail {
 namespace {
 
-/// In the mesh's frame, on the margin round it.
+/// The contact's point in the mesh's frame, on the margin around the mesh.
 Vec3 onMargin(const Contact& contact, const PatchesMesh& mesh) {
   return contact.point_on_a - mesh.margin * contact.normal;
 }
 
 Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
-  // The positions in the world are those of the last step.
+  // The world positions of a manifold point are those of the last step.
   const Vec3 on_body = fromBullet(mesh.is_body1 ? point.m_localPointB : point.m_localPointA);
   return mesh.in_world.inverse() * (mesh.body_in_world * on_body);
 }
 
-/// From the patch's deepest point to the nearest of the manifold; infinite where the manifold is empty.
+/// The squared distance from the patch's deepest point to the nearest point of the manifold; infinite if the
+/// manifold is empty.
 double squaredDistance(const ContactPatch& patch, const btPersistentManifold& manifold,
                        const PatchesMesh& mesh) {
   const Vec3 deepest = onMargin(patch.contacts[0], mesh);
@@ -55,7 +56,7 @@ void Manifolds::match(std::span<const ContactPatch> patches, const PatchesMesh& 
   patches = patches.first(std::min(patches.size(), manifolds_.size()));
   std::array<bool, ContactPatches::kMaxPatches> matched{};
   for (std::size_t round = 0; round < patches.size(); ++round) {
-    // The closest pair of those that are left; then empty manifolds for the rest.
+    // Match the closest remaining pair; the other patches get empty manifolds.
     std::size_t best_patch = 0, best_manifold = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < patches.size(); ++p) {

@@ -12,15 +12,16 @@
 
 namespace octoblisk::detail {
 
-/// The mesh that is A of the patches.
+/// The mesh that is body A of the patches.
 struct PatchesMesh {
   Pose in_world;
-  Pose body_in_world;  // of the whole body: the mesh may be a child of its shape
+  Pose body_in_world;  // of the whole body; the mesh may be a child of its shape
   double margin = 0.0;
   bool is_body1 = false;
 };
 
-/// Made when first needed, kept from step to step so that the solver starts warm, released at the end.
+/// Creates manifolds when they are first needed, keeps them between steps so that the solver starts warm, and
+/// releases them at the end.
 class Manifolds {
  public:
   Manifolds(btDispatcher& dispatcher, const btCollisionObject* body0, const btCollisionObject* body1)
@@ -29,17 +30,17 @@ class Manifolds {
   Manifolds(const Manifolds&) = delete;
   Manifolds& operator=(const Manifolds&) = delete;
 
-  /// Gives each patch a manifold: the one that holds the points nearest to it, else one without points.
-  /// Points that would keep a contact of the patch out are removed. The manifolds that no patch claims are
-  /// emptied; all get the breaking threshold.
+  /// Gives each patch the manifold whose points are nearest to it, or else one without points. Removes points
+  /// that would block a contact of the patch. Empties the manifolds that no patch claims, and sets the
+  /// breaking threshold of all manifolds.
   void match(std::span<const ContactPatch> patches, const PatchesMesh& mesh, btScalar breaking_threshold);
 
-  /// The manifold of a patch that was matched last; null if the dispatcher's pool has none left.
+  /// The manifold of a patch in the last match(); null if the dispatcher's pool is exhausted.
   btPersistentManifold* of(std::size_t patch) const {
     return patch < manifolds_.size() ? manifolds_[patch] : nullptr;
   }
 
-  /// Forgets all points, and the impulses with them.
+  /// Removes all points and their impulses.
   void clear() {
     for (btPersistentManifold* manifold : manifolds_) manifold->clearManifold();
   }
@@ -49,13 +50,13 @@ class Manifolds {
   }
 
  private:
-  /// False: the dispatcher's pool has none left.
+  /// Returns false if the dispatcher's pool is exhausted.
   bool add();
 
   btDispatcher& dispatcher_;
   const btCollisionObject* body0_;
   const btCollisionObject* body1_;
-  std::vector<btPersistentManifold*> manifolds_;  // those of patches first, in their order
+  std::vector<btPersistentManifold*> manifolds_;  // those of patches first, in the order of the patches
 };
 
 }  // namespace octoblisk::detail

@@ -19,13 +19,13 @@
 namespace octoblisk::detail {
 namespace {
 
-// Parts of the breaking threshold, up to which contacts are kept.
-constexpr double kCreated = 0.5;  // contacts are created within it
+// Fractions of the contact breaking threshold.
+constexpr double kCreated = 0.5;  // contacts are created within this distance
 constexpr double kStill = 0.2;    // bodies that have moved less keep their contacts
 
-/// One body of a contact as Bullet wants to be told of it: a mesh by part and triangle, with the triangle
-/// itself as the shape that gContactAddedCallback sees; any other as it came, by its place in a compound,
-/// say.
+/// One body of a contact in the form that Bullet expects. A mesh is identified by part and triangle, and
+/// gContactAddedCallback sees the triangle itself as the shape. Any other body keeps its identifiers, e.g.
+/// its index in a compound.
 class ContactSide {
  public:
   ContactSide(const btCollisionObjectWrapper& body, const std::optional<SourceTriangle>& triangle)
@@ -50,8 +50,8 @@ class ContactSide {
   std::optional<btCollisionObjectWrapper> wrap_;
 };
 
-/// Shows a result the two sides of a contact, then what it saw before. A compound may ask for its child's
-/// pair in the other order than its result is in.
+/// Gives a result the two sides of a contact, and restores its previous bodies at the end. A compound may ask
+/// for its child's pair in the opposite order of its result.
 class ShownSides {
  public:
   ShownSides(btManifoldResult& result, const btCollisionObject* body0, const ContactSide& side0,
@@ -77,8 +77,8 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap1_;
 };
 
-/// As Bullet computes it for a new manifold, from the root shapes, and no more than the mesh's own, which
-/// may be a compound's child.
+/// Computed from the root shapes, as Bullet does for a new manifold, but at most the threshold of the mesh,
+/// which may be a child of a compound.
 double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other) {
   const auto of = [](const btCollisionShape* shape) {
     return double(shape->getContactBreakingThreshold(gContactBreakingThreshold));
@@ -87,7 +87,7 @@ double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollision
                    of(other.getCollisionObject()->getCollisionShape()), of(mesh.m_shape)});
 }
 
-/// Bounds how far points of a body move between two poses in another body's frame.
+/// An upper bound of how far points of a body move between two poses in another body's frame.
 double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
   btVector3 min, max;
   body.m_shape->getAabb(btTransform::getIdentity(), min, max);
@@ -103,7 +103,7 @@ double displacement(const btCollisionObjectWrapper& body, const Pose& from, cons
   return std::sqrt(squared);
 }
 
-/// Bounds how far the points of either body that touch the other have moved to it.
+/// An upper bound of how far the touching points of the two bodies have moved relative to each other.
 double relativeDisplacement(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             const Pose& from, const Pose& to) {
   return std::min(displacement(other, from, to), displacement(mesh, from.inverse(), to.inverse()));
@@ -116,8 +116,8 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b) {
   return contact;
 }
 
-/// Keeps the tree of a body's shape, or none; returns whether it was another. A tree that is kept cannot be
-/// taken for a new one at its address.
+/// Keeps the tree of a body's shape, if it has one, and returns whether the tree has changed. Keeping the
+/// tree alive prevents a new tree from getting its address.
 bool keepTree(const btCollisionObjectWrapper& body, std::shared_ptr<const ClusteredOctree>& kept) {
   const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(body.m_shape);
   if ((shape ? &shape->tree() : nullptr) == kept.get()) return false;
@@ -184,7 +184,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_.reset();
   }
   const bool is_unchanged = readOther(other);
-  // contactTest and others derive results of their own.
+  // contactTest and similar functions use derived results.
   const bool is_step = typeid(*result) == typeid(btManifoldResult);
   const double near = mesh_margin + other_margin + double(result->m_closestPointDistanceThreshold);
   if (auto* const all = dynamic_cast<AllContacts*>(result)) {
@@ -211,7 +211,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
                    btScalar(breaking));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
-    if (!manifold) break;  // the pool is exhausted: the contacts are dropped, as Bullet does
+    if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does
     result->setPersistentManifold(manifold);
     for (const Contact& found : patches[p].points()) {
       const Contact contact = afterMotion(found, other_motion);

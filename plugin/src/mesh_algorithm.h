@@ -1,4 +1,5 @@
-// What the algorithms of our shape have in common: from contacts of the core to points of Bullet's manifolds.
+// The common part of this library's collision algorithms: from contacts of the core to points of Bullet's
+// manifolds.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btActivatingCollisionAlgorithm.h>
@@ -21,11 +22,11 @@ class ClusteredOctreeShape;
 
 namespace octoblisk::detail {
 
-/// A triangle of our shape, in its frame, as Bullet numbers it.
+/// A triangle of a ClusteredOctreeShape, in the shape's frame, with Bullet's numbers.
 SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
 
-/// The algorithm of a pair of bodies. One body, the mesh, has our shape. If setCollisionShape gives a body a
-/// shape of another type later, the dispatcher's algorithm for these shapes answers.
+/// The algorithm of a pair of bodies. One of them, the mesh, has a ClusteredOctreeShape. If setCollisionShape
+/// later gives a body a shape of another type, the dispatcher's algorithm for the new types takes over.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
  public:
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
@@ -35,14 +36,14 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     if (substitute_) substitute_->getAllContactManifolds(array);
   }
 
-  /// Discrete: the whole step is free.
+  /// Collision detection is discrete, so the whole step is free.
   btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
                                  btManifoldResult*) final {
     return 1;
   }
 
  protected:
-  /// `mesh_is_body1`: the pair comes in the order (other, mesh).
+  /// `mesh_is_body1`: the order of the pair is (other, mesh).
   MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
                 const btCollisionObjectWrapper* body1, bool mesh_is_body1);
 
@@ -59,50 +60,52 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     void operator()(btCollisionAlgorithm* algorithm) const;
   };
 
-  /// The algorithm that the dispatcher has for shapes that were exchanged in place.
+  /// The dispatcher's algorithm for shapes that replaced the original ones.
   btCollisionAlgorithm& substituteFor(const ShapeTypes& types, const btCollisionObjectWrapper& body0,
                                       const btCollisionObjectWrapper& body1);
 
-  /// Replaces `found` by the contacts of the triangles of mesh (A) and other (B) within `reach`, in the
-  /// mesh's frame.
+  /// Replaces `found` by the contacts between triangles of the mesh (A) and the other body (B) within
+  /// `reach`, in the mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             double reach, std::vector<Contact>& found) = 0;
 
-  /// Makes of the contacts that were found last those of the surfaces, which know no edges between triangles.
+  /// Converts the contacts that were found last to contacts of the surfaces, without effects of internal
+  /// edges.
   virtual void toSurfaceContacts(const btCollisionObjectWrapper&, const btCollisionObjectWrapper&, double,
                                  std::vector<Contact>&) {}
 
-  /// Nothing that is known of the shapes' triangles holds any more.
+  /// Discards everything that is known about the shapes' triangles.
   virtual void trianglesHaveMoved() {}
 
-  /// Reads the other's shape; returns whether it is surely as it was at the last call, its tree apart. Called
-  /// first.
+  /// Reads the other body's shape. Returns whether it is certainly unchanged since the last call, apart from
+  /// its tree. Called first.
   virtual bool readOther(const btCollisionObjectWrapper& other) = 0;
 
-  /// The thickness that the other body has beyond the surface of those contacts.
+  /// How far the other body extends beyond the surface of those contacts.
   virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
 
-  /// The other's triangle, in its frame, in a contact that was found last: none where it is not of triangles.
+  /// The other body's triangle, in its frame, in a contact that was found last; none if the body has no
+  /// triangles.
   virtual std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper&,
                                                         const Contact&) const {
     return std::nullopt;
   }
 
-  /// Makes patches_ of the contacts within `reach`, `spacing` apart, at the present poses.
+  /// Sets patches_ to patches of the contacts within `reach`, at least `spacing` apart, at the current poses.
   void makePatches(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                    double spacing);
 
   const bool mesh_is_body1_;
   const ShapeTypes types_;
   ShapeTypes substitute_types_;
-  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // while other shapes are met
+  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // for other types of shapes
   Manifolds manifolds_;
-  std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // that the contacts are of
+  std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
   ContactPatches patches_;
   std::optional<Pose> other_in_mesh_;  // when the patches were made
   double reach_ = 0.0;                 // likewise
-  bool is_solid_ = false;              // the mesh, likewise
+  bool is_solid_ = false;              // of the mesh, likewise
 };
 
 }  // namespace octoblisk::detail

@@ -22,7 +22,7 @@ Aabb localBounds(const btConcaveShape& shape) {
   return {fromBullet(min), fromBullet(max)};
 }
 
-/// Which way the triangles of a shape face.
+/// The direction in which the triangles of a shape face.
 class Facing {
  public:
   explicit Facing(const btConcaveShape& shape) {
@@ -30,14 +30,15 @@ class Facing {
       up_axis_ = heights->getUpAxis();
       return;
     }
-    if (shape.getShapeType() == FAST_CONCAVE_MESH_PROXYTYPE) return;  // someone else's: as they come
+    if (shape.getShapeType() == FAST_CONCAVE_MESH_PROXYTYPE)
+      return;  // third-party: leave the triangles as they are
     turned_ = isMirrored(shape);
     const auto* scaled = dynamic_cast<const btScaledBvhTriangleMeshShape*>(&shape);
     if (scaled) turned_ ^= isMirrored(*scaled->getChildShape());
   }
 
-  /// Turns a triangle that does not face outward: of a mirrored mesh, or down, as those of a heightfield
-  /// whose up axis is not y.
+  /// Reverses a triangle that faces inward: in a mirrored mesh, or in a heightfield whose up axis is not y,
+  /// where triangles face down.
   void correct(Triangle& triangle) const {
     const bool is_inward = up_axis_ >= 0 ? scaledNormal(triangle)[up_axis_] < 0.0 : turned_;
     if (is_inward) std::swap(triangle[1], triangle[2]);
@@ -52,7 +53,7 @@ class Facing {
   bool turned_ = false;
 };
 
-/// Hands on what Bullet calls back with.
+/// Passes on the triangles of Bullet's callback.
 class Forward final : public btTriangleCallback {
  public:
   Forward(const Facing& facing, void (*visit)(void* user, const SourceTriangle& triangle), void* user)
@@ -76,8 +77,7 @@ class ConcaveSource final : public TriangleSource {
   explicit ConcaveSource(const btConcaveShape& shape)
       : shape_(shape), facing_(shape), bounds_(localBounds(shape)) {
     if (shape.getShapeType() != GIMPACT_SHAPE_PROXYTYPE) return;
-    // GImpact rounds its boxes, and the one that is asked for, to the nearest of 65,535 steps across its
-    // bounds grown by 1.
+    // GImpact rounds its boxes and the query box to the nearest of 65,535 steps across its bounds grown by 1.
     slack_ = 1.01 * (2.0 * bounds_.halfExtents() + Vec3::Constant(2.0)) / 65535.0;
   }
 

@@ -1,5 +1,5 @@
-// Our shape against any other concave shape that hands out triangles: Bullet's meshes, a heightfield,
-// GImpact.
+// ClusteredOctreeShape against any other concave shape that provides triangles: Bullet's meshes, a
+// heightfield, GImpact.
 #pragma once
 
 #include "contact/surface_contacts.h"
@@ -18,7 +18,9 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper&) override { return false; }  // nobody tells
+  bool readOther(const btCollisionObjectWrapper&) override {
+    return false;
+  }  // the shape does not report changes
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;

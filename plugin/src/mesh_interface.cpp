@@ -10,7 +10,7 @@ namespace octoblisk {
 
 namespace {
 
-/// One part, locked for reading as long as this lives.
+/// One part, locked for reading while this object lives.
 class LockedPart {
  public:
   LockedPart(const btStridingMeshInterface& source, int part) : source_(source), part_(part) {
@@ -63,7 +63,7 @@ class LockedPart {
 
  private:
   template <typename Scalar>
-  static Vec3 read(const unsigned char* data) {  // strides may leave the numbers unaligned
+  static Vec3 read(const unsigned char* data) {  // memcpy, because strides may leave the numbers unaligned
     Scalar xyz[3];
     std::memcpy(xyz, data, sizeof xyz);
     return {double(xyz[0]), double(xyz[1]), double(xyz[2])};

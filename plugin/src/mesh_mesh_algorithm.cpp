@@ -12,7 +12,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// A contact of B and A, in B's frame, as one of A and B.
+/// Converts a contact of B and A, in B's frame, to one of A and B in A's frame.
 Contact turnedRound(const Contact& of_b, const Pose& b_in_a) {
   return {b_in_a * of_b.point_on_b, b_in_a * of_b.point_on_a, -(b_in_a.rotation * of_b.normal), of_b.distance,
           of_b.triangle_b,          of_b.triangle_a};

@@ -1,4 +1,4 @@
-// Our shape against our shape: moving concave against concave.
+// ClusteredOctreeShape against ClusteredOctreeShape: two concave bodies that may both move.
 #pragma once
 
 #include "contact/solid.h"

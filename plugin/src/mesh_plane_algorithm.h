@@ -1,11 +1,11 @@
-// Our shape against Bullet's plane, which is a half-space.
+// ClusteredOctreeShape against Bullet's plane, which is a half-space.
 #pragma once
 
 #include "mesh_algorithm.h"
 
 namespace octoblisk::detail {
 
-/// The plane's margin does not count, as in Bullet's own convex-plane algorithm.
+/// Ignores the plane's margin, as Bullet's convex-plane algorithm does.
 class MeshPlaneAlgorithm final : public MeshAlgorithm {
  public:
   MeshPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,

@@ -25,18 +25,18 @@ const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
 
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
-  // The class is final; a dynamic_cast costs as much as the rest of a question.
+  // The class is final; a dynamic_cast would cost as much as the rest of a query.
   if (typeid(shape) != typeid(ClusteredOctreeShape)) return nullptr;
   return static_cast<const ClusteredOctreeShape*>(&shape);
 }
 
 /// A body, or a child of a compound.
 struct Part {
-  const ClusteredOctreeShape* clusters;  ///< none: the box stands for it
+  const ClusteredOctreeShape* clusters;  ///< null: the box represents the part
   btTransform in_world;
   Aabb box;  ///< in the world
 
-  /// How far beyond its triangles it still has contacts.
+  /// The distance from the triangles within which the part has contacts.
   double reach() const {
     return double(clusters->getMargin()) +
            double(clusters->getContactBreakingThreshold(gContactBreakingThreshold));
@@ -46,13 +46,13 @@ struct Part {
 Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
   btVector3 min, max;
   shape.getAabb(in_world, min, max);
-  const Vec3 near = Vec3::Constant(double(gContactBreakingThreshold));  // as Bullet grows a body's box
+  const Vec3 near = Vec3::Constant(double(gContactBreakingThreshold));  // as Bullet grows boxes
   return {asClusters(shape), in_world, {fromBullet(min) - near, fromBullet(max) + near}};
 }
 
-constexpr int kFewChildren = 16;  // are sooner asked one by one than looked up
+constexpr int kFewChildren = 16;  // up to this number, testing each child is faster than a lookup
 
-/// Asks the children that a compound's own tree finds, until one meets.
+/// Tests the children that a compound's own tree finds, until one meets.
 template <typename Meets>
 class ChildrenMeet final : public btDbvt::ICollide {
  public:
@@ -67,7 +67,7 @@ class ChildrenMeet final : public btDbvt::ICollide {
   bool found_ = false;
 };
 
-/// Whether meets(child) is true of a child, by its number, that may be in a box in the world.
+/// Whether meets(child) is true for any child, given by its index, that may be in a box in the world.
 template <typename Meets>
 bool anyChild(const btCompoundShape& compound, const btTransform& in_world, const Aabb& box,
               const Meets& meets) {
@@ -86,7 +86,7 @@ bool anyChild(const btCompoundShape& compound, const btTransform& in_world, cons
   return false;
 }
 
-/// Whether meets(part) is true of a part; those that are not in the box need not be asked.
+/// Whether meets(part) is true for any part. Parts outside the box may be skipped.
 template <typename Meets>
 bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const Aabb& box,
              const Meets& meets) {
@@ -109,8 +109,8 @@ struct Body {
 
   const btCollisionShape& shape;
   const Part whole;
-  /// Bullet may leave the proxies of sleepers as they are, wherever they were put (setForceUpdateAllAabbs):
-  /// so the proxy's box, and the one where the body is.
+  /// Bullet may leave the proxies of sleeping bodies unchanged after they were moved
+  /// (setForceUpdateAllAabbs), so this box holds the proxy's box and the box at the body's current position.
   Aabb box;
 };
 
@@ -127,7 +127,7 @@ bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
   return clustersNear(part.clusters->tree(), in_part, part.reach(), depth);
 }
 
-/// A body that is inside a solid may be far from its surface, and so from its clusters.
+/// A body inside a solid may be far from the solid's surface, and so from its clusters.
 bool isInside(const Vec3& point_in_world, const Part& part) {
   return part.clusters->isSolid() &&
          isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
@@ -138,7 +138,7 @@ Vec3 firstCorner(const Part& part) {
 }
 
 bool meet(const Part& a, const Part& b, int depth) {
-  // Some boxes are infinite, a plane's say; what they have in common is not.
+  // Some boxes are infinite, e.g. a plane's; the common box is finite.
   const Aabb common{a.box.min.cwiseMax(b.box.min), a.box.max.cwiseMin(b.box.max)};
   if (!(common.min.array() <= common.max.array()).all()) return false;
   if (a.clusters && b.clusters) {

@@ -1,4 +1,5 @@
-// Whether two bodies come near, as far as the clusters of our shapes tell: the broadphase's second question.
+// Whether two bodies are near each other according to the clusters of their shapes: the broadphase's second
+// test.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
@@ -12,11 +13,11 @@ class btDispatcher;
 
 namespace octoblisk::detail {
 
-/// Whether the shape is ours, or a compound that holds ours at any depth.
+/// Whether the shape is a ClusteredOctreeShape, or a compound that contains one at any depth.
 bool holdsClusters(const btCollisionShape& shape);
 
-/// holdsClusters, asked once of a compound with thousands of children, which may have as many pairs. What it
-/// remembers holds for as long as no shape changes.
+/// holdsClusters with a memory for large compounds: a compound with thousands of children may be in as many
+/// pairs. The stored answers are valid as long as no shape changes.
 class ClusterHolders {
  public:
   bool contain(const btCollisionShape& shape);
@@ -26,28 +27,30 @@ class ClusterHolders {
   std::unordered_map<const btCollisionShape*, bool> large_;
 };
 
-/// Whether clusters have a say in the pair: one of the two holds them, and both are rigid bodies, links of
-/// multibodies or plain collision objects. Ghosts (which stand for their boxes), soft bodies, clients of the
-/// user's own and null are taken by their boxes.
+/// Whether clusters decide about the pair: one of the two bodies has clusters, and both are rigid bodies,
+/// links of multibodies or plain collision objects. Ghosts (which represent their boxes), soft bodies,
+/// user-defined clients and null are judged by their boxes.
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders);
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
-/// Whether clusters have a say, or would if a compound got a child with clusters. No compound is searched.
+/// Whether clusters decide about the pair, or would if a child with clusters were added to a compound.
+/// Searches no compound.
 bool mayHaveSay(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
-/// Whether both are bodies that are not active, and the dispatcher leaves such a pair alone, as Bullet's
-/// does.
+/// Whether both bodies are inactive and the dispatcher ignores such a pair, as Bullet's dispatcher does.
 bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher);
 
-/// Whether a contact of the pair's last dispatch holds at the present transforms, as its manifold would
-/// judge: then the two are near, unless a shape was changed since. `room` is for the pair's manifolds.
+/// Whether a contact of the pair's last dispatch still holds at the current transforms, by the criterion of
+/// its manifold. If so, the bodies are near each other, unless a shape has changed since. `room` is a buffer
+/// for the pair's manifolds.
 bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 
-/// False where clusters keep the two apart at their present transforms: no cluster of the given depth
+/// False if clusters separate the two bodies at their current transforms: no cluster of the given depth
 /// (contact/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
-/// cluster or the box of the other, and neither is inside the other as a solid. A compound with our shape in
-/// it counts child by child. Any other body is the box of its proxy and the box of its shape: they differ if
-/// the body was moved by hand. Only for pairs for which clustersDecide is true.
+/// cluster or the box of the other body, and neither body is inside the other as a solid. A compound that
+/// contains a ClusteredOctreeShape is tested child by child. Any other body is represented by the box of its
+/// proxy and the box of its shape, which differ if the body was moved by hand. Call this only if
+/// clustersDecide is true.
 bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders);
 
 }  // namespace octoblisk::detail

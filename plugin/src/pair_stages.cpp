@@ -11,10 +11,12 @@ namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// A pair has room for a user's number, 0 at first: not 0 in the tight pairs that refine asks about.
+// Bullet's pairs have a field for a user's number, initially 0. It is not 0 in the tight pairs that refine
+// tests.
 bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
-/// Such a number, another one once a margin has changed: contacts made before tell nothing then.
+/// The number for such a pair. It changes with the margins, because contacts made with other margins prove
+/// nothing.
 int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const auto margin = [](const btBroadphaseProxy& proxy) {
     return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getMargin();
@@ -22,7 +24,7 @@ int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
 }
 
-/// As the inner broadphase compares them.
+/// The comparison of the inner broadphase.
 bool boxesOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return Intersect(static_cast<const btDbvtProxy&>(a).leaf->volume,
                    static_cast<const btDbvtProxy&>(b).leaf->volume);
@@ -54,7 +56,7 @@ void TightPairs::promote(btDispatcher* dispatcher) {
       ++i;
       continue;
     }
-    apart_.removeOverlappingPair(a, b, dispatcher);  // the last takes its place
+    apart_.removeOverlappingPair(a, b, dispatcher);  // the last pair takes its place
     if (overlap) addFiltered(a, b, true);
   }
 }
@@ -74,7 +76,7 @@ void TightPairs::demote(btDispatcher* dispatcher) {
     if (!areKeptApart(*a, *b, depth_, holders_)) continue;
     Cache::removeOverlappingPair(a, b, dispatcher);
     apart_.addOverlappingPair(a, b);
-    --i;  // the last took its place
+    --i;  // the last pair took its place
   }
 }
 
@@ -84,7 +86,7 @@ bool TightPairs::needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProx
 
 btBroadphasePair* TightPairs::addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) {
   if (!needsBroadphaseCollision(a, b)) return nullptr;
-  // Most are known: the inner broadphase adds all pairs of a body that left its box.
+  // Most pairs are known: the inner broadphase adds all pairs of a body that has left its box.
   if (btBroadphasePair* const known = findPair(a, b)) return known;
   if (btBroadphasePair* const known = apart_.findPair(a, b)) return known;
   const bool asked = mayHaveSay(*a, *b);

@@ -1,4 +1,4 @@
-// The pairs of ClusteredOctreeBroadphase: those that Bullet sees, and those that clusters keep from it.
+// The pairs of ClusteredOctreeBroadphase: those that Bullet sees, and those that clusters keep apart.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
@@ -14,27 +14,28 @@ class ApartPairs final : public btHashedOverlappingPairCache {
   bool needsBroadphaseCollision(btBroadphaseProxy*, btBroadphaseProxy*) const override { return true; }
 };
 
-/// The pairs whose boxes overlap, without those that clusters keep apart: the cache of the inner broadphase,
-/// of Bullet and of the user. A pair is in one cache only. So a pair in which clusters have no say
-/// (near_bodies.h) costs what it costs in Bullet, and pairs have Bullet's order until one is kept apart.
+/// The pairs whose boxes overlap, except those that clusters keep apart. This is the cache of the inner
+/// broadphase, of Bullet and of the user. A pair is in one cache only. Therefore a pair about which clusters
+/// do not decide (near_bodies.h) costs as much as in Bullet, and pairs keep Bullet's order until one is kept
+/// apart.
 class TightPairs final : public btHashedOverlappingPairCache {
  public:
-  /// `depth` of the clusters.
+  /// `depth`: the depth of the clusters.
   explicit TightPairs(int depth) : depth_(depth) {}
 
-  /// How many pairs clusters keep apart.
+  /// The number of pairs that clusters keep apart.
   int apart() const { return apart_.getNumOverlappingPairs(); }
 
-  /// Asks the clusters at the present transforms. A pair with a contact that holds need not be asked. While
-  /// both bodies of a pair sleep, the pair stays where it is.
+  /// Tests the clusters at the current transforms. Skips pairs with a contact that still holds. While both
+  /// bodies of a pair sleep, the pair stays where it is.
   void refine(btDispatcher* dispatcher);
 
   bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
-  /// A new pair that clusters keep apart is not in the array, but is returned.
+  /// A new pair that clusters keep apart is returned, but is not in the array.
   btBroadphasePair* addOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b) override;
   void* removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b, btDispatcher* dispatcher) override;
   void removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
-  /// Users call it for a body that got another shape.
+  /// Users call this after a body got another shape.
   void cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
 
  private:
@@ -43,14 +44,14 @@ class TightPairs final : public btHashedOverlappingPairCache {
   void demote(btDispatcher* dispatcher);
 
   const int depth_;
-  bool any_asked_ = false;    // some pair of the array is
-  bool is_filtered_ = false;  // the pair that is added
+  bool any_asked_ = false;    // whether any pair of the array is tested by refine
+  bool is_filtered_ = false;  // whether the pair being added has passed the filter
   ApartPairs apart_;
-  ClusterHolders holders_;     // since the last refine began
-  btManifoldArray manifolds_;  // room for those of a pair
+  ClusterHolders holders_;     // valid since the last refine began
+  btManifoldArray manifolds_;  // a buffer for the manifolds of a pair
 };
 
-/// From overlapping boxes to the pairs that Bullet sees.
+/// Both stages: from overlapping boxes to the pairs that Bullet sees.
 struct PairStages {
   explicit PairStages(int depth) : tight(depth) {}
 

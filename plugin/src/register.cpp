@@ -28,7 +28,7 @@ using namespace detail;
 
 namespace {
 
-// Not from the dispatcher's pool, whose blocks may be too small; it frees foreign memory by btAlignedFree.
+// Blocks of the dispatcher's pool may be too small. The dispatcher frees other memory by btAlignedFree.
 template <typename Algorithm, typename... Arguments>
 btCollisionAlgorithm* make(const Arguments&... arguments) {
   void* memory = btAlignedAlloc(sizeof(Algorithm), alignof(Algorithm) > 16 ? alignof(Algorithm) : 16);
@@ -45,25 +45,25 @@ bool hasOurShape(const btCollisionObjectWrapper* body) { return has<ClusteredOct
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-// What a pair of a type of ours gets that is none of ours.
+// Creates the algorithm for a pair of our types in which no body has our shape.
 using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
 btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {
   return make<btEmptyAlgorithm>(info);
 }
 
-/// Someone else's concave shape of our type.
+/// For third-party concave shapes of our type.
 btCollisionAlgorithm* convexConcave(CreateInfo& info, const Wrapper* body0, const Wrapper* body1,
                                     bool mesh_is_body1) {
   return make<btConvexConcaveCollisionAlgorithm>(info, body0, body1, !mesh_is_body1);
 }
 
-/// Of GImpact, what is no mesh is left to GImpact, which asks our shape for triangles.
+/// GImpact shapes other than meshes are left to GImpact, which asks our shape for triangles.
 btCollisionAlgorithm* gimpact(CreateInfo& info, const Wrapper* body0, const Wrapper* body1, bool) {
   return make<btGImpactCollisionAlgorithm>(info, body0, body1);
 }
 
-/// The algorithm for our shape and one of the others'.
+/// Creates the algorithm for our shape and a shape of one of `Others`.
 template <typename Algorithm, Otherwise* otherwise, typename... Others>
 struct CreateMesh final : btCollisionAlgorithmCreateFunc {
   explicit CreateMesh(bool mesh_is_body1) { m_swapped = mesh_is_body1; }
@@ -83,7 +83,7 @@ using CreateMeshGImpact =
     CreateMesh<MeshConcaveAlgorithm, gimpact, btGImpactMeshShape, btGImpactMeshShapePart>;
 using CreateMeshPlane = CreateMesh<MeshPlaneAlgorithm, nothing, btStaticPlaneShape>;
 
-/// Both of our type, and one or both of our shape.
+/// For two shapes of our type, of which at least one may be our shape.
 struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
   btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
                                                  const Wrapper* body1) override {
@@ -99,7 +99,7 @@ struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
 }  // namespace
 
 void registerAlgorithm(btCollisionDispatcher* dispatcher) {
-  // Without state, so all dispatchers share them; they outlive every dispatcher.
+  // They have no state, so all dispatchers share them; they outlive every dispatcher.
   static CreateMeshConvex mesh_convex(false), convex_mesh(true);
   static CreateMeshConcave mesh_concave(false), concave_mesh(true);
   static CreateMeshGImpact mesh_gimpact(false), gimpact_mesh(true);

@@ -1,4 +1,4 @@
-// A body out of one of Bullet's files.
+// Restores a body from one of Bullet's files.
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include "octoblisk_bullet/restore.h"
@@ -19,7 +19,7 @@ btVector3 read(const btVector3DoubleData& saved) {
   return vector;
 }
 
-/// 0 stands for infinity, as in Bullet.
+/// 0 represents infinity, as in Bullet.
 btScalar inverse(btScalar number) { return number == btScalar(0) ? btScalar(0) : btScalar(1) / number; }
 
 template <typename Data>

@@ -1,5 +1,5 @@
-// The shape in Bullet's files: as the triangle mesh that every importer knows. What that has no room for is
-// in its padding, which importers leave alone.
+// Saves the shape in Bullet's files as a triangle mesh, which every importer knows. Additional data goes into
+// the padding, which importers ignore.
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 #include <LinearMath/btSerializer.h>
@@ -16,7 +16,7 @@ namespace octoblisk {
 
 namespace {
 
-/// A mesh as an interface of Bullet, each part with the vertices it uses and those between them.
+/// A mesh as a Bullet mesh interface. Each part stores the range of vertices that it uses.
 class MeshInParts {
  public:
   MeshInParts(const TriangleMesh& mesh, const TriangleParts& parts) : mesh_(mesh) {
@@ -40,7 +40,7 @@ class MeshInParts {
     part.m_numTriangles = int(end - begin);
     part.m_triangleIndexStride = 3 * sizeof(int);
     part.m_vertexStride = sizeof(Vec3);
-    part.m_vertexType = PHY_DOUBLE;  // nothing of the vertices is lost
+    part.m_vertexType = PHY_DOUBLE;  // keeps the full precision of the vertices
     part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data() + indices_.size());
     part.m_numVertices = begin < end ? int(last - first + 1) : 0;
     part.m_vertexBase =
@@ -52,12 +52,12 @@ class MeshInParts {
   }
 
   const TriangleMesh& mesh_;
-  std::vector<int> indices_;  // never grows beyond what is reserved
+  std::vector<int> indices_;  // never grows beyond its reserved capacity
   btTriangleIndexVertexArray interface_;
 };
 
-constexpr char kOurs[3] = {'O', 'c', 't'};                    // not a mesh that someone else saved
-constexpr int kIsSurface = 1, kHasOwnMargin = 2, kFlags = 3;  // in the byte after it
+constexpr char kOurs[3] = {'O', 'c', 't'};  // distinguishes our data from meshes saved by others
+constexpr int kIsSurface = 1, kHasOwnMargin = 2, kFlags = 3;  // in the byte after kOurs
 
 }  // namespace
 

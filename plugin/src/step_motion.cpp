@@ -15,9 +15,9 @@ using namespace detail;
 
 namespace {
 
-/// By how far Bullet turns a body of an angular speed, radians. Beyond the threshold of a step it takes the
-/// sine and cosine of half the threshold, the sine in the ratio of the speeds, and makes them a unit
-/// quaternion: less than half a turn however fast.
+/// The angle, in radians, by which Bullet turns a body with an angular speed. Beyond the threshold of a step,
+/// Bullet uses the sine and cosine of half the threshold, scales the sine by the ratio of the speeds, and
+/// normalises the quaternion. The result is less than half a turn at any speed.
 double turnOf(double speed, double dt) {
   const double half = 0.5 * std::min(speed * dt, double(ANGULAR_MOTION_THRESHOLD));
   if (half <= 0.0) return 0.0;

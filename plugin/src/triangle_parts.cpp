@@ -10,7 +10,7 @@ namespace octoblisk {
 TriangleParts::TriangleParts(std::vector<std::uint32_t> begin, std::size_t triangle_count)
     : begin_(std::move(begin)) {
   if (begin_.empty() || begin_.front() != 0) {
-    throw std::invalid_argument("the first part of a mesh begins with its triangle 0");
+    throw std::invalid_argument("the first part of a mesh must begin with triangle 0");
   }
   if (begin_.size() > kMaxParts) {
     throw std::invalid_argument("the mesh has " + std::to_string(begin_.size()) +
@@ -27,7 +27,7 @@ TriangleParts::TriangleParts(std::vector<std::uint32_t> begin, std::size_t trian
     if (triangles > kMaxTriangles) {
       throw std::invalid_argument("part " + std::to_string(part) + " of the mesh has " +
                                   std::to_string(triangles) + " triangles; Bullet numbers at most " +
-                                  std::to_string(kMaxTriangles) + " a part");
+                                  std::to_string(kMaxTriangles) + " per part");
     }
   }
 }

@@ -277,7 +277,7 @@ TEST(TreeBlob, refusesForgedTreesWithARightChecksum) {
   const Child longer = Child::leaf(leaf.first(), leaf.count() % 8 + 1);
   EXPECT_NE(refusal(patched(blob, childAt(leaf_node, 0), longer), mesh), "");
   expect(patched(blob, order, std::uint32_t{400}), "triangle 400");
-  expect(patched(blob, order, treeOf(fast).triangleOrder()[1]), "place 1 of the order");
+  expect(patched(blob, order, treeOf(fast).triangleOrder()[1]), "entry 1 of the triangle order");
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e30f}) {
     for (std::size_t place = 0; place < 15 * kLanes; place += kLanes)

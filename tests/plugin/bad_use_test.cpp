@@ -31,7 +31,7 @@ TEST(BadUse, moreThanBulletCanNumber) {
   EXPECT_EQ(messageOf([] {
               TriangleParts({0, 1}, kMost + 2);
             }),
-            "part 1 of the mesh has 2097153 triangles; Bullet numbers at most 2097152 a part");
+            "part 1 of the mesh has 2097153 triangles; Bullet numbers at most 2097152 per part");
   const TriangleParts most({0, kMost}, 2 * kMost);
   EXPECT_EQ(most.id(2 * kMost - 1).part, 1);
   EXPECT_EQ(most.id(2 * kMost - 1).index, int(kMost) - 1);
@@ -44,8 +44,8 @@ TEST(BadUse, partsThatAreNone) {
     return messageOf([&] { const ClusteredOctreeShape shape(tree, std::move(begin)); });
   };
   EXPECT_EQ(with({0, 10, 144}), "accepted");  // parts may be empty
-  EXPECT_EQ(with({}), "the first part of a mesh begins with its triangle 0");
-  EXPECT_EQ(with({1}), "the first part of a mesh begins with its triangle 0");
+  EXPECT_EQ(with({}), "the first part of a mesh must begin with triangle 0");
+  EXPECT_EQ(with({1}), "the first part of a mesh must begin with triangle 0");
   EXPECT_EQ(with({0, 10, 9}), "part 1 of the mesh begins with triangle 10 and ends before 9");
   EXPECT_EQ(with({0, 145}), "part 1 of the mesh begins with triangle 145 and ends before 144");
 }

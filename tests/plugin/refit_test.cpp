@@ -89,7 +89,8 @@ TEST(ShapeRefit, refusesAnotherMesh) {
             "ClusteredOctreeShape: refit with 143 triangles; the shape has 144");
   EXPECT_EQ(messageOf([&] { shape.refit(static_cast<const btStridingMeshInterface*>(nullptr)); }),
             "ClusteredOctreeShape: the mesh interface is null");
-  EXPECT_EQ(messageOf([&] { shape.refit(SharedMesh()); }), "ClusteredOctreeShape: refit with a null mesh");
+  EXPECT_EQ(messageOf([&] { shape.refit(SharedMesh()); }),
+            "ClusteredOctreeShape: the mesh to refit to is null");
   auto turned = mesh->triangles();
   std::swap(turned[3][0], turned[3][1]);
   EXPECT_NE(messageOf([&] { shape.refit(std::make_shared<const TriangleMesh>(mesh->vertices(), turned)); }),
@@ -98,7 +99,7 @@ TEST(ShapeRefit, refusesAnotherMesh) {
   btTriangleIndexVertexArray halves;
   for (int part = 0; part < 2; ++part) halves.addIndexedMesh(half.view()->getIndexedMeshArray()[0]);
   EXPECT_EQ(messageOf([&] { shape.refit(&halves); }),
-            "ClusteredOctreeShape: refit with triangles in other parts");
+            "ClusteredOctreeShape: to refit, triangles must stay in their parts");
   EXPECT_EQ(shape.sharedTree(), tree);
 }
 

@@ -11,23 +11,23 @@
 
 namespace octoblisk {
 
-/// Poses that one PathQuery goes through; the next begins afresh, so that no answer depends on which thread
-/// had which poses.
+/// collideAll, distanceAll and signedDistanceAll give each PathQuery this many consecutive poses. The next
+/// query starts afresh, so answers do not depend on how the poses are shared among threads.
 inline constexpr std::size_t kPosesAtOnce = 64;
 
-/// For each pose a pair of triangles that meet, or none, on up to so many threads; 0 or less: as many as the
-/// machine runs at once. Fastest where neighbours in the list are near each other. The same bits for any
-/// number of threads. Throws std::bad_alloc where memory runs out.
+/// For each pose, a pair of triangles that meet, or none. Uses at most `threads` threads; 0 or less uses as
+/// many as the machine runs at once. Fastest if neighbouring poses in the list are near each other. The
+/// result is the same to the last bit for any number of threads. Throws std::bad_alloc if memory runs out.
 std::vector<std::optional<TrianglePair>> collideAll(const ClusteredOctree& a, const ClusteredOctree& b,
                                                     std::span<const Pose> poses_of_b_in_a, int threads = 0);
 
-/// For each pose the least distance, with the same options; else as collideAll.
+/// For each pose, the least distance under the same options. Otherwise like collideAll.
 std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctree& b,
                                    std::span<const Pose> poses_of_b_in_a, const DistanceOptions& options = {},
                                    int threads = 0);
 
-/// For each pose the signed distance; else as collideAll. Throws std::invalid_argument where neither surface
-/// is closed.
+/// For each pose, the signed distance. Otherwise like collideAll. Throws std::invalid_argument if neither
+/// surface is closed.
 std::vector<SignedDistance> signedDistanceAll(const Surface& a, const Surface& b,
                                               std::span<const Pose> poses_of_b_in_a,
                                               const SignedDistanceOptions& options = {}, int threads = 0);

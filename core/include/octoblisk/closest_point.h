@@ -1,4 +1,4 @@
-// The point of a mesh that is closest to a given one.
+// The point of a mesh that is closest to a given point.
 #pragma once
 
 #include <limits>
@@ -16,8 +16,9 @@ struct ClosestPoint {
   std::uint32_t triangle = kNoTriangle;
 };
 
-/// The point of the tree's mesh closest to `point`, in the mesh's frame; none where the mesh is farther away
-/// than `upper_bound`. Points, like vertices, must be within TriangleMesh::kMaxCoordinate. Allocates nothing.
+/// The point of the tree's mesh that is closest to `point`, both in the mesh's frame; none if the mesh is
+/// farther away than `upper_bound`. The coordinates of `point` must be within ±TriangleMesh::kMaxCoordinate.
+/// Allocates nothing.
 std::optional<ClosestPoint> closestPoint(const ClusteredOctree& tree, const Vec3& point,
                                          double upper_bound = std::numeric_limits<double>::infinity());
 

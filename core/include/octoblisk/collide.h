@@ -1,4 +1,4 @@
-// Whether two bodies touch, and with which triangles.
+// Whether two bodies touch, and which triangles meet.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace octoblisk {
 
-/// A pair of triangles that meet, or none where the two meshes do not touch. B's vertices are posed in double
-/// precision; the verdict then equals exact arithmetic on all pairs of triangles. Surfaces, not solids: one
-/// mesh wholly inside another does not touch it. Allocates nothing.
+/// A pair of triangles that meet, or none if the two meshes do not touch. B's vertices are posed in double
+/// precision; the verdict then equals exact arithmetic on all triangle pairs. Treats meshes as surfaces, not
+/// as solids: a mesh wholly inside another does not touch it. Allocates nothing.
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
 
-/// Replaces `found` by all pairs of triangles that meet, by ascending indices. Where `found` has the room,
-/// allocates nothing.
+/// Replaces `found` by all pairs of triangles that meet, by ascending indices. Allocates nothing if the
+/// capacity of `found` suffices.
 void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    std::vector<TrianglePair>& found);
 

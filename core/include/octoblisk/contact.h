@@ -1,4 +1,4 @@
-// What a query says of two bodies A and B: where, which way, how far, which triangles.
+// The results of queries about two bodies A and B: where, in which direction, how far, and which triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@ namespace octoblisk {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-/// A contact, or a near miss. Points and normal are in the frame of A.
+/// A contact or a near miss. Points and normal are in A's frame.
 struct Contact {
   Vec3 point_on_a = Vec3::Zero();
   Vec3 point_on_b = Vec3::Zero();
-  Vec3 normal = Vec3::UnitX();             ///< unit, from B to A: moving A along it parts the two
-  double distance = 0.0;                   ///< > 0 apart, <= 0 touching or as deep; mesh units
+  Vec3 normal = Vec3::UnitX();             ///< unit, from B to A: moving A along it separates the bodies
+  double distance = 0.0;                   ///< > 0: clearance; <= 0: touching, or minus the depth; mesh units
   std::uint32_t triangle_a = kNoTriangle;  ///< index in A's mesh
-  std::uint32_t triangle_b = kNoTriangle;  ///< index in B's mesh; kNoTriangle where B is convex
+  std::uint32_t triangle_b = kNoTriangle;  ///< index in B's mesh; kNoTriangle if B is convex
 };
 
 /// The indices of two triangles that meet.

@@ -1,4 +1,4 @@
-// All contacts of two bodies, near misses included.
+// All contacts between two bodies, including near misses.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace octoblisk {
 
-/// Replaces `found` by the contact of every pair of triangles no farther apart than `threshold` (>= 0), by
-/// ascending indices. Points and normals are in A's frame. Where `found` has the room, allocates nothing.
-/// A pair knows nothing of the triangles beside it: where bodies hardly meet, one of a coarse mesh may be as
-/// deep as a triangle is wide (SurfaceContacts leaves these out).
+/// Replaces `found` by the contact of every triangle pair no farther apart than `threshold` (>= 0, mesh
+/// units), by ascending indices. Points and normals are in A's frame. Allocates nothing if the capacity of
+/// `found` suffices.
+/// A contact ignores the neighbours of its triangles. On a coarse mesh, a contact of bodies that barely meet
+/// may be as deep as a triangle is wide. SurfaceContacts leaves such contacts out.
 void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 
-/// The same for every triangle of A and the convex body B.
+/// The same for the triangles of A and the convex body B.
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 
-/// The same, faster, of a body that has moved little since it was asked about with the same `near`.
+/// The same, and faster if the body has moved little since the last query with the same `near`.
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               TriangleCache& near, std::vector<Contact>& found);
 

@@ -1,9 +1,9 @@
-// What lies inside what: points and solids.
+// Which points and solids are inside which others.
 //
-// A closed surface bounds a solid: the points from which a half-line crosses it an odd number of times. That
-// is what one means of a surface that does not meet itself, whichever way it faces; of shells within each
-// other every second one is a hollow, and where two lobes of one surface overlap, that part counts as
-// outside.
+// A closed surface bounds a solid. A point is inside it if a half-line from the point crosses the surface an
+// odd number of times. For a surface that does not meet itself this is the usual inside, whichever way the
+// surface faces. In nested shells, every second shell is a hollow. A region where two lobes of one surface
+// overlap counts as outside.
 #pragma once
 
 #include "octoblisk/surface.h"
@@ -14,24 +14,25 @@ enum class PointLocation {
   outside,
   inside,
   on_surface,
-  unknown,  ///< not on the surface, and the surface is open: there is no inside
+  unknown,  ///< not on the surface, and the surface is open, so it has no inside
 };
 
-/// Where a point of the frame A lies. The surface's vertices are posed in double precision; the verdict then
-/// equals exact arithmetic, also where lines of sight run through edges and vertices. Allocates nothing.
+/// Where a point in A's frame is. The surface's vertices are posed in double precision; the verdict then
+/// equals exact arithmetic, even if the half-line runs through edges and vertices. Allocates nothing.
 PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a = {});
 
 enum class Containment {
   apart,
   touching,    ///< the surfaces share a point
-  a_inside_b,  ///< and nowhere touches its surface
+  a_inside_b,  ///< A touches B's surface nowhere
   b_inside_a,
-  overlapping,  ///< no surfaces meet, yet some but not all of A is in B: solids of several parts or hollows
-  unknown,      ///< no surfaces meet, and one is open
+  overlapping,  ///< the surfaces do not meet, yet only parts of A are in B: A or B has several parts or
+                ///< hollows
+  unknown,      ///< the surfaces do not meet, and one is open
 };
 
-/// How two solids lie. The verdict equals exact arithmetic on B's vertices posed in double precision; a solid
-/// in another's hollow is apart from it. Allocates nothing.
+/// How two solids lie to each other. The verdict equals exact arithmetic on B's vertices posed in double
+/// precision. A solid in a hollow of the other is apart from it. Allocates nothing.
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a);
 
 }  // namespace octoblisk

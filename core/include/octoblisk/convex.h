@@ -1,4 +1,4 @@
-// Convex bodies by their support function: all that GJK and EPA want to know of one.
+// Convex bodies, described by the support function that GJK and EPA use.
 #pragma once
 
 #include <array>
@@ -10,27 +10,27 @@
 
 namespace octoblisk {
 
-/// A convex body: all points within `radius` of a convex core. Sphere: a point and a radius; capsule: a
-/// segment and a radius; box: eight corners and none.
+/// A convex body: all points within `radius` of a convex core. The core of a sphere is a point, that of a
+/// capsule a segment. A box is a core of eight corners with radius 0.
 class Convex {
  public:
   virtual ~Convex() = default;
 
-  /// The core's farthest point in a direction of any length but 0, in the body's frame.
+  /// The farthest point of the core in a direction of any length but 0, in the body's frame.
   virtual Vec3 support(const Vec3& direction) const = 0;
-  /// How far the body reaches beyond its core, mesh units.
+  /// How far the body extends beyond its core, mesh units.
   virtual double radius() const { return 0.0; }
-  /// The error of support points, relative to their size: searches are not driven beyond it.
+  /// The relative error of support points. Searches stop refining at this error.
   virtual double precision() const { return 1e-12; }
 
-  /// About the middle of the core: where searches begin.
+  /// A point near the middle of the core, where searches start.
   virtual Vec3 middle() const { return Vec3::Zero(); }
-  /// Points whose hull is the core, where they are few: searches leave out more with them. Else none.
+  /// Points whose hull is the core, if they are few; searches use them to skip more. Empty otherwise.
   virtual std::span<const Vec3> points() const { return {}; }
-  /// The faces and edges of the hull of points(), where they are known: they make contacts exact and fast.
+  /// The faces and edges of the hull of points(), if known. They make contacts exact and fast.
   virtual HullFaces faces() const { return {}; }
 
-  /// The core's box along the axes of its frame.
+  /// The core's bounding box along the axes of the body's frame.
   Aabb coreBounds() const {
     Aabb box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -40,24 +40,25 @@ class Convex {
     return box;
   }
 
-  /// The body's box along the axes of its frame, radius included.
+  /// The body's bounding box along the axes of its frame, radius included.
   Aabb bounds() const {
     const Aabb core = coreBounds();
     return {core.min.array() - radius(), core.max.array() + radius()};
   }
 };
 
-/// The first of the points that is farthest in a direction.
+/// The farthest of the points in a direction; the first of them if several tie.
 const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
 
-/// A few points whose hull holds a body's core: its own, or in `room` the corners of its box.
+/// A few points whose hull contains a body's core: the body's own points, or the corners of the core's box,
+/// written to `room`.
 std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room);
 inline constexpr std::size_t kMostPointsRoundCore = HullFaceList::kMostPoints;
 
-/// The hull of some points, grown by a radius.
+/// The convex hull of points, grown by a radius.
 class ConvexHull final : public Convex {
  public:
-  /// Throws std::invalid_argument for no points or a negative radius.
+  /// Throws std::invalid_argument if there are no points or the radius is negative.
   explicit ConvexHull(std::vector<Vec3> points, double radius = 0.0);
 
   Vec3 support(const Vec3& direction) const override;
@@ -71,7 +72,7 @@ class ConvexHull final : public Convex {
   double radius_;
 };
 
-/// A box, in the frame that its centre and axes are given in.
+/// A box in the frame in which its centre and axes are given.
 class ConvexBox final : public Convex {
  public:
   explicit ConvexBox(const Obb& box);

@@ -1,4 +1,4 @@
-// Stops the compiler with a clear message where it compiles an older C++.
+// Stops compilation with a clear message if the compiler's language standard is older than C++20.
 #pragma once
 
 #if !defined(_MSVC_LANG) && __cplusplus < 202002L || defined(_MSVC_LANG) && _MSVC_LANG < 202002L

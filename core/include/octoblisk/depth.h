@@ -16,45 +16,47 @@
 namespace octoblisk {
 
 enum class Gouging {
-  none,     ///< no point of B's surface is in A: the two are apart, or A is wholly inside B
+  none,     ///< no point of B's surface is in A: A and B are apart, or A is wholly inside B
   found,    ///< B's surface touches A's, or reaches into A
-  unknown,  ///< A's surface is open: there is nothing to be inside of
+  unknown,  ///< A's surface is open, so it has no inside
 };
 
 /// The deepest point found; points are in the frame of A.
 struct GougeDepth {
   Gouging gouging = Gouging::none;
-  double depth = 0.0;              ///< the distance of the two points: that deep B does reach
-  double upper_bound = 0.0;        ///< no deeper; at most the tolerance above the depth
+  double depth = 0.0;              ///< the distance between the two points: B reaches at least this deep
+  double upper_bound = 0.0;        ///< B reaches no deeper; at most depth + tolerance
   Vec3 point_on_b = Vec3::Zero();  ///< inside A, or on it
-  Vec3 point_on_a = Vec3::Zero();  ///< on A's surface: the closest to the point on B
+  Vec3 point_on_a = Vec3::Zero();  ///< the point of A's surface that is closest to point_on_b
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
-  /// False: B meets A's surface, or lies nearest to it, where that bounds no solid (solid_boundary.h). Then B
-  /// may reach deeper than the upper bound, or may not be in A at all; where it meets such a triangle,
-  /// nothing is measured.
+  /// False if B meets A's surface, or is nearest to it, where the surface bounds no solid (solid_boundary.h).
+  /// Then B may reach deeper than the upper bound, or may not be in A at all. If B meets such a
+  /// part of A's surface, the depth is not measured.
   bool is_known = true;
 };
 
-/// Finds the greatest distance to A's surface among those points of B's surface that are in the solid A:
+/// Finds the greatest distance to A's surface among the points of B's surface that are in the solid A:
 ///     depth = max { dist(x, ∂A) : x ∈ ∂B ∩ A }.
-/// A must be closed (containment.h says what its inside is), B may be open. Where B is wholly inside A, that
-/// is the distance of B's innermost point. Where A is wholly inside B, no point of B's surface is in A.
+/// A must be closed (containment.h defines its inside); B may be open. If B is wholly inside A, the depth is
+/// that of B's innermost point. If A is wholly inside B, no point of B's surface is in A.
 ///
-/// Branch and bound: first the triangles of B that meet A's surface, and from their corners those that are
-/// wholly inside; these are divided until no part may be deeper than the deepest point found by more than the
-/// tolerance. Triangles of B that lie flat on one of A, within the tolerance, are left out. A part is bounded
-/// by its distance to triangles of A near it, because the signed distance grows by no more than the way, and
-/// by moving it out of A as a whole.
+/// Branch and bound. The search starts with the triangles of B that meet A's surface. From their corners it
+/// spreads to the triangles that are wholly inside. It divides these triangles until no part can be deeper
+/// than the deepest point found by more than the tolerance. It skips triangles of B that lie flat on a
+/// triangle of A, within the tolerance. The bound of a part comes from its distance to nearby triangles of A,
+/// because the signed distance grows by no more than the distance travelled, and from moving the part out of
+/// A as a whole.
 ///
-/// Holds the working memory of the query: one object a thread. Warm queries allocate nothing.
+/// Holds the working memory of the query: use one object per thread. Warm queries allocate nothing.
 class DepthQuery {
  public:
-  /// The tolerance is a length > 0; one below 1e-12 of the meshes' sizes is raised to it. Up to rounding
+  /// The tolerance is a length > 0; values below 1e-12 of the meshes' sizes are raised to it. Up to rounding
   /// (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
-  /// The same where A's surface may have holes, be doubled, or meet itself: holes elsewhere change nothing.
+  /// The same for a surface A that may have holes, be doubled, or meet itself. Holes elsewhere do not change
+  /// the answer.
   GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance);
 
  private:
@@ -65,14 +67,14 @@ class DepthQuery {
   /// A corner of B's mesh, or of a part of one of its triangles.
   struct Corner {
     Vec3 point = Vec3::Zero();
-    Vec3 foot = Vec3::Zero();  // of the point on the nearest triangle of A known so far
+    Vec3 foot = Vec3::Zero();  // the closest point on the nearest triangle of A found so far
     double distance = std::numeric_limits<double>::infinity();  // to the foot
     std::uint32_t nearest = kNoTriangle;
-    bool is_exact = false;  // no triangle is nearer
+    bool is_exact = false;  // no triangle of A is nearer
     Side side = Side::unknown;
   };
 
-  /// A part of a triangle of B, and those triangles of A that meet it: met_[begin .. end).
+  /// A part of a triangle of B, and the triangles of A that meet it: met_[met_begin .. met_end).
   struct Part {
     std::array<std::uint32_t, 3> corner;
     std::uint32_t triangle;
@@ -124,30 +126,30 @@ class DepthQuery {
 
   const Surface* a_ = nullptr;
   const Surface* b_ = nullptr;
-  const SolidBoundary* boundary_ = nullptr;  // of A, where it does not bound a solid everywhere
+  const SolidBoundary* boundary_ = nullptr;  // A's boundary, if A does not bound a solid everywhere
   Pose b_in_a_;
   double tolerance_ = 0.0;
-  double flatness_ = 0.0;  // within it, a triangle of B lies flat on one of A
+  double flatness_ = 0.0;  // a triangle of B within this distance of a triangle of A lies flat on it
   GougeDepth best_;
-  double greatest_dropped_ = 0.0;  // of the bounds of parts that were let go
+  double greatest_dropped_ = 0.0;  // the greatest bound among discarded parts
   std::uint32_t last_nearest_ = kNoTriangle;
 
   std::vector<detail::CandidatePair> candidate_pairs_;
-  std::vector<TrianglePair> flat_;       // triangles of B, each with the one of A that it lies on
+  std::vector<TrianglePair> flat_;       // triangles of B, each with the triangle of A that it lies on
   std::vector<TrianglePair> crossings_;  // by ascending triangle of B
-  std::optional<TrianglePair> touch_;    // two that meet, if any do
-  std::vector<Mark> mark_;               // of B's triangles
+  std::optional<TrianglePair> touch_;    // two triangles that meet, if any do
+  std::vector<Mark> mark_;               // per triangle of B
   std::vector<std::uint32_t> marked_;
-  std::vector<std::uint32_t> corner_of_b_;  // of B's corners: an index in corners_, or none
-  std::vector<std::uint32_t> known_;        // the corners of B that have one
-  std::vector<bool> part_crosses_;          // of the parts of B's surface
+  std::vector<std::uint32_t> corner_of_b_;  // per corner of B: an index in corners_, or none
+  std::vector<std::uint32_t> known_;        // the corners of B that have an index
+  std::vector<bool> part_crosses_;          // per part of B's surface
   std::vector<std::uint32_t> open_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> met_;
   std::vector<Vec3> extremes_;
   std::vector<std::uint32_t> candidates_;
   std::vector<double> distances_;  // of each candidate to each extreme
-  std::vector<Part> parts_;        // a heap: the greatest bound first
+  std::vector<Part> parts_;        // a heap: greatest bound first
 };
 
 }  // namespace octoblisk

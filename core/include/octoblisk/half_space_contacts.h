@@ -1,4 +1,4 @@
-// A mesh on, or in, a half-space.
+// Contacts between a mesh and a half-space.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,11 @@ struct HalfSpace {
   double offset = 0.0;          ///< mesh units
 };
 
-/// Replaces `found` by a contact for every vertex in use no farther than `threshold` (>= 0) from the
-/// half-space B, which is given in A's frame: each vertex once (two at one place are two), with the first
-/// triangle that uses it, by ascending triangles. The normal is the half-space's; the distance is the
-/// vertex's height, below 0 inside however deep. Where `found` has the room, allocates nothing.
+/// Replaces `found` by a contact for every vertex that a triangle uses and that is no farther than
+/// `threshold` (>= 0, mesh units) from the half-space B. B is given in A's frame. Each vertex counts once;
+/// two vertices at one position count twice. A contact names the first triangle that uses its vertex;
+/// contacts are in ascending order of triangles. The normal is that of the half-space. The distance is the
+/// height of the vertex, negative inside at any depth. Allocates nothing if the capacity of `found` suffices.
 void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshold,
               std::vector<Contact>& found);
 

@@ -1,4 +1,4 @@
-// The faces and edges of the hull of a few points: what separating axes are made of.
+// The faces and edges of the hull of a few points, from which separating axes are made.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ struct HullFace {
 
 struct HullEdge {
   std::uint32_t from, to;     ///< the points that it joins
-  std::uint32_t left, right;  ///< the faces that meet in it
-  double cosine;              ///< of the angle between their normals
+  std::uint32_t left, right;  ///< the faces on either side
+  double cosine;              ///< of the angle between the faces' normals
 };
 
-/// A view of them.
+/// A view of faces and edges.
 struct HullFaces {
   std::span<const HullFace> faces;
   std::span<const HullEdge> edges;
@@ -29,13 +29,15 @@ struct HullFaces {
   bool empty() const { return faces.empty(); }
 };
 
-/// Owns them. Triangles in one plane make one face; every face is moved out to the farthest of the points.
+/// Owns faces and edges. Coplanar triangles make one face. Every face is moved out to the farthest of the
+/// points.
 class HullFaceList {
  public:
   static constexpr std::size_t kMostPoints = 64;
 
-  /// None for points that have no hull with a volume, of which there are too many, or that rounding makes
-  /// too hard: searches do without. Allocates nothing once it has had the room.
+  /// Finds no faces if the points' hull has no volume, if there are more than kMostPoints points, or if
+  /// rounding makes the hull too hard to find; searches then work without them. Allocates nothing once its
+  /// buffers are large enough.
   void find(std::span<const Vec3> points);
 
   HullFaces view() const { return {faces_, edges_}; }

@@ -1,36 +1,38 @@
-// How a solid of even density resists being moved and turned.
+// The mass properties of a solid of uniform density.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
 
-/// Volume, centre of mass and inertia of a solid of even density. Lengths in mesh units; the inertia is that
-/// of mass 1 (length²), so that a flat box has one too.
+/// Volume, centre of mass and inertia of a solid of uniform density. Lengths are in mesh units. The inertia
+/// is that of a body of mass 1 (length²), so that a flat box has one too.
 struct MassProperties {
-  /// False: the mesh encloses no solid, and these are the properties of its solid bounding box.
+  /// False if the mesh encloses no solid. The properties are then those of its solid bounding box.
   bool is_solid = false;
   double volume = 0.0;
   Vec3 center_of_mass = Vec3::Zero();
-  /// ∫ (|x|² 1 − x xᵀ) dV / volume, x from the centre of mass, along the mesh's axes.
+  /// ∫ (|x|² 1 − x xᵀ) dV / volume, with x from the centre of mass, along the mesh's axes.
   Mat3 inertia = Mat3::Zero();
 
-  /// The inertia of mass 1 about another point (parallel axes).
+  /// The inertia of mass 1 about another point (parallel axis theorem).
   Mat3 inertiaAbout(const Vec3& point) const;
 };
 
-/// Those of the solid that the mesh bounds, in O(n), exact but for rounding: the sum over the tetrahedra of
-/// each triangle and a point amid the mesh, with their sign (C. Zhang, T. Chen, Efficient Feature Extraction
-/// for 2D/3D Objects in Mesh Representation, 2001). Parts of the solid that overlap count as often as they
-/// do; an inner surface facing the other way is a cavity; a mesh that faces inward as a whole is turned.
+/// The mass properties of the solid that the mesh bounds, in O(n), exact up to rounding. Sums the signed
+/// tetrahedra between each triangle and a point amid the mesh (C. Zhang, T. Chen, Efficient Feature
+/// Extraction for 2D/3D Objects in Mesh Representation, 2001). Where parts of the solid overlap, each of them
+/// counts. An inner surface that faces the other way is a cavity. If the mesh as a whole faces inward, its
+/// orientation is reversed.
 ///
-/// Where the mesh is open, not consistently oriented (isOrientedClosed), or of no volume: those of the
-/// solid bounding box of its triangles.
+/// If the mesh is open, not consistently oriented (isOrientedClosed), or has no volume, returns the
+/// properties of the solid bounding box of its triangles.
 MassProperties massProperties(const TriangleMesh& mesh);
 
-/// Whether every edge, by the positions of its ends, is used as often one way as the other: what
-/// Surface::isOriented says, in O(n) and without memory of the edges, by comparing sums of 64-bit hashes of
-/// the edges of either way. Meshes that were not made to deceive it do so with a chance of 2⁻⁶⁴.
+/// Whether every edge, identified by the positions of its ends, is used equally often in both directions.
+/// Gives the answer of Surface::isOriented in O(n) and without storing the edges: it compares sums of 64-bit
+/// hashes of the edges of each direction. The answer is wrong with a chance of 2⁻⁶⁴, except for meshes made
+/// to deceive it.
 bool isOrientedClosed(const TriangleMesh& mesh);
 
 /// The frame in which the inertia is diagonal.

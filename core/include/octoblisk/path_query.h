@@ -1,4 +1,4 @@
-// Queries of one pose after another, where each is near the one before.
+// Queries at a sequence of poses, each near the previous one.
 #pragma once
 
 #include <optional>
@@ -12,32 +12,32 @@
 
 namespace octoblisk {
 
-/// Answers as `collide` and `distance` do, verdicts and distances alike, sooner where the poses are those of
-/// a fine path: it remembers the pair of triangles that was found last, and how far apart the bodies were.
-/// Which of several pairs is named may depend on the poses before, and so may the distance within the
-/// options' tolerance.
+/// Gives the verdicts and distances of `collide` and `distance`, but faster if the poses belong to a finely
+/// sampled path: it remembers the last pair of triangles found, and how far apart the bodies were. If several
+/// pairs are possible, the pair returned may depend on earlier poses; so may the distance, within the
+/// tolerance of the options.
 ///
-/// Refers to the trees or surfaces, which must outlive it. Costs no more to make than a copy of a few
-/// corners: one for each thread and path; the trees may be shared. Allocates nothing, but for signed
-/// distances until it is warm.
+/// Refers to the trees or surfaces, which must outlive it. Creating one costs no more than copying a few
+/// corners: use one for each thread and path. Queries may share the trees. Allocates nothing, except for
+/// signed distances until it is warm.
 class PathQuery {
  public:
   PathQuery(const ClusteredOctree& a, const ClusteredOctree& b);
-  /// For signed distances too. Throws std::invalid_argument where neither surface is closed.
+  /// For signed distances too. Throws std::invalid_argument if neither surface is closed.
   PathQuery(const Surface& a, const Surface& b);
 
-  /// A pair of triangles that meet, or none. The pair that met at the pose before is tested first, then the
-  /// triangles around it.
-  /// Where the last distance less the way that B's points went since is above 0, nothing more is looked at.
+  /// A pair of triangles that meet, or none. Tests the pair that met at the previous pose first, then the
+  /// triangles around it. Tests nothing else if the last distance exceeds the displacement of B's points
+  /// since.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
-  /// The least distance. The last pair found is the hint, unless there is none yet: then it is the options'.
-  /// Where the last distance less the way that B's points went since is no less than the upper bound, nothing
-  /// is looked at.
+  /// The least distance. The last pair found serves as the hint; before there is one, the hint of the options
+  /// does. Tests nothing if the last distance less the displacement of B's points since is at least the upper
+  /// bound.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
-  /// The signed distance (signed_distance.h). Where the bodies are apart the last pair found is the hint.
-  /// Throws std::logic_error where the query was made of trees.
+  /// The signed distance (signed_distance.h). If the bodies are apart, the last pair found is the hint.
+  /// Throws std::logic_error if the query was made from trees.
   SignedDistance signedDistance(const Pose& b_in_a, const SignedDistanceOptions& options = {});
 
  private:
@@ -48,9 +48,9 @@ class PathQuery {
   const Surface *surface_a_ = nullptr, *surface_b_ = nullptr;
   Hold hold_of_b_;
   TrianglePair witness_;
-  detail::NodePair nodes_;  // whose leaves the witness is in; the roots where that is not known
-  bool met_ = false;        // the witness, at the pose before
-  // At this pose, the distance was proved to be no less than this.
+  detail::NodePair nodes_;  // of the leaves that the witness is in; the roots if unknown
+  bool met_ = false;        // whether the witness met at the previous pose
+  // At this pose, the distance was proved to be at least this.
   Pose proof_pose_;
   double proved_distance_ = 0.0;
   DepthQuery depth_;

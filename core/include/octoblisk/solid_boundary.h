@@ -20,18 +20,19 @@ namespace octoblisk {
 /// nothing.
 ///
 /// Built once in O(n log n), plus one winding number, O(n), for each region of such triangles connected by
-/// edges. Only the kMostRegions largest regions are asked; the triangles of the rest bound nothing.
+/// edges. Only the kMostRegions largest regions are examined; the triangles of the others bound nothing.
 class SolidBoundary {
  public:
   static constexpr std::size_t kMostRegions = 128;
 
-  /// The surface must outlive it. `threads`: 0 for as many as the machine has; the answers are the same.
+  /// The surface must outlive it. `threads`: 0 for as many as the machine has; the answers do not depend on
+  /// it.
   explicit SolidBoundary(const Surface& surface, int threads = 0);
   explicit SolidBoundary(Surface&&, int = 0) = delete;
 
   const Surface& surface() const { return *surface_; }
 
-  /// Whether 1 and 2 hold for every triangle. Then the surface is closed, and octoblisk::locate tells where
+  /// Whether 1 and 2 hold for every triangle. Then the surface is closed, and octoblisk::locate finds where
   /// points lie, whichever way the surface faces.
   bool isWhole() const { return whole_; }
 
@@ -43,12 +44,14 @@ class SolidBoundary {
   /// pseudonormal, IEEE TVCG 11 (3), 2005) if all triangles at that point bound a solid. If they do not, the
   /// winding number decides if it is within 1/4 of 0 or 1; otherwise the location is unknown.
   PointLocation locate(const Vec3& point) const;
-  /// The same, faster: `nearest` is the surface's point closest to `point`. On a whole surface, too, the
-  /// pseudonormal decides where 3 holds; within rounding of the surface it may differ from the exact answer.
+  /// The same, but faster. `nearest` is the surface's point closest to `point`. The pseudonormal also decides
+  /// on a whole surface wherever 3 holds; within rounding of the surface, the answer may differ from the
+  /// exact one.
   PointLocation locate(const Vec3& point, const ClosestPoint& nearest) const;
 
  private:
-  /// Of the feature (face, edge or vertex) that the point lies on; none if not all about it bounds a solid.
+  /// The pseudonormal of the feature (face, edge or vertex) that the point lies on; none if a triangle around
+  /// it bounds no solid.
   std::optional<Vec3> pseudonormal(const ClosestPoint& at) const;
   void findGoodEdges();
   void findMeetings();
@@ -56,7 +59,7 @@ class SolidBoundary {
 
   const Surface* surface_;
   bool whole_ = false;
-  std::vector<char> bounds_;  // of each triangle: whether it meets 1, 2 and 3
+  std::vector<char> bounds_;  // per triangle: whether it satisfies 1, 2 and 3
 };
 
 }  // namespace octoblisk

@@ -1,4 +1,4 @@
-// All contacts of a tree and of triangles that someone else keeps.
+// All contacts between a tree and the triangles of a TriangleSource.
 #pragma once
 
 #include <vector>
@@ -14,29 +14,31 @@ class Child;
 struct Slot;
 }  // namespace detail
 
-/// Goes down the tree, asks the source for the triangles in a cluster's box as soon as these are few, and
-/// thins them out on the way to the leaves. Keeps its buffers, so that once warm it allocates nothing: one
-/// for each pair of bodies.
+/// Descends the tree, asks the source for the triangles in a cluster's box as soon as these are few, and
+/// thins them out on the way to the leaves. Keeps its buffers and allocates nothing once warm: use one for
+/// each pair of bodies.
 class SourceContacts {
  public:
-  /// Replaces `found` by the contact of every triangle of the tree, as A, and of the source, as B, no farther
-  /// apart than `threshold` (>= 0); each pair once, by ascending indices. Points and normals are in A's
-  /// frame, triangle_b is for triangle(). A triangle of the source that is not finite touches nothing.
+  /// Replaces `found` by the contact of every triangle of the tree (A) with every triangle of the source (B)
+  /// no farther apart than `threshold` (>= 0, mesh units). Each pair occurs once; pairs are in ascending
+  /// order of indices. Points and normals are in A's frame. Contact::triangle_b is an argument for
+  /// triangle(). A triangle of the source that is not finite touches nothing.
   void find(const ClusteredOctree& a, const TriangleSource& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 
-  /// The triangle of the source, in its frame, of a contact that was found last. They are numbered by part,
-  /// index and corners.
+  /// The source's triangle of a contact that the last find() returned, in the source's frame. The numbers
+  /// follow part, index and corners.
   const SourceTriangle& triangle(std::uint32_t triangle_b) const { return touched_[triangle_b]; }
 
  private:
   class Query;
-  /// A triangle of the source that may be near the cluster at hand.
+  /// A triangle of the source that may be near the current cluster.
   struct Candidate {
     SourceTriangle in_b;
     Triangle in_a;
   };
-  /// What is known of a cluster: the candidates, if they were few; else after how many levels they may be.
+  /// What is known about a cluster: its candidates, if they were few; otherwise the number of levels below
+  /// which they may be few.
   struct Nearby {
     bool listed = false;
     std::size_t begin = 0, end = 0;  // in near_
@@ -49,10 +51,9 @@ class SourceContacts {
   void numberTouched(std::vector<Contact>& found);
 
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t>
-      near_;  // indices of candidates_: those of each cluster on the way after the last's
+  std::vector<std::size_t> near_;  // indices of candidates_, stacked for the clusters on the current path
   std::vector<SourceTriangle> touched_;
-  std::vector<std::uint32_t> order_, number_;  // of those touched
+  std::vector<std::uint32_t> order_, number_;  // of touched_
 };
 
 }  // namespace octoblisk

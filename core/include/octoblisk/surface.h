@@ -1,4 +1,4 @@
-// A mesh as a surface: which triangles hang together, and whether they enclose a solid.
+// A mesh as a surface: which triangles are connected, and whether they enclose a solid.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace octoblisk {
 
-/// What inside and depth queries know of a mesh beside its tree. Vertices at equal positions count as one
-/// "corner", so that triangles without shared indices (STL) hang together too; nothing is welded that is not
-/// equal to the last bit. Built once in O(n log n), never changed.
+/// What inside and depth queries need to know of a mesh, in addition to its tree. Vertices at equal positions
+/// form one "corner", so that triangles without shared indices (STL) are connected too. Only vertices that
+/// are equal to the last bit are merged. Built once in O(n log n), never changed.
 class Surface {
  public:
   /// The tree must outlive the surface.
@@ -21,24 +21,24 @@ class Surface {
 
   const ClusteredOctree& tree() const { return *tree_; }
 
-  /// Whether every edge belongs to an even number of triangles: then space is parted into an inside and an
-  /// outside by the parity of crossings, whatever the genus, the orientation, or how the surface meets
-  /// itself. Where a corner lies amid another triangle's edge, that edge is open.
+  /// Whether every edge belongs to an even number of triangles. The parity of crossings then divides space
+  /// into an inside and an outside, whatever the genus, the orientation, or how the surface meets itself. If
+  /// a corner lies inside another triangle's edge (a T-junction), that edge is open.
   bool isClosed() const { return closed_; }
 
-  /// Whether every edge is used as often one way as the other: closed, and consistently oriented.
+  /// Whether every edge is used equally often in both directions: closed, and consistently oriented.
   bool isOriented() const { return oriented_; }
 
-  // Corners are numbered from 0; those no triangle uses have none.
+  // Corners are numbered from 0. Vertices that no triangle uses have no corner.
   std::size_t cornerCount() const { return star_begin_.size() - 1; }
   const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const { return corners_[triangle]; }
-  /// The triangles round a corner; a degenerate one once for each of its corners that coincide.
+  /// The triangles around a corner. A degenerate triangle occurs once for each of its corners that coincide.
   std::span<const std::uint32_t> star(std::uint32_t corner) const {
     return std::span(stars_).subspan(star_begin_[corner], star_begin_[corner + 1] - star_begin_[corner]);
   }
   const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
 
-  /// Parts are what hangs together by corners; each is named by one of its corners.
+  /// A part is a set of triangles connected by corners. One of its corners identifies it.
   std::size_t partCount() const { return part_corner_.size(); }
   std::uint32_t cornerOfPart(std::size_t part) const { return part_corner_[part]; }
   std::uint32_t part(std::uint32_t corner) const { return part_[corner]; }
@@ -52,11 +52,11 @@ class Surface {
   const ClusteredOctree* tree_;
   bool closed_ = true;
   bool oriented_ = true;
-  std::vector<std::array<std::uint32_t, 3>> corners_;  // of each triangle
-  std::vector<std::uint32_t> vertex_;                  // of each corner: one at its position
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // per triangle
+  std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
   std::vector<std::uint32_t> star_begin_;
   std::vector<std::uint32_t> stars_;
-  std::vector<std::uint32_t> part_;  // of each corner
+  std::vector<std::uint32_t> part_;  // per corner
   std::vector<std::uint32_t> part_corner_;
 };
 

@@ -1,14 +1,14 @@
-// Built trees as bytes: saved to a file, and used where they lie there: read once to be checked, never
-// copied.
+// Built trees as bytes (blobs). A tree can be saved to a file and used in place: the bytes are read once to
+// check them, but never copied.
 //
-// A blob holds the tree and a fingerprint of the mesh, not the mesh. It is bound to this format's version, to
-// the machine's byte order and to the mesh, and carries a checksum (XXH64, checksum.h) over all of it: a
-// blob that was cut, changed or made for another mesh is refused, and so is one that is forged so that a
-// query could fail on it. That its boxes are right, validate() tells.
+// A blob holds the tree and a fingerprint of the mesh, but not the mesh. It is bound to the format version,
+// to the machine's byte order and to the mesh. A checksum (XXH64, checksum.h) covers all of it. A blob is
+// rejected if it was truncated, changed, made for another mesh, or forged so that a query could fail on it.
+// Only validate() checks that the boxes are right.
 //
 // Layout: a header of 128 bytes (magic "OctoBlsk", version, byte order, at byte 16 the checksum of all bytes
-// from 24 on, counts, options), then nodes, triangle order, corners in leaves, and the parts of BuildOptions;
-// each begins at a multiple of 64. The same tree gives the same bytes; `threads` of its options is not kept.
+// from 24 on, counts, options), then nodes, triangle order, corners in leaves, and the parts of BuildOptions.
+// Each section begins at a multiple of 64. Equal trees give equal bytes. BuildOptions::threads is not stored.
 #pragma once
 
 #include <cstddef>
@@ -21,22 +21,23 @@
 
 namespace octoblisk {
 
-/// The tree as bytes, with a version, a checksum and the fingerprint of its mesh, which is not among them.
+/// The tree as bytes, with a version, a checksum and the fingerprint of its mesh. The mesh itself is not
+/// included.
 std::vector<std::byte> toBlob(const ClusteredOctree& tree);
 
-/// The tree of a blob, over the mesh that it was built for. Without an owner the bytes are copied; with one,
-/// which keeps them and never changes them, they are used where they are and must begin at a multiple of 64.
-/// Throws std::invalid_argument that tells what is wrong with the blob, or for no mesh.
+/// The tree of a blob, over the mesh that it was built for. Without an owner, the bytes are copied. With an
+/// owner, which must keep the bytes unchanged, they are used in place and must begin at a multiple of 64.
+/// Throws std::invalid_argument if the mesh is null or the blob is invalid; the message says what is wrong.
 ClusteredOctree fromBlob(std::span<const std::byte> blob, std::shared_ptr<const TriangleMesh> mesh,
                          std::shared_ptr<const void> owner = nullptr);
 
-/// Writes the blob to a file: to a new one beside it, which then takes its name, so that trees mapped from
-/// the file as it was stay whole. Throws std::runtime_error that names the file where it cannot be written.
+/// Writes the blob to a new file beside `file` and then renames it to `file`, so that trees mapped from the
+/// old file stay intact. Throws std::runtime_error, which names the file, if it cannot be written.
 void saveTree(const ClusteredOctree& tree, const std::filesystem::path& file);
 
-/// The tree in a file, used where it is: the file is mapped to memory until the last tree over it is gone,
-/// and must not be changed meanwhile but by saveTree. Throws std::runtime_error where it cannot be opened,
-/// std::invalid_argument as fromBlob does; both name the file.
+/// The tree in a file, used in place. The file stays mapped to memory until the last tree over it is
+/// destroyed; until then only saveTree may replace it. Throws std::runtime_error if the file cannot be
+/// opened, and std::invalid_argument like fromBlob. Both messages name the file.
 ClusteredOctree mapTree(const std::filesystem::path& file, std::shared_ptr<const TriangleMesh> mesh);
 
 }  // namespace octoblisk

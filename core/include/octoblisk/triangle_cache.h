@@ -1,4 +1,4 @@
-// The triangles near a convex body that moves little from one question to the next.
+// The triangles near a convex body that moves little between queries.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ namespace detail {
 struct TriangleBundle;
 }  // namespace detail
 
-/// Keeps the triangles that are a little farther away than was asked for, until the body has moved as far:
-/// most questions then need no tree. What is handed out may differ by triangles that are not near.
+/// Keeps triangles from a slightly larger neighbourhood than requested until the body has moved by the
+/// difference, so that most queries need no tree. The extra triangles, which are not near the body, depend on
+/// earlier queries.
 class TriangleCache {
  public:
   TriangleCache();
@@ -24,12 +25,12 @@ class TriangleCache {
   TriangleCache& operator=(TriangleCache&&) noexcept;
   ~TriangleCache();
 
-  /// Every triangle that may be within `reach` of the body, and some that are not, until the next call.
-  /// Allocates nothing once it has had the room.
+  /// Every triangle that may be within `reach` of the body, and some others. The result is valid until the
+  /// next call. Allocates nothing once its buffers are large enough.
   std::span<const std::uint32_t> find(const ClusteredOctree& tree, const Convex& convex,
                                       const Pose& convex_in_tree, double reach);
 
-  /// To be called where a tree at the same address has other triangles.
+  /// Call this if a tree at the same address gets other triangles.
   void forget() {
     kept_reach_ = kNothing;
     last_at_.reset();
@@ -38,17 +39,17 @@ class TriangleCache {
  private:
   static constexpr double kNothing = -1.0;
 
-  double wayTo(const Pose& pose, const Pose& from) const;
+  double displacementBound(const Pose& pose, const Pose& from) const;
   double reserveFor(const Pose& convex_in_tree, double radius) const;
   void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach,
               double reserve);
 
   const ClusteredOctree* tree_ = nullptr;
-  std::vector<Vec3> core_;        ///< points whose hull holds the body's core
-  Aabb bounds_;                   ///< of them
+  std::vector<Vec3> core_;        ///< points whose hull contains the body's core
+  Aabb bounds_;                   ///< of core_
   double kept_reach_ = kNothing;  ///< from the core
   Pose kept_at_;
-  std::optional<Pose> last_at_;  ///< of the last question
+  std::optional<Pose> last_at_;  ///< at the last query
   std::vector<detail::TriangleBundle> kept_;
   std::vector<std::uint32_t> found_;
 };

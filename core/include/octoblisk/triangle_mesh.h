@@ -1,4 +1,4 @@
-// An indexed triangle mesh, checked once when it is made and never changed after.
+// An indexed triangle mesh. It is checked once at construction and never changes.
 #pragma once
 
 #include <array>
@@ -9,37 +9,37 @@
 
 namespace octoblisk {
 
-/// The three corners of a triangle, counter-clockwise seen from outside.
+/// The three corners of a triangle, counter-clockwise as seen from outside.
 using Triangle = std::array<Vec3, 3>;
 
-/// (b−a)×(c−a): the outward normal, of twice the triangle's area; zero for a degenerate triangle.
+/// (b−a)×(c−a): the outward normal, as long as twice the triangle's area; zero for a degenerate triangle.
 inline Vec3 scaledNormal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
 inline Triangle operator*(const Pose& pose, const Triangle& t) {
   return {pose * t[0], pose * t[1], pose * t[2]};
 }
 
-/// The point of a triangle closest to `point`, in double precision; of a degenerate triangle, which is a
-/// segment or a point, too.
+/// The point of a triangle closest to `point`, in double precision. Also works for a degenerate triangle,
+/// which is a segment or a point.
 Vec3 closestPoint(const Triangle& triangle, const Vec3& point);
 
-/// From a triangle to a point, mesh units.
+/// The distance from a triangle to a point, mesh units.
 inline double distance(const Triangle& triangle, const Vec3& point) {
   return (closestPoint(triangle, point) - point).norm();
 }
 
-/// Indexed triangles over double vertices.
+/// Indexed triangles over vertices in double precision.
 ///
-/// Legal: duplicate vertices, vertices no triangle uses, degenerate triangles, open or non-manifold surfaces.
+/// Duplicate vertices, unused vertices, degenerate triangles, and open or non-manifold surfaces are allowed.
 class TriangleMesh {
  public:
   using Indices = std::array<std::uint32_t, 3>;
 
-  /// Products of three coordinates must not overflow (predicates.h), nor floats of them (clustered_octree.h).
+  /// Products of three coordinates must not overflow in double (predicates.h) or in float.
   static constexpr double kMaxCoordinate = 1e12;
 
-  /// Throws std::invalid_argument, naming the vertex or triangle, where there is no triangle, an index is
-  /// out of range, or a coordinate is NaN, infinite or beyond ±kMaxCoordinate.
+  /// Throws std::invalid_argument if there is no triangle, if an index is out of range, or if a coordinate is
+  /// NaN, infinite or beyond ±kMaxCoordinate. The message names the vertex or triangle.
   TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> triangles);
 
   const std::vector<Vec3>& vertices() const { return vertices_; }

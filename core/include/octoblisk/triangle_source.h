@@ -1,4 +1,4 @@
-// Triangles that someone else keeps, and hands out by boxes.
+// An interface to triangles that the caller stores and hands out by box.
 #pragma once
 
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace octoblisk {
 
-/// A triangle and how its keeper numbers it; two triangles may have the same numbers.
+/// A triangle and the numbers that its owner gives it. Two triangles may have the same numbers.
 struct SourceTriangle {
   Triangle corners;
   int part = 0;
@@ -18,15 +18,15 @@ class TriangleSource {
  public:
   virtual ~TriangleSource() = default;
 
-  /// A box that holds all triangles, in the source's frame; it may be infinite.
+  /// A box, in the source's frame, that contains all triangles. It may be infinite.
   virtual Aabb bounds() const = 0;
 
   /// Calls visit(user, triangle) once for every triangle whose bounds meet the box, in the source's frame,
-  /// and maybe for others.
+  /// and possibly for others.
   virtual void forEachTriangleIn(const Aabb& box, void (*visit)(void* user, const SourceTriangle& triangle),
                                  void* user) const = 0;
 
-  /// The same for anything that can be called with a triangle.
+  /// The same for any callable that takes a triangle.
   template <typename Visit>
   void forEachTriangleIn(const Aabb& box, Visit&& visit) const {
     forEachTriangleIn(

@@ -8,11 +8,11 @@
 namespace octoblisk {
 
 /// Calls visit(user, triangle) for every triangle that may be within `reach` of a box in the mesh's frame,
-/// and for some near it. Returns true as soon as visit does, else false.
+/// and for some others nearby. Returns true as soon as a visit does, otherwise false.
 bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
                        bool (*visit)(void* user, std::uint32_t triangle), void* user);
 
-/// The same for anything that can be called with a triangle's index.
+/// The same for any callable that takes a triangle's index.
 template <typename Visit>
 bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach, Visit&& visit) {
   return forEachTriangleIn(

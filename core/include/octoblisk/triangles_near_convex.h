@@ -10,11 +10,11 @@
 namespace octoblisk {
 
 /// Calls visit(user, triangle) for every triangle that may be within `reach` of a convex body, and for some
-/// that are not. Returns true as soon as visit does, else false.
+/// others. Returns true as soon as a visit does, otherwise false.
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user);
 
-/// The same for anything that can be called with a triangle's index.
+/// The same for any callable that takes a triangle's index.
 template <typename Visit>
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, Visit&& visit) {

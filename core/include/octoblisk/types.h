@@ -1,7 +1,7 @@
-// The small words of the library: vectors, poses, boxes.
+// Basic types: vectors, poses, boxes.
 //
-// The library is free of units: a length is in "mesh units", whatever the caller's mesh is in.
-// Poses name their frames: `belt_in_blisk` takes points of the belt's frame to the blisk's.
+// The library has no fixed unit: lengths are in "mesh units", the unit of the caller's mesh. Poses name their
+// frames: `belt_in_blisk` takes points from the belt's frame to the blisk's.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,8 +15,8 @@ namespace octoblisk {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. Queries do not look whether
-/// all of it is finite: at a pose with a NaN bodies do not meet, and are infinitely far from each other.
+/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. Queries do not check that a
+/// pose is finite: at a pose that contains a NaN, bodies do not meet and their distance is infinite.
 struct Pose {
   Mat3 rotation = Mat3::Identity();
   Vec3 translation = Vec3::Zero();
@@ -28,7 +28,7 @@ struct Pose {
   Pose inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 };
 
-/// An axis-aligned box. Default: empty, so that `extend` may start from it.
+/// An axis-aligned box. The default is empty, so that `extend` can start from it.
 struct Aabb {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -41,7 +41,7 @@ struct Aabb {
   Vec3 halfExtents() const { return 0.5 * (max - min); }
 };
 
-/// The axis-aligned box of some points.
+/// The axis-aligned bounding box of points.
 inline Aabb boundsOf(std::span<const Vec3> points) {
   Aabb bounds;
   for (const Vec3& point : points) bounds.extend(point);

@@ -9,7 +9,7 @@ constexpr std::uint64_t kPrime1 = 0x9E3779B185EBCA87u, kPrime2 = 0xC2B2AE3D27D4E
                         kPrime3 = 0x165667B19E3779F9u, kPrime4 = 0x85EBCA77C2B2AE63u,
                         kPrime5 = 0x27D4EB2F165667C5u;
 
-/// So many bytes as an integer, the least first.
+/// `bytes` bytes as an integer, least significant first.
 std::uint64_t read(const std::byte* from, int bytes) {
   std::uint64_t value = 0;
   for (int i = 0; i < bytes; ++i) value |= std::to_integer<std::uint64_t>(from[i]) << 8 * i;

@@ -1,4 +1,4 @@
-// XXH64, a checksum of 64 bits that runs about as fast as memory is read.
+// XXH64, a 64-bit checksum that is about as fast as reading memory.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace octoblisk::detail {
 
-/// XXH64 by Y. Collet, as its specification tells (github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md).
-/// Finds accidents, not forgeries.
+/// XXH64 by Y. Collet, according to its specification
+/// (github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md). Detects accidents, but not forgeries.
 std::uint64_t xxh64(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
 }  // namespace octoblisk::detail

@@ -18,7 +18,7 @@ namespace {
   throw std::system_error(error, std::generic_category(), std::string(what) + ' ' + file.string());
 }
 
-/// An open file; closed with it.
+/// An open file, which is closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -35,7 +35,7 @@ class Descriptor {
   int number_;
 };
 
-/// Opens a file that was not there, beside another; says which.
+/// Creates a new file beside another, and returns its name in `beside`.
 int openBeside(const std::filesystem::path& file, std::filesystem::path& beside) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
@@ -66,7 +66,7 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
   if (::fstat(opened.number(), &status) != 0) fail("cannot read", file, errno);
   if (!S_ISREG(status.st_mode)) fail("cannot map", file, EINVAL);
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size == 0) return;  // nothing can be mapped of it
+  if (size == 0) return;  // an empty file cannot be mapped
   void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, opened.number(), 0);
   if (address == MAP_FAILED) fail("cannot map", file, errno);
   bytes_ = {static_cast<const std::byte*>(address), size};

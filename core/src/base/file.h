@@ -1,4 +1,4 @@
-// Files written at once and mapped to memory.
+// Writes files atomically and maps files to memory.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace octoblisk::detail {
 
-/// A file's bytes, mapped read-only as long as this lives.
+/// A file's bytes, mapped read-only while this object lives.
 class MappedFile {
  public:
-  /// Throws std::system_error, a std::runtime_error, that names the file.
+  /// Throws std::system_error (a std::runtime_error), which names the file.
   explicit MappedFile(const std::filesystem::path& file);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
@@ -22,8 +22,8 @@ class MappedFile {
   std::span<const std::byte> bytes_;
 };
 
-/// Writes the file whole, or leaves what was there: the bytes go to a new file in the same folder, which is
-/// then renamed. Throws std::system_error that names the file.
+/// Writes the whole file or leaves the old one: the bytes go to a new file in the same folder, which is then
+/// renamed. Throws std::system_error, which names the file.
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 }  // namespace octoblisk::detail

@@ -11,11 +11,12 @@ namespace octoblisk::detail {
 
 void preferHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
-  constexpr std::size_t kWorthwhile = std::size_t{4} << 20;  // two pages, of which one may start within
+  constexpr std::size_t kWorthwhile = std::size_t{4}
+                                      << 20;  // two pages, because the first may start within the memory
   if (bytes < kWorthwhile) return;
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  void* const first = std::align(page, page, memory, bytes);  // and `bytes` is what there is from there on
-  // Only advice: where the system does not take it, nothing is lost.
+  void* const first = std::align(page, page, memory, bytes);  // updates `bytes` to the size from there on
+  // This is only advice: if the system ignores it, nothing is lost.
   (void)madvise(first, bytes / page * page, MADV_HUGEPAGE);
 #endif
 }

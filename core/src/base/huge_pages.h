@@ -1,5 +1,5 @@
-// Large pages for memory that queries read in no order: a miss of the address translation costs as much as
-// one of the cache.
+// Large pages for memory that queries read in random order: a miss of the address translation costs as much
+// as a cache miss.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace octoblisk::detail {
 
-/// Asks the system for large pages where it has them, of memory that is not written yet; else does nothing.
+/// Asks the system for large pages for memory that is not written yet; does nothing on systems without them.
 void preferHugePages(void* memory, std::size_t bytes);
 
-/// Reserves room on large pages, where that is worth it. The vector must be empty.
+/// Reserves memory on large pages if that is worthwhile. The vector must be empty.
 template <typename Item>
 void reserveOnHugePages(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);

@@ -35,7 +35,7 @@ void parallelFor(std::size_t count, int threads,
     try {
       while (helpers.size() + 1 < wanted) helpers.emplace_back(work, helpers.size() + 1);
     } catch (const std::system_error&) {
-      // The system has no more threads: those there are do the work.
+      // The system has no more threads: those that exist do the work.
     }
     work(0);
   }

@@ -1,4 +1,4 @@
-// Loops over independent parts of a task on several threads.
+// Parallel loops over independent parts of a task.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,14 @@
 
 namespace octoblisk::detail {
 
-/// The number of threads that `requested` stands for: itself, or for 0 as many as the machine runs at once.
+/// The number of threads for a request: the number itself, or, for 0 or less, as many as the machine runs at
+/// once.
 int threadCount(int requested);
 
-/// Calls body(index, worker) for each index below `count`, once each, in no particular order, on up to
-/// `threads` threads, the caller's among them; `worker` < threads numbers the thread, so that each may have
-/// scratch memory of its own. Returns when all calls have. After a call has thrown no further ones are begun,
-/// and one of the exceptions is thrown on.
+/// Calls body(index, worker) once for each index below `count`, in any order, on up to `threads` threads
+/// including the caller's. `worker` < threads numbers the thread, so that each thread may have its own
+/// scratch memory. Returns after all calls have returned. After a call has thrown, no further calls start,
+/// and one of the exceptions is rethrown.
 void parallelFor(std::size_t count, int threads,
                  const std::function<void(std::size_t index, std::size_t worker)>& body);
 

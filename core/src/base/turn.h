@@ -1,7 +1,7 @@
-// Sine, cosine and the angle of a quotient, of additions, products, quotients and square roots alone.
+// Sine, cosine and arctangent of a quotient, from additions, products, quotients and square roots only.
 //
-// Those of the C library differ in their last bits from processor to processor (with and without fused
-// multiply-add), and what a sweep finds would differ with them.
+// The C library's functions differ in their last bits between processors (with and without fused
+// multiply-add), and the results of sweeps would differ with them.
 #pragma once
 
 namespace octoblisk::detail {
@@ -10,11 +10,11 @@ struct SineCosine {
   double sine = 0.0, cosine = 1.0;
 };
 
-/// Of an angle in radians; each is off by no more than 4e-16, of more than a million by some roundings
-/// of the angle.
+/// Sine and cosine of an angle in radians. The error is at most 4e-16; for angles above a million, also some
+/// rounding errors of the angle.
 SineCosine sineCosine(double angle);
 
-/// The angle in [0, π/2] whose tangent is y / x, for y, x >= 0, not both 0; off by no more than 6e-16.
+/// The angle in [0, π/2] whose tangent is y / x, for y, x >= 0, not both 0. The error is at most 6e-16.
 double angleOf(double y, double x);
 
 }  // namespace octoblisk::detail

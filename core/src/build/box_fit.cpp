@@ -12,10 +12,10 @@
 namespace octoblisk::detail {
 namespace {
 
-// What follows is written so that it gives the same bits for every width of registers, with fused
-// multiply-add or without: Eigen's own sums and products of many rows do not.
+// The code below gives the same bits for every register width, with or without fused multiply-add. Eigen's
+// own sums and products of many rows do not.
 
-/// In four lanes: f(i) of the first four rows, of the next four, … and of the rest.
+/// Sums in four lanes: f(i) of the first four rows, of the next four, …, and of the remaining rows.
 template <typename Four, typename One>
 float sumOfRows(Eigen::Index rows, const Four& four, const One& one) {
   Eigen::Array4f lanes = Eigen::Array4f::Zero();
@@ -61,7 +61,7 @@ Eigen::Matrix3f principalFrame(const VertexSample& centred) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance);
   const Eigen::Vector3f longest = solver.eigenvectors().col(2);
-  // computeDirect is not orthonormal to the last bit; the boxes' separation test wants it to be.
+  // computeDirect is not orthonormal to the last bit, but the boxes' separation test requires it.
   Eigen::Vector3f middle = solver.eigenvectors().col(1) - longest * longest.dot(solver.eigenvectors().col(1));
   if (!(middle.squaredNorm() > 0.25f)) middle = longest.unitOrthogonal();
   Eigen::Matrix3f axes;
@@ -74,11 +74,11 @@ struct Turn {
   float cosine = 1.0f, sine = 0.0f;
 };
 
-/// The turn of the axes u, v about their normal that gives the points the box of least area.
+/// The turn of the axes u, v about their normal that minimises the area of the points' box.
 Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<const Eigen::ArrayXf>& v,
                    float slack) {
   constexpr int kAngles = 12;
-  constexpr float kWorthwhile = 0.999f;  // a turn must gain this much
+  constexpr float kWorthwhile = 0.999f;  // a turn must gain at least this much
   Turn best;
   float least = std::numeric_limits<float>::infinity();
   for (int i = 0; i < kAngles; ++i) {
@@ -96,7 +96,8 @@ Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<c
   return best;
 }
 
-/// The bounds of triangles along three axes, from an origin near them, which keeps the rounding small.
+/// The bounds of triangles along three axes. Measuring from an origin near the triangles keeps the rounding
+/// error small.
 class LocalBounds {
  public:
   LocalBounds(const Eigen::Matrix3f& axes, const Eigen::Vector3f& origin) : axes_(axes), origin_(origin) {
@@ -124,7 +125,7 @@ class LocalBounds {
  private:
   Eigen::Matrix3f axes_;
   Eigen::Vector3f origin_;
-  // Four components, so that the compiler uses vectors; the last is 0.
+  // Four components, so that the compiler uses vector instructions; the last is 0.
   Eigen::Array<float, 4, 3> to_local_ = Eigen::Array<float, 4, 3>::Zero();
   Eigen::Array4f low_ = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity());
   Eigen::Array4f high_ = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());

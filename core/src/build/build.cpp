@@ -1,5 +1,5 @@
-// How a tree is built: the mesh is partitioned, the partition's nodes are written eight boxes each, and the
-// leaves' corners are added.
+// Builds a tree: partitions the mesh, writes the partition's nodes as eight boxes each, and adds the leaves'
+// corners.
 #include <algorithm>
 #include <utility>
 
@@ -31,7 +31,7 @@ Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
                                           .leaf_capacity = static_cast<std::size_t>(options.leaf_capacity)}});
 }
 
-/// Room for the rounding of vertices, projections and box centres to single precision.
+/// Grows a box to allow for the rounding of vertices, projections and box centres to single precision.
 BoxF padded(BoxF box, float pad) {
   box.half_extents.array() += pad;
   return box;
@@ -43,7 +43,7 @@ class NodeWriter {
   NodeWriter(const Partition& partition, float pad, std::vector<TreeNode>& nodes)
       : partition_(partition), pad_(pad), nodes_(nodes) {}
 
-  /// Puts the partition's node into a slot, and all below it into new nodes.
+  /// Writes the partition's node into a slot, and everything below it into new nodes.
   void write(std::uint32_t partition_node, Slot slot) {
     const PartitionNode& source = partition_.nodes[partition_node];
     nodes_[slot.node].boxes.set(static_cast<int>(slot.lane), padded(source.box, pad_));

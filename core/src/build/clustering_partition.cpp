@@ -1,9 +1,9 @@
 // Recursive clustering: every node is divided by k-means bisections in position–normal space
 // (node_divider.h).
 //
-// Large nodes are divided level by level: a sample finds the planes, then all triangles are sorted by them.
-// The rest are subtrees, each divided by one thread. What is divided how depends on the triangles alone, so
-// that the partition does not depend on the number of threads.
+// Large nodes are divided level by level: a sample determines the planes, then all triangles are sorted by
+// them. The others are subtrees, each divided by one thread. How a node is divided depends only on its
+// triangles, so the partition does not depend on the number of threads.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -19,9 +19,9 @@ namespace {
 
 using Eight = Eigen::Array<float, kLanes, 1>;
 
-constexpr int kClusteringDepth = 32;        // below it halves by the median, so that the depth stays bounded
-constexpr std::uint32_t kSubtree = 4096;    // triangles of the largest subtree that is one thread's
-constexpr std::size_t kLargeSample = 4096;  // triangles of larger nodes that find their planes, at most
+constexpr int kClusteringDepth = 32;        // deeper nodes are halved at the median, which bounds the depth
+constexpr std::uint32_t kSubtree = 4096;    // the most triangles of a subtree that one thread divides
+constexpr std::size_t kLargeSample = 4096;  // the most triangles that determine the planes of a larger node
 constexpr std::size_t kChunk = 8192;        // triangles that a thread sorts at a time
 
 SplitEffort effortOf(BuildQuality quality) {
@@ -31,14 +31,14 @@ SplitEffort effortOf(BuildQuality quality) {
 
 using Nodes = std::vector<PartitionNode>;
 
-/// A node that is not divided yet; its records are in one of two buffers.
+/// A node that is not divided yet. Its records are in one of two buffers.
 struct Open {
   std::uint32_t node;
   int depth;
   int buffer;
 };
 
-/// Which of up to eight clusters a record belongs to, by the cuts that made them.
+/// Finds which of up to eight clusters a record belongs to, from the cuts that made the clusters.
 class Sorter {
  public:
   explicit Sorter(const std::vector<Cut>& cuts) : cluster_count_(cuts.size() + 1) {
@@ -109,7 +109,7 @@ class ClusteringPartitioner {
     return buffers_[static_cast<std::size_t>(buffer)].span().subspan(node.begin, node.count());
   }
 
-  /// Returns the nodes that are left to divide.
+  /// Returns the nodes that remain to be divided.
   std::vector<Open> divideLargeNodes() {
     std::vector<Open> level = {{0, 0, 0}}, left;
     while (!level.empty()) {
@@ -140,8 +140,8 @@ class ClusteringPartitioner {
     return left;
   }
 
-  /// Moves the node's records to the other buffer, cluster by cluster, and returns its children; none, and
-  /// moves nothing, where no plane divides them.
+  /// Moves the node's records to the other buffer, cluster by cluster, and returns its children. Returns none
+  /// and moves nothing if no plane divides the records.
   Nodes divideLarge(const PartitionNode& node, int buffer, NodeDivider& divider, int threads) {
     const std::span<const TriangleRecord> records = recordsOf(buffer, node);
     std::vector<std::uint32_t> sample;
@@ -155,8 +155,7 @@ class ClusteringPartitioner {
       for (std::size_t i = chunk * kChunk; i < std::min(records.size(), (chunk + 1) * kChunk); ++i) visit(i);
     };
     std::vector<std::uint8_t> cluster_of(records.size());
-    std::vector<std::array<std::uint32_t, kLanes>> places(
-        chunks);  // first counts, then where to put the next
+    std::vector<std::array<std::uint32_t, kLanes>> places(chunks);  // first counts, then the next free places
     parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
       std::array<std::uint32_t, kLanes> counts = {};
       forEachIn(chunk, [&](std::size_t i) { ++counts[cluster_of[i] = sorter(records[i])]; });
@@ -168,7 +167,7 @@ class ClusteringPartitioner {
     for (std::size_t c = 0; c < sorter.clusterCount(); ++c) {
       const std::uint32_t begin = place;
       for (auto& chunk : places) place += std::exchange(chunk[c], place);
-      if (place == begin) continue;  // its few triangles of the sample are on the other side, by rounding
+      if (place == begin) continue;  // rounding has put its few sampled triangles on the other side
       children.push_back({node.begin + begin, node.begin + place, 0, 0, clusters[c].box});
     }
     if (children.size() < 2) return {};
@@ -198,7 +197,8 @@ class ClusteringPartitioner {
     for (std::size_t i = 0; i < roots.size(); ++i) graft(roots[i].node, subtrees[i]);
   }
 
-  /// Divides a node and all below it; the order is of the records of the subtree's root, nodes.front().
+  /// Divides a node and everything below it. The order refers to the records of the subtree's root,
+  /// nodes.front().
   void divideSubtree(Nodes& nodes, std::uint32_t index, int depth, std::span<const TriangleRecord> records,
                      std::span<std::uint32_t> order, NodeDivider& divider) const {
     const PartitionNode node = nodes[index];
@@ -228,7 +228,7 @@ class ClusteringPartitioner {
     nodes.insert(nodes.end(), children.begin(), children.end());
   }
 
-  /// Appends a subtree, whose first node is there already.
+  /// Appends a subtree, whose first node already exists.
   void graft(std::uint32_t root, const Nodes& subtree) {
     const auto shift = static_cast<std::uint32_t>(nodes_.size()) - 1;
     const auto shifted = [&](PartitionNode node) {
@@ -241,7 +241,7 @@ class ClusteringPartitioner {
 
   const std::uint32_t capacity_;
   int threads_ = 1;
-  std::vector<std::unique_ptr<NodeDivider>> dividers_;  // one a thread
+  std::vector<std::unique_ptr<NodeDivider>> dividers_;  // one per thread
   std::array<TriangleRecords, 2> buffers_;
   std::vector<std::uint32_t> order_;
   Nodes nodes_;

@@ -19,7 +19,7 @@ void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin
       for (std::size_t k = 0; k < 4; ++k) node.rotation[k][lane] = rotation[k];
     }
   });
-  tree.nodes = std::vector<TreeNode>();  // gives its memory back, which = {} does not
+  tree.nodes = std::vector<TreeNode>();  // frees the memory, which = {} would not
   tree.compact_nodes = std::move(compact_nodes);
   refit(tree, mesh, origin, radius, threads);
 }

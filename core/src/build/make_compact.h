@@ -1,4 +1,4 @@
-// A tree's nodes as compact ones.
+// Converts a tree's nodes to compact nodes.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"
@@ -6,7 +6,7 @@
 
 namespace octoblisk::detail {
 
-/// Makes a full tree a compact one.
+/// Converts a full tree to a compact tree.
 void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads);
 
 }  // namespace octoblisk::detail

@@ -5,12 +5,13 @@
 namespace octoblisk::detail {
 namespace {
 
-constexpr float kSlack = 0.1f;  // added to box edges, in largest half extents of the node
-// Triangles that a node of leaves alone can do with, in leaf capacities. A cluster of no more is left whole
-// where the node above would otherwise make many nodes of two or three leaves: a quarter of all nodes less.
+constexpr float kSlack = 0.1f;  // added to box edges, relative to the largest half extent of the node
+// The number of triangles, in leaf capacities, up to which a node may consist of leaves only. A cluster of at
+// most this size stays whole if its parent would otherwise create many nodes of two or three leaves. This
+// saves a quarter of all nodes.
 constexpr std::uint32_t kFullNode = 7;
 
-/// Clusters of no more than this are not divided further, of a node of so many triangles.
+/// The size up to which clusters are not divided further in a node of so many triangles.
 std::uint32_t clusterGoal(std::size_t triangles, std::uint32_t capacity) {
   const std::uint32_t full = kFullNode * capacity;
   return triangles > full && triangles <= kLanes * full ? full : capacity;
@@ -72,7 +73,7 @@ bool NodeDivider::cut(std::size_t cluster) {
   return true;
 }
 
-/// By the median along the longest axis; always makes progress.
+/// Halves a cluster at the median along its longest axis. Always makes progress.
 void NodeDivider::halve(std::size_t cluster) {
   const Cluster whole = clusters_[cluster];
   const std::span<std::uint32_t> indices = indices_.subspan(whole.begin, whole.count());
@@ -96,7 +97,7 @@ void NodeDivider::replace(std::size_t cluster, std::uint32_t mid, const BoxF& lo
                    Cluster{mid, whole.end, high, exact});
 }
 
-/// Puts the low indices before the others, each in the order they are in, and returns their number.
+/// Moves the low indices before the others, keeping the order within each, and returns their number.
 template <typename IsLow>
 std::uint32_t NodeDivider::separate(std::span<std::uint32_t> indices, const IsLow& is_low) {
   high_.resize(std::max(high_.size(), indices.size()));

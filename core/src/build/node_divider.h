@@ -1,4 +1,4 @@
-// The clusters that one node of the tree is divided into.
+// Divides one node of the tree into clusters.
 #pragma once
 
 #include <cstdint>
@@ -10,39 +10,39 @@
 
 namespace octoblisk::detail {
 
-/// A cluster: a range of the indices that were divided.
+/// A cluster: a range of the divided indices.
 struct Cluster {
   std::uint32_t begin, end;
-  BoxF box;            ///< its frame counts; its extents are approximate unless exact
-  bool exact = false;  ///< the box holds all vertices
+  BoxF box;            ///< its frame is final; its extents are approximate unless exact
+  bool exact = false;  ///< whether the box contains all vertices
 
   std::uint32_t count() const { return end - begin; }
 };
 
-/// A cluster was divided by a plane: it became its low side, and the clusters after it moved up by one for
-/// its high side.
+/// A cluster was divided by a plane: it became its low side, and the clusters after it moved by one to make
+/// room for its high side.
 struct Cut {
   std::size_t cluster;
   SplitFinder::Plane plane;
 };
 
-/// Divides the triangles of a node, the widest cluster first, until there are eight, or none has more than
-/// `capacity`, or than a node of leaves alone can do with. Keeps its memory from node to node.
+/// Divides the triangles of a node, widest cluster first, until there are eight clusters, or no cluster
+/// exceeds `capacity` or the size of a node that consists of leaves only. Reuses its memory between nodes.
 class NodeDivider {
  public:
   NodeDivider(std::uint32_t capacity, const SplitEffort& effort) : capacity_(capacity), effort_(effort) {}
 
-  /// The clusters of the records that the indices name, which are put into their order. The last call's
-  /// clusters are overwritten.
+  /// The clusters of the records that the indices refer to; sorts the indices by cluster. The next call
+  /// overwrites the result.
   const std::vector<Cluster>& byClusters(std::span<const TriangleRecord> records,
                                          std::span<std::uint32_t> indices, const BoxF& box);
 
-  /// The same by medians alone: for nodes too deep for clusters, which need not be balanced.
+  /// The same by medians only: for nodes too deep for clusters, which may be unbalanced.
   const std::vector<Cluster>& byMedians(std::span<const TriangleRecord> records,
                                         std::span<std::uint32_t> indices, const BoxF& box);
 
-  /// The same for a sample: by planes alone, which then can divide other records. One cluster where there is
-  /// no plane.
+  /// The same for a sample, by planes only, which can then divide other records. Returns one cluster if there
+  /// is no plane.
   const std::vector<Cluster>& byPlanes(std::span<const TriangleRecord> records,
                                        std::span<std::uint32_t> sample, const BoxF& box);
   const std::vector<Cut>& cuts() const { return cuts_; }

@@ -1,5 +1,5 @@
-// Boxes round the two sides of a split, turned about their thinnest axes to the least area: seven turns at
-// once. Read once for each target (simd-inl.h).
+// Boxes around the two sides of a split, turned about their thinnest axes to the least area: seven turns at
+// once. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_BUILD_SIDE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_BUILD_SIDE_BOXES_INL_H
 #undef OCTOBLISK_BUILD_SIDE_BOXES_INL_H
@@ -17,16 +17,16 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 constexpr int kTurns = kLanes - 1;
 
-/// Turns of a box; the eighth lane is not a turn, but the third axis.
+/// Turns of a box. The eighth lane is not a turn, but the third axis.
 struct Turns {
   float cosine[kLanes], sine[kLanes];
 };
 
-/// By sevenths of 90°.
+/// In steps of a seventh of 90°.
 constexpr Turns kCoarseTurns = {
     {1.0f, 0.9749279122f, 0.9009688679f, 0.7818314825f, 0.6234898019f, 0.4338837391f, 0.2225209340f, 0.0f},
     {0.0f, 0.2225209340f, 0.4338837391f, 0.6234898019f, 0.7818314825f, 0.9009688679f, 0.9749279122f, 0.0f}};
-/// By quarters of that either way.
+/// In steps of a quarter of that, in both directions.
 constexpr Turns kFineTurns = {
     {1.0f, 0.9984268150f, 0.9984268150f, 0.9937122099f, 0.9937122099f, 0.9858710183f, 0.9858710183f, 0.0f},
     {0.0f, 0.0560704472f, -0.0560704472f, 0.1119644763f, -0.1119644763f, 0.1675062233f, -0.1675062233f,
@@ -47,8 +47,8 @@ HWY_INLINE void listSides(SplitSearch& search, int candidate, int counts[2]) {
   counts[1] = highs;
 }
 
-/// The bounds of some triangles along seven turns of the first two axes about the third (lanes 0 to 6) and
-/// along the third (lane 7).
+/// The bounds of triangles along seven turns of the first two axes about the third (lanes 0 to 6) and along
+/// the third axis (lane 7).
 struct TurnedBounds {
   Float8 least_u, greatest_u, least_v, greatest_v;
 };
@@ -107,7 +107,7 @@ HWY_INLINE float applyBestTurn(const TurnedBounds& bounds, const Turns& turns, f
   return area[best] * (side.high[2] - side.low[2] + slack);
 }
 
-/// Turns the boxes of a candidate's sides, which are listed, and returns their volume.
+/// Turns the boxes of a candidate's listed sides and returns their volume.
 HWY_INLINE float turnBoxes(const SplitSearch& search, SplitSearch::Candidate& candidate, const int counts[2],
                            const Turns& turns) {
   float volume = 0.0f;

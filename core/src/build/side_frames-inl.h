@@ -1,4 +1,4 @@
-// The principal frames of the two sides of all candidates for a split, eight at once. Read once for each
+// The principal frames of the two sides of all candidates for a split, eight at once. Included once for each
 // target (simd-inl.h).
 #if defined(OCTOBLISK_BUILD_SIDE_FRAMES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_BUILD_SIDE_FRAMES_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Sums over each triangle's corners of x, y, z, xx, xy, xz, yy, yz, zz; and over all triangles.
+/// For each triangle and for all of them: sums over the corners of x, y, z, xx, xy, xz, yy, yz, zz.
 HWY_INLINE void computeMoments(SplitSearch& search, float total[9]) {
   Float8 totals[9];
   for (Float8& sum_of_all : totals) sum_of_all = Float8(0.0f);
@@ -33,7 +33,7 @@ HWY_INLINE void computeMoments(SplitSearch& search, float total[9]) {
   for (int k = 0; k < 9; ++k) total[k] = sum(totals[k]);
 }
 
-/// Turns the plane of axes p and q of eight symmetric matrices so that their element pq vanishes.
+/// Rotates the plane of axes p and q of eight symmetric matrices so that their element pq vanishes.
 HWY_INLINE void rotate(Float8 matrix[3][3], Vec8 axes[3], int p, int q) {
   const int r = 3 - p - q;
   const Float8 off = matrix[p][q], zero(0.0f), one(1.0f), tiny(1e-30f);
@@ -52,7 +52,7 @@ HWY_INLINE void rotate(Float8 matrix[3][3], Vec8 axes[3], int p, int q) {
   axes[q] = axis_p * sine + axis_q * cosine;
 }
 
-/// Makes eight frames orthonormal to the last bit or so, which the boxes' separation test wants.
+/// Makes eight frames orthonormal to about the last bit, as the boxes' separation test requires.
 HWY_INLINE void orthonormalize(Vec8 axes[3]) {
   const Float8 one(1.0f);
   axes[1] = axes[1] - axes[0] * (dot(axes[0], axes[1]) / dot(axes[0], axes[0]));
@@ -60,7 +60,7 @@ HWY_INLINE void orthonormalize(Vec8 axes[3]) {
   axes[2] = cross(axes[0], axes[1]);
 }
 
-/// The principal frames of eight covariances (xx, xy, xz, yy, yz, zz), the thinnest axis last.
+/// The principal frames of eight covariances (xx, xy, xz, yy, yz, zz), thinnest axis last.
 HWY_INLINE void principalFrames(const float covariance[6][kLanes], Vec8 axes[3]) {
   const auto row = [&](int k) HWY_ATTR { return Float8::load(covariance[k]); };
   Float8 matrix[3][3] = {{row(0), row(1), row(2)}, {row(1), row(3), row(4)}, {row(2), row(4), row(5)}};
@@ -73,7 +73,7 @@ HWY_INLINE void principalFrames(const float covariance[6][kLanes], Vec8 axes[3])
     rotate(matrix, axes, 0, 2);
     rotate(matrix, axes, 1, 2);
   }
-  // A cyclic exchange puts the thinnest axis last and keeps the frame right-handed.
+  // A cyclic permutation puts the thinnest axis last and keeps the frame right-handed.
   const Float8 x = matrix[0][0], y = matrix[1][1], z = matrix[2][2], least_yz = min(y, z);
   const auto exchanged = [&](const Vec8& if_x, const Vec8& if_y, const Vec8& if_z) HWY_ATTR {
     const auto chosen = [&](const Float8& by_x, const Float8& by_y, const Float8& by_z)

@@ -6,10 +6,10 @@
 namespace octoblisk::detail {
 namespace {
 
-constexpr float kNormalWeight = 0.25f;  // of a unit normal, in largest half extents
-constexpr float kThinAxis = 0.25f;      // axes shorter than this part of the longest are no seeds
+constexpr float kNormalWeight = 0.25f;  // of a unit normal, relative to the largest half extent
+constexpr float kThinAxis = 0.25f;      // axes shorter than this fraction of the longest are not seeds
 
-/// The search's box of one side, back in the records' frame.
+/// The search's box of one side, converted to the records' frame.
 BoxF boxOf(const SplitSearch::Side& side, const Eigen::Vector3f& center, float size) {
   BoxF box;
   Eigen::Vector3f low, high;
@@ -87,7 +87,7 @@ void SplitFinder::chooseSeeds(const BoxF& box) {
 std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records,
                                                     std::span<const std::uint32_t> indices, const BoxF& box,
                                                     float slack, const SplitEffort& effort) {
-  constexpr float kSmallest = 1e-36f;  // below it, 1 / size is not finite
+  constexpr float kSmallest = 1e-36f;  // for smaller sizes, 1 / size is not finite
   const float size = std::max(box.half_extents.maxCoeff(), kSmallest), scale = 1.0f / size;
   search_.effort = effort;
   search_.slack = slack * scale;

@@ -1,5 +1,5 @@
-// The best way to divide triangles in two: k-means for k = 2 from several seeds, judged by the boxes round
-// the two sides.
+// Finds the best way to divide triangles in two: k-means with k = 2 from several seeds, judged by the boxes
+// around the two sides.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace octoblisk::detail {
 
-/// Finds splits; holds the room for it, so that one finder serves many ranges.
+/// Finds splits. Reuses its memory for many ranges.
 class SplitFinder {
  public:
   static constexpr int kMostSamples = 1024;
@@ -20,19 +20,18 @@ class SplitFinder {
   SplitFinder();
 
   struct Split {
-    BoxF low, high;  ///< round the sampled triangles of the two sides
+    BoxF low, high;  ///< around the sampled triangles of each side
   };
 
-  /// Divides the records that the indices name, whose box is given; `slack` is added to box edges while
-  /// volumes are compared. None where no seed has two sides.
+  /// Divides the records that the indices refer to, whose box is given. `slack` is added to box edges when
+  /// volumes are compared. None if no seed gives two sides.
   std::optional<Split> find(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,
                             const BoxF& box, float slack, const SplitEffort& effort);
 
-  /// Of the split found last: whether all records were looked at, so that `isLow(i)` tells the i-th one's
-  /// side.
+  /// Whether the last split used all records, so that `isLow(i)` returns the side of the i-th one.
   bool sawAll() const { return saw_all_; }
   bool isLow(std::size_t i) const { return search_.is_low[static_cast<std::size_t>(search_.best)][i] > 0.0f; }
-  /// The same for any record: the plane in the space of centroids and normals.
+  /// The side of any record: a plane in the space of centroids and normals.
   struct Plane {
     Eigen::Vector3f of_centroid, of_normal;
     float offset;

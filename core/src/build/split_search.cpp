@@ -13,10 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-constexpr float kSameError = 2e-6f;  // relative: two seeds that end here have found the same clusters
+constexpr float kSameError = 2e-6f;  // relative: two seeds with the same error have found the same clusters
 
-/// The direction in which the triangles face most, either way: parts the two faces of a blade. Squaring the
-/// second moment thrice leaves little of the others.
+/// The direction in which most triangles face, up to sign; it separates the two faces of a blade. Squaring
+/// the second moments three times suppresses the other directions.
 HWY_INLINE void principalNormal(const SplitSearch& search, float direction[3]) {
   Float8 sums[6];
   for (Float8& moment : sums) moment = Float8(0.0f);
@@ -39,14 +39,14 @@ HWY_INLINE void principalNormal(const SplitSearch& search, float direction[3]) {
     yz = b * c + d * e + e * f;
     zz = c * c + e * e + f * f;
   }
-  // Its longest column.
+  // The longest column.
   const bool x_longest = xx >= yy && xx >= zz, y_longest = !x_longest && yy >= zz;
   direction[0] = x_longest ? xx : y_longest ? xy : xz;
   direction[1] = x_longest ? xy : y_longest ? yy : yz;
   direction[2] = x_longest ? xz : y_longest ? yz : zz;
 }
 
-/// What one look at all triangles tells of a candidate's plane.
+/// The result of one pass over all triangles for a candidate's plane.
 struct LowSide {
   float count;
   float sums[6];  ///< of the features
@@ -81,7 +81,7 @@ HWY_INLINE LowSide lowSide(const SplitSearch& search, const SplitSearch::Candida
   return side;
 }
 
-/// Improves the candidate's plane by Lloyd steps and writes the sides; false where one runs empty.
+/// Improves the candidate's plane by Lloyd steps and writes the sides. Returns false if a side becomes empty.
 HWY_INLINE bool improve(const SplitSearch& search, const float total[6], SplitSearch::Candidate& candidate,
                         float* is_low) {
   const auto count = static_cast<float>(search.count);
@@ -103,7 +103,7 @@ HWY_INLINE bool improve(const SplitSearch& search, const float total[6], SplitSe
   }
 }
 
-/// The candidates from all seeds, each error once.
+/// The candidates from all seeds, without duplicates of equal error.
 HWY_INLINE void findCandidates(SplitSearch& search) {
   Float8 totals[6];
   for (Float8& feature : totals) feature = Float8(0.0f);

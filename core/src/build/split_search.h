@@ -1,4 +1,4 @@
-// What SplitFinder's arithmetic works on: plain arrays, eight triangles side by side.
+// The data of SplitFinder's arithmetic: plain arrays, eight triangles side by side.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,22 @@
 
 namespace octoblisk::detail {
 
-/// How much effort a split is worth.
+/// The effort to spend on a split.
 struct SplitEffort {
-  int samples = 1024;       ///< triangles looked at, at most: up to SplitFinder::kMostSamples
+  int samples = 1024;       ///< the most triangles to use, up to SplitFinder::kMostSamples
   int lloyd_steps = 8;      ///< from each seed
-  int axis_seeds = 3;       ///< 1..3: across the longest, middle and thinnest axis of the box
-  bool normal_seed = true;  ///< one more: by the direction that the triangles face most
-  int one_seed_below = 0;   ///< fewer triangles than this get the first seed alone
+  int axis_seeds = 3;       ///< 1..3: perpendicular to the longest, middle and thinnest axis of the box
+  bool normal_seed = true;  ///< one more seed: the direction in which most triangles face
+  int one_seed_below = 0;   ///< fewer triangles than this use the first seed only
   bool refine_turn = true;  ///< turn the boxes in steps of 3° instead of 13°
 };
 
-/// Eight triangles side by side, in the frame that splits are found in: centred and scaled to about ±1. A
-/// lane that is not used is all zeros.
+/// Eight triangles side by side, in the frame in which splits are found: centred and scaled to about ±1.
+/// Unused lanes are zero.
 struct alignas(64) TriangleBlock {
   float corner[3][3][kLanes];  ///< [corner][component]
   float feature[6][kLanes];    ///< centroid and weighted normal
-  float present[kLanes];       ///< 1, or 0 where the block is not full
+  float present[kLanes];       ///< 1, or 0 for an unused lane
 };
 
 struct SplitSearch {
@@ -35,14 +35,14 @@ struct SplitSearch {
     float low[3], high[3];  ///< along the axes
   };
   struct Candidate {
-    float normal[6];  ///< divides features f into normal·f < offset and the rest
+    float normal[6];  ///< separates features f with normal·f < offset from the others
     float offset;
     float error;
     float volume;
     Side sides[2];  ///< low, high
   };
 
-  // In:
+  // Input:
   int count = 0;
   float slack = 0.0f;
   SplitEffort effort;
@@ -50,21 +50,22 @@ struct SplitSearch {
   float seed_axes[3][3];
   bool normal_seed = false;
 
-  // Out: candidates[best], with the sides that it divides the triangles into; best < 0 where none has two.
+  // Output: candidates[best] with the sides into which it divides the triangles; best < 0 if no candidate has
+  // two sides.
   int best = -1;
   Candidate candidates[kMostSeeds];
 
   std::vector<TriangleBlock> blocks;
-  std::vector<float> is_low[kMostSeeds];  ///< 1 or 0, a triangle of the blocks each
+  std::vector<float> is_low[kMostSeeds];  ///< 1 or 0 for each triangle of the blocks
 
   int candidate_count = 0;
-  std::vector<float> moments;          ///< nine rows of eight a block
-  std::vector<std::uint16_t> side[2];  ///< of the candidate at hand, as indices of triangles
+  std::vector<float> moments;          ///< nine rows of eight per block
+  std::vector<std::uint16_t> side[2];  ///< of the current candidate, as indices of triangles
 
   std::size_t blockCount() const { return (static_cast<std::size_t>(count) + kLanes - 1) / kLanes; }
 };
 
-/// Finds the best candidate: k-means for k = 2 from each seed, then boxes round the two sides.
+/// Finds the best candidate: k-means with k = 2 from each seed, then boxes around the two sides.
 void findSplit(SplitSearch& search);
 
 }  // namespace octoblisk::detail

@@ -1,4 +1,4 @@
-// A triangle while a tree is built: single precision, relative to the tree's origin.
+// A triangle during the build of a tree: single precision, relative to the tree's origin.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct alignas(64) TriangleRecord {
   std::uint32_t triangle;  ///< index in the mesh
 };
 
-/// Records that are not set at first, so that no time is lost on memory that is written later.
+/// Records that are initially uninitialised, because they are written later anyway.
 class TriangleRecords {
  public:
   TriangleRecords() = default;

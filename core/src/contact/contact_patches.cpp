@@ -14,11 +14,11 @@ auto byTriangles(const Contact& c) {
   return std::tuple(c.triangle_a, c.triangle_b, p.x(), p.y(), p.z());
 }
 
-/// Deepest first; contacts of equal depth by their triangles and places.
+/// Deepest first; contacts of equal depth by triangles and positions.
 auto byDepth(const Contact& c) { return std::tuple_cat(std::tuple(c.distance), byTriangles(c)); }
 
-constexpr double kPreference = 1.5;  // lengths and areas of contacts that were kept before count as much more
-constexpr double kHardlyDeeper = 0.1;  // of the spacing
+constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
+constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
 
 bool isWithin(double distance, const Vec3& a, const Vec3& b) {
   return (a - b).squaredNorm() <= distance * distance;
@@ -26,8 +26,8 @@ bool isWithin(double distance, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-/// The members sorted by depth → the deepest, the farthest from it, the widest triangle, the widest
-/// quadrangle.
+/// Selects from the members, which are sorted by depth: the deepest, the farthest from it, then those that
+/// make the widest triangle and the widest quadrangle.
 ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members members,
                                     double spacing) const {
   ContactPatch patch;
@@ -36,7 +36,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return std::ranges::any_of(
         kept_, [&](const Vec3& point) { return isWithin(spacing, point, contact.point_on_a); });
   };
-  // Adds the member apart from those added that scores highest, if one scores more than `least`.
+  // Adds the member with the highest score above `least` that is not near those already added.
   const auto addBest = [&](double least, auto&& score) {
     const Contact* best = nullptr;
     for (const std::uint32_t m : members) {

@@ -1,4 +1,4 @@
-// Many contacts reduced to the few that hold two bodies apart.
+// Reduces many contacts to the few that hold two bodies apart.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace octoblisk::detail {
 
-/// Up to four contacts that push alike: one of the deepest, and those that span the widest area with it.
+/// Up to four contacts that push in similar directions: one of the deepest, and those that span the widest
+/// area with it.
 struct ContactPatch {
   std::array<Contact, 4> contacts;
   int count = 0;
@@ -18,16 +19,17 @@ struct ContactPatch {
   std::span<const Contact> points() const { return {contacts.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// Groups contacts into patches. A patch is the deepest contact and all whose normals are within 45° of its
-/// normal: between rigid bodies these push alike, wherever they are.
+/// Groups contacts into patches. A patch consists of the deepest contact and all contacts whose normals are
+/// within 45° of its normal: between rigid bodies these have similar effects, wherever they are.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
 
-  /// Returns the patches, at most kMaxPatches, the deepest ones, by ascending triangles. The contacts of a
-  /// patch are more than `spacing` apart on A and on B. Contacts near those that the last call returned are
-  /// preferred to others that are hardly deeper or wider apart, so that a resting body keeps its contacts.
-  /// The order of the contacts does not matter. Valid until the next call; once warm, allocates nothing.
+  /// Returns at most kMaxPatches patches, the deepest ones, by ascending triangles. The contacts of a patch
+  /// are more than `spacing` apart on A and on B. Contacts near those of the last call are preferred to
+  /// others that are only slightly deeper or wider apart, so that a resting body keeps its contacts. The
+  /// order of the contacts does not matter. The result is valid until the next call. Allocates nothing once
+  /// warm.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 
   /// Returns the patches of the last call.
@@ -41,7 +43,7 @@ class ContactPatches {
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> members_;
   std::vector<ContactPatch> patches_;
-  std::vector<Vec3> kept_;  // the points on A of the last call's contacts
+  std::vector<Vec3> kept_;  // the points on A of the contacts of the last call
 };
 
 }  // namespace octoblisk::detail

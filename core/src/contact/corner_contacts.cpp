@@ -25,7 +25,7 @@ void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, dou
     const Contact of_triangle = contacts[c];
     const Triangle triangle = mesh.triangle(of_triangle.triangle_a);
     const Vec3 facing = scaledNormal(triangle);
-    // Towards the side of the triangle that the body pushes.
+    // Points to the side of the triangle from which the body pushes.
     Vec3 normal = facing.normalized();
     const double along = normal.dot(of_triangle.normal);
     if (!(std::abs(along) > kGrazing)) continue;
@@ -35,7 +35,8 @@ void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, dou
       const double height = (triangle[0] - foot).dot(normal), distance = height - radius;
       if (distance > threshold || distance < deepest || !isOver(triangle, facing, foot)) continue;
       const Vec3 on_convex = foot + radius * normal;
-      if ((on_convex - of_triangle.point_on_b).squaredNorm() < 1e-12 * facing.norm()) continue;  // itself
+      if ((on_convex - of_triangle.point_on_b).squaredNorm() < 1e-12 * facing.norm())
+        continue;  // the contact itself
       contacts.push_back(
           {foot + height * normal, on_convex, normal, distance, of_triangle.triangle_a, kNoTriangle});
     }

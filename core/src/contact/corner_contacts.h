@@ -1,4 +1,4 @@
-// Where a convex body stands on a triangle: on all its feet over it, not on the deepest point alone.
+// Contacts for all feet of a convex body that stands on a triangle, not only for its deepest point.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace octoblisk::detail {
 
-/// Appends to the contacts of a mesh (A) and a convex body (B) those of the body's feet: points of its core,
-/// for instance the corners of a box, the ends of a capsule or points on the rim of a cylinder. A foot is
-/// over, or in, the triangle of one of the contacts, no farther from it than `threshold` and no deeper than
-/// the deepest contact. Looks at the first `of_triangles` contacts. Contacts are in the mesh's frame. Where
-/// `contacts` has the room, allocates nothing.
+/// Appends contacts for the feet of a convex body (B) to the contacts of a mesh (A) and B. A foot is a point
+/// of B's core, e.g. a corner of a box, an end of a capsule or a point on the rim of a cylinder. A foot gets
+/// a contact if it is over or in the triangle of one of the contacts, no farther from it than `threshold`,
+/// and no deeper than the deepest contact. Uses the first `of_triangles` contacts. Contacts are in the mesh's
+/// frame. Allocates nothing if the capacity of `contacts` suffices.
 void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, double radius,
                        const Pose& convex_in_mesh, double threshold, std::size_t of_triangles,
                        std::vector<Contact>& contacts);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNearlyAlong = 0.98;  // the cosine of 11°
 
-/// What is left of a triangle that is cut by planes.
+/// The rest of a triangle after cuts by planes.
 class Polygon {
  public:
   explicit Polygon(const Triangle& triangle) : count_(3) { std::ranges::copy(triangle, corners_.begin()); }
@@ -39,7 +39,7 @@ class Polygon {
 
 bool isOf(const HullEdge& edge, std::size_t face) { return edge.left == face || edge.right == face; }
 
-/// Cuts off what is not over, or under, a face of the hull.
+/// Cuts off everything that is not over or under a face of the hull.
 void cutToFace(Polygon& polygon, std::size_t face, const HullFaces& hull, std::span<const Vec3> points) {
   Vec3 sum = Vec3::Zero();
   double ends = 0.0;
@@ -77,7 +77,7 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
     cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       const double gap = (face->normal.dot(corner) - face->offset) / along;
-      // Where the two are a little askew, a corner may be farther in than the shortest way out.
+      // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
       const double distance = std::max(gap - convex.radius(), of_triangle.distance);
       if (distance > threshold) continue;
       const Vec3 on_triangle = convex_in_mesh * corner;

@@ -1,4 +1,4 @@
-// Where a face of a convex body lies flat on a triangle: the corners of what the two share.
+// Contacts for a face of a convex body that lies flat on a triangle: the corners of their common area.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace octoblisk::detail {
 
-/// Appends to the contacts of a mesh (A) and a convex body (B), for each triangle that lies nearly along a
-/// face of B (Convex::faces), the corners of what face and triangle share, seen along the contact's normal:
-/// those no farther apart than `threshold`. Looks at the first `of_triangles` contacts. Contacts are in the
-/// mesh's frame. Where `contacts` has the room, allocates nothing.
+/// Appends contacts to those of a mesh (A) and a convex body (B). For each triangle that is nearly parallel
+/// to a face of B (Convex::faces), these are the corners of the area that face and triangle share when seen
+/// along the contact's normal. Only corners where the two are no farther apart than `threshold` count. Uses
+/// the first `of_triangles` contacts. Contacts are in the mesh's frame. Allocates nothing if the capacity of
+/// `contacts` suffices.
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                      double threshold, std::size_t of_triangles, std::vector<Contact>& contacts);
 

@@ -8,7 +8,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// Whether a surface goes on from one triangle to the other without a ridge.
+/// Whether a surface continues from one triangle to the other without a ridge.
 bool areSmooth(const Vec3& normal_a, const Vec3& normal_b) {
   constexpr double kSmooth = 0.94;  // the cosine of 20°
   return normal_a.dot(normal_b) > kSmooth * normal_a.norm() * normal_b.norm();

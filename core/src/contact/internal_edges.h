@@ -1,4 +1,4 @@
-// Contacts that a surface has only because it is cut into triangles.
+// Removes contacts that exist only because a surface is divided into triangles.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,31 @@
 
 namespace octoblisk::detail {
 
-/// A body that slides over a flat floor of triangles would bump against the edges between them: to the
-/// triangle just ahead the shortest way out is back, not up. Such a contact tells nothing of the surface,
-/// since on the triangle that shares the edge the body is deeper.
+/// A body that slides over a flat floor of triangles would bump against the edges between them: for the
+/// triangle just ahead, the shortest way out is back, not up. Such a contact says nothing about the surface,
+/// because the body is deeper in the triangle that shares the edge.
 class InternalEdges {
  public:
-  /// Removes the contacts of a mesh (A) and a convex body (B) that push askew to their triangle, from an edge
-  /// or a corner of it, over a triangle that shares it (by its ends' positions), goes on smoothly from it,
-  /// and has a deeper contact, square to itself or removed as well. The deepest of all stays, and what is
-  /// pushed by a ridge; the order is kept. Contacts and mesh are in one frame. Once warm, allocates nothing.
+  /// Removes contacts of a mesh (A) and a convex body (B) at internal edges. Such a contact pushes at an
+  /// angle to its triangle, from an edge or corner of it. It pushes over another triangle that shares this
+  /// edge or corner (by positions), continues smoothly from it, and has a deeper contact that is either
+  /// perpendicular or also removed. The deepest contact stays, and so do contacts at ridges. The order is
+  /// kept. Contacts and mesh are in one frame. Allocates nothing once warm.
   void removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh);
 
  private:
-  /// Where a contact is on its triangle.
+  /// The position of a contact on its triangle.
   struct Place {
     Triangle triangle;
     Vec3 normal;       // scaledNormal
     unsigned feature;  // triangle_feature.h
-    bool is_square;    // its normal to the triangle
+    bool is_square;    // whether the contact's normal is perpendicular to the triangle
     bool isAskew() const { return !is_square && feature != 0b111u && feature != 0; }
   };
 
-  std::vector<Place> places_;         // of each contact
-  SharedCorners corners_;             // of their triangles
-  std::vector<std::uint32_t> order_;  // of the contacts, the deepest first
+  std::vector<Place> places_;         // per contact
+  SharedCorners corners_;             // of the triangles of the contacts
+  std::vector<std::uint32_t> order_;  // of the contacts, deepest first
   std::vector<char> is_internal_;
 };
 

@@ -13,13 +13,13 @@ inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();
 }
 
-/// Triangles by the positions of their corners. Once warm, allocates nothing.
+/// Triangles by the positions of their corners. Allocates nothing once warm.
 class SharedCorners {
  public:
   void clear() { corners_.clear(); }
   bool empty() const { return corners_.empty(); }
 
-  /// The index stands for the triangle.
+  /// `index` identifies the triangle.
   void add(const Triangle& triangle, std::uint32_t index) {
     for (const Vec3& corner : triangle) corners_.push_back({keyOf(corner), index});
   }
@@ -27,8 +27,8 @@ class SharedCorners {
   /// Call this after the last add.
   void sort() { std::ranges::sort(corners_, {}, &Corner::key); }
 
-  /// Calls visit(index) for each triangle that has a corner at the position, until it returns true, and for
-  /// few others.
+  /// Calls visit(index) for each triangle that has a corner at the position, and for few others, until a call
+  /// returns true.
   template <typename Visit>
   void forEachAt(const Vec3& position, Visit&& visit) const {
     const double key = keyOf(position);
@@ -44,7 +44,7 @@ class SharedCorners {
     std::uint32_t index;
   };
 
-  /// Equal for equal positions; for others hardly ever.
+  /// Equal for equal positions, almost never for different ones.
   static double keyOf(const Vec3& position) {
     return position.dot(Vec3(1.0, 0.61803398874989485, 0.41421356237309505));
   }

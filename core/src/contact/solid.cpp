@@ -13,7 +13,7 @@ bool isIn(const Aabb& box, const Vec3& point) {
   return (box.min.array() <= point.array()).all() && (point.array() <= box.max.array()).all();
 }
 
-/// Pushes B out of A, along the way from a point inside to the closest of the surface.
+/// A contact that pushes B out of A along the line from a point inside to the closest point of the surface.
 /// `farthest_of_b(direction)` is the farthest point of B.
 template <typename Farthest>
 Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
@@ -41,7 +41,7 @@ bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
   if (!isIn(tree.mesh().bounds(), point)) return false;
   if ((point - point_).norm() < clearance_) return is_inside_;
   point_ = point;
-  if (has_looked_) clearance_ = closestPoint(tree, point)->distance;  // a single look does not need it
+  if (has_looked_) clearance_ = closestPoint(tree, point)->distance;  // not needed for a single test
   has_looked_ = true;
   is_inside_ = isInSolid(tree, point);
   return is_inside_;
@@ -91,7 +91,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
     Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
       return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
-    out.triangle_b = 0;  // Bullet wants one
+    out.triangle_b = 0;  // Bullet requires a triangle
     if (!meet) {
       ways_out.assign(1, out);
       return;

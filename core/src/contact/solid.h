@@ -1,4 +1,4 @@
-// A closed mesh as a solid: what is inside is pushed out.
+// A closed mesh as a solid: bodies inside it are pushed out.
 #pragma once
 
 #include <array>
@@ -10,52 +10,52 @@
 
 namespace octoblisk::detail {
 
-/// Whether a point is inside a closed mesh, exactly. Allocates nothing.
+/// Whether a point is inside a closed mesh. Exact. Allocates nothing.
 bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
 
-/// Whether a point that moves is inside a closed mesh, exactly. Looks into the tree only when the point may
-/// have crossed the surface since the last look. Allocates nothing.
+/// Whether a moving point is inside a closed mesh. Exact. Searches the tree only if the point may have
+/// crossed the surface since the last search. Allocates nothing.
 class PointInSolid {
  public:
   /// The point is in the mesh's frame.
   bool contains(const ClusteredOctree& tree, const Vec3& point);
 
-  /// The mesh has changed.
+  /// Call this after the mesh has changed.
   void forget() { *this = {}; }
 
  private:
-  Vec3 point_ = Vec3::Zero();  // of the last look
-  double clearance_ = 0.0;     // its distance to the surface, from the second look on
+  Vec3 point_ = Vec3::Zero();  // at the last search
+  double clearance_ = 0.0;     // distance from point_ to the surface, from the second search on
   bool is_inside_ = false;
   bool has_looked_ = false;
 };
 
-/// Makes contacts of the triangles of a closed mesh (A) and a convex body (B) those of the solid. Triangles
-/// do not know which side of them is solid, and push B out of the nearer one.
-/// - If B's middle is inside, B leaves by the point of the surface closest to the middle. This contact is
-///   added, and the contacts that push against it are removed.
-/// - If it is outside, contacts that would push it through the solid are removed, unless all would: those
-///   whose plane the middle is behind, by no more than they are deep.
+/// Converts contacts between the triangles of a closed mesh (A) and a convex body (B) to contacts with the
+/// solid A. Triangles do not know which of their sides is solid, and push B out of the nearer one.
+/// - If B's middle is inside A, B leaves through the point of the surface that is closest to the middle. This
+///   contact is added, and the contacts that push against it are removed.
+/// - If B's middle is outside A, contacts that would push B through the solid are removed, unless all would.
+///   A contact does so if the middle is behind its plane by no more than the contact's depth.
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
                      PointInSolid& middle, std::vector<Contact>& contacts);
 
-/// The vertices of a mesh that are farthest out along its axes and its diagonals, in its frame.
+/// The vertices of a mesh that are farthest out along its axes and diagonals, in the mesh's frame.
 struct FarVertices {
   std::array<Vec3, 14> positions;
 };
 FarVertices farVertices(const ClusteredOctree& tree);
 
-/// Whether the far vertices of a mesh (B) are inside a closed mesh (A). Triangles that meet tell nothing of
+/// Tests whether the far vertices of a mesh (B) are inside a closed mesh (A). Triangles that meet do not show
 /// what is deeper inside.
 class FarVerticesInSolid {
  public:
-  /// Replaces `ways_out` by contacts of A and B. If the surfaces `meet`, each far vertex that is deeper
-  /// inside A than `least_depth` has a contact that moves it out. Otherwise, if B is inside A, one contact
+  /// Replaces `ways_out` by contacts of A and B. If the surfaces meet, each far vertex that is inside A
+  /// deeper than `least_depth` gets a contact that moves it out. Otherwise, if B is inside A, one contact
   /// moves all of B out.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
             const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 
-  /// One of the meshes has changed.
+  /// Call this after one of the meshes has changed.
   void forget() { in_a_ = {}; }
 
  private:

@@ -17,7 +17,7 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) 
   return contact;
 }
 
-/// Sorts the contacts by one of their triangles and calls visit(contacts) for those of each.
+/// Sorts the contacts by one of their triangles and calls visit(contacts) for the contacts of each triangle.
 template <typename Visit>
 void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
                   std::vector<std::uint32_t>& order, Visit&& visit) {
@@ -36,10 +36,10 @@ void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& 
 SurfaceContacts::Face::Face(const Triangle& of, double contact)
     : triangle(of), facing(scaledNormal(of).normalized()), contact_distance(contact) {}
 
-/// Whether each of two faces is below the other's plane, or on it: those of a convex edge, or of two sides of
-/// a sheet. Never where the other has no area.
+/// Whether each of two faces is below or on the other's plane, as at a convex edge or on the two sides of a
+/// sheet. False if `other` has no area.
 bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
-  constexpr double kOn = 1e-4;  // of the triangle's size
+  constexpr double kOn = 1e-4;  // as a fraction of the triangle's size
   const auto isBelow = [](const Face& low, const Face& high) {
     const Triangle& t = low.triangle;
     const double most = -kOn * ((t[1] - t[0]).norm() + (t[2] - t[0]).norm());
@@ -72,7 +72,7 @@ void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
   pairs_.resize(kept);
 }
 
-/// All kept, in the order that they come in.
+/// Keeps all contacts, in the given order.
 void SurfaceContacts::reset(std::size_t contacts) {
   removed_.assign(contacts, Removed::no);
   for (auto* indices : {&by_a_, &by_b_}) {
@@ -81,7 +81,7 @@ void SurfaceContacts::reset(std::size_t contacts) {
   }
 }
 
-/// First of all: nothing is to be told from how deep these are.
+/// This comes first, because the depths of these contacts are meaningless.
 void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
   reset(contacts.size());
   forEachOfOne(&Contact::triangle_b, contacts, by_b_,
@@ -93,10 +93,12 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
   if (contacts.size() < before) reset(contacts.size());
 }
 
-/// Of the contacts with one triangle of the other body, those square to a face of this body's where another
-/// face, below whose plane all of that one is and the other way round, meets the triangle far less deep, and
+/// Marks contacts with one triangle of the other body that are perpendicular to a face of this body although
+/// another face of this body meets the triangle far less deep. The two faces must be below each other's
+/// planes, and the other face
 /// - is near the triangle's deepest point, or
-/// - is near the face, and the deepest point is out of the body, over a third face or that one.
+/// - is near the first face, while the deepest point is outside the body, over that other face or a third
+///   one.
 void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
   if (opposite_one.size() < 2) return;
   faces_.clear();
@@ -125,15 +127,15 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
   }
 }
 
-/// The faces that meet a triangle, those of the least deep contacts; not all, so that a large triangle under
-/// a fine mesh takes no time that goes with the square of what it meets.
+/// Collects faces that meet a triangle, from the least deep contacts. Their number is limited, so that a
+/// large triangle under a fine mesh does not take quadratic time.
 void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
   constexpr std::size_t kMost = 256;
   shallowest_.clear();
   std::ranges::copy_if(opposite_one, std::back_inserter(shallowest_),
                        [&](std::uint32_t c) { return contacts[c].distance <= 0.0; });
   if (shallowest_.size() > kMost) {
-    // Of equally deep ones the first: the same on every machine.
+    // Among equally deep contacts, take the first ones, so that the result is the same on every machine.
     const auto depthOf = [&](std::uint32_t c) { return std::pair(-contacts[c].distance, c); };
     std::ranges::nth_element(shallowest_, shallowest_.begin() + kMost, {}, depthOf);
     shallowest_.resize(kMost);
@@ -143,7 +145,7 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
   }
 }
 
-/// Groups those that hang together by triangles. The root of a group is its deepest.
+/// Groups contacts that are connected by triangles. The root of a group is its deepest contact.
 void SurfaceContacts::join(const std::vector<Contact>& contacts) {
   parent_.resize(contacts.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
@@ -158,7 +160,7 @@ void SurfaceContacts::join(const std::vector<Contact>& contacts) {
   forEachOfOne(&Contact::triangle_b, contacts, by_b_, joinAll);
 }
 
-/// Gives its deepest contact back to a group of which all were removed, and the deepest of all.
+/// Restores the deepest contact of each group that was removed entirely, and the deepest contact of all.
 void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
   removed_[static_cast<std::size_t>(deepest)] = Removed::no;
@@ -171,7 +173,8 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   }
 }
 
-/// Those that are apart, on the back of one of the two triangles, and hang together with some that meet.
+/// Marks contacts whose triangles are apart, with one triangle on the back of the other, and that are
+/// connected to contacts whose triangles meet.
 void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
   constexpr double kBehind = 1e-3;
@@ -186,8 +189,8 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   }
 }
 
-/// Of the contacts with one triangle of the other body, those askew at a feature of this body's triangle
-/// beyond which another of them leans towards the other body.
+/// Marks contacts with one triangle of the other body that are at an angle to this body's triangle, at an
+/// edge or corner beyond which another triangle of this body leans towards the other body.
 void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
   if (opposite_one.size() < 2) return;
   const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
@@ -209,7 +212,7 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
     const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
     corners_.forEachAt(own[first], [&](std::uint32_t o) {
       const Contact& other = contacts[o];
-      // What is wholly past the face is deeper than what meets it.
+      // A triangle that is wholly past the face is deeper than one that meets it.
       const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
                                                     : other.distance <= 0.0 || removed_[o] == Removed::past;
       if (o == c || !is_nearer) return false;

@@ -1,4 +1,4 @@
-// Contacts of two surfaces, without those that they have only because they are cut into triangles.
+// Contacts of two surfaces, without those that exist only because the surfaces are divided into triangles.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,23 @@
 
 namespace octoblisk::detail {
 
-/// Two triangles know nothing of the surfaces that they are of. Of two bodies that meet, the contacts of
-/// their triangles hold such as neither body means:
-/// - that push a triangle out of a face the long way, where it came over another that it is far less deep
-///   below: as deep as the triangles are large, though the bodies hardly touch;
-/// - of triangles that are past each other's faces, inside the other body, a hair's breadth apart: they would
-///   keep the bodies in one another;
-/// - that push askew from an edge or corner beyond which the surface goes on, nearer or deeper: the bodies
-///   would bump against edges between triangles that lie flat.
+/// A pair of triangles ignores the surfaces around it. If two bodies meet, the contacts of their triangles
+/// include some that are wrong for the bodies:
+/// - Contacts that push a triangle out of a face the long way, although it came in over another face and is
+///   far less deep below that one. They are as deep as the triangles are large, even if the bodies barely
+///   touch.
+/// - Contacts between triangles that are past each other's faces, inside the other body and barely apart.
+///   They would hold the bodies inside each other.
+/// - Contacts that push at an angle from an edge or corner beyond which the surface continues, nearer or
+///   deeper. The bodies would bump against internal edges of flat surfaces.
 class SurfaceContacts {
  public:
-  /// Removes those from contacts of A and B; the order is kept, and so are, of what does not push the long
-  /// way, the deepest of all and one of those that hang together. Triangles face outward. What is apart stays
-  /// whichever way it faces, where it hangs together with nothing that meets: thin sheets have two sides.
-  /// `triangle_a(contact)` and `triangle_b(contact)` tell the triangles in the contacts' frame, triangles
-  /// that share a corner to the last bit. Once warm, allocates nothing.
+  /// Removes such contacts from the contacts of A and B and keeps the order. Of the contacts that do not push
+  /// the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
+  /// outward. A contact whose triangles are apart stays, whichever way they face, if it is connected to no
+  /// contact whose triangles meet: thin sheets have two sides. `triangle_a(contact)` and
+  /// `triangle_b(contact)` return the triangles in the frame of the contacts. Shared corners must be equal to
+  /// the last bit. Allocates nothing once warm.
   template <typename TriangleA, typename TriangleB>
   void filter(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
     pairs_.clear();
@@ -59,14 +61,14 @@ class SurfaceContacts {
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
 
-  std::vector<Pair> pairs_;  // of each contact
+  std::vector<Pair> pairs_;  // per contact
   SharedCorners corners_;    // of the triangles of some contacts
-  /// Why a contact is removed.
+  /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> by_a_, by_b_, parent_, shallowest_;
-  std::vector<Face> faces_;  // that meet a triangle
-  std::vector<bool> stays_;  // of a root: whether something of its group does
+  std::vector<Face> faces_;  // faces that meet a triangle
+  std::vector<bool> stays_;  // per root: whether a contact of its group stays
 };
 
 }  // namespace octoblisk::detail

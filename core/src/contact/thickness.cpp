@@ -19,8 +19,8 @@ double thinThickness(const ClusteredOctree& tree) {
     volume += normal.dot(triangle[0] - mesh.bounds().center());
     area_up_to[t] = area;
   }
-  const double towards_inside = volume < 0.0 ? 1.0 : -1.0;  // as a whole, a mesh may face inward
-  // Rays begin a little inside, so that they do not meet the triangle that they come from.
+  const double towards_inside = volume < 0.0 ? 1.0 : -1.0;  // the mesh as a whole may face inward
+  // Rays start slightly inside, so that they do not hit their own triangle.
   const double inward = 1e-6 * mesh.bounds().halfExtents().norm();
   std::vector<double> thickness;
   for (std::size_t s = 0; s < kSamples; ++s) {

@@ -1,13 +1,13 @@
-// How thick the thin parts of a closed mesh are.
+// The thickness of the thin parts of a closed mesh.
 #pragma once
 
 #include "octoblisk/clustered_octree.h"
 
 namespace octoblisk::detail {
 
-/// The thickness below which a tenth of the surface of a closed mesh lies, in mesh units. The thickness at a
-/// point of the surface is the length of the straight way inward to where it leaves the solid. Measured at
-/// some dozens of triangles, spread evenly over the area.
+/// The thickness, in mesh units, that a tenth of the surface of a closed mesh falls below. The thickness at a
+/// point of the surface is the length of a ray inward until it leaves the solid. It is measured at 64
+/// triangles, spread evenly over the area.
 double thinThickness(const ClusteredOctree& tree);
 
 }  // namespace octoblisk::detail

@@ -16,11 +16,11 @@
 #define OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
 namespace octoblisk::detail {
 
-/// The fractions at which a moving box overlaps something along all axes looked at so far.
+/// The fractions at which a moving box overlaps an object along all axes tested so far.
 class OverlapInterval {
  public:
-  /// Along an axis of any length: what is met lies within low..high; the box's centre starts at 0, moves by
-  /// `motion` and reaches `radius` to either side.
+  /// Narrows the interval by one axis, of any length. The object lies within low..high; the box's centre
+  /// starts at 0, moves by `motion` and extends `radius` to either side.
   void narrow(double low, double high, double motion, double radius) {
     const double to_low = low - radius, to_high = high + radius;
     if (motion == 0.0) {
@@ -31,7 +31,7 @@ class OverlapInterval {
     first_ = std::max(first_, std::min(one, other));
     last_ = std::min(last_, std::max(one, other));
   }
-  /// kNever where it does not overlap.
+  /// kNever if they do not overlap.
   double first() const { return first_ <= last_ ? first_ : kNever; }
 
   static constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -40,12 +40,13 @@ class OverlapInterval {
   double first_ = 0.0, last_ = 1.0;
 };
 
-/// The fractions between which a moving box is near a tree: single precision is not for the way there.
+/// The fractions between which a moving box is near a tree. Single precision is too coarse for the rest of
+/// the motion.
 struct NearPart {
   double first = 0.0, last = 1.0;
 };
 
-/// None where the spheres round the two never meet, or where a number is not finite.
+/// None if the spheres around tree and box never meet, or if a number is not finite.
 inline std::optional<NearPart> nearPart(const Tree& tree, const MovingBox& box) {
   const Vec3 way = tree.origin() - box.start.center;
   const double squared_speed = box.motion.squaredNorm();
@@ -61,8 +62,8 @@ inline std::optional<NearPart> nearPart(const Tree& tree, const MovingBox& box) 
   return part;
 }
 
-/// Where a triangle is first met at the earliest: by the axes of the box, the triangle's normal, and those
-/// square to the motion and an edge.
+/// A lower bound of the fraction at which the box first meets a triangle. Tests the axes of the box, the
+/// triangle's normal, and the axes perpendicular to the motion and an edge.
 inline double firstMeeting(const Triangle& triangle, const MovingBox& box, double slack) {
   const double reach = slack + box.rim * boundsOf(triangle).halfExtents().norm();
   OverlapInterval overlap;
@@ -88,11 +89,11 @@ inline double firstMeeting(const Triangle& triangle, const MovingBox& box, doubl
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// For each of eight boxes the fraction at which the moving box first overlaps it along all six face axes, at
-/// the earliest; kFarthest and beyond where it never does.
+/// For each of eight boxes, a lower bound of the fraction at which the moving box first overlaps it along all
+/// six face axes; above kFarthest if it never does.
 class FirstMeetings {
  public:
-  /// `slack`: how far apart they may still be for rounding.
+  /// `slack`: the distance by which rounding may separate boxes that overlap.
   FirstMeetings(const Vec3& motion, double rim, float slack) : rim_(static_cast<float>(rim)), slack_(slack) {
     for (int i = 0; i < 3; ++i) motion_[i] = static_cast<float>(motion[i]);
   }
@@ -107,7 +108,7 @@ class FirstMeetings {
     const Float8 reach = Float8(slack_) + Float8(2.0f * rim_) * (half[0] + half[1] + half[2]);
     Float8 first(0.0f), last(1.0f);
     const auto narrow = [&](const Vec8& axis, const Float8& radius) HWY_ATTR {
-      // Towards the boxes along the axis, and no slower than the slowest: it divides.
+      // The way to the boxes along the axis. The divisor is at least the slowest speed.
       const Float8 way = dot(axis, between), speed = dot(axis, motion);
       const Float8 forward = select(speed, Float8(0.0f), Float8(0.0f) - way, way);
       const Float8 divisor = max(abs(speed), Float8(kSlowest));
@@ -137,7 +138,7 @@ class FirstMeetings {
 
  private:
   static constexpr float kSlowest = 1e-30f;
-  static constexpr float kMissed = 1e30f;  // beyond kFarthest
+  static constexpr float kMissed = 1e30f;  // above kFarthest
   float motion_[3];
   float rim_, slack_;
 };
@@ -152,7 +153,7 @@ void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near
   const double slack_of_doubles =
       4.0 * kDoubleRounding * (box.start.center.norm() + box.motion.norm() + local.size);
   double wanted = std::min(last_fraction, 1.0);
-  const auto limit = [&] {  // of the near part
+  const auto limit = [&] {  // fraction of the near part
     return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kSingleRounding) : 1.0f;
   };
   walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot slot) {

@@ -1,4 +1,4 @@
-// The triangles that a moving box may meet, the first ones first.
+// The triangles that a moving box may meet, roughly in the order in which it meets them.
 #pragma once
 
 #include <cstdint>
@@ -8,31 +8,31 @@
 
 namespace octoblisk::detail {
 
-/// A box that moves without turning: at the fraction t, 0 <= t <= 1, it is where `start` is, moved by
-/// t · motion. Without extent it is the point of a segment. Lengths in mesh units, in the mesh's frame.
+/// A box that moves without turning. At the fraction t, 0 <= t <= 1, it is `start` moved by t · motion. A box
+/// without extent is a point that moves along a segment. Lengths are in mesh units, in the mesh's frame.
 struct MovingBox {
   Obb start;
   Vec3 motion = Vec3::Zero();
-  /// A triangle is near within this part of its size (the half diagonal of its bounds): for callers whose
-  /// own test of a triangle takes in a rim round it.
+  /// A triangle also counts as near within this fraction of its size (the half diagonal of its bounds), for
+  /// callers whose own triangle test includes a rim around the triangle.
   double rim = 0.0;
 };
 
-/// A point that moves, in a cube of half extents `tolerance`. One axis lies along the motion: the box of the
+/// A moving point in a cube of half extents `tolerance`. One axis is along the motion, so that the box of the
 /// whole motion is narrow.
 MovingBox movingPoint(const Vec3& start, const Vec3& motion, double tolerance);
 
-/// Visits a triangle with a fraction before which the box does not meet it, and returns the greatest fraction
-/// that is still of interest; below 0: none.
+/// Receives a triangle and a fraction before which the box does not meet it. Returns the greatest fraction
+/// that is still of interest, or a negative number to stop.
 using AlongVisitor = double (*)(void* user, std::uint32_t triangle, double first_fraction);
 
-/// Calls the visitor for every triangle that the moving box may meet, and for few that it passes by, as long
-/// as its fraction is of interest: those of earlier boxes first, by and large. Allocates nothing; numbers
-/// that are not finite meet nothing.
+/// Calls the visitor for every triangle that the moving box may meet, and for few others, as long as its
+/// fraction is of interest. Triangles in boxes that are met earlier come first, roughly. Allocates nothing.
+/// Visits nothing if a number is not finite.
 void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
                           AlongVisitor visitor, void* user);
 
-/// The same for anything that can be called with a triangle's index and a fraction.
+/// The same for any callable that takes a triangle's index and a fraction.
 template <typename Visit>
 void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
                           Visit&& visit) {

@@ -24,15 +24,15 @@ Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
   const Vec3 normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
   const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
-  constexpr double kFlat = 1e-24;  // of sin²: below, the normal is mostly rounding
+  constexpr double kFlat = 1e-24;  // of sin²; below this, the normal is mostly rounding
   const bool flat = !(squared > kFlat * longest * longest);
-  // Twice the areas, times the normal's length, of the foot with each edge.
+  // Twice the areas of the triangles that the foot forms with each edge, times the normal's length.
   const Vec3 turned = offset.cross(normal);
   const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
   if (!flat && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0) {
     return point - normal * (normal.dot(offset) / squared);
   }
-  // Else the closest point lies on an edge that the foot is beyond.
+  // Otherwise the closest point is on an edge that separates the foot from the triangle.
   Vec3 closest = a;
   double least = std::numeric_limits<double>::infinity();
   const auto tryEdge = [&](const Vec3& from, const Vec3& to) {

@@ -1,4 +1,4 @@
-// Numbers of twice the precision: the unevaluated sum of two doubles (T. J. Dekker, A Floating-Point
+// Numbers in double-double precision: the unevaluated sum of two doubles (T. J. Dekker, A Floating-Point
 // Technique for Extending the Available Precision, 1971). Needs -ffp-contract=off.
 #pragma once
 

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kMaxVertices = 96;
 constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4
-constexpr double kFlat = 1e-10;              // of the polytope's size: thinner is no polytope
-constexpr double kCoplanar = 1e-12;          // of its size: a vertex this near to a face's plane is in it
+constexpr double kFlat = 1e-10;      // relative to the polytope's size; anything thinner is not a polytope
+constexpr double kCoplanar = 1e-12;  // relative to its size: a vertex this near to a face's plane is in it
 
-/// A triangle of the polytope, its normal pointing away from the origin.
+/// A triangle of the polytope. Its normal points away from the origin.
 struct PolytopeFace {
   std::array<int, 3> vertex;
   Vec3 normal;
@@ -28,7 +28,8 @@ class Polytope {
  public:
   Polytope(const Triangle& triangle, const Convex& convex) : triangle_(triangle), convex_(convex) {}
 
-  /// Makes a tetrahedron of what GJK left, without what is flat of it; false where the difference is flat.
+  /// Makes a tetrahedron from GJK's last simplex, without its flat part. False if the Minkowski difference is
+  /// flat.
   bool start(const Simplex& simplex) {
     for (int i = 0; i < simplex.count; ++i) vertices_[static_cast<std::size_t>(count_++)] = at(simplex, i);
     for (int i = 0; i < count_; ++i) size_ = std::max(size_, point(i).norm());
@@ -44,7 +45,7 @@ class Polytope {
     return addFace(0, 1, 2) && addFace(0, 2, 3) && addFace(0, 3, 1) && addFace(1, 3, 2);
   }
 
-  /// Grows the polytope until its face nearest to the origin lies on the difference's boundary.
+  /// Grows the polytope until its face nearest to the origin lies on the boundary of the difference.
   CorePenetration expand() {
     while (true) {
       const auto faces_end = faces_.begin() + face_count_;
@@ -58,8 +59,8 @@ class Polytope {
         nearest.distance = reach;
         return penetration(nearest);
       }
-      // A face too thin to have a good normal: its plane, moved out to the boundary, is a way out all the
-      // same.
+      // The face is too thin to have a good normal. Its plane, moved out to the boundary, is still a valid
+      // way out.
       if (!addVertex(next, static_cast<int>(&nearest - faces_.data()))) nearest.distance = reach;
     }
   }
@@ -73,7 +74,8 @@ class Polytope {
 
   Vec3 areaOf(int i, int j, int k) const { return (point(j) - point(i)).cross(point(k) - point(i)); }
 
-  /// Leaves a tetrahedron that is flat its largest face, a thin face its longest edge, a short edge one end.
+  /// Reduces a flat tetrahedron to its largest face, a thin face to its longest edge, and a short edge to one
+  /// end.
   void dropFlat() {
     const double thin = kFlat * size_;
     const auto keep = [&](std::array<int, 3> which, int count) {
@@ -97,8 +99,8 @@ class Polytope {
     if (count_ == 2 && !((point(1) - point(0)).norm() > thin)) count_ = 1;
   }
 
-  /// Adds the support point along a unit direction, forwards or back, whichever widens the simplex more;
-  /// false where neither does.
+  /// Adds the support point along a unit direction or its opposite, whichever widens the simplex more. False
+  /// if neither does.
   bool addIfApart(const Vec3& direction) {
     double widest = 0.0;
     for (const double sense : {1.0, -1.0}) {
@@ -114,7 +116,7 @@ class Polytope {
     return true;
   }
 
-  /// None where it would have no area.
+  /// None if the face would have no area.
   std::optional<PolytopeFace> faceOf(int i, int j, int k) const {
     const Vec3 scaled = areaOf(i, j, k);
     const double length = scaled.norm();
@@ -129,7 +131,7 @@ class Polytope {
     return face.has_value();
   }
 
-  /// The edges of faces taken away so far that have no twin among them.
+  /// The edges of removed faces that have no twin among them.
   struct Rim {
     std::array<Edge, 3 * kMaxFaces> edge;
     int count = 0;
@@ -158,9 +160,9 @@ class Polytope {
     }
   };
 
-  /// Replaces the faces that see the new vertex, spreading from one that does, by faces from their rim to it.
-  /// Faces with the vertex in their plane go too: an edge of theirs in line with it would make a face of no
-  /// area. False, and unchanged, where rounding leaves no proper rim.
+  /// Replaces the faces that see the new vertex, spreading from one that does, by faces from their rim to the
+  /// vertex. Also replaces faces whose plane contains the vertex, because one of their edges in line with it
+  /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
     std::array<bool, kMaxFaces> seen{};
     Rim rim;
@@ -199,8 +201,8 @@ class Polytope {
     return true;
   }
 
-  /// Weights of a face's corners for the point of it near to `foot`, a point in its plane; all 0 for a face
-  /// that is no more than an edge, whose neighbours hold the point as well.
+  /// Weights of a face's corners for its point near `foot`, a point in its plane. All are 0 for a face that
+  /// is only an edge; its neighbours contain the point as well.
   Vec3 weightsOf(const PolytopeFace& face, const Vec3& foot) const {
     const auto& [i, j, k] = face.vertex;
     const Vec3 a = point(i) - foot, b = point(j) - foot, c = point(k) - foot;
@@ -210,8 +212,8 @@ class Polytope {
     return sum > 0.0 ? Vec3(inside / sum) : Vec3::Zero();
   }
 
-  /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference is
-  /// made of several faces in one plane: the foot is on one of them.
+  /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference
+  /// consists of several coplanar faces; the foot is on one of them.
   CorePenetration penetration(const PolytopeFace& nearest) const {
     const Vec3 foot = nearest.normal * nearest.distance;
     const PolytopeFace* face = &nearest;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMaxIterations = 64;
 
-/// A point of a simplex as weights of its corners; only corners of positive weight are kept.
+/// A point of a simplex as weights of its corners. Only corners of positive weight are kept.
 struct Closest {
   Vec3 point = Vec3::Zero();
   std::array<int, 4> corner{};
@@ -60,7 +60,7 @@ Closest closestOnTriangle(const Simplex& simplex, int i, int j, int k) {
                 closestOnSegment(simplex, k, i));
 }
 
-/// The point of a tetrahedron closest to the origin; all four corners where the origin is inside.
+/// The point of a tetrahedron closest to the origin; all four corners if the origin is inside.
 Closest closestOnTetrahedron(const Simplex& simplex) {
   constexpr std::array<std::array<int, 4>, 4> kFaces = {
       {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
@@ -117,14 +117,14 @@ SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex,
 GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
   GjkResult result;
   Simplex& simplex = result.simplex;
-  // Where it is not 0, the way from the middle of the triangle to that of the core is a good first guess.
+  // The vector from the middle of the triangle to that of the core is a good first guess, unless it is 0.
   const Vec3 way = convex.middle() - (triangle[0] + triangle[1] + triangle[2]) / 3.0;
   simplex.point[0] = supportOfDifference(triangle, convex, way.squaredNorm() > 0.0 ? way : Vec3::UnitX());
   simplex.count = 1;
   Closest closest = closestOnSimplex(simplex);
   // Only the core's support points are inexact, so the triangle's size must not widen the tolerance.
   double core_size = simplex.point[0].on_core.norm();
-  double largest = closest.point.squaredNorm();  // of the difference, sets the scale of rounding
+  double largest = closest.point.squaredNorm();  // of the difference; determines the scale of rounding
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const double squared = closest.point.squaredNorm();
     const double rounding = convex.precision() * core_size + 1e-14 * std::sqrt(largest);
@@ -147,7 +147,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
       result.overlap = true;
       break;
     }
-    if (step.point.squaredNorm() >= squared) {  // rounding: no progress any more
+    if (step.point.squaredNorm() >= squared) {  // no more progress, due to rounding
       --simplex.count;
       break;
     }

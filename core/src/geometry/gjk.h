@@ -1,5 +1,5 @@
-// The distance of a triangle to the core of a convex body (E. G. Gilbert, D. W. Johnson, S. S. Keerthi, 1988;
-// C. Ericson, Real-Time Collision Detection, 9.5).
+// The distance from a triangle to the core of a convex body (E. G. Gilbert, D. W. Johnson, S. S. Keerthi,
+// 1988; C. Ericson, Real-Time Collision Detection, 9.5).
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace octoblisk::detail {
 
-/// A point of the Minkowski difference triangle − core, with the points that it is the difference of.
+/// A point of the Minkowski difference triangle − core, with the two points whose difference it is.
 struct SupportPoint {
   Vec3 difference, on_triangle, on_core;
 };
 
-/// The point of triangle − core farthest in a direction.
+/// The farthest point of triangle − core in a direction.
 SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex, const Vec3& direction);
 
 /// Up to four points of the difference.
@@ -24,14 +24,14 @@ struct Simplex {
 };
 
 struct GjkResult {
-  bool overlap = false;       ///< the triangle meets the core; the points then are the last found
-  bool beyond_limit = false;  ///< the distance is above the limit; the points then are not the closest
+  bool overlap = false;       ///< the triangle meets the core; the points are then the last ones found
+  bool beyond_limit = false;  ///< the distance is above the limit; the points are then not the closest
   Vec3 on_triangle = Vec3::Zero();
   Vec3 on_core = Vec3::Zero();
-  Simplex simplex;  ///< where the search ended: round the origin where they overlap
+  Simplex simplex;  ///< the last simplex of the search; it contains the origin if they overlap
 };
 
-/// Triangle and body in the body's frame. Stops early where the distance is proved to be above `limit`.
+/// Triangle and body are in the body's frame. Stops early if the distance is proved to exceed `limit`.
 GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit);
 
 }  // namespace octoblisk::detail

@@ -12,7 +12,7 @@ using Vec2 = Eigen::Vector2d;
 
 Vec2 alongX(const Vec3& point) { return point.tail<2>(); }
 
-/// Whether the moved line through the point meets the triangle: in the yz plane, whether the half-line from
+/// Whether the moved line through the point meets the triangle. In the yz plane: whether the half-line from
 /// the moved point along +z crosses the triangle's outline an odd number of times.
 bool lineCrosses(const Vec3& point, const Triangle& triangle) {
   bool odd = false;
@@ -21,7 +21,7 @@ bool lineCrosses(const Vec3& point, const Triangle& triangle) {
     const bool low_is_beyond = low->y() > point.y(), high_is_beyond = high->y() > point.y();
     if (low_is_beyond == high_is_beyond) continue;
     if (low_is_beyond) std::swap(low, high);
-    // Left of the edge, or on it and so moved to its left, is above it.
+    // A point left of the edge, or on it and therefore moved to its left, is above it.
     odd ^= orient2d(alongX(*low), alongX(*high), alongX(point)) < 0;
   }
   return odd;
@@ -39,7 +39,7 @@ Crossing halfLineCrossing(const Vec3& point, const Triangle& triangle) {
   if (low.x() <= point.x() && intersects(triangle, {point, point, point})) return Crossing::on_triangle;
   if (!lineCrosses(point, triangle)) return Crossing::none;
   if (low.x() > point.x()) return Crossing::crossed;
-  // The line meets the plane ahead of the point where the point is on the other side than +x is.
+  // The line meets the plane ahead of the point if the point is on the opposite side of +x.
   const int toward_x = orient2d(alongX(triangle[0]), alongX(triangle[1]), alongX(triangle[2]));
   const int side = orient3d(triangle[0], triangle[1], triangle[2], point);
   return side * toward_x < 0 ? Crossing::crossed : Crossing::none;

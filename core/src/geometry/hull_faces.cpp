@@ -12,8 +12,8 @@ namespace octoblisk {
 
 namespace {
 
-constexpr double kFlatHull = 1e-9;    // of the hull's size: thinner has no good faces
-constexpr double kOutside = 1e-12;    // of its size: points no farther out are in the face
+constexpr double kFlatHull = 1e-9;    // relative to the hull's size; a thinner hull has no good faces
+constexpr double kOutside = 1e-12;    // relative to its size: points no farther out are in the face
 constexpr double kSamePlane = 1e-12;  // between unit normals
 constexpr std::size_t kMostTriangles = 2 * HullFaceList::kMostPoints;  // Euler: 2v − 4
 
@@ -24,16 +24,17 @@ struct HullTriangle {
   std::uint32_t face;
 };
 
-/// Grows a tetrahedron by the point that is farthest out of one of its sides, as long as there is one
-/// (C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996). Of points as
-/// far the last by coordinates is taken: it is a corner of the hull, never a point between two others.
+/// Extends a tetrahedron by the point that is farthest outside one of its faces, as long as there is one (C.
+/// B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996). Among equally far
+/// points, the last one by coordinates is taken: it is a corner of the hull, never a point between two
+/// others.
 class HullBuilder {
  public:
   explicit HullBuilder(std::span<const Vec3> points) : points_(points) {
     for (const Vec3& point : points) size_ = std::max(size_, (point - points[0]).norm());
   }
 
-  /// False where the points are flat, or rounding has spoilt the hull.
+  /// False if the points are flat or rounding has spoilt the hull.
   bool build() {
     if (!start()) return false;
     for (std::size_t t = 0; t < count_;) {
@@ -91,7 +92,7 @@ class HullBuilder {
            addTriangle(left, a, d);
   }
 
-  /// False where it is too thin to have a normal, or there are too many.
+  /// False if the triangle is too thin to have a normal, or if there are too many.
   bool addTriangle(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const Vec3 first = points_[j] - points_[i], second = points_[k] - points_[i];
     const Vec3 area = first.cross(second);
@@ -102,8 +103,8 @@ class HullBuilder {
     return true;
   }
 
-  /// Replaces the triangles that a point is outside of by those that join their rim to it. The first `done`
-  /// triangles have no point outside: `done` becomes the number of them that stay.
+  /// Replaces the triangles that the point is outside of by triangles that join their rim to the point. The
+  /// first `done` triangles have no point outside; `done` becomes the number of these that stay.
   bool add(std::uint32_t point, std::size_t& done) {
     std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMostTriangles> rim;
     std::size_t rim_count = 0, kept = 0;
@@ -139,7 +140,7 @@ class HullBuilder {
   double size_ = 0.0;
 };
 
-/// The triangles of a hull by their edges, each of which has one triangle on either side.
+/// The triangles of a hull by their edges. Each edge has one triangle on either side.
 class EdgeTriangles {
  public:
   EdgeTriangles() { left_.fill(kNone); }

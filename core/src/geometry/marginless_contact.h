@@ -1,14 +1,14 @@
-// The contact of a triangle and the core of a convex body, which its radius is yet to be added to.
+// The contact between a triangle and the core of a convex body, before the body's radius is applied.
 #pragma once
 
 #include "octoblisk/types.h"
 
 namespace octoblisk::detail {
 
-/// All in the body's frame.
+/// All values are in the body's frame.
 struct MarginlessContact {
-  double distance = 0.0;        ///< where below 0, minus the length of the shortest way that parts the two
-  Vec3 normal = Vec3::UnitX();  ///< unit: moving the triangle along it parts the two
+  double distance = 0.0;        ///< if negative, minus the length of the shortest separating translation
+  Vec3 normal = Vec3::UnitX();  ///< unit: moving the triangle along it separates the two
   Vec3 on_triangle = Vec3::Zero();
   Vec3 on_core = Vec3::Zero();  ///< on_triangle − distance · normal
 };

@@ -13,7 +13,7 @@ using namespace detail;
 
 namespace {
 
-/// A bijection that spreads every bit of the input over all of the output (splitmix64's last steps).
+/// A bijection that spreads every bit of the input over the whole output (splitmix64's last steps).
 std::uint64_t mixed(std::uint64_t bits) {
   bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
   bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
@@ -58,7 +58,7 @@ bool isOrientedClosed(const TriangleMesh& mesh) {
   std::vector<std::uint64_t> hashes(mesh.vertices().size());
   std::ranges::transform(mesh.vertices(), hashes.begin(), hashOf);
   const auto edge = [&](std::uint32_t from, std::uint32_t to) {
-    return mixed(hashes[from] + 3 * hashes[to]);  // other than that of the edge back
+    return mixed(hashes[from] + 3 * hashes[to]);  // differs from that of the reversed edge
   };
   std::uint64_t balance = 0;
   for (const auto& [a, b, c] : mesh.triangles()) {
@@ -72,7 +72,7 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   const double size = bounds.halfExtents().maxCoeff();
   if (!(size > 0.0) || !isOrientedClosed(mesh)) return ofBox(bounds);
 
-  // In units of the mesh's size from its middle, where nothing overflows and little cancels.
+  // In units of the mesh's size from its middle, where nothing overflows and cancellation is small.
   const Vec3 middle = bounds.center();
   double volume = 0.0;
   Vec3 first_moment = Vec3::Zero();
@@ -86,19 +86,19 @@ MassProperties massProperties(const TriangleMesh& mesh) {
     second_moments += six_volumes / 120.0 *
                       (p * p.transpose() + q * q.transpose() + r * r.transpose() + sum * sum.transpose());
   }
-  // What rounding makes of a surface that encloses nothing.
+  // Rounding gives a surface that encloses nothing a volume up to this.
   constexpr double kNoVolume = 1e-14;
   if (std::abs(volume) < kNoVolume) return ofBox(bounds);
 
-  const Vec3 center = first_moment / volume;  // signs cancel where the mesh faces inward
+  const Vec3 center = first_moment / volume;  // signs cancel if the mesh faces inward
   const Mat3 about_center = second_moments / volume - center * center.transpose();
   return {true, std::abs(volume) * size * size * size, middle + size * center,
           inertiaOf(about_center) * (size * size)};
 }
 
 PrincipalFrame principalFrame(const MassProperties& properties) {
-  // The moments of a body are the greater the less far it reaches along the axis: ascending, where
-  // Σ x xᵀ descends.
+  // A moment is the greater, the less far the body extends along its axis: moments ascend when Σ x xᵀ
+  // descends.
   const Mat3 second_moments = 0.5 * properties.inertia.trace() * Mat3::Identity() - properties.inertia;
   const Mat3 axes = principalAxes(second_moments);
   return {{axes, properties.center_of_mass}, (axes.transpose() * properties.inertia * axes).diagonal()};

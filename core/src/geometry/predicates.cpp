@@ -13,15 +13,15 @@ constexpr double kEpsilon = 0x1p-53;                              // half an ulp
 constexpr double kFilter3d = (7.0 + 56.0 * kEpsilon) * kEpsilon;  // Shewchuk's o3derrboundA
 constexpr double kFilter2d = (3.0 + 16.0 * kEpsilon) * kEpsilon;  // Shewchuk's ccwerrboundA
 
-/// More than all that underflow may add to a determinant of differences up to 1e15; products that overflow
-/// make the filter give up.
+/// Exceeds everything that underflow may add to a determinant of differences up to 1e15. If products
+/// overflow, the filter does not decide.
 constexpr double kUnderflow = 1e-300;
 
 int sign(double value) { return (value > 0.0) - (value < 0.0); }
 
 __extension__ using Wide = unsigned __int128;
 
-/// A sum of products of doubles in integers: exact for all finite doubles, denormal ones too.
+/// A sum of products of doubles as integers: exact for all finite doubles, including subnormal ones.
 class ExactSum {
  public:
   /// Adds x·y·z.
@@ -69,7 +69,7 @@ class ExactSum {
     auto word = static_cast<std::size_t>(shift / 64);
     const int bit = shift % 64;
     Wide carry = 0;
-    Word spill = 0;  // of the product's word below
+    Word spill = 0;  // from the product's previous word
     for (const Word part : product) {
       carry += static_cast<Wide>(sum[word]) + ((part << bit) | spill);
       spill = bit == 0 ? 0 : part >> (64 - bit);

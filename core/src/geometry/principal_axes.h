@@ -5,8 +5,7 @@
 
 namespace octoblisk::detail {
 
-/// Columns by descending eigenvalue, each with its largest
-/// component positive, right-handed.
+/// Columns by descending eigenvalue, each with a positive largest component, right-handed.
 Mat3 principalAxes(const Mat3& symmetric);
 
 }  // namespace octoblisk::detail

@@ -27,13 +27,13 @@ DoubleDouble dot(const PreciseVec3& a, const PreciseVec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// t where doubles are not precise enough: the line all but in the triangle's plane.
+/// t if doubles are not precise enough: the line is nearly in the triangle's plane.
 double preciseT(const Vec3& origin, const Vec3& direction, const Triangle& triangle) {
   const PreciseVec3 normal =
       cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
   const double height = dot(difference(triangle[0], origin), normal).rounded();
   const double rate = dot(difference(direction, Vec3::Zero()), normal).rounded();
-  // Even if that were not precise enough, t is no farther off than the triangle is long.
+  // Even if that is not precise enough, the error of t is limited to the triangle's extent.
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (const Vec3& corner : triangle) {
     const double t = (corner - origin).dot(direction) / direction.squaredNorm();
@@ -54,13 +54,13 @@ struct TripleProduct {
   }
 };
 
-/// What doubles tell without doubt, with one bound for all that rounding may do: by far most cases, and the
-/// same answers as the slower way to the last bit.
+/// Verdicts that doubles decide with certainty, with one bound for all rounding. These are by far the most
+/// cases, and the answers equal those of the slower method to the last bit.
 enum class Verdict { missed, crossed, open };
 
 Verdict quickly(const Vec3& origin, const Vec3& direction, const Triangle& triangle, LineCrossing& found) {
   constexpr double kRounding =
-      16 * 0x1p-53;  // of the sum of a triple product's terms: twice Shewchuk's bound
+      16 * 0x1p-53;  // relative to the sum of a triple product's terms: twice Shewchuk's bound
   constexpr double kProductUnderflow = 1e-300;
   const Vec3 a = triangle[0] - origin, b = triangle[1] - origin, c = triangle[2] - origin;
   const double way = direction.cwiseAbs().sum();
@@ -102,7 +102,7 @@ std::optional<LineCrossing> crossing(const Vec3& origin, const Vec3& direction, 
     negative += side < 0;
     if (positive != 0 && negative != 0) return std::nullopt;
   }
-  if (positive == 0 && negative == 0) return std::nullopt;  // in one plane, or no area
+  if (positive == 0 && negative == 0) return std::nullopt;  // coplanar, or no area
   const int rate_sign = positive != 0 ? 1 : -1;             // of direction · normal
 
   const Vec3 ab = b - a, ac = c - a, oa = a - origin;

@@ -1,4 +1,4 @@
-// Where a line crosses a triangle, decided exactly.
+// Where a line crosses a triangle; the decision is exact.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 namespace octoblisk::detail {
 
 struct LineCrossing {
-  double t = 0.0;          ///< >= 0; within 1e-9 of its part of the true one
+  double t = 0.0;          ///< >= 0; relative error at most 1e-9
   bool back_face = false;  ///< direction · scaledNormal(triangle) > 0
 };
 
-/// Whether origin + t · direction crosses the triangle, its border included, at a t >= 0, in exact arithmetic
-/// on the numbers as given; none for a triangle without area or in a plane with the line.
+/// Whether origin + t · direction crosses the triangle, border included, at a t >= 0, in exact arithmetic on
+/// the given numbers. None for a triangle without area or in a plane with the line.
 std::optional<LineCrossing> crossing(const Vec3& origin, const Vec3& direction, const Triangle& triangle);
 
 }  // namespace octoblisk::detail

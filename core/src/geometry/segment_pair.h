@@ -8,7 +8,7 @@
 
 namespace octoblisk::detail {
 
-/// A point of each of two bodies, and how far apart they are.
+/// A point of each of two bodies, and their squared distance.
 struct PointPair {
   Vec3 on_a, on_b;
   double squared_distance = std::numeric_limits<double>::infinity();
@@ -19,8 +19,8 @@ inline void keepCloser(PointPair& best, const Vec3& on_a, const Vec3& on_b) {
   if (squared < best.squared_distance) best = {on_a, on_b, squared};
 }
 
-/// Closest points of two segments (C. Ericson, Real-Time Collision Detection, 5.1.9); segments may be points.
-/// Replaces `best` where they are closer.
+/// The closest points of two segments (C. Ericson, Real-Time Collision Detection, 5.1.9); segments may be
+/// points. Replaces `best` if they are closer.
 inline void closestOnSegments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1,
                               PointPair& best) {
   const Vec3 p = p1 - p0, q = q1 - q0, offset = p0 - q0;
@@ -32,7 +32,7 @@ inline void closestOnSegments(const Vec3& p0, const Vec3& p1, const Vec3& q0, co
   double s = 0.0;
   if (denominator > 1e-3 * pp * qq) {
     s = std::clamp((pq * q_offset - p_offset * qq) / denominator, 0.0, 1.0);
-  } else {  // nearly parallel: the same, less rounded
+  } else {  // nearly parallel: the same value with less rounding
     const Vec3 across = q.cross(p);
     const double squared = across.squaredNorm();
     if (squared > 0.0) s = std::clamp(-across.dot(q.cross(offset)) / squared, 0.0, 1.0);

@@ -5,7 +5,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// Eq. 11, with both sides scaled by |axis|; strict by a few ulps, so that rounding never separates.
+/// Eq. 11, with both sides scaled by |axis|; strict by a few ulps, so that rounding never separates boxes.
 bool separates(const Vec3& axis, const Obb& a, const Obb& b) {
   const double radius_a = (a.axes.transpose() * axis).cwiseAbs().dot(a.half_extents);
   const double radius_b = (b.axes.transpose() * axis).cwiseAbs().dot(b.half_extents);

@@ -8,13 +8,12 @@ namespace octoblisk::detail {
 
 enum class SeparatingAxes {
   exact15,  ///< three face axes of each box and nine edge cross products: an exact test of overlap
-  first_x,  ///< the X axis of the first box alone, as the paper does: never misses an overlap, often claims
-            ///< one
+  first_x,  ///< the paper's test, only the first box's X axis: misses no overlap, often reports a false one
 };
 
-/// False where one of the axes separates the boxes (eq. 11; boxes that touch overlap). Cross products of
-/// nearly parallel edges are passed over: a box rounded to touch may be called overlapping, never the
-/// reverse.
+/// False if one of the axes separates the boxes (eq. 11; boxes that touch overlap). Skips cross products of
+/// nearly parallel edges. Due to rounding, boxes that barely fail to touch may count as overlapping, but
+/// never the reverse.
 bool overlaps(const Obb& a, const Obb& b, SeparatingAxes axes = SeparatingAxes::exact15);
 
 }  // namespace octoblisk::detail

@@ -18,7 +18,7 @@ MarginlessContact penetrationOfCore(const Triangle& triangle, const Convex& conv
   return {0.0, direction, search.on_triangle, search.on_core};
 }
 
-/// None where core and triangle are farther apart than the limit.
+/// None if core and triangle are farther apart than the limit.
 std::optional<MarginlessContact> searched(const Triangle& triangle, const Convex& convex, double limit) {
   const GjkResult search = gjk(triangle, convex, limit);
   if (search.beyond_limit) return std::nullopt;
@@ -28,9 +28,9 @@ std::optional<MarginlessContact> searched(const Triangle& triangle, const Convex
   return MarginlessContact{distance, apart / distance, search.on_triangle, search.on_core};
 }
 
-/// Whether its normal is mostly rounding; searches need none.
+/// Whether the triangle's normal is mostly rounding. Searches do not need the normal.
 bool isThin(const Triangle& triangle) {
-  constexpr double kThinnest = 1e-6;  // of its length
+  constexpr double kThinnest = 1e-6;  // relative to its length
   const double longest =
       std::max({(triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[1]).squaredNorm(),
                 (triangle[0] - triangle[2]).squaredNorm()});

@@ -1,4 +1,4 @@
-// A triangle and a convex body: the contact of the two.
+// The contact between a triangle and a convex body.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace octoblisk::detail {
 
-/// The contact of a triangle (A) and a convex body (B), both in the body's frame; none where they are farther
-/// apart than `threshold`. Where they meet, the distance is minus the length of the shortest translation that
-/// parts the triangle from the body.
+/// The contact of a triangle (A) and a convex body (B), both in the body's frame; none if they are farther
+/// apart than `threshold`. If they meet, the distance is minus the length of the shortest translation that
+/// separates the triangle from the body.
 std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold);
 
 }  // namespace octoblisk::detail

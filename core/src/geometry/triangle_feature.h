@@ -1,4 +1,4 @@
-// Where on a triangle a contact is: inside, on an edge, at a corner.
+// The feature of a triangle on which a contact lies: the inside, an edge or a corner.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace octoblisk::detail {
 
-/// The corners of the edge that a point of a triangle is on, or the one corner that it is at: bit v for
-/// corner v. All three for a point inside. The normal is scaledNormal(triangle).
+/// The corners of the edge on which a point of a triangle lies, or the one corner: bit v for corner v. All
+/// three for a point inside. The normal is scaledNormal(triangle).
 inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
-  constexpr double kOn = 1e-6;  // of the triangle's size
+  constexpr double kOn = 1e-6;  // relative to the triangle's size
   unsigned feature = 0;
   for (std::size_t v = 0; v < 3; ++v) {
     const Vec3 &from = triangle[(v + 1) % 3], &to = triangle[(v + 2) % 3];
@@ -22,20 +22,22 @@ inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Ve
   return feature;
 }
 
-/// The ends of the edge of a feature that is not all of the triangle; a corner's are both that corner.
+/// The ends of the edge of a feature, which must not be the whole triangle. For a corner, both ends are that
+/// corner.
 inline std::array<std::size_t, 2> endsOf(unsigned feature) {
   return {static_cast<std::size_t>(std::countr_zero(feature)),
           static_cast<std::size_t>(31 - std::countl_zero(feature))};
 }
 
-/// Whether a direction is square to the triangle's own face, either way; never for one without area.
-/// The normal is scaledNormal of the triangle.
+/// Whether a direction is perpendicular to the triangle's face, up to sign; never if the triangle has no
+/// area. The normal is scaledNormal of the triangle.
 inline bool isSquare(const Vec3& normal, const Vec3& direction) {
   constexpr double kSameDirection = 1.0 - 1e-6;
   return std::abs(normal.dot(direction)) > kSameDirection * normal.norm();
 }
 
-/// Whether a direction from an edge, or a corner (both ends alike), leans over a triangle that has it.
+/// Whether a direction from an edge or a corner (both ends equal) leans over a triangle that has this edge or
+/// corner.
 inline bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
   constexpr double kLean = 1e-3;
   const Vec3 edge = to - from;

@@ -16,14 +16,14 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double kThin = 1e-12;  // of its length: the width of a face whose normal is no more than rounding
+constexpr double kThin = 1e-12;  // relative to its length: the width of a face whose normal is only rounding
 
 Vec2 project(const Vec3& point, int dropped_axis) {
   return {point[(dropped_axis + 1) % 3], point[(dropped_axis + 2) % 3]};
 }
 
-/// The coordinate axis along which the plane of a, b, c may be projected without flattening it; none where
-/// the three points are collinear.
+/// The coordinate axis along which the plane of a, b, c can be projected without flattening it; none if the
+/// three points are collinear.
 std::optional<int> droppableAxis(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orient2d(project(a, axis), project(b, axis), project(c, axis)) != 0) return axis;
@@ -99,10 +99,10 @@ bool allOnOneSide(const std::array<int, 3>& side) {
 /// Unit length to the last bit, however small the vector's components.
 Vec3 unit(const Vec3& vector) { return vector.stableNormalized().normalized(); }
 
-/// A triangle with what heights over it need.
+/// A triangle with the data that heights over it need.
 struct Face {
   const Triangle& corner;
-  Vec3 normal;  ///< outward, of twice the triangle's area
+  Vec3 normal;  ///< outward, as long as twice the triangle's area
   double squared_normal;
   std::array<Vec3, 3> inward;  ///< from each edge, in the triangle's plane
 
@@ -111,7 +111,7 @@ struct Face {
     for (std::size_t i = 0; i < 3; ++i) inward[i] = normal.cross(t[(i + 1) % 3] - t[i]);
   }
 
-  /// Over the plane, times the normal's length.
+  /// The height over the plane, times the normal's length.
   double height(const Vec3& point) const { return normal.dot(point - corner[0]); }
   /// Whether a point is in the prism over the triangle.
   bool isBelow(const Vec3& point) const {
@@ -125,10 +125,10 @@ struct Face {
   }
 };
 
-/// The corner of `other` that is nearest to the face, where that is plain: no corner is on the other side,
-/// that one is over the face, and the face is not thin.
+/// The corner of `other` that is nearest to the face, if this is obvious: no corner is on the other side, the
+/// nearest is over the face, and the face is not thin.
 std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
-  constexpr double kWide = 1e-4;  // of sin²: the normal is right to some units in the last place
+  constexpr double kWide = 1e-4;  // of sin²: the normal is accurate to a few units in the last place
   const double longest = face.longestSquared();
   if (!(face.squared_normal > kWide * longest * longest)) return std::nullopt;
   const std::array<double, 3> height = {face.height(other[0]), face.height(other[1]), face.height(other[2])};
@@ -138,10 +138,10 @@ std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
   return face.isBelow(nearest) ? std::optional(nearest) : std::nullopt;
 }
 
-/// Whether two planes square to the way between two points part the triangles, but for rounding of the way's
-/// length: nothing is nearer then.
+/// Whether two planes perpendicular to the line between two points separate the triangles, up to rounding of
+/// the distance. Then nothing is nearer.
 bool isLeast(const PointPair& found, const Triangle& a, const Triangle& b, double size) {
-  constexpr double kRounding = 1e-14;  // of the size
+  constexpr double kRounding = 1e-14;  // relative to the size
   const Vec3 way = found.on_b - found.on_a;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec3& corner : b) low = std::min(low, way.dot(corner - found.on_a));
@@ -174,8 +174,8 @@ PointPair closestPairAtOrigin(const Triangle& a, const Triangle& b) {
   return best;
 }
 
-/// The closest points of two triangles that do not meet. Found near the origin, so that the distance is
-/// right to the triangles' size however far away they are.
+/// The closest points of two triangles that do not meet. They are found near the origin, so that the distance
+/// is accurate relative to the triangles' size, however far away the triangles are.
 PointPair closestPair(const Triangle& a, const Triangle& b) {
   const Vec3& origin = a[0];
   PointPair found = closestPairAtOrigin({Vec3::Zero(), a[1] - origin, a[2] - origin},
@@ -185,8 +185,9 @@ PointPair closestPair(const Triangle& a, const Triangle& b) {
   return found;
 }
 
-/// A triangle clipped by the prism over another: at most six corners, were it not for rounding, by which an
-/// edge of the polygon may seem to cross a side twice. A side then makes 4 corners of 3, 6 of 4, and 9 of 6.
+/// A triangle clipped by the prism over another. It would have at most six corners, but due to rounding, an
+/// edge of the polygon may seem to cross a side twice. A side then turns 3 corners into 4, 4 into 6, and 6
+/// into 9.
 struct Polygon {
   std::array<Vec3, 9> corner;
   int count = 0;
@@ -222,7 +223,7 @@ struct Penetration {
   Vec3 deepest;  ///< on the triangle
 };
 
-/// None where the face is degenerate, or so thin that its normal is all rounding.
+/// None if the face is degenerate, or so thin that its normal is only rounding.
 std::optional<Penetration> penetration(const Face& face, const Triangle& other) {
   const double longest = face.longestSquared();
   if (!(face.squared_normal > kThin * kThin * longest * longest)) return std::nullopt;
@@ -235,7 +236,7 @@ std::optional<Penetration> penetration(const Face& face, const Triangle& other) 
   Polygon polygon;
   for (const Vec3& corner : other) polygon.add(corner);
   for (std::size_t i = 0; i < 3 && polygon.count > 0; ++i) clip(polygon, face.inward[i], face.corner[i]);
-  // The two meet: where rounding leaves nothing over the face, they do so at its rim.
+  // The two meet. If rounding leaves nothing over the face, they meet at its rim.
   if (polygon.count == 0) return Penetration{0.0, closestPair(face.corner, other).on_b};
   const std::span<const Vec3> corners(polygon.corner.data(), static_cast<std::size_t>(polygon.count));
   return below(*std::ranges::min_element(corners, {}, heightOf));
@@ -248,7 +249,7 @@ bool intersects(const Triangle& a, const Triangle& b) {
   if (allOnOneSide(side_of_b)) return false;
   const std::array<int, 3> side_of_a = sidesOf(b, a);
   if (allOnOneSide(side_of_a)) return false;
-  // Two triangles that meet do so in a convex set whose ends lie on the edge of one of them.
+  // If two triangles meet, they share a convex set whose ends lie on an edge of one of them.
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     if (segmentMeets(b[i], b[j], side_of_b[i], side_of_b[j], a)) return true;
@@ -264,7 +265,7 @@ Contact closestPoints(const Triangle& a, const Triangle& b) {
   if (!(distance > 0.0)) normal = scaledNormal(b);
   if (!(normal.squaredNorm() > 0.0)) normal = -scaledNormal(a);
   if (!(normal.squaredNorm() > 0.0)) normal = Vec3::UnitX();
-  // Rounding must not make two that do not meet touch.
+  // Rounding must not make triangles touch that do not meet.
   return {best.on_a,    best.on_b,
           unit(normal), std::max(distance, std::numeric_limits<double>::denorm_min()),
           kNoTriangle,  kNoTriangle};
@@ -292,7 +293,7 @@ Contact meetingContact(const Triangle& a, const Triangle& b) {
             outward,          -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
-  // Two degenerate triangles: where they meet is known to their width.
+  // Both triangles are degenerate: the point where they meet is accurate to their width.
   Contact touch = closestPoints(a, b);
   touch.point_on_a = touch.point_on_b = 0.5 * (touch.point_on_a + touch.point_on_b);
   touch.distance = -0.0;

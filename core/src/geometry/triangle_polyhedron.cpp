@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t kMostFaces = 2 * HullFaceList::kMostPoints;
 constexpr std::size_t kMostEdges = 3 * HullFaceList::kMostPoints;  // Euler: 3v − 6
-constexpr double kLevel = 1e-10;      // of what is measured: corners so near to a plane are all in it
-constexpr double kPreferred = 1e-13;  // of it: what a later kind of axis has to be better by
+constexpr double kLevel = 1e-10;      // relative to the measured size: corners this near to a plane are in it
+constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis of a later kind needs
 
-/// The part of a triangle that is within the planes of a hull.
+/// The part of a triangle within the planes of a hull.
 class ClippedTriangle {
  public:
   explicit ClippedTriangle(const Triangle& triangle) : count_(3) {
@@ -38,7 +38,7 @@ class ClippedTriangle {
     std::copy_n(kept.begin(), kept_count, corner_.begin());
   }
 
-  /// Of its corners; none where nothing is left.
+  /// The mean of the corners; none if nothing is left.
   std::optional<Vec3> middle() const {
     if (count_ == 0) return std::nullopt;
     Vec3 sum = Vec3::Zero();
@@ -47,14 +47,14 @@ class ClippedTriangle {
   }
 
  private:
-  static constexpr std::size_t kMostCorners = 3 + kMostFaces;  // a plane adds one
+  static constexpr std::size_t kMostCorners = 3 + kMostFaces;  // each plane adds one
   std::array<Vec3, kMostCorners> corner_;
   std::size_t count_;
 };
 
-/// A search for the axis along which triangle and hull are farthest apart, or least deep in each other. All
-/// sides of triangle − hull are tried: the hull's faces, the triangle's own two, and the pairs of edges whose
-/// arcs on the sphere of normals cross.
+/// A search for the axis along which triangle and hull are farthest apart, or least deep in each other. Tests
+/// all sides of triangle − hull: the hull's faces, the triangle's own two, and the pairs of edges whose arcs
+/// on the sphere of normals cross.
 class Axes {
  public:
   Axes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& hull)
@@ -74,7 +74,7 @@ class Axes {
     AxisSearch found;
     found.contact.distance = gap_;
     found.contact.normal = normal_;
-    // Where the two meet, the least deep axis holds a point of both, whatever rounding says.
+    // If the two meet, the least deep axis has a point of both, whatever rounding says.
     found.verdict = shared || gap_ <= 0.0 ? AxisSearch::Verdict::contact : AxisSearch::Verdict::apart;
     found.contact.on_core = shared.value_or(nearest_);
     found.contact.on_triangle = found.contact.on_core + gap_ * normal_;
@@ -92,7 +92,8 @@ class Axes {
   }
 
   bool tryFaces(double limit) {
-    // The face that the middle is highest over is mostly the best; where the middle is lower, a corner is.
+    // The best face is usually the one over which the middle is highest. Where the middle is lower, so is the
+    // lowest corner.
     std::size_t first = 0;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
       middle_height_[f] = hull_.faces[f].normal.dot(middle_) - hull_.faces[f].offset;
@@ -111,7 +112,7 @@ class Axes {
     return gap_ <= limit;
   }
 
-  /// The triangle's own normal is taken for that of a face as good.
+  /// Prefers the triangle's own normal to an equally good face normal.
   bool tryOwnSides(double limit) {
     const Vec3 facing = scaledNormal(triangle_).normalized();
     std::size_t lowest = 0, highest = 0;
@@ -133,9 +134,9 @@ class Axes {
   }
 
   bool tryEdges(double limit) {
-    // An axis between the normals of two faces sees no corner of the triangle higher than the higher of the
-    // faces does, where that is below both; few faces have a corner so high over them, and few edges such
-    // faces.
+    // If a corner of the triangle is below two faces, its height along an axis between their normals is at
+    // most the greater of its heights over them. Few faces have a corner high enough over them, and few edges
+    // have such faces.
     const double needed = std::min(gap_, 0.0) - kPreferred * size_;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
       highest_[f] = middle_height_[f] + radius_;
@@ -161,8 +162,9 @@ class Axes {
     const Heights over_left = over(edge.left), over_right = over(edge.right);
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t next = (v + 1) % 3, opposite = (v + 2) % 3;
-      // The axis square to both edges is between the two normals where those are on either side of the plane
-      // square to the triangle's edge, and tells the two apart only where all of the triangle is beyond that.
+      // The axis perpendicular to both edges is between the two normals if these are on different sides of
+      // the plane perpendicular to the triangle's edge. It separates the two only if the triangle's third
+      // corner is beyond this edge.
       const double of_left = over_right[v] - over_right[next], of_right = over_left[next] - over_left[v];
       if (!(of_left * of_right > 0.0)) continue;
       const double part_left = std::abs(of_left), part_right = std::abs(of_right);
@@ -184,14 +186,14 @@ class Axes {
     return true;
   }
 
-  /// Whether a number, parted by the root of a square, is above a bound.
+  /// Whether a number, divided by the root of a square, is above a bound.
   static bool isLonger(double number, double square, double bound) {
     const double both = bound * bound * square;
     return number > 0.0 ? bound < 0.0 || number * number > both : bound < 0.0 && number * number < both;
   }
 
-  /// A point of the hull that the triangle, moved by the gap, shares with it: then it is one of the closest,
-  /// or deepest.
+  /// A point of the hull that the triangle shares with it after a translation by the gap. If there is one, it
+  /// is one of the closest or deepest points.
   std::optional<Vec3> sharedPoint() {
     switch (kind_) {
       case Kind::face:
@@ -246,7 +248,7 @@ class Axes {
     return closest.squared_distance <= tolerance * tolerance ? std::optional(nearest_) : std::nullopt;
   }
 
-  /// The middle of what a triangle and a hull share that lie along each other.
+  /// The middle of the common area of a triangle and a hull that lie along each other.
   std::optional<Vec3> middleShared() const {
     Triangle moved = triangle_;
     for (Vec3& corner : moved) corner -= gap_ * normal_;
@@ -259,18 +261,18 @@ class Axes {
   const std::span<const Vec3> points_;
   const HullFaces& hull_;
   const Vec3 middle_;                             // of the triangle
-  std::array<double, kMostFaces> middle_height_;  // of it over the hull's faces
-  double radius_ = 0.0;                           // of the triangle round it
-  std::array<double, kMostFaces> highest_;        // no corner is higher
-  std::array<Heights, kMostFaces> height_;        // where a corner is high enough to matter
+  std::array<double, kMostFaces> middle_height_;  // heights of the middle over the hull's faces
+  double radius_ = 0.0;                           // of the triangle around its middle
+  std::array<double, kMostFaces> highest_;        // upper bounds of the corners' heights
+  std::array<Heights, kMostFaces> height_;  // valid for faces over which a corner is high enough to matter
   double size_ = 0.0;
 
-  // The best axis so far, what makes it, and the gap along it.
+  // The best axis so far, the features that define it, and the gap along it.
   double gap_ = -std::numeric_limits<double>::infinity();
   Vec3 normal_ = Vec3::UnitX();
   Kind kind_ = Kind::face;
   std::size_t face_ = 0, point_ = 0, corner_ = 0, edge_ = 0;
-  Vec3 nearest_ = Vec3::Zero();  // the hull's point, where none is shared
+  Vec3 nearest_ = Vec3::Zero();  // the hull's point, used if none is shared
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace octoblisk::detail {
 namespace {
 
-constexpr double kTouching = 1e-12;  // of what is measured: nearer points have no direction between them
+constexpr double kTouching = 1e-12;  // relative to the size: nearer points have no direction between them
 
 bool isOverTriangle(const Triangle& triangle, const Vec3& facing, const Vec3& point) {
   for (std::size_t v = 0; v < 3; ++v) {
@@ -19,7 +19,7 @@ bool isOverTriangle(const Triangle& triangle, const Vec3& facing, const Vec3& po
   return true;
 }
 
-/// A segment against a triangle.
+/// The contact of a segment and a triangle.
 class SegmentContact {
  public:
   SegmentContact(const Triangle& triangle, const Vec3& from, const Vec3& to)
@@ -37,7 +37,8 @@ class SegmentContact {
     for (std::size_t v = 0; v < 3; ++v)
       closestOnSegments(triangle_[v], triangle_[(v + 1) % 3], end_[0], end_[1], edges);
     const double to_edges = std::sqrt(edges.squared_distance);
-    // Of two ends as high, the first: a segment that lies on the triangle does not choose by rounding.
+    // Of two equally high ends, take the first, so that rounding does not decide for a segment that lies on
+    // the triangle.
     std::optional<std::size_t> nearest;
     double least = to_edges;
     for (std::size_t e = 0; e < 2; ++e) {
@@ -64,8 +65,8 @@ class SegmentContact {
     return isOverTriangle(triangle_, facing_, crossing);
   }
 
-  /// The best of all ways out: sides of triangle − segment, which has two of the triangle's own and one a
-  /// pair of an edge and the segment.
+  /// The best of all ways out, which are the sides of triangle − segment: two for the triangle's faces, and
+  /// one for each pair of an edge and the segment.
   MarginlessContact parted() const {
     MarginlessContact best;
     best.distance = -std::numeric_limits<double>::infinity();
@@ -101,13 +102,13 @@ class SegmentContact {
 
   void tryEdge(const Vec3& normal, const Vec3& from, const Vec3& to, MarginlessContact& best) const {
     const double gap = gapAlong(normal);
-    if (!(gap > best.distance + kTouching * size_)) return;  // rather along the triangle's normal
+    if (!(gap > best.distance + kTouching * size_)) return;  // prefer the triangle's normal
     PointPair closest;
     closestOnSegments(from, to, end_[0] + gap * normal, end_[1] + gap * normal, closest);
     best = {gap, normal, closest.on_a, closest.on_a - gap * normal};
   }
 
-  /// The middle of what is over the triangle of a segment that lies along it.
+  /// The middle of the part of a parallel segment that is over the triangle.
   Vec3 middleOver() const {
     double first = 0.0, last = 1.0;
     for (std::size_t v = 0; v < 3; ++v) {
@@ -135,7 +136,8 @@ MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const double distance = apart.norm();
   const Vec3 scaled = scaledNormal(triangle), facing = scaled.normalized();
   const double height = facing.dot(point - triangle[0]);
-  // Nearer than the triangle is wide, its own normal is better than the difference of two points.
+  // If the point is nearer than the triangle is wide, the triangle's normal is more accurate than the
+  // difference of two points.
   const bool is_over = distance * distance < scaled.norm() && isOverTriangle(triangle, facing, point);
   if (is_over || distance <= kTouching * (point - triangle[0]).norm()) {
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);

@@ -1,4 +1,4 @@
-// The pairs of triangles that may meet, before the exact test.
+// The triangle pairs that may meet, before the exact test.
 #pragma once
 
 #include <type_traits>
@@ -8,11 +8,11 @@
 
 namespace octoblisk::detail {
 
-/// Calls visit(user, pair) for every pair that meets, and for some too close to call.
+/// Calls visit(user, pair) for every pair that meets, and for some that are too close to decide.
 void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,
                           void (*visit)(void* user, CandidatePair pair), void* user);
 
-/// The same for anything that can be called with a pair.
+/// The same for any callable that takes a pair.
 template <typename Visit>
 void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Visit&& visit) {
   forEachCandidatePair(
@@ -21,7 +21,7 @@ void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Visi
       &visit);
 }
 
-/// Whether the two triangles meet, by the exact test if the filter could not tell.
+/// Whether the two triangles meet. Uses the exact test if the filter could not decide.
 bool meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair);
 
 }  // namespace octoblisk::detail

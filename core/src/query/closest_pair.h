@@ -1,5 +1,5 @@
-// The nearest found so far in a search for the least distance: how near another must be to matter, and which
-// are left to be compared exactly.
+// The state of a search for the least distance: the nearest pair so far, the distance above which others are
+// irrelevant, and the candidates that are left to be compared exactly.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace octoblisk::detail {
 
-/// Boxes do not matter whose squared distance in single precision is above this, where what is farther than
-/// `bound` does not; `size` sets the rounding.
+/// The squared box distance, in single precision, above which boxes are irrelevant if distances above `bound`
+/// are. `size` determines the rounding.
 inline float squaredLimit(double bound, double size) {
   constexpr float kFarthestRoot = 1e18f;  // its square is below that of the distance to empty boxes
   const float limit = std::min(traversalLimit(bound, size), kFarthestRoot);
@@ -26,21 +26,21 @@ class Nearest {
     best_.distance = options.upper_bound;
   }
 
-  /// Measures the pair and takes it if it is the nearest so far; `may_meet`: the two may touch. Returns true
-  /// where nothing can be nearer.
+  /// Measures the pair and keeps it if it is the nearest so far. `may_meet`: the triangles may touch. Returns
+  /// true if nothing can be nearer.
   bool offer(const TrianglePair& pair, bool may_meet);
 
-  /// Keeps the pair for later if it may be the nearest, by bounds of its distance. Returns true where nothing
+  /// Keeps the pair for later if it may be the nearest, given bounds of its distance. Returns true if nothing
   /// can be nearer.
   bool consider(const TrianglePair& pair, double least, double most);
 
-  /// What is farther than this does not matter.
+  /// Distances above this are irrelevant.
   double bound() const { return std::max(0.0, bound_ - tolerance_); }
 
-  /// The nearest of all.
+  /// The nearest pair of all.
   Clearance settled();
 
-  /// How many pairs were measured in double precision.
+  /// The number of pairs that were measured in double precision.
   std::size_t measured() const { return measured_; }
 
  private:
@@ -53,7 +53,7 @@ class Nearest {
   const TriangleMesh &a_, &b_;
   const Pose& b_in_a_;
   const double tolerance_;
-  double bound_;  // the distance is proved to be no more
+  double bound_;  // an upper bound of the distance
   Clearance best_;
   std::array<Candidate, 64> candidates_;
   std::size_t count_ = 0;
@@ -68,10 +68,10 @@ class NearestToConvex {
     best_.distance = options.upper_bound;
   }
 
-  /// Takes the triangle if it is the nearest so far. Returns true where nothing can be nearer.
+  /// Keeps the triangle if it is the nearest so far. Returns true if nothing can be nearer.
   bool offer(std::uint32_t triangle);
 
-  /// What is farther than this does not matter.
+  /// Distances above this are irrelevant.
   double bound() const { return std::max(0.0, best_.distance - tolerance_); }
 
   const Clearance& clearance() const { return best_; }

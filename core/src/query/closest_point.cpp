@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The distances from a point, in the tree's local frame, to eight boxes; infinite for the empty ones.
+/// The distances from a point, in the tree's local frame, to eight boxes; infinite for empty boxes.
 HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
   const Vec8 offset{Float8(point.x()) - Float8::load(boxes.center[0]),
                     Float8(point.y()) - Float8::load(boxes.center[1]),
@@ -29,7 +29,7 @@ HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
 
 std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, double upper_bound) {
   const LocalBox local(tree, {point, Mat3::Identity(), Vec3::Zero()});
-  const double farthest = local.size;  // no triangle is farther
+  const double farthest = local.size;  // no triangle is farther away
   const double rounding = kSingleRounding * farthest;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);

@@ -1,4 +1,4 @@
-// The search for a pair of triangles that meet, below a node of each tree.
+// The search for a pair of triangles that meet, below one node of each tree.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace octoblisk::detail {
 
-/// Two triangles that meet, and the nodes whose leaves they are in.
+/// Two triangles that meet, and the nodes whose leaves contain them.
 struct MeetingPair {
   TrianglePair triangles;
   NodePair nodes;
 };
 
-/// As collide(), but only for the triangles below a node of each tree.
+/// Like collide(), but only for the triangles below one node of each tree.
 std::optional<MeetingPair> collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below);
 
 }  // namespace octoblisk::detail

@@ -1,4 +1,4 @@
-// All pairs of triangles of two trees that meet, found one by one. Read once for each target (simd-inl.h).
+// Finds all triangle pairs of two trees that meet, one by one. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_COLLIDE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_COLLIDE_WALK_INL_H
 #undef OCTOBLISK_QUERY_COLLIDE_WALK_INL_H
@@ -15,9 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not part,
-/// and the two nodes whose leaves they are in. `meets`: the filter is sure that they meet; else the exact
-/// test has to say. Returns true as soon as visit does, else false.
+/// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not
+/// separate. `nodes` are the nodes whose leaves contain the pair. `meets`: the filter proves that they meet;
+/// otherwise the exact test must decide. Returns true as soon as a visit does, otherwise false.
 template <typename Visit, typename Tally = NoTally>
 bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
                           Tally&& tally = {}) {
@@ -48,8 +48,8 @@ bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Node
       });
 }
 
-/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet. Returns true as soon as
-/// visit does, else false.
+/// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet. Returns true as soon as a
+/// visit does, otherwise false.
 template <typename Visit, typename Tally = NoTally>
 bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
                         Tally&& tally = {}) {

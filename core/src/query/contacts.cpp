@@ -80,7 +80,7 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
 
 namespace {
 
-/// forEachTriangle(visit) calls it for every triangle that may be near, as long as it returns false.
+/// forEachTriangle(visit) calls `visit` for every triangle that may be near, as long as it returns false.
 template <typename ForEach>
 void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
                         std::vector<Contact>& found, ForEach&& forEachTriangle) {

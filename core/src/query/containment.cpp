@@ -17,14 +17,14 @@ using namespace detail;
 
 namespace {
 
-/// How far a half-line may be off in double precision.
+/// The rounding error of a half-line in double precision.
 double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
   return kSingleRounding * tree.radius() +
          kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
 }
 
-/// The part of the half-line from a point along +x of the frame A that lies in the sphere round a tree, as a
-/// box without width in the tree's frame.
+/// The part of the half-line from a point along +x of frame A that lies in the sphere around a tree, as a box
+/// without width in the tree's frame.
 std::optional<Obb> clipToSphere(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
   const Vec3 direction = tree_in_a.rotation.row(0).transpose();
   const Vec3 start = tree_in_a.rotation.transpose() * (point - tree_in_a.translation) - tree.origin();
@@ -40,7 +40,7 @@ std::optional<Obb> clipToSphere(const Tree& tree, const Vec3& point, const Pose&
   return line;
 }
 
-/// How many parts of one surface lie inside and outside the other solid.
+/// The numbers of parts of one surface inside and outside the other solid.
 struct PartCount {
   std::size_t inside = 0, outside = 0;
 };

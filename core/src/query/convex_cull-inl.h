@@ -1,5 +1,5 @@
-// A convex body against the triangles of a leaf, eight at once: which of them are certainly too far. Read
-// once for each target (simd-inl.h).
+// Tests a convex body against eight triangles of a leaf at once: which of them are certainly too far away.
+// Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_CONVEX_CULL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_CONVEX_CULL_INL_H
 #undef OCTOBLISK_QUERY_CONVEX_CULL_INL_H
@@ -20,11 +20,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The body is the hull of some points, which hold its core, and `reach` is what is asked for and its radius.
-/// All is computed in a frame round the middle of the points.
+/// The body is the hull of some points that contain its core; `reach` is the requested reach plus its radius.
+/// All computations use a frame around the middle of the points.
 class ConvexCull {
  public:
-  /// Of one point to kMostPointsRoundCore; boxes will be relative to `origin`.
+  /// For 1 to kMostPointsRoundCore points; boxes are relative to `origin`.
   ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree,
              double reach)
       : count_(points.size()),
@@ -64,11 +64,12 @@ class ConvexCull {
     unsigned near = (1u << count) - 1u;
     near &= ~beyondBounds(corner, reach);
     if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
-    return count_ == 1 ? near : notParted(near, corner, reach);  // of a point, the exact distance costs less
+    return count_ == 1 ? near
+                       : notParted(near, corner, reach);  // for a single point, the exact distance is cheaper
   }
 
  private:
-  /// Those that the box round the points does not reach.
+  /// The triangles beyond the reach of the box around the points.
   HWY_INLINE unsigned beyondBounds(const Vec8 (&corner)[3], const Float8& reach) const {
     const Vec8 low = min(corner[0], min(corner[1], corner[2])),
                high = max(corner[0], max(corner[1], corner[2]));
@@ -79,7 +80,7 @@ class ConvexCull {
     return beyond(0, low.x, high.x) | beyond(1, low.y, high.y) | beyond(2, low.z, high.z);
   }
 
-  /// Those that are beyond the reach along an axis of any length.
+  /// The triangles that are beyond the reach along an axis of any length.
   HWY_INLINE unsigned apartAlong(const Vec8& axis, const Vec8 (&corner)[3], const Float8& reach) const {
     const Float8 at[3] = {dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2])};
     Float8 low(std::numeric_limits<float>::infinity()), high(-std::numeric_limits<float>::infinity());
@@ -90,18 +91,18 @@ class ConvexCull {
       high = max(high, along);
     }
     const Float8 gap = max(low - max(at[0], max(at[1], at[2])), min(at[0], min(at[1], at[2])) - high);
-    // No less than the axis's length, however short: its square may vanish.
+    // At least the axis's length, however short: its square may underflow.
     const Float8 length = sqrt(dot(axis, axis) + Float8(std::numeric_limits<float>::min()));
     return less(reach * length, gap);
   }
 
-  /// Where a < b `yes`, else `no`.
+  /// `yes` in the lanes where a < b, otherwise `no`.
   static HWY_INLINE Vec8 either(const Float8& a, const Float8& b, const Vec8& yes, const Vec8& no) {
     return {select(a, b, yes.x, no.x), select(a, b, yes.y, no.y), select(a, b, yes.z, no.z)};
   }
 
-  /// What is left of `near` after a search for a plane between each triangle and the body: a few steps of the
-  /// conditional gradient on the difference of the two (M. Frank, P. Wolfe, 1956).
+  /// The triangles of `near` that remain after a search for a plane between each triangle and the body: a few
+  /// steps of the conditional gradient on their Minkowski difference (M. Frank, P. Wolfe, 1956).
   HWY_INLINE unsigned notParted(unsigned near, const Vec8 (&corner)[3], const Float8& reach) const {
     constexpr int kSteps = 8;
     const Float8 zero(0.0f), one(1.0f), tiny(std::numeric_limits<float>::min());
@@ -122,7 +123,7 @@ class ConvexCull {
         on_body = either(high, along, point, on_body);
         high = max(high, along);
       }
-      // No less than the length, however short: its square may vanish.
+      // At least the length, however short: its square may underflow.
       near &= ~less(reach * sqrt(dot(apart, apart) + tiny), low - high);
       const Vec8 way = (on_triangle - on_body) - apart;
       const Float8 part = min(one, max(zero, (zero - dot(apart, way)) / (dot(way, way) + tiny)));
@@ -131,7 +132,7 @@ class ConvexCull {
     return near;
   }
 
-  std::array<Eigen::Vector3f, kMostPointsRoundCore> points_;  // from their middle
+  std::array<Eigen::Vector3f, kMostPointsRoundCore> points_;  // relative to their middle
   std::size_t count_;
   Pose tree_in_center_;  // from the tree's local frame
   Eigen::Vector3f half_extents_;

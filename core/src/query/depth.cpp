@@ -14,7 +14,7 @@ using namespace detail;
 
 namespace {
 
-/// A point that two triangles that meet share, up to rounding.
+/// A point that two meeting triangles share, up to rounding.
 Vec3 sharedPoint(const Triangle& a, const Triangle& b) {
   Vec3 best = closestPoints(a, b).point_on_b;
   double least = std::max(distance(a, best), distance(b, best));
@@ -101,7 +101,7 @@ void DepthQuery::search() {
   if (touch_) keepCrossing(*touch_);
   const auto first_inside =
       std::ranges::find(marked_, Mark::inside, [&](std::uint32_t triangle) { return mark_[triangle]; });
-  // The inside first: the deeper the best, the more of the rest need no closer look.
+  // Start inside: the deeper the best point, the more of the rest can be skipped.
   for (auto triangle = first_inside; triangle != marked_.end(); ++triangle) addTriangle(*triangle, 0, 0);
   for (auto pair = crossings_.begin(); pair != crossings_.end();) {
     const std::uint32_t triangle = pair->b;
@@ -147,7 +147,7 @@ std::uint32_t DepthQuery::addCorner(std::uint32_t corner_of_b) {
   return index;
 }
 
-/// Takes the closest point on a triangle of A for the corner's foot if it is closer.
+/// Makes the closest point on a triangle of A the corner's foot if it is closer.
 void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
   if (triangle == kNoTriangle || triangle == corner.nearest) return;
   const Vec3 foot = closestPoint(a_->tree().mesh().triangle(triangle), corner.point);
@@ -159,8 +159,8 @@ void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
   }
 }
 
-/// Finds the corner's closest point on A's surface, unless the one at hand shows that it is no deeper than
-/// the best by more than half the tolerance.
+/// Finds the corner's closest point on A's surface, unless the known one proves that the corner is deeper
+/// than the best by at most half the tolerance.
 void DepthQuery::measure(Corner& corner) const {
   const bool has_best = best_.triangle_b != kNoTriangle;
   if (has_best && corner.distance <= best_.depth + 0.5 * tolerance_) return;
@@ -224,7 +224,7 @@ void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
   best_.triangle_b = triangle_b;
 }
 
-/// Starts the search from a point that both surfaces share: B reaches as deep as 0 at least.
+/// Starts the search from a point that both surfaces share: B's depth is at least 0.
 void DepthQuery::keepCrossing(TrianglePair pair) {
   const Vec3 point =
       sharedPoint(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));

@@ -7,7 +7,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The polygon's part where inward · (x − on_plane) >= 0.
+/// Keeps the part of the polygon where inward · (x − on_plane) >= 0.
 void clip(std::array<Vec3, 8>& polygon, std::size_t& count, const Vec3& inward, const Vec3& on_plane) {
   const std::array<Vec3, 8> whole = polygon;
   const std::size_t whole_count = count;
@@ -33,10 +33,10 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
   }
   std::array<Vec3, 8> polygon = {of[0], of[1], of[2]};
   std::size_t count = 3;
-  // The thinner the triangle, the more its normal is off by rounding.
+  // The thinner the triangle, the greater the rounding error of its normal.
   const double squared_edge =
       std::max({(by[1] - by[0]).squaredNorm(), (by[2] - by[1]).squaredNorm(), (by[0] - by[2]).squaredNorm()});
-  if (length > 1e-12 * squared_edge) {  // else keep all
+  if (length > 1e-12 * squared_edge) {  // otherwise keep all
     const double slack = 1e-14 * size * (1.0 + squared_edge / length);
     const Vec3 normal = scaled / length;
     clip(polygon, count, normal, by[0] - slack * normal);
@@ -50,7 +50,8 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
 }
 
 double leastMean(std::span<const double> first, std::span<const double> second) {
-  // Each column is a line over the weight of the second row; wanted is the lowest point of their upper hull.
+  // Each column is a line over the weight of the second row. The result is the lowest point of their upper
+  // hull.
   const auto highestAt = [&](double weight) {
     std::size_t highest = 0;
     double height = -1.0;

@@ -1,8 +1,8 @@
-// Upper bounds of a distance over a convex part: what depth.cpp prunes with.
+// Upper bounds of a distance over a convex part, with which depth.cpp prunes its search.
 //
-// The distance to a triangle is convex: over the hull of some points it is below what is interpolated between
-// them. So is the distance to the nearest of several triangles below every weighted mean of those
-// interpolations.
+// The distance to a triangle is convex. Over the hull of some points it is therefore at most the
+// interpolation between its values at these points. The distance to the nearest of several triangles is at
+// most every weighted mean of these interpolations.
 #pragma once
 
 #include <span>
@@ -12,16 +12,16 @@
 
 namespace octoblisk::detail {
 
-/// Appends the corners of a polygon that holds what two triangles share: the first, clipped to a thin prism
-/// round the second. The prism is thick enough that rounding loses nothing.
+/// Appends the corners of a polygon that contains the intersection of two triangles: the first triangle,
+/// clipped to a thin prism around the second. The prism is thick enough that rounding loses nothing.
 void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corners);
 
-/// The greatest entry of a weighted mean of two rows of equal length, with the weights that make it least, or
+/// The greatest entry of a weighted mean of two rows of equal length, with weights that make it least, or
 /// nearly so.
 double leastMean(std::span<const double> first, std::span<const double> second);
 
-/// The greatest entry of that weighted mean of three rows of three whose entries are all equal; infinite
-/// where there is none.
+/// The greatest entry of the weighted mean of three rows of three whose entries are all equal; infinite if
+/// there is no such mean.
 double levelMean(std::span<const double> a, std::span<const double> b, std::span<const double> c);
 
 }  // namespace octoblisk::detail

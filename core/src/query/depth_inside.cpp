@@ -1,4 +1,4 @@
-// Which triangles of B meet A's surface, and which are wholly inside A: where DepthQuery's search begins.
+// Which triangles of B meet A's surface, and which are wholly inside A: the start of DepthQuery's search.
 #include <algorithm>
 
 #include "geometry/triangle_pair.h"
@@ -12,8 +12,8 @@ namespace octoblisk {
 
 using namespace detail;
 
-/// Finds the triangles of B that cross A's surface, and those that lie flat on a triangle of A: no point of
-/// these is deeper than the tolerance, so they are not tested against the triangles around it.
+/// Finds the triangles of B that cross A's surface, and those that lie flat on a triangle of A. No point of a
+/// flat triangle is deeper than the tolerance, so it is not tested against the triangles around it.
 void DepthQuery::findCrossings() {
   if (findCopy()) return;
   forEachCandidatePair(treeOf(a_->tree()), treeOf(b_->tree()), b_in_a_, [this](CandidatePair pair) {
@@ -45,7 +45,7 @@ void DepthQuery::findCrossings() {
   }
 }
 
-/// Whether B is laid on a copy of itself, and meets it: nothing else is to be found then.
+/// Whether B lies on a copy of itself and meets it. Then the search is done.
 bool DepthQuery::findCopy() {
   const std::size_t count = b_->tree().mesh().triangleCount();
   if (a_->tree().mesh().triangleCount() != count) return false;
@@ -59,8 +59,8 @@ bool DepthQuery::findCopy() {
   return true;
 }
 
-/// Finds a pair that meets. Where none does, B's flat triangles lie wholly on one side of A's surface, as its
-/// others do.
+/// Finds a pair that meets. If there is none, each flat triangle of B lies wholly on one side of A's surface,
+/// like B's other triangles.
 void DepthQuery::findTouch() {
   if (!crossings_.empty()) {
     touch_ = crossings_.front();
@@ -77,8 +77,8 @@ bool DepthQuery::meet(TrianglePair pair) const {
   return intersects(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
 }
 
-/// Whether the triangle of B is within the flatness of the one of A. The distance to a triangle is convex: it
-/// is greatest at a corner.
+/// Whether the triangle of B is within the flatness of the triangle of A. The distance to a triangle is
+/// convex, so it is greatest at a corner.
 bool DepthQuery::liesOn(TrianglePair pair) {
   if (!boundsSolid(pair.a)) return false;
   const Triangle on = a_->tree().mesh().triangle(pair.a);
@@ -91,7 +91,7 @@ bool DepthQuery::liesOn(TrianglePair pair) {
   return true;
 }
 
-/// Notes a triangle that the search for what is inside does not pass.
+/// Marks a triangle that the search for inside triangles does not pass.
 void DepthQuery::noteBarrier(std::uint32_t triangle) {
   marked_.push_back(triangle);
   for (const std::uint32_t corner : b_->corners(triangle)) part_crosses_[b_->part(corner)] = true;
@@ -101,13 +101,13 @@ bool DepthQuery::isBarrier(std::uint32_t triangle) const {
   return mark_[triangle] == Mark::crossing || mark_[triangle] == Mark::flat;
 }
 
-/// Whether a triangle round the corner of B is no barrier.
+/// Whether a triangle around the corner of B is not a barrier.
 bool DepthQuery::hasOpenWay(std::uint32_t corner) const {
   return !std::ranges::all_of(b_->star(corner), [this](std::uint32_t t) { return isBarrier(t); });
 }
 
-/// Marks the triangles of B that are wholly inside A: those that hang together with an inside corner by
-/// triangles that do not cross A's surface.
+/// Marks the triangles of B that are wholly inside A. They are connected to an inside corner by triangles
+/// that do not cross A's surface.
 void DepthQuery::findInside() {
   for (std::size_t i = 0, crossing_corners = known_.size(); i < crossing_corners; ++i) {
     const std::uint32_t corner = known_[i];
@@ -127,13 +127,13 @@ void DepthQuery::findInside() {
   }
 }
 
-/// Gives the corners that hang together with this one its side: inside all, outside only those of crossing
-/// triangles, for the outside may be large and does not matter. Where A's surface has holes, B may leave A
-/// through one: each corner is asked.
+/// Gives this corner's side to the corners connected with it: to all of them if inside, but only to those of
+/// crossing triangles if outside, because the outside may be large and does not matter. If A's surface has
+/// holes, B may leave A through one, so each corner is tested.
 void DepthQuery::spread(std::uint32_t from) {
   const Side side = corners_[corner_of_b_[from]].side;
   if (side == Side::on_surface || side == Side::undecided)
-    return;  // all triangles round it are barriers, or may be
+    return;  // all triangles around it are barriers, or may be
   open_.push_back(from);
   while (!open_.empty()) {
     const std::uint32_t corner = open_.back();

@@ -1,4 +1,4 @@
-// The parts of triangles that DepthQuery searches: how deep one may be at most, and how it is divided.
+// The parts of triangles that DepthQuery searches: how deep a part may be, and how it is divided.
 #include <algorithm>
 #include <span>
 
@@ -24,8 +24,8 @@ bool apart(const Triangle& a, const Triangle& b) {
   return false;
 }
 
-/// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle;
-/// 1 where it does not, 0 where it is outside already.
+/// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle; 1
+/// if it does not, 0 if it is already outside.
 double leavesPrism(const Triangle& triangle, const Vec3& point, const Vec3& other) {
   const Vec3 normal = scaledNormal(triangle);
   double at = 1.0;
@@ -48,7 +48,7 @@ double DepthQuery::boundOf(const Part& part) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
     }
     const bool is_outside = corner.side == Side::outside;
-    if (boundary_) {  // sides may change where no surface is
+    if (boundary_) {  // sides may change where A has no surface
       if (!is_outside && !boundsSolid(corner.nearest)) best_.is_known = false;
       bound = std::min(bound, way + corner.distance);
       continue;
@@ -57,8 +57,8 @@ double DepthQuery::boundOf(const Part& part) {
   }
   if (bound <= limit()) return bound;
 
-  // Over the hull of the extremes the distance to a triangle of A is convex: below what is interpolated
-  // between the extremes. So is then every mean of the distances to several triangles.
+  // Over the hull of the extremes, the distance to a triangle of A is convex: it is at most the interpolation
+  // between the extremes. The same holds for every mean of the distances to several triangles.
   gatherExtremes(part);
   candidates_.clear();
   distances_.clear();
@@ -92,12 +92,12 @@ double DepthQuery::boundOf(const Part& part) {
   return bound;
 }
 
-/// Moves the part by the limit, the way that its deepest corner is nearest to A's surface. Where that takes
-/// all of it out of A, each of its points passes the surface on the way: none is deeper than the limit. So a
-/// part that lies along many triangles of A need not be divided at their edges.
+/// Moves the part by the limit, in the direction in which its deepest corner is nearest to A's surface. If
+/// the moved part is entirely outside A, each of its points has passed the surface, so none is deeper than
+/// the limit. A part that lies along many triangles of A therefore need not be divided at their edges.
 double DepthQuery::boundByWayOut(const Part& part) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  if (boundary_) return kUnbounded;  // the way may lead through a hole
+  if (boundary_) return kUnbounded;  // the part may move through a hole
   Vec3 out = part.met_begin != part.met_end ? outwards(met_[part.met_begin]) : Vec3::Zero();
   double greatest = 0.0;
   for (const std::uint32_t index : part.corner) {
@@ -116,7 +116,7 @@ Vec3 DepthQuery::outwards(std::uint32_t triangle_a) const {
   return scaledNormal(a_->tree().mesh().triangle(triangle_a)).normalized();
 }
 
-/// Whether all of the triangle is outside A.
+/// Whether the whole triangle is outside A.
 bool DepthQuery::isOutside(const Triangle& triangle) const {
   const Vec3 along = (triangle[1] - triangle[0]).normalized();
   const Vec3 normal = along.cross(triangle[2] - triangle[0]).normalized();
@@ -126,7 +126,7 @@ bool DepthQuery::isOutside(const Triangle& triangle) const {
   for (const Vec3& corner : triangle) bounds.extend(box.axes.transpose() * corner);
   box.center = box.axes * bounds.center();
   box.half_extents = bounds.halfExtents();
-  if (!box.axes.allFinite()) return false;  // a needle
+  if (!box.axes.allFinite()) return false;  // the triangle is a needle
   const bool meets = forEachTriangleIn(a_->tree(), box, 0.0, [&](std::uint32_t triangle_a) {
     const Triangle other = a_->tree().mesh().triangle(triangle_a);
     return !apart(triangle, other) && intersects(triangle, other);
@@ -134,8 +134,8 @@ bool DepthQuery::isOutside(const Triangle& triangle) const {
   return !meets && located(triangle[0]) == PointLocation::outside;
 }
 
-/// Points whose convex hull holds all of the part that is inside A: its corners, but where they are outside,
-/// the corners of its cuts with A's surface.
+/// Points whose convex hull contains everything of the part that is inside A: its corners that are not
+/// outside, and, if some are, the corners of its intersections with A's surface.
 void DepthQuery::gatherExtremes(const Part& part) {
   extremes_.clear();
   bool is_whole = true;
@@ -157,8 +157,8 @@ Triangle DepthQuery::triangleOf(const Part& part) const {
   return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
 }
 
-/// Where to cut a part: where a corner's nearest triangle ends, or another comes as near; else, every third
-/// time, and always once it has been cut often, halfway along the longest edge, which makes no needles.
+/// Where to cut a part: where a corner's nearest triangle ends or another becomes as near. Otherwise, and
+/// every third time, and always after many cuts, halfway along the longest edge, which produces no needles.
 DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
   Cut longest{0, 0.5}, best{0, 0.5};
   double longest_edge = -1.0, best_piece = 0.0;
@@ -217,12 +217,12 @@ void DepthQuery::divide(const Part& part) {
         if (!apart(triangle, other) && intersects(triangle, other)) met_.push_back(met_[i]);
       }
       half.met_end = static_cast<std::uint32_t>(met_.size());
-      if (half.met_begin == half.met_end) {  // all on one side
+      if (half.met_begin == half.met_end) {  // the half is on one side
         Side side = Side::unknown;
         for (const std::uint32_t corner : half.corner) {
           const Side known = corners_[corner].side;
           if (known != Side::inside && known != Side::outside) continue;
-          if (side != Side::unknown && side != known) best_.is_known = false;  // it passes through a hole
+          if (side != Side::unknown && side != known) best_.is_known = false;  // passes through a hole
           side = known;
         }
         if (side == Side::unknown) side = sideOf(corners_[middle]);

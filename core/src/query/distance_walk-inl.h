@@ -1,4 +1,4 @@
-// The nearest triangles of two trees, found leaf by leaf. Read once for each target (simd-inl.h).
+// Finds the nearest triangles of two trees, leaf by leaf. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_DISTANCE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
 #undef OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Offers the pairs of triangles that may be the nearest, until none is left or nothing can be nearer.
+/// Offers the pairs of triangles that may be nearest, until none is left or nothing can be nearer.
 template <typename Tally = NoTally>
 void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& nearest, Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);

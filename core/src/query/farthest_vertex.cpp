@@ -9,7 +9,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// Walks the tree and skips the boxes that do not reach as far as the farthest vertex so far.
+/// Searches the tree and skips boxes that do not reach as far as the farthest vertex found so far.
 class FarthestVertex {
  public:
   FarthestVertex(const Tree& tree, const Vec3& direction) : tree_(tree), direction_(direction) {}
@@ -21,7 +21,7 @@ class FarthestVertex {
 
  private:
   struct Branch {
-    double reach;  // of its box
+    double reach;  // of the child's box
     Child child;
   };
 

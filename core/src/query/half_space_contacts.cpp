@@ -15,7 +15,7 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
               std::vector<Contact>& found) {
   found.clear();
   const Tree& tree = treeOf(a);
-  // A box round all of the mesh that is within reach: as wide as the mesh, down to its deepest point.
+  // A box around the part of the mesh within reach: as wide as the mesh, and down to its deepest point.
   const Vec3& normal = b_in_a.normal;
   const double height = normal.dot(tree.origin()) - b_in_a.offset;
   const double lowest = height - tree.radius(), highest = std::min(threshold, height + tree.radius());
@@ -25,7 +25,7 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
   below.center = tree.origin() + (0.5 * (lowest + highest) - height) * normal;
   below.half_extents = Vec3(std::max(0.5 * (highest - lowest), 0.0), tree.radius(), tree.radius());
 
-  // The corner of a triangle is kept in triangle_b until the end.
+  // Until the end, triangle_b holds the vertex.
   forEachTriangleIn(a, below, 0.0, [&](std::uint32_t triangle) {
     for (const std::uint32_t vertex : a.mesh().triangles()[triangle]) {
       const Vec3& corner = a.mesh().vertices()[vertex];

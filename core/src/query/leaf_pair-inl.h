@@ -1,5 +1,5 @@
-// The triangles of two leaves side by side, and which of them are near each other by their bounds. Read once
-// for each target (simd-inl.h).
+// The triangles of two leaves side by side, and which of them are near each other by their bounds. Included
+// once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_LEAF_PAIR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_LEAF_PAIR_INL_H
 #undef OCTOBLISK_QUERY_LEAF_PAIR_INL_H
@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The triangles of two leaves close to each other, in the frame of A's leaf, where boxes are tight and
-/// single precision goes a long way.
+/// The triangles of two leaves that are near each other, in the frame of A's leaf. There, boxes are tight and
+/// single precision is accurate enough for most decisions.
 class LeafPair {
  public:
   HWY_INLINE LeafPair(const Tree& a, const Tree& b, const LocalPose& pose, Slot slot_a, Slot slot_b)
@@ -65,13 +65,13 @@ class LeafPair {
   std::uint32_t triangleA(std::uint32_t i) const { return a_.triangles(leaf_a_)[i]; }
   std::uint32_t triangleB(std::uint32_t j) const { return b_.triangles(leaf_b_)[j]; }
 
-  /// Corner v of triangle i of A, the same in all lanes.
+  /// Corner v of triangle i of A, repeated in all lanes.
   HWY_INLINE Vec8 cornerOfA(std::uint32_t i, std::uint32_t v) const {
     const float* x = rows_a_ + 3 * v * countA() + i;
     return {Float8(x[0]), Float8(x[countA()]), Float8(x[2 * countA()])};
   }
 
-  /// Corner v of the triangles of B; lanes beyond their count hold anything.
+  /// Corner v of the triangles of B; lanes beyond their count are arbitrary.
   HWY_INLINE const Vec8& cornerOfB(std::uint32_t v) const { return corner_of_b_[v]; }
 
   /// Which triangles may be near each other.
@@ -80,8 +80,8 @@ class LeafPair {
     unsigned of[kLanes];  ///< [i], bit j: triangles i of A and j of B are near each other
   };
 
-  /// Those whose bounds are within the reach of each other. It is a length: what three coordinates may be off
-  /// together is less than twice coordinateRounding().
+  /// The triangles whose bounds are within `reach` of each other. `reach` is a length; the combined rounding
+  /// error of three coordinates is less than twice coordinateRounding().
   HWY_INLINE Near within(float reach) const {
     const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),
                high = max(corner_of_b_[0], max(corner_of_b_[1], corner_of_b_[2]));
@@ -105,15 +105,16 @@ class LeafPair {
     return near;
   }
 
-  // In units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A is off
-  // by 1; one of B by 1 and what B's axes are from orthonormal, 16, the product of three rotations 16, the
-  // products 2, their sums 3, the shift 8. That A's axes are not orthonormal either stretches all alike.
+  // Errors in units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A
+  // is off by 1. A corner of B is off by 1, by 16 because B's axes are not exactly orthonormal, by 16 for the
+  // product of three rotations, 2 for the products, 3 for their sums, and 8 for the shift. The error of A's
+  // axes stretches everything alike.
 
-  /// How far a corner of A and one of B may be off together, along each axis.
+  /// The combined rounding error of a corner of A and one of B along each axis.
   float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
-  /// A power of two by which all lengths become about 1, whose powers neither overflow nor vanish.
+  /// A power of two that scales all lengths to about 1, so that their powers neither overflow nor underflow.
   float unit() const { return std::ldexp(1.0f, -std::ilogb(size_)); }
-  /// How far a height over a triangle's plane may be off.
+  /// The rounding error of a height over a triangle's plane.
   float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 
  private:
@@ -129,7 +130,7 @@ class LeafPair {
 
   const Tree &a_, &b_;
   const Child leaf_a_, leaf_b_;
-  LeafVertices corners_a_, corners_b_;  // room for those of compact trees
+  LeafVertices corners_a_, corners_b_;  // buffers for the corners of compact trees
   const float *const rows_a_, *const rows_b_;
   Vec8 corner_of_b_[3];
   float rotation_[3][3], shift_[3];

@@ -1,4 +1,4 @@
-// Poses and boxes in the frames that a tree's boxes are in, with what single precision may round.
+// Poses and boxes in the local frames of trees, with bounds of the rounding in single precision.
 #pragma once
 
 #include <algorithm>
@@ -8,25 +8,26 @@
 
 namespace octoblisk::detail {
 
-/// The lengths that set the rounding of what is measured between two trees, but for those of poses.
+/// The lengths that determine the rounding of distances between two trees, without those of poses.
 inline double sizeOf(const Tree& a, const Tree& b) {
   return a.origin().norm() + a.radius() + b.origin().norm() + b.radius();
 }
 
-/// Beyond it lie only the empty boxes of a node: a reach is cut off here, so that they are never entered.
+/// Only the empty boxes of a node are beyond this distance. Reaches are limited to it, so that empty boxes
+/// are never entered.
 inline constexpr double kFarthest = 1e29;
 
-/// The gap up to which boxes of bodies of this summed size may be within `reach` of each other.
+/// The gap up to which boxes may be within `reach` of each other, if the sizes of the bodies sum to `size`.
 inline float traversalLimit(double reach, double size) {
   return static_cast<float>(std::min(kFarthest, reach + kSingleRounding * (size + reach)));
 }
 
-/// The pose of tree B in tree A, between the frames that their boxes are in.
+/// The pose of tree B in tree A, between their local frames.
 struct LocalPose {
   Pose exact;  ///< of B in A
   PoseF b_to_a, a_to_b;
-  double size;     ///< of both trees and the way between them, which sets the rounding in single precision
-  double doubles;  ///< how far posed vertices may be off in double precision, of bodies far from an origin
+  double size;     ///< of both trees and their distance; determines the rounding in single precision
+  double doubles;  ///< rounding error of posed vertices in double precision, for bodies far from an origin
 
   LocalPose(const Tree& a, const Tree& b, const Pose& b_in_a)
       : exact{b_in_a.rotation, b_in_a * b.origin() - a.origin()},
@@ -39,7 +40,7 @@ struct LocalPose {
   float limit(double reach) const { return traversalLimit(reach + doubles, size); }
 };
 
-/// A box in a tree's local frame, and the size of tree, box and the way between them.
+/// A box in a tree's local frame, and the size of tree, box and their distance.
 struct LocalBox {
   BoxF box;
   double size;

@@ -1,4 +1,4 @@
-// A ray as the walk down a tree sees it: in single precision, near the tree.
+// A ray in single precision, clipped to the vicinity of a tree.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace octoblisk::detail {
 struct LocalRay {
   std::array<float, 3> origin;
   std::array<float, 3> direction;
-  /// How far any point of the ray or of a triangle may be off by rounding, once it is in the frame of a box
-  /// or of the ray: boxes are grown by it.
+  /// The rounding error of any point of the ray or a triangle in the frame of a box or of the ray. Boxes are
+  /// grown by it.
   float slack;
   float length;
 
@@ -25,11 +25,11 @@ struct LocalRay {
   double scale;
   double start;
 
-  /// No less than the reach of a hit at t.
+  /// At least the reach of a hit at t.
   float reachOf(double t) const { return static_cast<float>(std::min(scale * (t - start), 1e30)) + slack; }
 };
 
-/// Nothing where the ray passes by the sphere round the tree.
+/// None if the ray misses the sphere around the tree.
 inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray) {
   const double largest = ray.direction.cwiseAbs().maxCoeff();
   if (!ray.origin.allFinite() || !ray.direction.allFinite() || !(ray.t_max >= 0.0)) return std::nullopt;
@@ -43,7 +43,7 @@ inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray) {
   const double nearest = -origin.dot(ray.direction) / ray.direction.squaredNorm();  // to the middle
   if (!((origin + nearest * ray.direction).squaredNorm() <= radius * radius)) return std::nullopt;
   const double unit = 1.0 / largest;
-  const double in_sphere = radius * unit;  // no less than half the chord
+  const double in_sphere = radius * unit;  // at least half the chord
   const double start = std::max(0.0, nearest - in_sphere);
 
   LocalRay local;

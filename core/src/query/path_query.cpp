@@ -17,7 +17,8 @@ PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a
 
 PathQuery::PathQuery(const Surface& a, const Surface& b) : PathQuery(a.tree(), b.tree()) {
   if (!a.isClosed() && !b.isClosed()) {
-    throw std::invalid_argument("PathQuery: a signed distance needs a closed surface, and both are open");
+    throw std::invalid_argument(
+        "PathQuery: a signed distance needs at least one closed surface, but both are open");
   }
   surface_a_ = &a;
   surface_b_ = &b;
@@ -33,7 +34,7 @@ std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
   return met_ ? std::optional(witness_) : std::nullopt;
 }
 
-/// Looks for a pair that meets below two nodes, and keeps it.
+/// Searches for a pair that meets below two nodes, and keeps it.
 bool PathQuery::meetBelow(const Pose& b_in_a, NodePair below) {
   const std::optional<MeetingPair> hit = collideBelow(treeOf(*a_), treeOf(*b_), b_in_a, below);
   if (!hit) return false;
@@ -59,7 +60,8 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
 
 SignedDistance PathQuery::signedDistance(const Pose& b_in_a, const SignedDistanceOptions& options) {
   if (surface_a_ == nullptr) {
-    throw std::logic_error("PathQuery: a signed distance needs surfaces; it was made of trees");
+    throw std::logic_error(
+        "PathQuery: a signed distance needs surfaces: construct the query from two Surface objects");
   }
   const Surface &a = *surface_a_, &b = *surface_b_;
   const double tolerance = depthTolerance(a, b, options);
@@ -75,8 +77,8 @@ SignedDistance PathQuery::signedDistance(const Pose& b_in_a, const SignedDistanc
   return exchanged(signedDistanceOf(of_a, b, a, a_in_b, tolerance), b_in_a);
 }
 
-/// Whether the last distance proves that the bodies are farther apart than this, however distances and poses
-/// are rounded.
+/// Whether the last distance proves that the bodies are farther apart than this, despite the rounding of
+/// distances and poses.
 bool PathQuery::provedBeyond(double distance, const Pose& b_in_a) const {
   if (!(proved_distance_ > distance)) return false;
   const double size =

@@ -1,6 +1,7 @@
-// A ray against eight boxes, or the triangles of a leaf, at once. Read once for each target (simd-inl.h).
+// Tests a ray against eight boxes, or the triangles of a leaf, at once. Included once for each target
+// (simd-inl.h).
 //
-// All of it only excludes what the ray certainly does not meet.
+// These tests only exclude what the ray certainly misses.
 #if defined(OCTOBLISK_QUERY_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_RAY_LANES_INL_H
 #undef OCTOBLISK_QUERY_RAY_LANES_INL_H
@@ -16,8 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The eight reaches, above 0, at which a ray enters the boxes of a node; a bit for each box that it enters
-/// before `limit`.
+/// Writes the eight reaches, above 0, at which a ray enters the boxes of a node. Returns a bit for each box
+/// that it enters before `limit`.
 HWY_INLINE unsigned enter(const Box8& boxes, const LocalRay& ray, float limit, float* reaches) {
   const Vec8 direction{Float8(ray.direction[0]), Float8(ray.direction[1]), Float8(ray.direction[2])};
   const Vec8 offset{Float8(ray.origin[0]) - Float8::load(boxes.center[0]),
@@ -27,8 +28,8 @@ HWY_INLINE unsigned enter(const Box8& boxes, const LocalRay& ray, float limit, f
   for (int j = 0; j < 3; ++j) {
     const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
                     Float8::load(boxes.axes[2][j])};
-    // Along the axis it is between -half and half from the reach -(from + half) / speed to (half - from) /
-    // speed; the other way round where it descends.
+    // Along the axis, the ray is between -half and half from the reach -(from + half) / speed to (half -
+    // from) / speed; the other way round if it descends.
     const Float8 along = dot(axis, direction), from = dot(axis, offset);
     const Float8 least(0x1p-30f);
     const Float8 inverse = Float8(1.0f) / select(abs(along), least, least, along);
@@ -41,8 +42,8 @@ HWY_INLINE unsigned enter(const Box8& boxes, const LocalRay& ray, float limit, f
   return kAllLanes & ~less(far, near);
 }
 
-/// A ray in the frame in which it is the z axis: the axis nearest to it stays, and x and y are sheared
-/// (S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, 2013).
+/// A ray in a frame in which it is the z axis: the axis nearest to the ray stays, and x and y are sheared (S.
+/// Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, 2013).
 struct ShearedRay {
   int x, y, z;
   float shear_x, shear_y;
@@ -72,7 +73,7 @@ struct ShearedRay {
 };
 
 /// A bit for each of a leaf's triangles, given by the rows of their corners, that the ray may cross at a
-/// reach of 0 to `limit`. Bits beyond their count are anything.
+/// reach of 0 to `limit`. Bits beyond their count are arbitrary.
 HWY_INLINE unsigned mayCross(const float* rows, std::size_t count, const ShearedRay& ray, float limit) {
   Vec8 corner[3];
   Float8 size(0.0f);
@@ -93,7 +94,7 @@ HWY_INLINE unsigned mayCross(const float* rows, std::size_t count, const Sheared
     least = min(least, side);
     greatest = max(greatest, side);
   }
-  // x and y err by less than the slack.
+  // The errors of x and y are less than the slack.
   const Float8 slack(ray.slack);
   const Float8 tolerance = slack * (Float8(2.0f) * slack + size) + Float8(0x1p-120f);
   const unsigned outside = less(least, Float8(0.0f) - tolerance) & less(tolerance, greatest);

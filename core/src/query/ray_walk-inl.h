@@ -1,6 +1,6 @@
-// The walk of a ray down a tree, boxes and triangles eight at a time. It does not share traversal-inl.h: it
-// goes on to the nearest child without the to-do list, and prefetches the others. Read once for each target
-// (simd-inl.h).
+// The descent of a ray through a tree, boxes and triangles eight at a time. It does not use traversal-inl.h,
+// because it continues to the nearest child without the to-do list and prefetches the others. Included once
+// for each target (simd-inl.h).
 #ifndef OCTOBLISK_QUERY_RAY_WALK_ONCE
 #define OCTOBLISK_QUERY_RAY_WALK_ONCE
 
@@ -15,11 +15,11 @@
 
 namespace octoblisk::detail {
 
-/// What a ray has yet to look into, and at which reach it gets there: ordered by the latter. Reaches are
-/// above 0, so that their bits are in the order of their values.
+/// A child that a ray has yet to visit, and the reach at which the ray enters it. Tasks are ordered by reach.
+/// Reaches are above 0, so the order of their bits is that of their values.
 class RayTask {
  public:
-  RayTask() {}  // NOLINT(modernize-use-equals-default): not set, by {} neither: there are many of them
+  RayTask() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it: there are many of them
   RayTask(float reach, Slot slot)
       : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
@@ -51,8 +51,8 @@ class RayTask {
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Tells `visit` of the triangles that a ray crosses, boxes entered by ascending t; it returns the greatest t
-/// still of interest, below 0: none. The tally counts the tests (tally.h).
+/// Calls `visit` for the triangles that a ray crosses, entering boxes by ascending t. `visit` returns the
+/// greatest t still of interest, or a negative number to stop. The tally counts the tests (tally.h).
 template <typename Visit, typename Tally>
 class RayDescent {
  public:
@@ -82,7 +82,8 @@ class RayDescent {
   }
 
  private:
-  /// Puts the children entered on the list, but for the nearest, which `here` becomes; false: there is none.
+  /// Adds the entered children to the list, except for the nearest, which is assigned to `here`. Returns
+  /// false if there is none.
   HWY_INLINE bool enterNode(Slot& here) {
     const std::uint32_t index = tree_.child(here).node();
     tally_.boxTest();
@@ -113,7 +114,7 @@ class RayDescent {
     return true;
   }
 
-  /// Most often the nearest child is not where the ray ends: what comes next may as well be on its way.
+  /// The ray usually does not end in the nearest child, so the next ones are loaded ahead.
   HWY_INLINE void prefetch(Slot slot) const {
     constexpr std::size_t kLine = 64;
     const Child child = tree_.child(slot);
@@ -129,8 +130,8 @@ class RayDescent {
     }
   }
 
-  /// What exact tests read: two steps of indirection, which the test in single precision can hide. That of a
-  /// compact tree reads the same itself.
+  /// The exact tests read through two indirections; the test in single precision can hide their latency. For
+  /// a compact tree, that test reads the same data itself.
   HWY_INLINE void prefetchExact(std::span<const std::uint32_t> triangles) const {
     const TriangleMesh& mesh = tree_.mesh();
     for (const std::uint32_t triangle : triangles) {
@@ -138,7 +139,7 @@ class RayDescent {
     }
   }
 
-  /// False where nothing is of interest any more.
+  /// Returns false if nothing more is of interest.
   HWY_INLINE bool visitLeaf(Slot slot) {
     tally_.leafPair();
     tally_.triangleTest();
@@ -172,7 +173,7 @@ class RayDescent {
   const Visit visit_;
   Tally& tally_;
   double t_limit_;
-  float limit_;  ///< the reach of t_limit_, and of the sphere round the tree
+  float limit_;  ///< of t_limit_ and of the sphere around the tree
   std::size_t count_ = 0;
   std::array<RayTask, (kLanes - 1) * Tree::kMaxDepth> tasks_;
 };

@@ -22,7 +22,7 @@ RayHit hitOf(const TriangleMesh& mesh, const Ray& ray, const RayCrossing& crossi
   return hit;
 }
 
-/// walkRay with any callable.
+/// walkRay for any callable.
 template <typename Visit>
 void forEachCrossing(const ClusteredOctree& tree, const Ray& ray, Visit visit) {
   walkRay(

@@ -14,7 +14,7 @@ using namespace detail;
 
 namespace {
 
-/// Where a surface is nearest to a point in its solid, or another part of it is as near.
+/// A point of a surface that is nearest, or equally near, to a point in its solid.
 struct Foot {
   Vec3 point;
   Vec3 out;  // unit, from the point in the solid to the foot
@@ -22,7 +22,7 @@ struct Foot {
   std::uint32_t triangle;
 };
 
-/// The feet of a point in the solid A that are no farther than its depth and the slack, the nearest first.
+/// The feet of a point in the solid A whose distance is at most its depth plus the slack, nearest first.
 class Feet {
  public:
   Feet(const ClusteredOctree& a, const Vec3& point, double depth, double slack) {
@@ -37,7 +37,7 @@ class Feet {
       if (distance <= depth + slack) insert({foot, out.normalized(), distance, index});
       return false;
     });
-    // At the edge of a triangle beyond which the surface comes nearer is no foot.
+    // A point at an edge of a triangle beyond which the surface comes nearer is not a foot.
     std::size_t kept = 0;
     const std::array<Foot, kMost> found = feet_;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -70,8 +70,8 @@ class Feet {
   std::size_t count_ = 0;
 };
 
-/// The directions in which a surface runs straight on through a point of it: all of a plane amid a face,
-/// along an edge, none at a corner.
+/// The directions in which a surface continues straight through one of its points: a plane within a face, a
+/// line along an edge, none at a corner.
 class StraightOn {
  public:
   /// `rotation` takes directions from the surface's frame to the result's.
@@ -88,14 +88,14 @@ class StraightOn {
     });
   }
 
-  /// The part of a vector along them.
+  /// The component of a vector along these directions.
   Vec3 project(Vec3 vector) const {
     for (int i = 0; i < normals_; ++i) vector -= across_.row(i).dot(vector) * across_.row(i).transpose();
     return vector;
   }
 
  private:
-  static constexpr double kTurn = 1e-9;  // a surface that turns by less runs straight on
+  static constexpr double kTurn = 1e-9;  // a surface that turns by less counts as straight
   Mat3 across_ = Mat3::Zero();           // orthonormal rows
   int normals_ = 0;
 };
@@ -116,8 +116,8 @@ Vec3 barycentric(const Triangle& triangle, const Vec3& point) {
 }
 
 /// The weighted mean of the directions to the feet that is orthogonal to the surface of the deepest point, or
-/// nearly so. There is one: along its surface, the point cannot move away from all feet. The depth changes as
-/// the mean of the distances to the feet does, whose weights these are.
+/// nearly so. It exists because the point cannot move along its surface away from all feet. The depth changes
+/// like the mean of the distances to the feet with these weights.
 Vec3 meanWayOut(const Feet& feet, const StraightOn& straight_on) {
   Vec3 mean = Vec3::Zero();
   double least = std::numeric_limits<double>::infinity();
@@ -130,7 +130,7 @@ Vec3 meanWayOut(const Feet& feet, const StraightOn& straight_on) {
     const Vec3 weights = barycentric(hull, closest);
     mean = weights[0] * feet[i].out + weights[1] * feet[j].out + weights[2] * feet[k].out;
   };
-  // The fewest feet that do, and of those the nearest.
+  // Prefer the fewest feet, and among those the nearest.
   for (std::size_t i = 0; i < feet.size(); ++i) consider(i, i, i);
   for (std::size_t i = 0; i < feet.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) consider(i, j, j);
@@ -175,7 +175,7 @@ SignedDistance detail::signedDistanceOf(const GougeDepth& of_b, const Surface& a
                        .point_on_b = of_b.point_on_b,
                        .triangle_a = of_b.triangle_a,
                        .triangle_b = of_b.triangle_b};
-  const double near = 64.0 * tolerance;  // the point told is about so near to the deepest one
+  const double near = 64.0 * tolerance;  // the reported point is about this near to the deepest one
   const Feet feet(a.tree(), of_b.point_on_b, of_b.depth, near);
   const Pose a_in_b = b_in_a.inverse();
   const StraightOn straight_on(b.tree(), a_in_b * of_b.point_on_b, near, b_in_a.rotation);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// The one triangle beside `triangle` that uses the edge between two of its corners the other way; none where
-/// there are others, or none.
+/// The only other triangle that uses the edge between two of the triangle's corners in the opposite
+/// direction; none if no triangle or several triangles use the edge.
 std::uint32_t neighbourAt(const Surface& surface, std::uint32_t triangle, std::uint32_t from,
                           std::uint32_t to) {
   std::uint32_t found = kNone;
@@ -49,9 +49,9 @@ double angleAt(const Triangle& triangle, std::size_t corner) {
   return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
 }
 
-/// Which corners of a triangle the point of it lies between: a bit each.
+/// The corners between which a point of a triangle lies, one bit each.
 unsigned featureOf(const Triangle& triangle, const Vec3& point) {
-  constexpr double kSnap = 1e-9;  // part of the triangle's height
+  constexpr double kSnap = 1e-9;  // fraction of the triangle's height
   const Vec3 normal = scaledNormal(triangle);
   const double squared = normal.squaredNorm();
   unsigned corners = 0;
@@ -91,8 +91,8 @@ void SolidBoundary::findMeetings() {
   });
 }
 
-/// Regions hang together by edges. The winding number jumps by one across a region; asked on it, the region
-/// itself left out where it is asked, it is 1/2 more than outside.
+/// Regions are connected by edges. The winding number jumps by one across a region. On the region, with the
+/// triangle at the query point left out, it is 1/2 more than outside.
 void SolidBoundary::findRegions(int threads) {
   const TriangleMesh& mesh = surface_->tree().mesh();
   std::vector<std::vector<std::uint32_t>> regions;
@@ -113,7 +113,7 @@ void SolidBoundary::findRegions(int threads) {
     regions.push_back(std::move(region));
   }
   std::ranges::sort(regions, {}, [](const std::vector<std::uint32_t>& region) {
-    return std::pair(~region.size(), region.front());  // the largest first
+    return std::pair(~region.size(), region.front());  // largest first
   });
   parallelFor(regions.size(), threadCount(threads), [&](std::size_t r, std::size_t) {
     bool is_boundary = false;
@@ -123,7 +123,8 @@ void SolidBoundary::findRegions(int threads) {
       const Triangle triangle = mesh.triangle(largest);
       const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
       const double outside = windingNumber(mesh, middle, largest) - 0.5;
-      // A sheet alone has -1/2; what faces inward, -1; what lies within another solid, 1.
+      // This value is -1/2 for a lone sheet, -1 for a region that faces inward, and 1 for one inside another
+      // solid.
       constexpr double kLeast = -0.75, kMost = 0.5;
       is_boundary = outside > kLeast && outside < kMost;
     }

@@ -1,4 +1,4 @@
-// The walk is this query's own: each box hands the source's triangles that it has found down to its children.
+// This query has its own descent: each box passes the source's triangles that it has found to its children.
 #include "octoblisk/source_contacts.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace detail;
 
 namespace {
 
-constexpr std::size_t kFew = 256;          // candidates that are thinned out, not asked for again
+constexpr std::size_t kFew = 256;          // candidates that are thinned out instead of requested again
 constexpr double kRoundingOfBoxes = 1e-5;  // their axes are orthonormal to single precision
 
 bool meet(const Aabb& a, const Aabb& b) {
@@ -26,7 +26,7 @@ bool isFinite(const Triangle& triangle) {
   return triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite();
 }
 
-/// Whether the plane of `triangle` is farther than `reach` from all of `other`.
+/// Whether the plane of `triangle` is farther than `reach` from the whole of `other`.
 bool planeParts(const Triangle& triangle, const Triangle& other, double reach) {
   const Vec3 normal = scaledNormal(triangle);
   const double longest =
@@ -45,21 +45,20 @@ auto byNumbers(const SourceTriangle& t) {
 
 }  // namespace
 
-/// What stays the same while the tree is walked, with the roundings that keep its tests from missing
-/// anything.
+/// The constant data of a search, including the rounding bounds that keep its tests from missing anything.
 class SourceContacts::Query {
  public:
   Query(const Tree& tree, const TriangleSource& triangles, const Pose& pose, double limit,
         std::vector<Contact>& contacts)
       : a(tree), b(triangles), b_in_a(pose), threshold(limit), found(contacts) {
-    rotation_to_b_ = pose.rotation.inverse();  // exact where the rotation is so to single precision only
+    rotation_to_b_ = pose.rotation.inverse();  // its transpose may be exact to single precision only
     const double size = a.origin().norm() + a.radius() + pose.translation.norm() + threshold;
     reach_ = (1.0 + kRoundingOfBoxes) * threshold + 1e-12 * size;
     bounds_of_b_ = b.bounds();
     largest_of_b_ = bounds_of_b_.halfExtents().maxCoeff();
   }
 
-  /// The bounds in B's frame of a box in A's, grown by the threshold.
+  /// The bounds, in B's frame, of a box in A's frame, grown by the threshold.
   Aabb grownInB(const Obb& box) const {
     const Vec3 center = rotation_to_b_ * (box.center - b_in_a.translation);
     const Mat3 axes = rotation_to_b_ * box.axes;
@@ -68,10 +67,10 @@ class SourceContacts::Query {
     return {center - half_extents, center + half_extents};
   }
 
-  /// Whether a box of B's frame may hold triangles of B.
+  /// Whether a box in B's frame may contain triangles of B.
   bool meetsB(const Aabb& box) const { return meet(box, bounds_of_b_); }
 
-  /// Whether a box of B's frame is too large a part of B to ask for all in it.
+  /// Whether a box in B's frame covers too much of B to request all triangles in it.
   bool isLargeInB(const Aabb& box) const { return box.halfExtents().maxCoeff() > 0.25 * largest_of_b_; }
 
   /// Whether a triangle in A's frame may be within the threshold of a box.
@@ -162,7 +161,7 @@ SourceContacts::Nearby SourceContacts::nearbyOf(const Query& query, Slot slot, c
   if (count <= kFew) return listed();
   near_.resize(begin);
   candidates_.resize(first_candidate);
-  // Clusters of half the size have a fourth of a surface.
+  // A cluster of half the size has a quarter of the surface.
   return {.levels_to_skip = static_cast<int>(std::log2(double(count) / kFew) / 2.0)};
 }
 
@@ -178,7 +177,7 @@ void SourceContacts::testLeaf(const Query& query, Child leaf, const Nearby& near
       }
       continue;
     }
-    // Too many to list even for a leaf's box.
+    // There are too many to list, even for a leaf's box.
     const Aabb bounds = boundsOf(triangle);
     const Aabb in_b = query.grownInB({bounds.center(), Mat3::Identity(), bounds.halfExtents()});
     query.b.forEachTriangleIn(in_b, [&](const SourceTriangle& of_b) {
@@ -190,7 +189,7 @@ void SourceContacts::testLeaf(const Query& query, Child leaf, const Nearby& near
 }
 
 void SourceContacts::numberTouched(std::vector<Contact>& found) {
-  // Several clusters may have touched a triangle: it gets one number, whoever was first.
+  // Several clusters may have touched a triangle. It gets one number, whichever cluster was first.
   order_.resize(touched_.size());
   number_.resize(touched_.size());
   std::iota(order_.begin(), order_.end(), 0u);

@@ -58,14 +58,14 @@ void Surface::gatherStars() {
 void Surface::checkEdges() {
   struct Use {
     std::uint32_t other;  // the edge's greater corner
-    int direction;        // +1 towards it
+    int direction;        // +1 towards `other`
   };
   std::vector<Use> uses;
   for (std::uint32_t corner = 0; corner < cornerCount(); ++corner) {
     uses.clear();
     for (const std::uint32_t t : star(corner)) {
       const auto& [a, b, c] = corners_[t];
-      if (a == b || b == c || c == a) continue;  // there and back again: it closes and opens nothing
+      if (a == b || b == c || c == a) continue;  // runs there and back: it neither closes nor opens an edge
       const std::uint32_t next = a == corner ? b : b == corner ? c : a;
       const std::uint32_t last = a == corner ? c : b == corner ? a : b;
       if (next > corner) uses.push_back({next, 1});

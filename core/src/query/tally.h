@@ -1,9 +1,9 @@
-// What a walk counts of its own work.
+// Counts the work of a search.
 #pragma once
 
 namespace octoblisk::detail {
 
-/// Counts nothing and costs nothing: the tally of all queries but those that are measured.
+/// Counts nothing and costs nothing: used by all queries except those that are measured.
 struct NoTally {
   void boxTest() const {}
   void leafPair() const {}

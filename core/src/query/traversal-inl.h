@@ -1,7 +1,7 @@
-// The walk that all queries but rays share: down two trees, or one tree and a box, over boxes that may be
-// near. Read once for each target (simd-inl.h).
+// The traversal that all queries except rays share: down two trees, or down one tree with a box, through
+// boxes that may be near. Included once for each target (simd-inl.h).
 //
-// Boxes are compared in single precision, grown by the rounding of the comparison, so that nothing is missed.
+// Boxes are compared in single precision and grown by the rounding error, so that nothing is missed.
 #if defined(OCTOBLISK_QUERY_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_TRAVERSAL_INL_H
 #undef OCTOBLISK_QUERY_TRAVERSAL_INL_H
@@ -23,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls put(lane, gap) for each of the eight gaps that is no larger than `limit`.
+/// Calls put(lane, gap) for each of the eight gaps that is at most `limit`.
 template <typename Put>
 HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   unsigned near = kAllLanes & ~less(Float8(limit), gap);
@@ -36,7 +36,7 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   }
 }
 
-/// Where a walk ends: at the leaves.
+/// Ends a traversal at the leaves.
 struct AtLeaves {
   using Place = Slot;
   static Place first(Slot slot) { return slot; }
@@ -45,7 +45,7 @@ struct AtLeaves {
   static bool isEnd(Place, Child child) { return child.isLeaf(); }
 };
 
-/// Where a walk ends: at the boxes of a depth (the root's box is 0), and at leaves above it.
+/// Ends a traversal at the boxes of a depth (the root's box has depth 0) and at leaves above it.
 struct AtDepth {
   struct Place {
     Slot at;
@@ -59,10 +59,10 @@ struct AtDepth {
   int depth;
 };
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of ends below the two nodes, unless gap(boxes, box) of the
-/// pair or of a pair above it is larger than limit(), which may shrink. The smallest gaps come first: of all
-/// pairs, to begin with, with a TraversalQueue; of those below the same pair with a TraversalStack. Returns
-/// true as soon as visit does, else false. Where the pose is not finite, nothing is near.
+/// Calls visit(slot_of_a, slot_of_b) for all pairs of ends below the two nodes, except if gap(boxes, box) of
+/// the pair or of a pair above it is greater than limit(), which may shrink. Smallest gaps come first: with a
+/// TraversalQueue, initially among all pairs; with a TraversalStack, among those below the same pair. Returns
+/// true as soon as a visit does, otherwise false. Nothing is near if the pose is not finite.
 template <template <typename Entry, int kLevels> typename ToDo, typename End = AtLeaves, typename Gap,
           typename Limit, typename Visit>
 bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair below, Gap&& gap, Limit&& limit,
@@ -91,7 +91,7 @@ bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair bel
     }
     const Slot slot_a = End::slot(pair.a), slot_b = End::slot(pair.b);
     const Child child_a = a.child(slot_a), child_b = b.child(slot_b);
-    if (child_a.isEmpty() || child_b.isEmpty()) continue;  // of a pose that is none, as all gaps are NaN
+    if (child_a.isEmpty() || child_b.isEmpty()) continue;  // the pose is not finite: all gaps are NaN
     const bool a_ends = end.isEnd(pair.a, child_a), b_ends = end.isEnd(pair.b, child_b);
     if (a_ends && b_ends) {
       if (visit(slot_a, slot_b)) return true;
@@ -138,7 +138,7 @@ bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, 
     if (entry.gap > limit()) continue;
     const Slot slot = End::slot(entry.place);
     const Child child = tree.child(slot);
-    if (child.isEmpty()) continue;  // of a box that is none, as all gaps are NaN
+    if (child.isEmpty()) continue;  // the box is not finite: all gaps are NaN
     if (end.isEnd(entry.place, child)) {
       if (visit(slot)) return true;
       continue;

@@ -1,4 +1,4 @@
-// The to-do list of a walk that looks for the nearest: whatever is proved to be farther is never looked at.
+// The to-do list of a search for the nearest pair. Entries that are proved to be farther are never visited.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace octoblisk::detail {
 
-/// Gives the entry of least gap, until a few pairs of leaves have told about how near the nearest is, or
-/// there is no room for more; then what is left depth first, for which a stack is room enough, and which
-/// spares the order.
+/// Returns the entry with the least gap first, until a few pairs of leaves have shown about how near the
+/// nearest pair is, or the queue is full. Then it returns the rest depth first, because a stack has enough
+/// room for that and needs no ordering.
 template <typename Entry, int kLevels>
 class TraversalQueue {
  public:
@@ -24,7 +24,7 @@ class TraversalQueue {
     return entries_[--count_];
   }
 
-  /// As TraversalStack's.
+  /// Like TraversalStack's.
   void pushSorted(std::size_t first, const Entry& entry) {
     if (inOrder() && count_ == kRoom) endOrder(std::numeric_limits<float>::infinity());
     if (inOrder()) {
@@ -37,13 +37,13 @@ class TraversalQueue {
     }
   }
 
-  /// What was popped last is too far: so is all that waits behind it in the heap.
+  /// The entry popped last is too far away, and so are all others in the heap.
   void dismiss() {
     if (inOrder()) count_ = 0;
   }
 
-  /// What was popped last is a pair of leaves, which were looked at; what is farther than the limit does not
-  /// matter from now on.
+  /// The entry popped last was a pair of leaves that have been tested. From now on, entries beyond the limit
+  /// are irrelevant.
   void sawLeaves(float limit) {
     if (inOrder() && --leaves_to_see_ == 0) endOrder(limit);
   }
@@ -56,7 +56,7 @@ class TraversalQueue {
   bool inOrder() const { return leaves_to_see_ > 0; }
   auto end() { return entries_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
-  /// The heap becomes a stack of what is within the limit, the least gap on top.
+  /// Turns the heap into a stack of the entries within the limit, least gap on top.
   void endOrder(float limit) {
     leaves_to_see_ = 0;
     const auto near =

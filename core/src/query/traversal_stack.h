@@ -1,4 +1,4 @@
-// The to-do list of a walk down the trees.
+// The to-do list of a traversal of the trees.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace octoblisk::detail {
 
-/// Puts the last of so many entries where it belongs among those since `first`, which are by descending gap.
+/// Moves the last of `count` entries to its place among those since `first`, which are sorted by descending
+/// gap.
 template <typename Entry>
 void sinkLast(Entry* entries, std::size_t first, std::size_t count) {
   const Entry entry = entries[count - 1];
@@ -17,15 +18,15 @@ void sinkLast(Entry* entries, std::size_t first, std::size_t count) {
   entries[place] = entry;
 }
 
-/// The walk's to-do list. It begins with at most eight times eight entries; then one is taken and at most
-/// eight are put for it, and each has a box less above its leaves: this never overflows.
+/// The to-do list of a traversal. It starts with at most eight times eight entries. Each step replaces one
+/// entry by at most eight, each with one box less above its leaves. Therefore it never overflows.
 template <typename Entry, int kLevels>
 class TraversalStack {
  public:
   bool empty() const { return count_ == 0; }
   const Entry& pop() { return entries_[--count_]; }
 
-  /// Puts an entry so that those since `first` come out by ascending gap.
+  /// Adds an entry so that those since `first` are popped by ascending gap.
   void pushSorted(std::size_t first, const Entry& entry) {
     assert(count_ < entries_.size());
     entries_[count_++] = entry;
@@ -33,9 +34,9 @@ class TraversalStack {
   }
   std::size_t size() const { return count_; }
 
-  /// What was popped last is too far: nothing follows from that for those that wait.
+  /// The entry popped last is too far away. This says nothing about the remaining entries.
   void dismiss() {}
-  /// Nor from what it looked at.
+  /// Tested leaves say nothing about them either.
   void sawLeaves(float) {}
 
  private:

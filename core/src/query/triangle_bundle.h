@@ -1,4 +1,4 @@
-// What a TriangleCache keeps.
+// The storage of TriangleCache.
 #pragma once
 
 #include <array>

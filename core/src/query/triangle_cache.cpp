@@ -60,23 +60,23 @@ TriangleCache::TriangleCache(TriangleCache&&) noexcept = default;
 TriangleCache& TriangleCache::operator=(TriangleCache&&) noexcept = default;
 TriangleCache::~TriangleCache() = default;
 
-/// No point of the core is farther than this from where it was.
-double TriangleCache::wayTo(const Pose& pose, const Pose& from) const {
+/// An upper bound of how far points of the core have moved.
+double TriangleCache::displacementBound(const Pose& pose, const Pose& from) const {
   const Vec3 center = bounds_.center();
   return (pose * center - from * center).norm() +
          (pose.rotation - from.rotation).norm() * bounds_.halfExtents().norm();
 }
 
-/// How much farther to look than was asked for: the distance of a few steps. 0 for a body that is fast or
+/// How far to search beyond the requested reach: the distance of a few steps. 0 for a body that is fast or
 /// new.
 double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) const {
   constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMost = 1.0 / 4.0;
   const double size = bounds_.halfExtents().norm() + radius;
-  const double step = last_at_ ? wayTo(convex_in_tree, *last_at_) : size;
+  const double step = last_at_ ? displacementBound(convex_in_tree, *last_at_) : size;
   return step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
 }
 
-/// Finds the triangles within reach and a reserve. With a reserve, they are kept.
+/// Finds the triangles within the reach plus the reserve. Keeps them if there is a reserve.
 void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                            double reach, double reserve) {
   found_.clear();
@@ -107,7 +107,7 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   }
   const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
   const double of_core = reach + convex.radius();
-  if (!(of_core + wayTo(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
+  if (!(of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
     last_at_ = convex_in_tree;
     gather(tree, convex, convex_in_tree, reach, reserve);

@@ -1,5 +1,5 @@
 // Which triangles of two leaves may be near each other, in single precision: one triangle against eight at a
-// time. Read once for each target (simd-inl.h).
+// time. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H
 #undef OCTOBLISK_QUERY_TRIANGLE_DISTANCE_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The triangles of B's leaf, to be measured from those of A.
+/// The triangles of B's leaf, for distances to those of A.
 class TriangleDistances {
  public:
   HWY_INLINE explicit TriangleDistances(const LeafPair& leaves)
@@ -22,7 +22,7 @@ class TriangleDistances {
         eight_(scaled(leaves.cornerOfB(0)), scaled(leaves.cornerOfB(1)), scaled(leaves.cornerOfB(2))) {}
 
   struct Distances {
-    float least[kLanes], most[kLanes];  ///< the true one is between
+    float least[kLanes], most[kLanes];  ///< bounds of the true distance
 
     /// Bit j: distance j may be within the limit.
     HWY_INLINE unsigned within(float limit) const {
@@ -30,7 +30,7 @@ class TriangleDistances {
     }
   };
 
-  /// From triangle i of A to those that do not meet it.
+  /// From triangle i of A to the triangles that do not meet it.
   HWY_INLINE Distances from(std::uint32_t i) const {
     const Triangle8 one(scaled(leaves_.cornerOfA(i, 0)), scaled(leaves_.cornerOfA(i, 1)),
                         scaled(leaves_.cornerOfA(i, 2)));
@@ -43,8 +43,8 @@ class TriangleDistances {
       least = min(
           least, min(squaredFaceDistance(one.corner[v], eight_), squaredFaceDistance(eight_.corner[v], one)));
     }
-    // Of segments all but parallel, rounding moves the closest points along them, at worst where the sine is
-    // about its root: a unit in the last place of the square of their length is lost then, times 60.
+    // If segments are nearly parallel, rounding moves the closest points along them. At worst, when the sine
+    // is about the root of the rounding error, this loses 60 units in the last place of their squared length.
     const Float8 lost = Float8(0x1p-18f) * max(one.longest, eight_.longest);
     const Float8 rounding(leaves_.planeRounding()), size(1.0f / unit_);
     Distances result;

@@ -1,5 +1,5 @@
-// Which triangles of two leaves meet, in single precision: one triangle against eight at a time. Where
-// rounding leaves the answer open, it says so. Read once for each target (simd-inl.h).
+// Which triangles of two leaves meet, in single precision: one triangle against eight at a time. Reports if
+// rounding leaves the answer open. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H
 #undef OCTOBLISK_QUERY_TRIANGLE_FILTER_INL_H
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The triangles of B's leaf with what all tests of them need.
+/// The triangles of B's leaf, with the data that all tests need.
 class TriangleLanes {
  public:
   /// The triangles of B.
@@ -26,14 +26,15 @@ class TriangleLanes {
   }
 
   struct Verdicts {
-    unsigned meet;  ///< bit i: meets triangle i for certain
-    unsigned open;  ///< bit i: too close to call; all others do not meet
+    unsigned meet;  ///< bit i: certainly meets triangle i
+    unsigned open;  ///< bit i: too close to decide; all other triangles do not meet
   };
 
-  /// The corners of each triangle over the plane of the other, times the plane's normal. The normal of a
-  /// sliver may be all rounding: by the unevenness its own corners are off the plane.
+  /// The heights of the corners of each triangle over the plane of the other, times the length of the plane's
+  /// normal. The normal of a sliver may be mostly rounding; then its own corners are off the plane by the
+  /// unevenness.
   struct Heights {
-    Vec8 to[3];  // from the one's first corner to those of the eight
+    Vec8 to[3];  // from the first corner of the one triangle to the corners of the eight
     Vec8 edge01, edge02;
     Float8 normal_magnitude, unevenness;
     Float8 of_eight[3], of_one[3];
@@ -54,7 +55,7 @@ class TriangleLanes {
       of_one[2] = dot(eight.normal_, edge02) + of_one[0];
     }
 
-    /// Those that one of the two planes parts by more than `reach`.
+    /// The triangles that one of the two planes separates by more than `reach`.
     HWY_INLINE unsigned apart(const TriangleLanes& eight, float reach) const {
       const Float8 zero(0.0f), part(reach), tiny(kTiny);
       const Float8 slack = part * normal_magnitude + unevenness + tiny,
@@ -66,31 +67,31 @@ class TriangleLanes {
     }
   };
 
-  /// Of triangle i of A and all of B.
+  /// The heights for triangle i of A and all triangles of B.
   HWY_INLINE Heights heights(std::uint32_t i) const { return {*this, i}; }
 
-  /// The verdicts on triangle i of A and those of `near`.
+  /// The verdicts on triangle i of A and the triangles of `near`.
   HWY_INLINE Verdicts meet(const Heights& heights, unsigned near) const {
     const unsigned open = near & ~heights.apart(*this, leaves_.planeRounding());
     return open == 0 ? Verdicts{0, 0} : piercing(heights, open);
   }
 
-  /// Those of `near` that may be within `reach` of triangle i of A.
+  /// The triangles of `near` that may be within `reach` of triangle i of A.
   HWY_INLINE unsigned within(float reach, const Heights& heights, unsigned near) const {
     return near & ~heights.apart(*this, reach + leaves_.planeRounding());
   }
 
  private:
-  static constexpr float kTiny = 1e-37f;  // more than denormal numbers can err
+  static constexpr float kTiny = 1e-37f;  // exceeds the error of subnormal numbers
 
-  /// Two triangles meet where an edge of one pierces the other: its ends are on both sides of the other's
-  /// plane, and it passes the other's three edges on the same hand.
+  /// Two triangles meet if an edge of one pierces the other: the edge's ends are on both sides of the other's
+  /// plane, and the edge passes the other's three edges on the same side.
   HWY_INLINE Verdicts piercing(const Heights& heights, unsigned open) const {
     const auto& to = heights.to;
     const Float8 zero(0.0f);
     const Vec8 one_edge[3] = {heights.edge01, heights.edge02 - heights.edge01,
                               Vec8(zero, zero, zero) - heights.edge02};
-    // Of no vector below is the length above twice this.
+    // No vector below is longer than twice the root of this.
     const Float8 squared =
         max(max(squared_edge_, max(dot(one_edge[0], one_edge[0]),
                                    max(dot(one_edge[1], one_edge[1]), dot(one_edge[2], one_edge[2])))),
@@ -98,7 +99,7 @@ class TriangleLanes {
     const Float8 slack = Float8(19.0f * leaves_.coordinateRounding()) * squared + Float8(kTiny);
     const Float8 minus_slack = zero - slack;
 
-    // Which triangles each edge passes on one hand, for certain and perhaps: [0] left, [1] right.
+    // The triangles that each edge passes on one side, certainly and possibly: [0] left, [1] right.
     struct Passes {
       unsigned surely[2] = {kAllLanes, kAllLanes};
       unsigned maybe[2] = {kAllLanes, kAllLanes};

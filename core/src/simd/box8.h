@@ -1,4 +1,4 @@
-// Oriented boxes in single precision, alone and eight side by side.
+// Oriented boxes in single precision: single ones, and eight side by side.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace octoblisk::detail {
 inline constexpr int kLanes = 8;
 inline constexpr unsigned kAllLanes = 0xff;
 
-/// How far products of a box's axes may be from 0 and 1: 16 units in the last place. leaf_pair.h counts on
-/// it.
+/// How far products of a box's axes may be from 0 and 1: 16 units in the last place. leaf_pair-inl.h relies
+/// on it.
 inline constexpr double kOrthonormal = 0x1p-20;
 
 /// An oriented box in single precision, in the local frame of a tree.
@@ -22,13 +22,14 @@ struct BoxF {
   Eigen::Vector3f half_extents = Eigen::Vector3f::Zero();
 };
 
-/// The box in the frame of the mesh, where the tree's origin is `origin`.
+/// The box in the mesh's frame, in which the tree's origin is at `origin`.
 inline Obb inMesh(const BoxF& box, const Vec3& origin) {
   return {box.center.cast<double>() + origin, box.axes.cast<double>(), box.half_extents.cast<double>()};
 }
 
-/// Axes, or a rotation, in single precision. Components whose products would be subnormal are zeros: they are
-/// far below the rounding of the others, and a processor takes a hundred times as long for them.
+/// Axes, or a rotation, in single precision. Components whose products would be subnormal become zero: they
+/// are far below the rounding of the others, and subnormal arithmetic takes a processor a hundred times as
+/// long.
 inline Eigen::Matrix3f inSinglePrecision(const Mat3& axes) {
   constexpr float kLeast = 1e-18f;
   const Eigen::Matrix3f single = axes.cast<float>();
@@ -47,8 +48,8 @@ struct PoseF {
   }
 };
 
-/// Eight oriented boxes, each quantity of all eight in a row: they are tested at once (box_gap-inl.h). The axes
-/// of each are in descending order of their half extents.
+/// Eight oriented boxes, each quantity of all eight in a row, so that they can be tested at once
+/// (box_gap-inl.h). The axes of each box are in descending order of half extents.
 struct Box8 {
   float center[3][kLanes];
   float half_extents[3][kLanes];
@@ -63,7 +64,7 @@ struct Box8 {
     for (int lane = 0; lane < kLanes; ++lane) set(lane, empty);
   }
 
-  /// Eight boxes that are not set: room for such as are read only once they are.
+  /// Eight uninitialised boxes: a buffer that is written before it is read.
   struct Unset {};
   explicit Box8(Unset) {}
 

@@ -1,4 +1,5 @@
-// Eight oriented boxes against one: how far apart they are at least. Read once for each target (simd-inl.h).
+// Lower bounds of the distance between one oriented box and eight others. Included once for each target
+// (simd-inl.h).
 #if defined(OCTOBLISK_SIMD_BOX_GAP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_SIMD_BOX_GAP_INL_H
 #undef OCTOBLISK_SIMD_BOX_GAP_INL_H
@@ -12,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// One of the eight boxes, moved.
+/// One of the eight boxes, transformed by a pose.
 HWY_INLINE BoxF posed(const PoseF& pose, const Box8& boxes, std::uint32_t lane) {
   BoxF box;
   for (int i = 0; i < 3; ++i) {
@@ -28,11 +29,11 @@ HWY_INLINE BoxF posed(const PoseF& pose, const Box8& boxes, std::uint32_t lane) 
   return box;
 }
 
-/// For each of the eight boxes the gaps to `box` along the six face axes of the two: below 0 where they
-/// overlap along it. The nine edge axes are left out.
+/// The gaps between each of the eight boxes and `box` along their six face axes; negative if the two overlap
+/// along the axis. The nine edge axes are not tested.
 struct FaceGaps {
-  Float8 of_box[3];    ///< along the axes of the one box
-  Float8 of_boxes[3];  ///< along those of each of the eight
+  Float8 of_box[3];    ///< along the axes of the single box
+  Float8 of_boxes[3];  ///< along the axes of each of the eight boxes
 };
 
 HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
@@ -64,15 +65,15 @@ HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
   return gaps;
 }
 
-/// The widest of the six: where it is above 0, the two are apart at least that far; where not, they may
-/// overlap.
+/// The widest of the six gaps. If it is above 0, the two boxes are at least that far apart; otherwise they
+/// may overlap.
 HWY_INLINE Float8 widestGap(const Box8& boxes, const BoxF& box) {
   const FaceGaps gaps = faceGaps(boxes, box);
   return max(max(max(gaps.of_box[0], gaps.of_box[1]), gaps.of_box[2]),
              max(max(gaps.of_boxes[0], gaps.of_boxes[1]), gaps.of_boxes[2]));
 }
 
-/// widestGap, to hand to a walk.
+/// widestGap as a function object for traversals.
 struct WidestGap {
   HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const { return widestGap(boxes, box); }
 };

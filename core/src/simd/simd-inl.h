@@ -1,9 +1,10 @@
-// Eight floats side by side, as named verbs over Google Highway: the maths of the queries is written once and
-// compiled for every instruction set below, of which the best that the machine has is taken at run time.
+// Eight floats side by side, with named operations over Google Highway. The arithmetic of the queries is
+// written once and compiled for every instruction set below; the best one that the machine supports is chosen
+// at run time.
 //
-// A query's .cpp file is compiled once for each target; this header is read as often, so what includes it
-// must be per target as well. Products and sums are rounded on their own (no fused multiply-add), so that
-// every target computes the same bits.
+// A query's .cpp file is compiled once for each target, and this header is included as often. Headers that
+// include it must therefore be per target as well. Products and sums are rounded separately (no fused
+// multiply-add), so that every target computes the same bits.
 #if defined(OCTOBLISK_SIMD_SIMD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_SIMD_SIMD_INL_H
 #undef OCTOBLISK_SIMD_SIMD_INL_H
@@ -15,7 +16,8 @@
 
 #include <cstdint>
 
-// One lane at a time, inlined operations would make functions of tens of thousands of instructions.
+// With one lane at a time, inlining these operations would create functions of tens of thousands of
+// instructions.
 #undef OCTOBLISK_EIGHT
 #if HWY_TARGET == HWY_SCALAR
 #define OCTOBLISK_EIGHT HWY_NOINLINE
@@ -74,7 +76,7 @@ class Float8 {
   friend OCTOBLISK_EIGHT Float8 sqrt(const Float8& a) {
     return combined(a, a, [](auto x, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(x); });
   }
-  /// Where a < b `yes`, else `no`.
+  /// `yes` in the lanes where a < b, otherwise `no`.
   friend OCTOBLISK_EIGHT Float8 select(const Float8& a, const Float8& b, const Float8& yes,
                                        const Float8& no) {
     Float8 result;
@@ -85,7 +87,7 @@ class Float8 {
     return result;
   }
 
-  /// Of all eight: ((0+4) + (1+5)) + ((2+6) + (3+7)), on every target.
+  /// The sum of all eight: ((0+4) + (1+5)) + ((2+6) + (3+7)), on every target.
   friend OCTOBLISK_EIGHT float sum(const Float8& a) {
     float of[kSize];
     a.store(of);
@@ -129,7 +131,7 @@ class Float8 {
   hwy::HWY_NAMESPACE::Vec<Tag> part_[kParts];
 };
 
-/// Three coordinates of eight points, or of eight vectors.
+/// Three coordinates of eight points or vectors.
 struct Vec8 {
   Float8 x, y, z;
 

@@ -1,5 +1,5 @@
-// Eight triangles at once, and the distances of their edges and faces in single precision. Read once for each
-// target (simd-inl.h).
+// Eight triangles at once, and the distances between their edges and faces in single precision. Included once
+// for each target (simd-inl.h).
 #if defined(OCTOBLISK_SIMD_TRIANGLE8_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_SIMD_TRIANGLE8_INL_H
 #undef OCTOBLISK_SIMD_TRIANGLE8_INL_H
@@ -14,10 +14,10 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 HWY_INLINE Float8 clamped01(const Float8& x) { return min(max(x, Float8(0.0f)), Float8(1.0f)); }
 
-/// A number that is not 0 to divide by, for squared lengths.
+/// A squared length that is safe to divide by.
 HWY_INLINE Float8 nonzero(const Float8& squared) { return max(squared, Float8(1e-37f)); }
 
-/// An edge, its squared length and 1 over that.
+/// An edge, its squared length and the reciprocal of that.
 struct Edge8 {
   Vec8 along;
   Float8 squared, reciprocal;
@@ -27,8 +27,8 @@ struct Edge8 {
       : along(edge), squared(dot(edge, edge)), reciprocal(Float8(1.0f) / nonzero(squared)) {}
 };
 
-/// The squared distances of segments p + s·u and q + t·v, s and t in [0, 1], where `offset` is p − q
-/// (C. Ericson, Real-Time Collision Detection, 5.1.9). Never less than the true ones, but for rounding.
+/// The squared distances between the segments p + s·u and q + t·v, with s and t in [0, 1] and `offset` = p −
+/// q (C. Ericson, Real-Time Collision Detection, 5.1.9). Never less than the true distances, up to rounding.
 HWY_INLINE Float8 squaredSegmentDistance(const Edge8& u, const Edge8& v, const Vec8& offset) {
   const Float8 uv = dot(u.along, v.along), u_offset = dot(u.along, offset), v_offset = dot(v.along, offset);
   const Float8 start =
@@ -39,14 +39,14 @@ HWY_INLINE Float8 squaredSegmentDistance(const Edge8& u, const Edge8& v, const V
   return dot(apart, apart);
 }
 
-/// With what distances to them need.
+/// Eight triangles with the data that distances need.
 struct Triangle8 {
   Vec8 corner[3];
   Edge8 edge[3];
   Vec8 normal, outward[3];      // from the edges, in the triangle's plane
   Float8 longest;               // squared edge
   Float8 reciprocal_of_normal;  // squared
-  Float8 thin;                  ///< above 0 for triangles too thin to have a normal: no more than this wide
+  Float8 thin;  ///< above 0 for triangles too thin to have a normal: an upper bound of their width
 
   HWY_INLINE Triangle8(const Vec8& first, const Vec8& second, const Vec8& third)
       : corner{first, second, third} {
@@ -62,8 +62,8 @@ struct Triangle8 {
   }
 };
 
-/// The squared distance of a point to the triangle's plane where its foot is inside the triangle, else, and
-/// where it is thin, far.
+/// The squared distance of a point to the triangle's plane if its foot is inside the triangle; a huge number
+/// otherwise, or if the triangle is thin.
 HWY_INLINE Float8 squaredFaceDistance(const Vec8& point, const Triangle8& face) {
   const Float8 far(1e38f), height = dot(face.normal, point - face.corner[0]);
   Float8 outside = face.thin;

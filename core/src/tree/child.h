@@ -1,11 +1,11 @@
-// What a box of a tree's node holds.
+// The content of a box of a tree's node.
 #pragma once
 
 #include <cstdint>
 
 namespace octoblisk::detail {
 
-/// What a box of a node holds: another node, a leaf of 1..8 triangles, or nothing.
+/// The content of a box of a node: another node, a leaf of 1..8 triangles, or nothing.
 class Child {
  public:
   Child() = default;

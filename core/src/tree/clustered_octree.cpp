@@ -25,7 +25,7 @@ ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> de
 ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> deformed, int threads) && {
   if (tree_.use_count() != 1 || !tree_->ownsArrays())
     return std::as_const(*this).refitted(std::move(deformed), threads);
-  std::shared_ptr<Tree>(tree_).reset();  // comes after all that those did who gave up their share
+  std::shared_ptr<Tree>(tree_).reset();  // synchronises with all threads that have given up their share
   checkThreads(threads);
   checkDeformed(deformed.get(), mesh());
   tree_->refit(std::move(deformed), threads);

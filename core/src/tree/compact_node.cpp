@@ -11,7 +11,7 @@ namespace octoblisk::detail {
 CompactRotation compactRotation(const Eigen::Matrix3f& axes) {
   const Eigen::Vector4d q = Eigen::Quaterniond(axes.cast<double>().eval()).coeffs();
   const double largest = q.cwiseAbs().maxCoeff();
-  // Any length will do. That is taken which decodes to axes that single precision rounds least.
+  // The quaternion may have any length. Choose the length whose decoded axes have the least rounding error.
   constexpr int kLongest = std::numeric_limits<std::int16_t>::max(), kLengths = 64;
   CompactRotation best = {};
   constexpr double kGoodEnough = 0x1p-22;
@@ -58,7 +58,7 @@ void CompactNode::setBoxes(const std::array<CompactRotation, kLanes>& rotations,
   }
   const Eigen::Vector3f middle = centers.center().cast<float>();
   const Vec3 reach = (centers.max - middle.cast<double>()).cwiseMax(middle.cast<double>() - centers.min);
-  // Both leave something for rounding to integers.
+  // Both leave room for rounding to integers.
   constexpr double kFarthest = 32766.0, kLargest = 65500.0;
   scale = static_cast<float>(std::max(
       {reach.maxCoeff() / kFarthest, largest / kLargest, double(std::numeric_limits<float>::min())}));
@@ -74,7 +74,7 @@ void CompactNode::setBoxes(const std::array<CompactRotation, kLanes>& rotations,
     const BoxF read = box(lane);
     const Vec3 shift = read.axes.cast<double>().transpose() *
                        (boxes[lane].center.cast<double>() - read.center.cast<double>());
-    std::uint16_t at_least = 1;  // no less than the next: half extents are in descending order
+    std::uint16_t at_least = 1;  // at least the next one, because half extents are in descending order
     for (int k = 3; k-- > 0;) {
       const double needed = double(boxes[lane].half_extents[k]) + double(pad) + std::abs(shift[k]);
       auto units = static_cast<std::uint16_t>(std::ceil(needed / double(scale)));

@@ -1,4 +1,4 @@
-// Eight oriented boxes in 208 bytes: integers of sixteen bits that a node's origin and scale give meaning to.
+// Eight oriented boxes in 208 bytes: 16-bit integers relative to the node's origin and scale.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ using CompactRotation = std::array<std::int16_t, 4>;
 /// The rotation nearest to an orthonormal, right-handed frame.
 CompactRotation compactRotation(const Eigen::Matrix3f& axes);
 
-/// I − s·(…) with s = 2/|q|²: as orthonormal as single precision allows, whatever the integers.
+/// I − s·(…) with s = 2/|q|²: as orthonormal as single precision allows, whatever the integers are.
 Eigen::Matrix3f decoded(const CompactRotation& rotation);
 
-/// Eight boxes, or fewer, and what they hold. All are empty at first.
+/// Up to eight boxes and their contents. Initially all are empty.
 struct alignas(16) CompactNode {
-  std::int16_t center[3][kLanes] = {};         ///< from the origin, of the scale
-  std::uint16_t half_extents[3][kLanes] = {};  ///< of the scale, in descending order; 0 for an empty box
+  std::int16_t center[3][kLanes] = {};         ///< relative to the origin, in units of the scale
+  std::uint16_t half_extents[3][kLanes] = {};  ///< in that unit, in descending order; 0 for an empty box
   std::int16_t rotation[4][kLanes] = {};
   std::array<Child, kLanes> children;
   float origin[3] = {};
@@ -36,11 +36,11 @@ struct alignas(16) CompactNode {
     return {rotation[0][lane], rotation[1][lane], rotation[2][lane], rotation[3][lane]};
   }
 
-  /// What the lane's integers stand for. The boxes of node_boxes-inl.h are the same to the last bit.
+  /// The box that the lane's integers represent. The boxes of node_boxes-inl.h are the same to the last bit.
   BoxF box(std::uint32_t lane) const;
 
-  /// Writes the boxes of all lanes that have a child, each in the frame of its compact rotation, so that what
-  /// is read holds it on each side with `pad` to spare.
+  /// Writes the boxes of all lanes that have a child, each in the frame of its compact rotation. Each decoded
+  /// box contains the given box with at least `pad` to spare on each side.
   void setBoxes(const std::array<CompactRotation, kLanes>& rotations, const std::array<BoxF, kLanes>& boxes,
                 float pad);
 };

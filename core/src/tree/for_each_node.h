@@ -8,7 +8,7 @@
 
 namespace octoblisk::detail {
 
-/// Calls visit(node) for the index of every node, in no order.
+/// Calls visit(node) for the index of every node, in any order.
 template <typename Visit>
 void forEachNode(const TreeArrays& tree, int threads, const Visit& visit) {
   constexpr std::size_t kChunk = 64;

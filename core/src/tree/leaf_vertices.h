@@ -1,4 +1,4 @@
-// The corners of a leaf's triangles in the frame of its box, where single precision goes a long way.
+// The corners of a leaf's triangles in the frame of its box, where single precision is more accurate.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace octoblisk::detail {
 
-/// Room for the corners of one leaf; not set.
+/// A buffer for the corners of one leaf, initially uninitialised.
 struct LeafVertices {
   float rows[9 * kLanes];
 
-  LeafVertices() {}  // NOLINT(modernize-use-equals-default): {} is not to set it either
+  LeafVertices() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it either
 };
 
 /// Writes the triangles' corners in the frame of a box that is relative to the origin: nine rows (x, y, z of
-/// each corner in turn) of as many numbers as there are triangles.
+/// each corner in turn), each with one number per triangle.
 void writeLeafVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BoxF& box,
                        const Vec3& origin, float* rows);
 

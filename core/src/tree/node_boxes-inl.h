@@ -1,5 +1,5 @@
-// The boxes of a tree's nodes as the queries read them: where they are in a full tree, decoded in a compact
-// one. Read once for each target (simd-inl.h).
+// The boxes of a tree's nodes as the queries read them: used in place in a full tree, decoded in a compact
+// one. Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_TREE_NODE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_TREE_NODE_BOXES_INL_H
 #undef OCTOBLISK_TREE_NODE_BOXES_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The axes that a quaternion stands for, or those of eight.
+/// The axes that a quaternion represents, for one quaternion or eight.
 template <typename Real>
 HWY_INLINE void axesOf(const Real (&q)[4], Real (&axes)[3][3]) {
   const Real xx = q[0] * q[0], yy = q[1] * q[1], zz = q[2] * q[2], one(1.0f);
@@ -58,21 +58,21 @@ inline HWY_NOINLINE void decode(const CompactNode& node, Box8& boxes) {
   }
 }
 
-/// The boxes of a node; the room is for those of a compact tree.
+/// The boxes of a node. `room` is a buffer for those of a compact tree.
 HWY_INLINE const Box8& boxesOf(const Tree& tree, std::uint32_t node, Box8& room) {
   if (HWY_LIKELY(!tree.isCompact())) return tree.nodes()[node].boxes;
   decode(tree.compactNodes()[node], room);
   return room;
 }
 
-/// The same of which only the slot's lane may be read.
+/// The same, but only the slot's lane may be read.
 HWY_INLINE const Box8& boxesAt(const Tree& tree, Slot slot, Box8& room) {
   if (HWY_LIKELY(!tree.isCompact())) return tree.nodes()[slot.node].boxes;
   decode(tree.compactNodes()[slot.node], slot.lane, room);
   return room;
 }
 
-/// The largest half extent of a box that is not empty.
+/// The largest half extent of a box, which must not be empty.
 HWY_INLINE float largestHalfExtent(const Tree& tree, Slot slot) {
   if (HWY_LIKELY(!tree.isCompact())) return tree.nodes()[slot.node].boxes.largestHalfExtent(slot.lane);
   const CompactNode& node = tree.compactNodes()[slot.node];

@@ -12,7 +12,7 @@
 namespace octoblisk::detail {
 namespace {
 
-/// What is below the boxes of a tree.
+/// The ranges of triangles below the boxes of a tree.
 class Ranges {
  public:
   explicit Ranges(const TreeArrays& tree) : of_node_(tree.nodeCount()) {
@@ -37,8 +37,8 @@ class Ranges {
   std::vector<TriangleRange> of_node_;
 };
 
-/// The vertices' bounds in the frames of all boxes. Those of large boxes are taken beforehand, in pieces, so
-/// that all threads have something to do.
+/// The bounds of the vertices in the frames of all boxes. The bounds of large boxes are computed first, in
+/// pieces, so that all threads have work.
 class Extents {
  public:
   Extents(const TreeArrays& tree, const Ranges& ranges, const TreeVertices& vertices, int threads)
@@ -64,7 +64,7 @@ class Extents {
     for (const Piece& piece : pieces) large_[piece.large].extent.extend(piece.extent);
   }
 
-  /// The box with the slot's own axes that holds all below it.
+  /// The box with the slot's own axes that contains everything below it.
   BoxF box(Slot slot, Child child, const Eigen::Matrix3f& axes) const {
     return ranges_.of(child).count() > kLarge ? box(child, axes, ofLarge(slot)) : box(child, axes);
   }
@@ -109,7 +109,7 @@ void fit(TreeNode& node, std::uint32_t index, const Extents& extents, float pad)
   }
 }
 
-/// The axes by descending half extents.
+/// The axes in descending order of half extents.
 Eigen::Matrix3f sortedAxes(const BoxF& box) {
   Box8 boxes;
   boxes.set(0, box);

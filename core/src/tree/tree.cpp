@@ -17,7 +17,7 @@ BuildStats statsOf(const TreeArrays& tree, std::size_t triangles) {
   stats.bytes = tree.bytes();
   const auto volume = [&](Slot slot) { return 8.0 * tree.box(slot).half_extents.cast<double>().prod(); };
   stats.root_volume = volume(Tree::kRoot);
-  std::vector<int> depth(tree.nodeCount(), 0);  // boxes round a node
+  std::vector<int> depth(tree.nodeCount(), 0);  // number of boxes around each node
   forEachChild(tree, [&](Slot slot, Child child) {
     const int depth_of_child = depth[slot.node] + 1;
     if (!child.isLeaf()) {

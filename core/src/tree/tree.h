@@ -1,4 +1,4 @@
-// The inside of a ClusteredOctree: what queries read.
+// The implementation of ClusteredOctree that queries read.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace octoblisk::detail {
 class Tree {
  public:
   static constexpr int kMaxDepth = ClusteredOctree::kMaxDepth;
-  /// The first node holds the box of the whole tree alone, in lane 0.
+  /// The first node contains only the box of the whole tree, in lane 0.
   static constexpr Slot kRoot = {0, 0};
 
   Tree(std::shared_ptr<const TriangleMesh> mesh, OwnedArrays arrays, BuildOptions options);
-  /// Over arrays that the owner keeps and never changes.
+  /// Uses arrays that the owner keeps and never changes.
   Tree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays, std::shared_ptr<const void> owner,
        BuildOptions options);
   Tree(const Tree&) = delete;
@@ -31,7 +31,7 @@ class Tree {
 
   const TreeArrays& arrays() const { return arrays_; }
   bool isCompact() const { return arrays_.isCompact(); }
-  std::span<const TreeNode> nodes() const { return arrays_.nodes; }  ///< of a full tree, else none
+  std::span<const TreeNode> nodes() const { return arrays_.nodes; }  ///< of a full tree, otherwise empty
   std::span<const CompactNode> compactNodes() const { return arrays_.compact_nodes; }
   std::size_t nodeCount() const { return arrays_.nodeCount(); }
   const std::array<Child, kLanes>& children(std::uint32_t node) const { return arrays_.children(node); }
@@ -55,9 +55,9 @@ class Tree {
   /// In the mesh's frame.
   Obb box(Slot slot) const;
 
-  /// Whether the arrays are its own.
+  /// Whether the tree owns its arrays.
   bool ownsArrays() const { return owner_ == nullptr; }
-  /// Fits its own arrays to the mesh, which must be the tree's mesh with its vertices moved.
+  /// Refits the tree's own arrays to the mesh, which must be the tree's mesh with moved vertices.
   void refit(std::shared_ptr<const TriangleMesh> deformed, int threads);
 
  private:
@@ -66,14 +66,14 @@ class Tree {
   std::shared_ptr<const TriangleMesh> mesh_;
   Vec3 origin_;
   double radius_;
-  OwnedArrays owned_;                  // empty where another owns the arrays
-  std::shared_ptr<const void> owner_;  // of arrays that are not its own
+  OwnedArrays owned_;                  // empty if another object owns the arrays
+  std::shared_ptr<const void> owner_;  // of arrays that the tree does not own
   TreeArrays arrays_;
   BuildOptions options_;
   BuildStats stats_;
 };
 
-/// The door between a ClusteredOctree and its inside.
+/// Gives this library access to the implementation of a ClusteredOctree.
 struct TreeAccess {
   static const Tree& tree(const ClusteredOctree& octree) { return *octree.tree_; }
   static ClusteredOctree octree(std::shared_ptr<Tree> tree) { return ClusteredOctree(std::move(tree)); }
@@ -81,8 +81,8 @@ struct TreeAccess {
 
 inline const Tree& treeOf(const ClusteredOctree& octree) { return TreeAccess::tree(octree); }
 
-/// A tree over arrays that the owner keeps and never changes, made by any tree of the mesh.
-/// Throws std::invalid_argument that says what is wrong where queries on them could fail.
+/// A tree over arrays that the owner keeps and never changes, and that any tree of the mesh may have
+/// produced. Throws std::invalid_argument, which says what is wrong, if queries on them could fail.
 ClusteredOctree octreeOver(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
                            std::shared_ptr<const void> owner, const BuildOptions& options);
 

@@ -1,5 +1,5 @@
-// What a clustered octree is made of: nodes of up to eight boxes each, fast or compact, and the triangles in
-// the order of the leaves. Arrays alone, so that they may lie in memory of their own or in a file.
+// The data of a clustered octree: nodes of up to eight boxes each, full or compact, and the triangles in the
+// order of the leaves. All data are arrays, so that they may be in memory or in a file.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ struct alignas(64) TreeNode {
 };
 static_assert(sizeof(TreeNode) == 512);  // eight cache lines
 
-/// A tree's arrays: of a full tree `nodes` and `leaf_vertices`, of a compact one `compact_nodes`. Nodes are
-/// in depth-first order, the first of them holds the box of the whole tree alone, in lane 0, and the
-/// triangles below a node are a range of the order.
+/// The arrays of a tree: `nodes` and `leaf_vertices` for a full tree, `compact_nodes` for a compact one.
+/// Nodes are in depth-first order. The first node contains only the box of the whole tree, in lane 0. The
+/// triangles below a node are a range of triangle_order.
 struct TreeArrays {
   std::span<const TreeNode> nodes;
   std::span<const CompactNode> compact_nodes;
   std::span<const std::uint32_t> triangle_order;
-  std::span<const float> leaf_vertices;  ///< nine rows for each leaf (leaf_vertices.h), and eight to spare
+  std::span<const float> leaf_vertices;  ///< nine rows per leaf (leaf_vertices.h), and eight to spare
 
   bool isCompact() const { return !compact_nodes.empty(); }
   std::size_t nodeCount() const { return isCompact() ? compact_nodes.size() : nodes.size(); }
@@ -47,7 +47,7 @@ struct TreeArrays {
   }
 };
 
-/// The arrays in memory of their own.
+/// Arrays in their own memory.
 struct OwnedArrays {
   std::vector<TreeNode> nodes;
   std::vector<CompactNode> compact_nodes;

@@ -27,7 +27,7 @@ struct Header {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;
   std::uint32_t byte_order = kByteOrder;
-  std::uint64_t checksum = 0;  ///< of all that follows it
+  std::uint64_t checksum = 0;  ///< of everything after it
   std::uint64_t bytes = 0;     ///< of the whole blob
   std::uint64_t mesh_vertices = 0;
   std::uint64_t mesh_triangles = 0;
@@ -46,7 +46,7 @@ static_assert(sizeof(Header) == 128 && offsetof(Header, checksum) == 16 && offse
 
 [[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
 
-/// Where the arrays are.
+/// The positions of the arrays.
 struct BlobLayout {
   struct Section {
     std::size_t begin = 0, bytes = 0;
@@ -83,7 +83,7 @@ std::span<const Element> elementsOf(std::span<const std::byte> blob, const BlobL
   return {reinterpret_cast<const Element*>(blob.data() + section.begin), section.bytes / sizeof(Element)};
 }
 
-/// The header of a blob that is whole and belongs to the mesh.
+/// The header of a blob that is intact and belongs to the mesh.
 Header checkedHeader(std::span<const std::byte> blob, const TriangleMesh& mesh) {
   Header header;
   if (blob.size() < sizeof(Header)) {
@@ -93,8 +93,8 @@ Header checkedHeader(std::span<const std::byte> blob, const TriangleMesh& mesh) 
   if (header.magic != kMagic) fail("is not a tree: it does not begin with the magic OctoBlsk");
   if (header.byte_order != kByteOrder) fail("was made on a machine of another byte order");
   if (header.version != kVersion) {
-    fail("has the format version " + std::to_string(header.version) + ", but " + std::to_string(kVersion) +
-         " is read");
+    fail("has format version " + std::to_string(header.version) + ", but this library reads version " +
+         std::to_string(kVersion));
   }
   if (header.bytes != blob.size()) {
     fail("is cut off or padded: it has " + std::to_string(blob.size()) + " bytes of " +
@@ -131,7 +131,7 @@ BuildOptions optionsOf(const Header& header) {
   return options;
 }
 
-/// A copy at an address that arrays may have.
+/// A copy at a properly aligned address.
 std::shared_ptr<const std::byte> alignedCopy(std::span<const std::byte> bytes) {
   constexpr std::align_val_t kAligned{kAlignment};
   const std::shared_ptr<std::byte> copy(static_cast<std::byte*>(::operator new(bytes.size() + 1, kAligned)),
@@ -140,7 +140,7 @@ std::shared_ptr<const std::byte> alignedCopy(std::span<const std::byte> bytes) {
   return copy;
 }
 
-/// The tree of aligned bytes; what is thrown lacks the subject.
+/// The tree of aligned bytes. Its exceptions lack the name of the blob.
 ClusteredOctree octreeOf(std::span<const std::byte> blob, std::shared_ptr<const TriangleMesh> mesh,
                          std::shared_ptr<const void> owner) {
   if (!mesh) fail("needs the mesh that it was built for");
@@ -154,7 +154,8 @@ ClusteredOctree octreeOf(std::span<const std::byte> blob, std::shared_ptr<const 
     fail("has " + std::to_string(header.parts) + " parts for " + std::to_string(triangles) + " triangles");
   const BlobLayout layout(is_compact, header.nodes, triangles, header.parts);
   if (layout.bytes != blob.size()) {
-    fail("has " + std::to_string(blob.size()) + " bytes, its arrays need " + std::to_string(layout.bytes));
+    fail("has " + std::to_string(blob.size()) + " bytes, but its arrays need " +
+         std::to_string(layout.bytes));
   }
   const auto parts = elementsOf<std::int32_t>(blob, layout.parts);
   options.part_of_triangle.assign(parts.begin(), parts.end());

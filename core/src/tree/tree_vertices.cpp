@@ -30,7 +30,7 @@ Extent extentOf(const float* const* coordinates, std::size_t count, const Eigen:
     }
   };
   for (std::size_t i = 0; i + kLanes <= count; i += kLanes) extend(i);
-  extend(count - kLanes);  // the rest, and some once more
+  extend(count - kLanes);  // the rest, and some points twice
 
   Extent extent;
   for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,5 @@
-// The vertices of all triangles in the order of a tree, eight at a time: what is below a box is a range.
+// The vertices of all triangles in the order of a tree, for use eight at a time. The vertices below a box are
+// a range.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace octoblisk::detail {
 
-/// The bounds of points along three axes. Default: of none.
+/// The bounds of points along three axes. The default is empty.
 struct Extent {
   Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
   Eigen::Array3f high = Eigen::Array3f::Constant(-std::numeric_limits<float>::infinity());
@@ -30,7 +31,7 @@ struct TriangleRange {
   std::uint32_t count() const { return end - begin; }
 };
 
-/// In single precision, relative to an origin.
+/// The vertices in single precision, relative to an origin.
 class TreeVertices {
  public:
   TreeVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> order, const Vec3& origin,
@@ -39,7 +40,8 @@ class TreeVertices {
   /// The first vertex of a triangle.
   Eigen::Vector3f first(std::uint32_t triangle) const;
 
-  /// The bounds of a range along the axes, measured from a point near them, which keeps the rounding small.
+  /// The bounds of a range along the axes. Measuring from a point near the vertices keeps the rounding error
+  /// small.
   Extent extent(TriangleRange range, const Eigen::Matrix3f& axes, const Eigen::Vector3f& from) const;
 
  private:

@@ -19,18 +19,18 @@ std::string nameOf(Slot slot) {
 }
 
 void checkSizes(const TreeArrays& tree, std::size_t triangles) {
-  if (tree.nodes.empty() == tree.compact_nodes.empty()) reject("there must be nodes of one kind");
+  if (tree.nodes.empty() == tree.compact_nodes.empty()) reject("there must be either full or compact nodes");
   if (tree.triangle_order.size() != triangles) {
-    reject("the leaves hold " + std::to_string(tree.triangle_order.size()) + " triangles, the mesh " +
+    reject("the leaves hold " + std::to_string(tree.triangle_order.size()) + " triangles, but the mesh has " +
            std::to_string(triangles));
   }
   if (tree.leaf_vertices.size() != (tree.isCompact() ? 0 : 9 * triangles + kLanes)) {
-    reject("there are " + std::to_string(tree.leaf_vertices.size()) + " coordinates in leaves of " +
+    reject("the leaves have " + std::to_string(tree.leaf_vertices.size()) + " coordinates for " +
            std::to_string(triangles) + " triangles");
   }
 }
 
-/// Walks down all nodes, which come in the order of the walk, and so each once.
+/// Traverses all nodes, which must be stored in the order of the traversal, so that each is visited once.
 class Walk {
  public:
   explicit Walk(const TreeArrays& tree) : tree_(tree), is_held_(tree.triangle_order.size(), false) {
@@ -38,10 +38,10 @@ class Walk {
       if (!tree.children(0)[lane].isEmpty()) reject("the first node has more than one box");
     }
     node(0, 1);
-    if (next_node_ != tree.nodeCount()) reject("node " + std::to_string(next_node_) + " is below no other");
+    if (next_node_ != tree.nodeCount()) reject("node " + std::to_string(next_node_) + " has no parent");
     const auto missing = std::ranges::find(is_held_, false);
     if (missing != is_held_.end())
-      reject("place " + std::to_string(missing - is_held_.begin()) + " of the order is in no leaf");
+      reject("entry " + std::to_string(missing - is_held_.begin()) + " of the triangle order is in no leaf");
   }
 
  private:
@@ -73,16 +73,17 @@ class Walk {
     }
     if (below.count == 0) reject("node " + std::to_string(index) + " is empty");
     if (below.end - below.begin != below.count)
-      reject("what is below node " + std::to_string(index) + " is not a range of the order");
+      reject("the triangles below node " + std::to_string(index) + " are not a range of the triangle order");
     return below;
   }
 
   Below leaf(Slot slot, Child leaf) {
     const Below range{leaf.first(), std::size_t{leaf.first()} + leaf.count(), leaf.count()};
-    if (range.end > is_held_.size()) reject("the leaf in " + nameOf(slot) + " ends beyond the order");
+    if (range.end > is_held_.size())
+      reject("the leaf in " + nameOf(slot) + " ends beyond the triangle order");
     for (std::size_t place = range.begin; place < range.end; ++place) {
       if (is_held_[place])
-        reject("place " + std::to_string(place) + " of the order is in more than one leaf");
+        reject("entry " + std::to_string(place) + " of the triangle order is in more than one leaf");
       is_held_[place] = true;
     }
     return range;
@@ -97,15 +98,15 @@ void checkOrder(std::span<const std::uint32_t> order) {
   std::vector<bool> is_there(order.size(), false);
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (order[i] >= order.size() || is_there[order[i]]) {
-      reject("place " + std::to_string(i) + " of the order has triangle " + std::to_string(order[i]) +
-             ", which is not there or in another place as well");
+      reject("entry " + std::to_string(i) + " of the triangle order is triangle " + std::to_string(order[i]) +
+             ", which does not exist or occurs twice");
     }
     is_there[order[i]] = true;
   }
 }
 
-/// Finite, its frame orthonormal, its half extents in descending order and neither they nor the centre
-/// larger than in a tree of that radius.
+/// Whether the box is finite, its frame orthonormal, its half extents in descending order, and its half
+/// extents and centre no larger than a tree of this radius allows.
 bool isSound(const BoxF& box, float largest) {
   const Mat3 axes = box.axes.cast<double>();
   const Mat3 off = axes.transpose() * axes - Mat3::Identity();
@@ -115,7 +116,7 @@ bool isSound(const BoxF& box, float largest) {
          off.allFinite() && off.cwiseAbs().maxCoeff() <= kOrthonormal;
 }
 
-/// Nothing overlaps it.
+/// Whether the box is the empty box, which nothing overlaps.
 bool isEmptyBox(const BoxF& box, float largest) {
   return box.axes.isIdentity(0.0f) && (box.half_extents.array() == Box8::kEmptyHalfExtent).all() &&
          box.center.allFinite() && box.center.cwiseAbs().maxCoeff() <= largest;
@@ -124,11 +125,11 @@ bool isEmptyBox(const BoxF& box, float largest) {
 void checkLeafVertices(std::span<const float> coordinates, float largest) {
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     if (!(std::abs(coordinates[i]) <= largest))
-      reject("coordinate " + std::to_string(i) + " in the leaves is not one of this mesh");
+      reject("coordinate " + std::to_string(i) + " in the leaves is not finite or too large for this mesh");
   }
 }
 
-/// Whether the corners in a leaf of a full tree are those of the mesh, but for rounding.
+/// Whether the corners stored in a leaf of a full tree are those of the mesh, up to rounding.
 bool hasItsCorners(const Tree& tree, Slot slot) {
   const Child leaf = tree.child(slot);
   LeafVertices computed, unused;
@@ -153,7 +154,7 @@ void checkTree(const TreeArrays& tree, const TriangleMesh& mesh) {
       const Slot slot{n, lane};
       if (tree.child(slot).isEmpty() ? !isEmptyBox(tree.box(slot), largest)
                                      : !isSound(tree.box(slot), largest))
-        reject(nameOf(slot) + " is not one that a tree of this mesh has");
+        reject(nameOf(slot) + " cannot be a box of a tree of this mesh");
     }
   }
 }
@@ -168,7 +169,7 @@ void checkBuild(const TriangleMesh* mesh, const BuildOptions& options) {
   const std::size_t triangles = mesh->triangleCount();
   if (triangles > ClusteredOctree::kMaxTriangles) {
     throw std::invalid_argument("the mesh has " + std::to_string(triangles) +
-                                " triangles; a clustered octree holds " +
+                                " triangles; a clustered octree holds at most " +
                                 std::to_string(ClusteredOctree::kMaxTriangles));
   }
   if (options.leaf_capacity < 1 ||
@@ -187,24 +188,24 @@ void checkBuild(const TriangleMesh* mesh, const BuildOptions& options) {
 }
 
 void checkDeformed(const TriangleMesh* deformed, const TriangleMesh& mesh) {
-  if (!deformed) throw std::invalid_argument("to refit a clustered octree needs a mesh");
+  if (!deformed) throw std::invalid_argument("refitting a clustered octree needs a mesh");
   const auto checkCount = [](const char* what, std::size_t count, std::size_t wanted) {
     if (count == wanted) return;
     throw std::invalid_argument("the deformed mesh has " + std::to_string(count) + ' ' + what +
-                                ", the tree's " + std::to_string(wanted));
+                                ", but the tree's mesh has " + std::to_string(wanted));
   };
   checkCount("triangles", deformed->triangleCount(), mesh.triangleCount());
   checkCount("vertices", deformed->vertices().size(), mesh.vertices().size());
   const auto [other, own] = std::ranges::mismatch(deformed->triangles(), mesh.triangles());
   if (own != mesh.triangles().end()) {
     throw std::invalid_argument("triangle " + std::to_string(own - mesh.triangles().begin()) +
-                                " of the deformed mesh has other vertices than that of the tree's");
+                                " of the deformed mesh has other vertices than in the tree's mesh");
   }
 }
 
 void validate(const Tree& tree) {
   std::vector<std::uint32_t> leaves_of_triangle(tree.mesh().triangleCount(), 0);
-  std::vector<Slot> path;  // from the root to the slot at hand
+  std::vector<Slot> path;  // from the root to the current slot
   const auto fail = [](const std::string& what) {
     throw std::logic_error("the clustered octree is invalid: " + what);
   };
@@ -223,11 +224,11 @@ void validate(const Tree& tree) {
         ++leaves_of_triangle[t];
         for (const Slot above : path) {
           const Obb bounds =
-              inMesh(tree.arrays().box(above), Vec3::Zero());  // exact, however far the origin is
+              inMesh(tree.arrays().box(above), Vec3::Zero());  // exact, however far away the origin is
           for (const Vec3& vertex : tree.mesh().triangle(t)) {
             if (!bounds.contains(vertex - tree.origin())) {
               fail("box " + std::to_string(above.lane) + " of node " + std::to_string(above.node) +
-                   " does not hold triangle " + std::to_string(t));
+                   " does not contain triangle " + std::to_string(t));
             }
           }
         }

@@ -1,26 +1,27 @@
-// What makes arrays a tree, and input one that a tree can be made of.
+// Checks whether arrays are a valid tree, and whether a tree can be built from the input.
 #pragma once
 
 #include "tree/tree.h"
 
 namespace octoblisk::detail {
 
-/// Throws std::invalid_argument for no mesh, too many triangles, or an option out of its range.
+/// Throws std::invalid_argument if the mesh is null, if it has too many triangles, or if an option is out of
+/// range.
 void checkBuild(const TriangleMesh* mesh, const BuildOptions& options);
 
-/// Throws std::invalid_argument for a negative number of threads.
+/// Throws std::invalid_argument if the number of threads is negative.
 void checkThreads(int threads);
 
-/// Throws std::invalid_argument unless `deformed` is the mesh with its vertices moved.
+/// Throws std::invalid_argument unless `deformed` is the mesh with moved vertices.
 void checkDeformed(const TriangleMesh* deformed, const TriangleMesh& mesh);
 
-/// Throws std::invalid_argument that names the node or triangle unless the nodes are a tree in depth-first
-/// order, no deeper than Tree::kMaxDepth, over leaves that hold each of the mesh's triangles once, with boxes
-/// that are finite, orthonormal and no larger than the mesh makes them. On such arrays no query fails; only
-/// validate() shows that its answers are right.
+/// Throws std::invalid_argument, which names the node or triangle, unless the nodes are a valid tree: in
+/// depth-first order, no deeper than Tree::kMaxDepth, with each of the mesh's triangles in one leaf, and with
+/// boxes that are finite, orthonormal and no larger than the mesh allows. No query fails on such arrays. Only
+/// validate() shows that the answers are correct.
 void checkTree(const TreeArrays& tree, const TriangleMesh& mesh);
 
-/// ClusteredOctree::validate.
+/// Implements ClusteredOctree::validate.
 void validate(const Tree& tree);
 
 }  // namespace octoblisk::detail

@@ -1,5 +1,5 @@
-// All contacts of a pair of bodies, from the algorithm that Bullet dispatches: not the few that its manifolds
-// keep.
+// All contacts of a pair of bodies, from the algorithm that Bullet dispatches, instead of the few that
+// Bullet's manifolds keep.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
@@ -10,22 +10,23 @@
 
 namespace octoblisk {
 
-/// Given to an algorithm of registerAlgorithm (register.h) as the result of processCollision, takes the
-/// contacts of all pairs of triangles within reach, and leaves the pair's manifolds as they are. The reach is
-/// that of a manifold: the breaking threshold, the margins, and m_closestPointDistanceThreshold. Algorithms
-/// of others find no manifold in it, so that it must not be given to them.
+/// Pass this to an algorithm of registerAlgorithm (register.h) as the result of processCollision. It collects
+/// the contacts of all triangle pairs within reach and leaves the pair's manifolds unchanged. The reach is
+/// that of a manifold: the contact breaking threshold, the margins, and m_closestPointDistanceThreshold. Do
+/// not pass it to other algorithms: they would find no manifold in it.
 class AllContacts final : public btManifoldResult {
  public:
   AllContacts(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1)
       : btManifoldResult(body0, body1) {}
 
-  /// The body that is A of the contacts, which are in its frame; null where no algorithm of ours has run.
+  /// The body that is A in the contacts; points and normals are in its frame. Null if no algorithm of this
+  /// library has run.
   const btCollisionObject* a() const { return a_; }
 
-  /// The algorithm keeps them until its next run.
+  /// Valid until the algorithm runs again.
   std::span<const Contact> contacts() const { return contacts_; }
 
-  /// For the algorithm.
+  /// Called by the algorithm.
   void take(const btCollisionObject& a, std::span<const Contact> contacts) {
     a_ = &a;
     contacts_ = contacts;

@@ -1,4 +1,4 @@
-// A broadphase that knows what our shapes are made of: one line to use, in place of btDbvtBroadphase.
+// A broadphase that looks into ClusteredOctreeShape. Use it in place of btDbvtBroadphase.
 #pragma once
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
@@ -11,42 +11,43 @@ namespace detail {
 struct PairStages;
 }  // namespace detail
 
-/// What a ClusteredOctreeBroadphase holds. Volumes are in world units cubed.
+/// Statistics of a ClusteredOctreeBroadphase. Volumes are in world units cubed.
 struct BroadphaseStatistics {
-  int coarse_pairs = 0;  ///< pairs of overlapping boxes, and some whose boxes have parted in the last steps
-  int tight_pairs = 0;   ///< of these those that Bullet is told of
-  /// Of the boxes, as Bullet has them, of all bodies with our shape, or with a compound that holds it.
+  int coarse_pairs = 0;  ///< pairs whose boxes overlap, and some whose boxes separated in the last steps
+  int tight_pairs = 0;   ///< the pairs among these that Bullet sees
+  /// The volume of the boxes, as Bullet has them, of all bodies whose shape is or contains a
+  /// ClusteredOctreeShape.
   double box_volume = 0.0;
-  /// Of the boxes of the clusters that stand for these bodies, not grown, summed; other children of the
-  /// compounds are left out.
+  /// The summed volume of the boxes of the clusters that represent these bodies, without margins. Other
+  /// children of compounds are left out.
   double cluster_volume = 0.0;
 };
 
-/// Reports a pair with a ClusteredOctreeShape only where one of its clusters, or of a compound's child that
-/// is ours, meets the other's box or clusters, grown so that no contact is lost: a body in the middle of a
-/// ring, or between two blades, makes no pair, no algorithm and no island with it. All other pairs are
-/// those of btDbvtBroadphase, at the same cost; ghosts and soft bodies meet our shape by their boxes, as
-/// ever.
+/// Reports a pair with a ClusteredOctreeShape only if a cluster of the shape meets the other body's box or
+/// clusters, grown so that no contact is lost. A ClusteredOctreeShape in a compound counts too. A body in the
+/// middle of a ring, or between two blades, therefore makes no pair, no algorithm and no island with it. All
+/// other pairs are those of btDbvtBroadphase, at the same cost. Ghosts and soft bodies meet the shape by
+/// their boxes, as in Bullet.
 ///
-/// Bodies move to the last bit as with btDbvtBroadphase until clusters keep a pair apart: pairs have its
-/// order. Then the order differs, and smaller islands sleep sooner. Bullet's solver depends on the order of
-/// contacts, so bodies come to rest at places that differ a little, and piles that tumble part as they do by
-/// rounding.
+/// Until the clusters reject a pair, pairs have the order of btDbvtBroadphase, and bodies move identically to
+/// the last bit. After that, the order differs, and smaller islands sleep sooner. Bullet's solver depends on
+/// the order of contacts, so bodies come to rest at slightly different places, and tumbling piles diverge as
+/// they do under rounding errors.
 ///
-/// Clusters are asked as a pair is added, and again, at the transforms that the bodies have then, in each
-/// calculateOverlappingPairs: a world's step calls it, and computeOverlappingPairs. A pair of two bodies that
-/// sleep, and that the dispatcher leaves alone (needsCollision), stays as it is until one wakes, as all that
-/// Bullet knows of it. A body that gets another shape needs the cache's cleanProxyFromPairs, as in Bullet:
-/// without it, clusters have no say in pairs that it had with another kind of shape. Built with assertions,
-/// the first step with our shape asserts that its algorithms are registered (register.h). Clients must be
-/// btCollisionObject, as in every world, or null.
+/// The clusters are tested when a pair is added, and again in each calculateOverlappingPairs, at the bodies'
+/// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep
+/// and the dispatcher ignores the pair (needsCollision), the pair stays as it is, like everything else that
+/// Bullet keeps about it. If a body gets another shape, call the cache's cleanProxyFromPairs, as in Bullet.
+/// Otherwise the clusters do not decide about the pairs that the body had with another kind of shape. In
+/// builds with assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are
+/// registered (register.h). Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
-  /// Some thousands of boxes at most, of which few are ever looked at.
+  /// A few thousand boxes at most; queries visit few of them.
   static constexpr int kDefaultDepth = 4;
 
-  /// `depth`: how far below the root's box, which is 0, the clusters lie that stand for a shape: the deeper
-  /// the tighter, and the costlier for bodies that are close; octoblisk/clusters_near.h.
+  /// `depth`: the depth of the clusters that represent a shape; the root's box has depth 0. Deeper clusters
+  /// are tighter, but cost more for bodies that are close (core/src/contact/clusters_near.h).
   explicit ClusteredOctreeBroadphase(int depth = kDefaultDepth);
   ~ClusteredOctreeBroadphase() override;
   ClusteredOctreeBroadphase(const ClusteredOctreeBroadphase&) = delete;
@@ -54,7 +55,7 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
 
   int depth() const { return depth_; }
 
-  /// Of the present moment. Counts are at hand; the volumes are summed over all boxes.
+  /// Current values. The pair counts are stored; the volumes are summed over all boxes on each call.
   BroadphaseStatistics statistics() const;
   int coarsePairs() const;
   int tightPairs() const;
@@ -82,8 +83,8 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   bool isAnswered(btDispatcher* dispatcher);
 
   int depth_;
-  bool has_our_shape_ = false;  // a body of it was added
-  bool is_answered_ = false;    // by the dispatcher
+  bool has_our_shape_ = false;  // whether a body with ClusteredOctreeShape was added
+  bool is_answered_ = false;    // whether the dispatcher has the shape's algorithms
   std::unique_ptr<detail::PairStages> stages_;
 };
 

@@ -1,6 +1,7 @@
-// The concave collision shape. It replaces btBvhTriangleMeshShape and btGImpactMeshShape, and may move.
+// The concave collision shape. It replaces btBvhTriangleMeshShape and btGImpactMeshShape, and its bodies may
+// move.
 //
-// This header includes Bullet and no Eigen, to compile fast. Include octoblisk/clustered_octree.h and
+// To compile fast, this header includes Bullet but not Eigen. Include octoblisk/clustered_octree.h and
 // octoblisk/mass_properties.h to use what tree() and massProperties() return.
 #pragma once
 
@@ -25,100 +26,102 @@ namespace detail {
 struct FarVertices;
 }
 
-/// A concave mesh that may be static, kinematic or dynamic. Needs registerAlgorithm (register.h) once for
-/// each dispatcher. The tree is immutable: shapes, bodies, worlds and threads may share it; setLocalScaling
-/// and refit give this shape another. Queries are const and compute nothing lazily.
+/// A concave mesh that may be static, kinematic or dynamic. Call registerAlgorithm (register.h) once for each
+/// dispatcher. The tree is immutable, so shapes, bodies, worlds and threads may share it. setLocalScaling and
+/// refit give this shape a new tree. Queries are const and compute nothing lazily.
 ATTRIBUTE_ALIGNED16(class)
 ClusteredOctreeShape final : public btConcaveShape {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
-  /// Copies the triangles out of the interface, its scaling included, and builds the tree; the interface is
-  /// not needed afterwards. Throws std::invalid_argument for a null or unusable interface (mesh_interface.h),
-  /// more parts or triangles than Bullet can number (triangle_parts.h), and for what ClusteredOctree::build
-  /// refuses.
+  /// Copies the triangles from the interface, applies the interface's scaling, and builds the tree. The
+  /// interface is not needed afterwards. Throws std::invalid_argument if the interface is null or unusable
+  /// (mesh_interface.h), if it has more parts or triangles than Bullet can number (triangle_parts.h), or if
+  /// ClusteredOctree::build rejects the mesh or the options.
   explicit ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                 const BuildOptions& options = {});
 
-  /// Shares a tree that is built, or mapped from a file (octoblisk/tree_blob.h): the mesh it is for, and the
-  /// first triangles of its parts, readMeshInterface gives. Throws std::invalid_argument for a null tree, and
-  /// as TriangleParts does.
+  /// Shares a tree that was built before or mapped from a file (octoblisk/tree_blob.h). readMeshInterface
+  /// returns the mesh for such a tree and `part_begin`, the first triangle of each part. Throws
+  /// std::invalid_argument if the tree is null, or as TriangleParts does.
   explicit ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree> tree,
                                 std::vector<std::uint32_t> part_begin = {0});
 
   const ClusteredOctree& tree() const { return *tree_; }
-  /// Another tree whenever triangles move in the shape's frame: what was found in the last one is invalid.
+  /// A new tree replaces it whenever triangles move in the shape's frame; results found in the old tree are
+  /// then invalid.
   const std::shared_ptr<const ClusteredOctree>& sharedTree() const { return tree_; }
 
   /// Part and index of a triangle of the tree's mesh.
   TriangleId triangleId(std::uint32_t triangle) const { return parts_.id(triangle); }
   const TriangleParts& parts() const { return parts_; }
 
-  /// The mesh before it was scaled.
+  /// The mesh before scaling.
   const TriangleMesh& unscaledMesh() const { return *unscaled_; }
 
-  /// Fits the tree to vertices that have moved: those of the mesh that the shape was made of, with the same
-  /// parts and triangles; the shape's own scaling applies, the interface's does not. Several times faster
-  /// than a new shape. Only this shape changes, not others that share its tree. Not while a query runs. A
-  /// static or sleeping body is to be told as of any change: its bounds (updateSingleAabb), its activation.
-  /// Throws std::invalid_argument for null, for another number of triangles or parts, and as
-  /// ClusteredOctree::refitted does; the shape is then as it was.
+  /// Refits the tree to moved vertices of the shape's mesh; parts and triangles must be the same. Applies the
+  /// shape's own scaling, not the interface's. Several times faster than a new shape. Changes only this
+  /// shape, not others that share its tree. Do not call it while a query runs. For a static or sleeping body,
+  /// also update its bounds (updateSingleAabb) and activate it, as after any change. Throws
+  /// std::invalid_argument if the argument is null, if the number of triangles or the parts differ, or as
+  /// ClusteredOctree::refitted does. The shape is then unchanged.
   void refit(const btStridingMeshInterface* mesh_interface);
-  /// The same of a mesh of the core.
+  /// The same from a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
   /// In a step, contacts are created within half this distance and kept within all of it, in world units.
-  /// contactTest and contactPairTest find contacts within all of it. Bullet takes the smaller distance of two
-  /// shapes. Default: gContactBreakingThreshold (0.02), or a fiftieth of the shape's radius where that is
-  /// less.
+  /// contactTest and contactPairTest find contacts within all of it. Bullet uses the smaller threshold of the
+  /// two shapes. Default: gContactBreakingThreshold (0.02), or 1/50 of the shape's radius if that is smaller.
   void setContactBreakingThreshold(btScalar threshold) { contact_breaking_threshold_ = threshold; }
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
-  /// The thickness of a skin round the triangles, in world units. Bodies rest on it, and their meshes stay
-  /// out of each other. Default: 0 for an open mesh. For a closed one a hundredth of the greatest half
-  /// extent, or a tenth of the thickness of its thin parts if that is less; it changes with the scaling and
-  /// with refit. 0 makes contacts exact on the triangles.
+  /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
+  /// layer, so their meshes stay apart. Default: 0 for an open mesh. For a closed mesh, 1/100 of its greatest
+  /// half extent, or 1/10 of the thickness of its thin parts if that is less; scaling and refit change it.
+  /// With a margin of 0, contacts lie exactly on the triangles.
   void setMargin(btScalar margin) override;
 
-  /// A closed mesh is a solid unless this says otherwise: a body that gets inside is pushed out the shortest
-  /// way. A surface has no inside; a body that gets through it in one step stays there. An open mesh is
-  /// always a surface.
+  /// By default, a closed mesh is a solid: a body that gets inside is pushed out the shortest way. With
+  /// setSolid(false) it is a surface, which has no inside: a body that passes through it in one step stays
+  /// there. An open mesh is always a surface.
   void setSolid(bool solid) { may_be_solid_ = solid; }
   bool isSolid() const;
 
-  /// Grown by the margin and by a breaking threshold that was set, so that the broadphase loses no near
-  /// contact.
+  /// The box is grown by the margin and by the contact breaking threshold if one was set, so that the
+  /// broadphase misses no contact.
   void getAabb(const btTransform& transform, btVector3& aabb_min, btVector3& aabb_max) const override;
 
-  /// Builds a tree over the scaled triangles for this shape alone; negative factors turn the triangles, so
-  /// that they keep facing outward. Throws std::invalid_argument for a factor that is 0 or not
-  /// finite, and as ClusteredOctree::build does; the shape is then as it was.
+  /// Builds a tree over the scaled triangles for this shape alone. If factors mirror the mesh, the triangles
+  /// are reversed so that they still face outward. Throws std::invalid_argument if a factor is 0 or not
+  /// finite, or as ClusteredOctree::build does. The shape is then unchanged.
   void setLocalScaling(const btVector3& scaling) override;
   const btVector3& getLocalScaling() const override { return scaling_; }
 
-  /// Of the solid within the mesh (octoblisk/mass_properties.h) about the shape's origin, where a body has
-  /// its centre of mass, exact; of the solid bounding box where the mesh is not closed. Bullet knows the
-  /// diagonal alone: products of inertia are dropped. calculatePrincipalAxisTransform tells where to put the
-  /// shape so that there are none.
+  /// The exact inertia of the solid within the mesh (octoblisk/mass_properties.h) about the shape's origin,
+  /// which is the body's centre of mass; if the mesh is not closed, that of its solid bounding box. Bullet
+  /// uses only the diagonal, so products of inertia are dropped. calculatePrincipalAxisTransform finds a
+  /// frame without products of inertia.
   void calculateLocalInertia(btScalar mass, btVector3 & inertia) const override;
 
-  /// As btCompoundShape's of the same name: the frame, in the shape's, of centre of mass and principal axes,
-  /// and the inertia of the mass in it. A body moves as the solid does whose shape is a compound with this
-  /// shape as its child at principal.inverse(), or a shape whose vertices were moved so.
+  /// Like btCompoundShape's function of the same name: computes the frame of centre of mass and principal
+  /// axes, in the shape's frame, and the inertia in it. To make a body move exactly like the solid, give it a
+  /// compound that contains this shape at principal.inverse(), or a shape whose vertices were transformed by
+  /// principal.inverse().
   void calculatePrincipalAxisTransform(btScalar mass, btTransform & principal, btVector3 & inertia) const;
 
-  /// In the shape's frame, scaled as it is.
+  /// In the shape's frame, with scaling applied.
   const MassProperties& massProperties() const { return *mass_properties_; }
   const detail::FarVertices& farVertices() const { return *far_vertices_; }
 
-  /// Calls back once for every triangle that meets the box, and for some near it, in the shape's frame. The
-  /// callbacks of Bullet's ray tests and convex sweeps are given the triangles on their way alone.
+  /// Calls back once for every triangle that meets the box, in the shape's frame, and for some others nearby.
+  /// Callbacks of Bullet's ray tests and convex sweeps receive only the triangles along their path.
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
-  /// Writes a btTriangleMeshShapeData of the unscaled mesh, its parts and the scaling: stock importers make a
-  /// btBvhTriangleMeshShape of it, WorldImporter (world_importer.h) this shape again. Vertices are written as
-  /// doubles in either precision, so that a saved tree (octoblisk/tree_blob.h) goes with what is read back.
+  /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers
+  /// create a btBvhTriangleMeshShape from it; WorldImporter (world_importer.h) restores this shape. Vertices
+  /// are written as doubles whatever Bullet's precision is, so that a saved tree (octoblisk/tree_blob.h) fits
+  /// the mesh that is read back.
   int calculateSerializeBufferSize() const override;
   const char* serialize(void* buffer, btSerializer* serializer) const override;
 

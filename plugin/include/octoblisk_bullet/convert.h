@@ -1,4 +1,4 @@
-// Between Bullet's types and the core's: one function a type and direction.
+// Conversions between Bullet's types and the core's.
 #pragma once
 
 #include <LinearMath/btTransform.h>

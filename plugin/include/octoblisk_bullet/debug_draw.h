@@ -1,4 +1,4 @@
-// What a tree looks like, through Bullet's debug drawer.
+// Draws the boxes of a tree with Bullet's debug drawer.
 #pragma once
 
 class btIDebugDraw;
@@ -9,8 +9,9 @@ namespace octoblisk {
 
 class ClusteredOctreeShape;
 
-/// Draws the edges of the tree's oriented boxes at a depth (the root's is 0), and of the leaves above it, of
-/// a shape at `shape_in_world`: twelve lines a box. All leaves: ClusteredOctree::kMaxDepth.
+/// Draws the edges of the tree's oriented boxes at a depth (the root's box has depth 0) and of the leaf boxes
+/// above that depth, for a shape at `shape_in_world`. Draws twelve lines per box. Pass
+/// ClusteredOctree::kMaxDepth to draw all leaves.
 void drawClusters(btIDebugDraw& drawer, const btTransform& shape_in_world, const ClusteredOctreeShape& shape,
                   int depth, const btVector3& color);
 

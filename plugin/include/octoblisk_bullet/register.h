@@ -1,4 +1,5 @@
-// Makes a dispatcher know our shape: one line in a user's program.
+// Registers ClusteredOctreeShape with a dispatcher. Call this once for each dispatcher; otherwise bodies fall
+// through.
 #pragma once
 
 class btCollisionDispatcher;
@@ -6,25 +7,27 @@ class btCollisionDispatcher;
 namespace octoblisk {
 
 /// Registers the algorithms of ClusteredOctreeShape for contacts and for closest points (contactTest,
-/// contactPairTest), in both orders, with every convex shape, with itself, and with Bullet's concave shapes:
-/// btBvhTriangleMeshShape, scaled or of many materials, btHeightfieldTerrainShape, btStaticPlaneShape,
-/// GImpact meshes, and whoever else's concave shape has the type FAST_CONCAVE_MESH_PROXYTYPE, which is ours.
-/// Compounds work through their children, soft bodies through Bullet. All other pairs stay as they are; of
-/// that type a shape that is not ours meets convex shapes and GImpact through Bullet, and no other concave
-/// one but ours.
+/// contactPairTest), in both orders. They cover every convex shape, ClusteredOctreeShape itself, and Bullet's
+/// concave shapes: btBvhTriangleMeshShape (also scaled or with several materials), btHeightfieldTerrainShape,
+/// btStaticPlaneShape, GImpact meshes, and third-party concave shapes of type FAST_CONCAVE_MESH_PROXYTYPE,
+/// which is also the type of ClusteredOctreeShape. Compounds work through their children, soft bodies through
+/// Bullet. All other pairs are unchanged. A third-party shape of that type meets convex shapes and GImpact
+/// through Bullet. Of the other concave shapes it meets only ClusteredOctreeShape.
 ///
-/// The triangles of other meshes face outward, counter-clockwise, as ours: they push out of that side. Those
-/// of mirrored meshes and of heightfields, which do not, are turned.
+/// Triangles of other meshes must be counter-clockwise as seen from outside, like those of
+/// ClusteredOctreeShape: contacts push to the outside. Triangles of mirrored meshes and of heightfields that
+/// face inward are reversed.
 ///
-/// The last registration of a pair wins. btGImpactCollisionAlgorithm::registerAlgorithm takes every pair with
-/// GImpact: called after this, contacts of GImpact with our shape are its own; call it first. A GImpact shape
-/// needs updateBound() after each change, as ever, or it is empty; its parts' default margin of 0.01 counts
-/// only once setMargin was called on the shape. GImpact compounds are left to GImpact's algorithm.
+/// The last registration of a pair of types wins. Call btGImpactCollisionAlgorithm::registerAlgorithm before
+/// this function: it registers every pair with GImpact, and if it is called later, GImpact computes the
+/// contacts with ClusteredOctreeShape. A GImpact shape needs updateBound() after each change, as always in
+/// Bullet; otherwise it is empty. The default margin of its parts (0.01) counts only after setMargin was
+/// called on the shape. GImpact compounds are left to GImpact's algorithm.
 void registerAlgorithm(btCollisionDispatcher* dispatcher);
 
-/// Whether registerAlgorithm was called on this dispatcher, and no later registration replaced its
-/// algorithms. Without it our moving bodies fall through concave ones, and Bullet reports nothing. Creates
-/// and deletes the algorithm of two small meshes to find out.
+/// Whether registerAlgorithm was called on this dispatcher and no later registration replaced its algorithms.
+/// Without them, moving bodies with ClusteredOctreeShape fall through concave ones, and Bullet reports no
+/// error. To find out, creates and deletes the algorithm of two small meshes.
 bool isRegistered(btCollisionDispatcher* dispatcher);
 
 }  // namespace octoblisk

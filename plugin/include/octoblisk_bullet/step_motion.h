@@ -1,4 +1,4 @@
-// How Bullet moves a body within a step, as a motion of the core.
+// Bullet's motion of a body within a step, as a Motion of the core.
 #pragma once
 
 #include <LinearMath/btTransform.h>
@@ -9,16 +9,16 @@ class btCollisionObject;
 
 namespace octoblisk {
 
-/// The motion whose end is btTransformUtil::integrateTransform's, to the rounding of btScalar: the origin
-/// goes straight by velocity times `dt` (> 0), the body turns about it at constant speed. The turn is angular
-/// velocity times `dt` up to 45° and less than that beyond, as Bullet's is. The rotation of `from` is made
-/// orthonormal to double precision.
+/// The motion that ends at the result of btTransformUtil::integrateTransform, to the rounding of btScalar.
+/// The origin moves straight by velocity times `dt` (> 0), and the body turns about it at constant speed. The
+/// angle is angular velocity times `dt` up to 45° and less beyond, as in Bullet. The rotation of `from` is
+/// made orthonormal to double precision.
 Motion stepMotion(const btTransform& from, const btVector3& linear_velocity,
                   const btVector3& angular_velocity, btScalar dt);
 
-/// That of a body from where it is: of a btRigidBody by its velocities, of any other by its interpolation
-/// velocities. Static bodies, as a btCollisionObject is by default, stay; kinematic ones go on with the
-/// velocities that they have.
+/// The motion of a body from its current pose: by the velocities of a btRigidBody, or by the interpolation
+/// velocities of any other object. Static bodies stay; a btCollisionObject is static by default. Kinematic
+/// bodies continue with their current velocities.
 Motion stepMotion(const btCollisionObject& body, btScalar dt);
 
 }  // namespace octoblisk

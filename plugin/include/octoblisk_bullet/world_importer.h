@@ -1,5 +1,5 @@
-// Reads .bullet files in which bodies have our shape. Needs Bullet's importer (Debian: libbullet-extras-dev),
-// and a program that links BulletWorldImporter and BulletFileLoader.
+// Reads .bullet files whose bodies have ClusteredOctreeShape. Needs Bullet's importer (Debian:
+// libbullet-extras-dev); link the program to BulletWorldImporter and BulletFileLoader.
 #pragma once
 
 #include <BulletFileLoader/btBulletFile.h>
@@ -14,10 +14,11 @@
 
 namespace octoblisk {
 
-/// In place of btBulletWorldImporter, which makes a static btBvhTriangleMeshShape of our shape. Bodies and
-/// compounds get our shape back, as restoredShape makes it, and all bodies what restoreBody gives them. The
-/// dispatcher has to be told of our shape, as ever (register.h). As ever, too, deleteAllData deletes what was
-/// made, and shapes that a file names are found by name.
+/// Replaces btBulletWorldImporter, which turns a saved ClusteredOctreeShape into a static
+/// btBvhTriangleMeshShape. Bodies and compounds get their ClusteredOctreeShape back, as restoredShape makes
+/// it, and all bodies get the state that restoreBody restores. Call registerAlgorithm (register.h) on the
+/// dispatcher. As with Bullet's importer, deleteAllData deletes everything that was created, and named shapes
+/// can be found by name.
 class WorldImporter : public btBulletWorldImporter {
  public:
   using btBulletWorldImporter::btBulletWorldImporter;
@@ -46,7 +47,7 @@ class WorldImporter : public btBulletWorldImporter {
     } else if (file_) {
       shape = shapeOf(*next<btCollisionObjectFloatData>(file_->m_collisionObjects, next_object_));
     }
-    return btBulletWorldImporter::createRigidBody(false, 0, pose, shape, name);  // as Bullet's makes it
+    return btBulletWorldImporter::createRigidBody(false, 0, pose, shape, name);  // as Bullet's importer does
   }
 
  private:
@@ -65,7 +66,8 @@ class WorldImporter : public btBulletWorldImporter {
     return saved.m_collisionObjectData;
   }
 
-  /// What Bullet's importer, which goes through the same list, is at: it leaves out what has no shape.
+  /// The entry at which Bullet's importer is: it goes through the same list and skips objects without a
+  /// shape.
   template <typename Data>
   const Data* next(const Structs& all, int& index) {
     for (;;) {
@@ -92,7 +94,7 @@ class WorldImporter : public btBulletWorldImporter {
     if (shape == read) return shape;
     m_shapeMap.insert(data, shape);
     if (const char** found = m_objectNameMap.find(read)) {
-      const char* const name = *found;  // which moves as the map grows
+      const char* const name = *found;  // copied, because it moves when the map grows
       m_nameShapeMap.insert(name, shape);
       m_objectNameMap.insert(shape, name);
     }
@@ -120,7 +122,7 @@ class WorldImporter : public btBulletWorldImporter {
     compound.setMargin(btScalar(saved.m_collisionMargin));
     for (int child = 0, s = 0; child < compound.getNumChildShapes(); ++child, ++s) {
       btCollisionShape* const read = compound.getChildShape(child);
-      // Those that Bullet's importer does not know it leaves out.
+      // Bullet's importer leaves out children of unknown type.
       while (saved.m_childShapePtr[s].m_childShape->m_shapeType != read->getShapeType()) ++s;
       btCollisionShape* const shape = restored(*saved.m_childShapePtr[s].m_childShape, read);
       if (shape == read) continue;
@@ -134,8 +136,8 @@ class WorldImporter : public btBulletWorldImporter {
 
   bParse::btBulletFile* file_ = nullptr;  // while it is read
   int next_body_ = 0, next_object_ = 0;
-  std::unordered_map<const btCollisionShapeData*, btCollisionShape*> made_;  // of the meshes in the file
-  std::unordered_set<const btCompoundShape*> compounds_;                     // whose children are restored
+  std::unordered_map<const btCollisionShapeData*, btCollisionShape*> made_;  // for the meshes in the file
+  std::unordered_set<const btCompoundShape*> compounds_;  // compounds whose children are restored
 };
 
 }  // namespace octoblisk

@@ -5,10 +5,10 @@
 
 namespace octoblisk::detail {
 
-/// Two triangles that the filter does not part.
+/// Two triangles that the filter could not separate.
 struct CandidatePair {
   TrianglePair triangles;
-  bool meets;  ///< for certain; else the exact test has to say
+  bool meets;  ///< certainly; otherwise the exact test decides
 };
 
 }  // namespace octoblisk::detail

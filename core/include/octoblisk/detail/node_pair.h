@@ -1,11 +1,11 @@
-// A node of each of two trees.
+// A pair of nodes, one of each of two trees.
 #pragma once
 
 #include <cstdint>
 
 namespace octoblisk::detail {
 
-/// Indices of nodes. By default the first nodes: all of both trees is below them.
+/// Indices of nodes. The default is both roots.
 struct NodePair {
   std::uint32_t a = 0, b = 0;
 };

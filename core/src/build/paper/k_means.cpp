@@ -21,7 +21,7 @@ std::vector<Vec3> randomCenters(std::span<const Vec3> points, std::size_t k, std
   return centers;
 }
 
-/// Step 2: every point to its nearest centre. Returns whether any point changed its cluster.
+/// Step 2: assigns every point to its nearest centre. Returns whether any point changed its cluster.
 bool assign(std::span<const Vec3> points, Clustering& clustering) {
   bool changed = false;
   clustering.squared_error = 0.0;
@@ -42,7 +42,7 @@ bool assign(std::span<const Vec3> points, Clustering& clustering) {
   return changed;
 }
 
-/// Step 3: every centre to the mean of its points; an empty cluster stays where it was.
+/// Step 3: moves every centre to the mean of its points. An empty cluster keeps its centre.
 void moveCenters(std::span<const Vec3> points, Clustering& clustering) {
   std::vector<Vec3> sum(clustering.centers.size(), Vec3::Zero());
   clustering.sizes.assign(clustering.centers.size(), 0);
@@ -55,7 +55,7 @@ void moveCenters(std::span<const Vec3> points, Clustering& clustering) {
   }
 }
 
-/// Gives the first empty cluster the point farthest from its centre. Returns whether it did.
+/// Gives the first empty cluster the point that is farthest from its centre. Returns whether it did.
 bool fillEmptyCluster(std::span<const Vec3> points, Clustering& clustering) {
   for (std::size_t c = 0; c < clustering.centers.size(); ++c) {
     if (clustering.sizes[c] > 0) continue;

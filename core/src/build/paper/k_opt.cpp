@@ -24,7 +24,7 @@ double clusterCost(std::span<const Vec3> points, const KOptOptions& options) {
 
 KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options) {
   if (options.k_min < 1 || options.k_min > options.k_max || options.k_max > points.size()) {
-    throw std::invalid_argument("k_opt: the range of k must lie within 1 and the number of points");
+    throw std::invalid_argument("k_opt: the range of k must lie between 1 and the number of points");
   }
   KOpt result;
   for (std::size_t k = options.k_min; k <= options.k_max; ++k) {

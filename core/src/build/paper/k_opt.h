@@ -1,4 +1,4 @@
-// The best number of clusters (step 5 of the paper, which names no criterion; erratum 5).
+// The best number of clusters (step 5 of the paper, which gives no criterion; erratum 5).
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,8 @@
 namespace octoblisk::detail {
 
 enum class KCriterion {
-  least_nodes,  ///< paper mode: axis-aligned octrees over the clusters with the fewest nodes in all (TNON)
-  least_leaf_volume,  ///< our own: octrees in the clusters' principal frames with the least volume of leaf
-                      ///< cells
+  least_nodes,  ///< paper mode: axis-aligned octrees over the clusters with the fewest nodes in total (TNON)
+  least_leaf_volume,  ///< ours: octrees in the clusters' principal frames with the least leaf volume
 };
 
 struct KOptOptions {
@@ -24,12 +23,12 @@ struct KOptOptions {
 };
 
 struct KOpt {
-  std::size_t k = 0;         ///< the least k of the least cost
+  std::size_t k = 0;         ///< the smallest k of the least cost
   std::vector<double> cost;  ///< for k_min, k_min + 1, … k_max: nodes, or mesh units cubed
 };
 
-/// Clusters the points for each k and divides every cluster by an octree.
-/// Throws std::invalid_argument where k_min..k_max is empty or not within 1..n.
+/// Clusters the points for each k and divides every cluster by an octree. Throws std::invalid_argument if
+/// k_min..k_max is empty or not within 1..n.
 KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options = {});
 
 }  // namespace octoblisk::detail

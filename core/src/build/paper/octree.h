@@ -1,4 +1,4 @@
-// The paper's octree over points: cells are halved in all three directions until they hold at most a fixed
+// The paper's octree over points: cells are halved in all three directions until they contain at most a fixed
 // number of points (section 2.3).
 #pragma once
 
@@ -12,21 +12,21 @@ namespace octoblisk::detail {
 
 struct OctreeOptions {
   std::size_t leaf_capacity = 8;  ///< the paper's fixed number of points (FNOP), at least 1
-  int max_depth = 32;             ///< cells at this depth are not divided; 0 keeps the root whole
-  bool cubic = false;             ///< the root is a cube; otherwise the points' own box (erratum 9)
-  Mat3 axes = Mat3::Identity();   ///< the frame of all cells
+  int max_depth = 32;             ///< cells at this depth are not divided; 0 leaves the root undivided
+  bool cubic = false;  ///< whether the root is a cube; otherwise it is the points' bounding box (erratum 9)
+  Mat3 axes = Mat3::Identity();  ///< the frame of all cells
 };
 
 struct OctreeStats {
-  std::size_t total_nodes = 0;  ///< TNON as the paper counts it: 1 + 8 · splits, empty children too
+  std::size_t total_nodes = 0;  ///< TNON as the paper counts it: 1 + 8 · splits, including empty children
   std::size_t non_empty_leaves = 0;
-  int depth = 0;             ///< of the deepest node; the root has 0
+  int depth = 0;             ///< of the deepest node; the root has depth 0
   double root_volume = 0.0;  ///< of the root cell
   double leaf_volume = 0.0;  ///< of the cells of all non-empty leaves
 };
 
-/// An immutable octree. A cell that is divided has all eight children, the empty ones too; a point on the
-/// boundary between two cells belongs to the upper one.
+/// An immutable octree. A divided cell has all eight children, including empty ones. A point on the boundary
+/// between two cells belongs to the upper one.
 class Octree {
  public:
   struct Node {
@@ -34,14 +34,15 @@ class Octree {
     Vec3 half_extents;
     std::uint32_t begin = 0;  ///< the points of the cell: order()[begin .. end)
     std::uint32_t end = 0;
-    std::uint32_t first_child = 0;  ///< the eight children follow each other; 0 for a leaf
+    std::uint32_t first_child = 0;  ///< the eight children are consecutive; 0 for a leaf
     int depth = 0;
 
     bool isLeaf() const { return first_child == 0; }
     std::uint32_t count() const { return end - begin; }
   };
 
-  /// Throws std::invalid_argument for no points, 2^29 - 1 or more, a leaf capacity of 0 or a negative depth.
+  /// Throws std::invalid_argument if there are no points or at least 2^29 - 1, if the leaf capacity is 0, or
+  /// if the depth is negative.
   static Octree build(std::span<const Vec3> points, const OctreeOptions& options = {});
 
   const std::vector<Node>& nodes() const { return nodes_; }           ///< the root first

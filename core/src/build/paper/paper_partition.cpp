@@ -11,19 +11,19 @@
 namespace octoblisk::detail {
 namespace {
 
-/// A cell of the nested division: its triangles, or the cells it is divided into.
+/// A cell of the nested division: its triangles, or the cells into which it is divided.
 struct Cell {
   TriangleSet triangles;
   std::vector<Cell> children;
 };
 
-/// A cell round up to eight cells; one cell alone stays as it is.
+/// A cell around up to eight cells. A single cell is returned unchanged.
 Cell enclose(std::vector<Cell> children) {
   if (children.size() == 1) return std::move(children.front());
   return {{}, std::move(children)};
 }
 
-/// Cells round consecutive cells, level by level, until one is left.
+/// Groups consecutive cells into cells, level by level, until one is left.
 Cell encloseMany(std::vector<Cell> cells) {
   while (cells.size() > kLanes) {
     std::vector<Cell> groups;
@@ -37,8 +37,8 @@ Cell encloseMany(std::vector<Cell> cells) {
   return enclose(std::move(cells));
 }
 
-/// At most eight triangles fit a leaf: more (a large capacity, or duplicates at the depth cap) become
-/// several.
+/// A leaf holds at most eight triangles. More than that (a large capacity, or duplicates at the depth limit)
+/// become several leaves.
 Cell leafCell(const TriangleSet& triangles) {
   std::vector<Cell> leaves;
   for (std::size_t begin = 0; begin < triangles.size(); begin += kLanes) {
@@ -98,7 +98,7 @@ class PaperPartitioner {
   std::vector<Vec3> centroids_;
 };
 
-/// Lays the cells' triangles out one after the other, and their nodes breadth first.
+/// Stores the cells' triangles in sequence, and their nodes breadth first.
 class Layout {
  public:
   Layout(std::span<const TriangleRecord> records, const Cell& root) : records_(records) {

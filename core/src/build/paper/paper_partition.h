@@ -10,7 +10,7 @@
 namespace octoblisk::detail {
 
 struct PaperPartitionOptions {
-  int leaf_capacity = 8;          ///< FNOP, at least 1; a leaf of more than 8 becomes several
+  int leaf_capacity = 8;  ///< FNOP, at least 1; a leaf of more than 8 triangles becomes several leaves
   PartClusterOptions parts = {};  ///< k: 1..8
 };
 

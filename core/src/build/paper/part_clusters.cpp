@@ -40,7 +40,7 @@ std::vector<std::vector<TriangleSet>> partClusters(std::span<const Vec3> centroi
                                                    const PartClusterOptions& options) {
   const std::vector<int>& part_of = options.part_of_triangle;
   if (!part_of.empty() && part_of.size() != centroids.size()) {
-    throw std::invalid_argument("there are " + std::to_string(part_of.size()) + " part numbers for " +
+    throw std::invalid_argument("part_of_triangle has " + std::to_string(part_of.size()) + " entries for " +
                                 std::to_string(centroids.size()) + " triangles");
   }
   std::map<int, TriangleSet> parts;
