@@ -71,7 +71,7 @@ constexpr Section kSections[] = {
     {"contacts", "All pairs of triangles that touch"},
     {"distance-cold", "Distance at the clear poses, each by itself"},
     {"distance-warm", "Distance, with what the pose before found"},
-    {"ray", "The first triangle on a way"},
+    {"ray", "The first triangle that a ray hits"},
     {"build", "The structure over the blisk, on as many threads as the library takes"},
     {"refit", "The structure fitted to moved vertices"},
     {"memory", "Bytes a triangle beside the mesh"},
@@ -94,7 +94,7 @@ const Growth kGrowths[] = {
     {"growth-boolean", "belt", "touching or not, along the path", "triangles of the belt"},
     {"growth-distance", "", "distance, each pose by itself", "triangles of the blisk"},
     {"growth-distance", "belt", "distance, each pose by itself", "triangles of the belt"},
-    {"growth-ray", "", "the first triangle on a way", "triangles of the blisk"},
+    {"growth-ray", "", "the first triangle that a ray hits", "triangles of the blisk"},
     {"growth-build", "", "building, on one core", "triangles of the blisk"},
     {"growth-bodies", "", "a step of a Bullet world", "bodies that fall onto the blisk"},
 };
