@@ -55,8 +55,8 @@ Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves)
   return {box.min.array() - reach, box.max.array() + reach};
 }
 
-/// The body, if Bullet has moved it by its velocities in the step. One that Bullet's own clamping has put
-/// back has started nobody knows where.
+/// The body, if Bullet has moved it by its velocities over the whole step; else null. Where Bullet's own
+/// clamping has put a body back, the start of its motion is unknown.
 btRigidBody* movedBody(btCollisionObject& object) {
   if (object.isStaticOrKinematicObject() || !object.isActive() || object.getHitFraction() < 1) return nullptr;
   return btRigidBody::upcast(&object);

@@ -9,9 +9,8 @@ namespace octoblisk {
 
 class Convex;
 
-/// A box and a ball that both hold a body, for bounds on its motion: a mesh or a convex body is taken for one
-/// wherever a function asks for it. They are as valid where rotations are orthonormal to single precision
-/// only.
+/// A box and a ball that both hold a body, for bounds on its motion. Functions that take one accept a tree or
+/// a convex body. The bounds are as valid where rotations are orthonormal to single precision only.
 class Hold {
  public:
   Hold(const ClusteredOctree& tree);

@@ -52,8 +52,8 @@ std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctre
                                   const Motion& a_in_world, const Motion& b_in_world, double tolerance,
                                   const SweepOptions& options = {});
 
-/// The same two for the surface of A and a convex body B, which is solid. The tolerance is raised by twice
-/// the error of B's support points as well.
+/// The same two functions for the surface of A and a convex body B. B is solid: what is inside it touches it.
+/// The tolerance is raised by twice the error of B's support points as well.
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const Convex& b, const Motion& b_in_a,
                                   double tolerance, const SweepOptions& options = {});
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const Convex& b, const Motion& a_in_world,

@@ -20,23 +20,23 @@ namespace octoblisk {
 /// thickness, in world units. docs/limits.md has an example.
 ///
 /// The parts of a body are its shape, or the children of its compound, that are ClusteredOctreeShape or
-/// convex. Looked at are pairs of bodies that their filters let collide, one or both with a motion threshold
-/// (default: 0, none), and of these every pair of parts of which one or both are ClusteredOctreeShape, whose
-/// motion to each other in the step exceeds the smaller of the bodies' thresholds (relativeLengthBound). A
-/// pair of parts farther apart than the default tolerance of timeOfImpact at the step's start is not let
-/// nearer than that within the step, however thin and fast. A pair that is nearer goes on by no more than the
-/// threshold: its contacts are the solver's to keep, and by half the thickness at a time the next contacts
-/// still push it back out of the side from which it came.
+/// convex. The clamping looks at pairs of bodies that their filters let collide, if one or both have a motion
+/// threshold (default: 0, none). Of such a pair it compares every two parts, one or both of which are
+/// ClusteredOctreeShape, if their motion to each other in the step (relativeLengthBound) exceeds the smaller
+/// threshold that is set. Two parts farther apart than the default tolerance of timeOfImpact at the step's
+/// start do not come nearer than that within the step, however thin and fast they are. Two parts that are
+/// nearer go on by no more than the threshold: their contacts are the solver's to keep, and by half the
+/// thickness at a time the next contacts still push them back out of the side from which they came.
 ///
 /// A motion threshold of a convex body also turns on Bullet's own clamping of it, which comes first. A body
-/// that Bullet has put back is left there, as if it had not moved in the step. For the clamping by the meshes
-/// set `getDispatchInfo().m_useContinuous` of the world to false, or give the threshold to the other body
-/// alone.
+/// that Bullet has put back stays there, as if it had not moved in the step, and nothing is proved of it. To
+/// clamp by the meshes instead, set the world's `getDispatchInfo().m_useContinuous` to false, or set the
+/// threshold of the other body alone.
 ///
 /// What is lost: the rest of the step. A body put back has been slower than its velocity says, once for each
 /// impact, and all along while it slides, rolls or spins in contact by more than the threshold a step. The
-/// dynamic bodies whose ways in the step come near each other, one of each two with our shape, share one
-/// fraction, so that none moves into where another should have gone.
+/// dynamic bodies whose ways in the step come near each other share one fraction, so that none moves into
+/// where another should have gone. Two bodies without a part of our shape do not share one for each other.
 ///
 /// What is not seen: two convex bodies or parts, which are Bullet's to clamp; parts of all other shapes,
 /// which are neither stopped nor stopped at; kinematic bodies and links of multibodies, which are stopped at
