@@ -1,36 +1,13 @@
 // Our shape against a convex one.
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btConvexShape.h>
-
+#include "bullet_convex.h"
 #include "contact/internal_edges.h"
 #include "contact/solid.h"
 #include "mesh_algorithm.h"
-#include "octoblisk/hull_faces.h"
 #include "octoblisk/triangle_cache.h"
 
 namespace octoblisk::detail {
-
-/// The core of a convex shape: its corners where it is the hull of a few points; the feet on which it may
-/// stand.
-class CoreCorners {
- public:
-  /// As the shape is now; returns whether it has been scaled, or given points, since the last time. Allocates
-  /// nothing where it has not.
-  bool update(const btConvexShape& shape);
-
-  std::span<const Vec3> points() const { return points_; }
-  /// The mean of the points; without any, the shape's origin.
-  const Vec3& middle() const { return middle_; }
-  HullFaces faces() const { return faces_.view(); }
-  /// The corners; points on the rims of cylinders and cones; none of other shapes.
-  std::span<const Vec3> feet() const { return feet_; }
-
- private:
-  std::vector<Vec3> points_, feet_, read_;
-  Vec3 middle_ = Vec3::Zero();
-  HullFaceList faces_;
-};
 
 class MeshConvexAlgorithm final : public MeshAlgorithm {
  public:

@@ -9,11 +9,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "octoblisk/sweep.h"
-#include "octoblisk_bullet/clustered_octree_shape.h"
-#include "octoblisk_bullet/convert.h"
+#include "near_bodies.h"
 #include "octoblisk_bullet/step_motion.h"
-#include "octoblisk_bullet/time_of_impact.h"
+#include "part_sweep.h"
 
 namespace octoblisk {
 
@@ -29,15 +27,25 @@ btTransform startOf(const btRigidBody& body, btScalar dt) {
   return start;
 }
 
+/// No point of the shape, margin included, is farther than this from its origin.
+double farthestFromOrigin(const btCollisionShape& shape) {
+  if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
+    return Hold(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
+  }
+  btVector3 low, high;
+  shape.getAabb(btTransform::getIdentity(), low, high);
+  return fromBullet(low).cwiseAbs().cwiseMax(fromBullet(high).cwiseAbs()).norm();
+}
+
 /// A box that holds the body all along its way, and what is as near to it as contacts are made.
-Aabb sweptBox(const btCollisionObject& object, const ClusteredOctreeShape& shape, const Motion& motion,
-              bool moves) {
+Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves) {
+  const btCollisionShape& shape = *object.getCollisionShape();
   Aabb box;
   double reach = double(shape.getContactBreakingThreshold(gContactBreakingThreshold));
   if (moves) {
     box.extend(motion.from().translation);
     box.extend(motion.from().translation + motion.advance());
-    reach += Hold(shape.tree()).distanceFromPoint(Vec3::Zero()) + double(shape.getMargin());
+    reach += farthestFromOrigin(shape);
   } else {
     btVector3 low, high;
     shape.getAabb(object.getWorldTransform(), low, high);
@@ -45,6 +53,13 @@ Aabb sweptBox(const btCollisionObject& object, const ClusteredOctreeShape& shape
     box.extend(fromBullet(high));
   }
   return {box.min.array() - reach, box.max.array() + reach};
+}
+
+/// The body, if Bullet has moved it by its velocities over the whole step; else null. Where Bullet's own
+/// clamping has put a body back, the start of its motion is unknown.
+btRigidBody* movedBody(btCollisionObject& object) {
+  if (object.isStaticOrKinematicObject() || !object.isActive() || object.getHitFraction() < 1) return nullptr;
+  return btRigidBody::upcast(&object);
 }
 
 /// Whether the world makes contacts of the two that push them apart.
@@ -63,6 +78,18 @@ double motionThreshold(const btCollisionObject& first, const btCollisionObject& 
   return std::min(of_first, of_second);
 }
 
+/// Whether a threshold is set, and a body has a part of our shape.
+bool mayClamp(const btCollisionWorld& world) {
+  const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+  bool has_threshold = false, has_ours = false;
+  for (int i = 0; i < objects.size() && !(has_threshold && has_ours); ++i) {
+    has_threshold = has_threshold || objects[i]->getCcdMotionThreshold() > 0;
+    const btCollisionShape* shape = objects[i]->getCollisionShape();
+    has_ours = has_ours || (shape && holdsClusters(*shape));
+  }
+  return has_threshold && has_ours;
+}
+
 }  // namespace
 
 void MotionClamping::collect(btCollisionWorld& world, btScalar dt) {
@@ -70,16 +97,16 @@ void MotionClamping::collect(btCollisionWorld& world, btScalar dt) {
   const btCollisionObjectArray& objects = world.getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) {
     btCollisionObject& object = *objects[i];
-    const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(object.getCollisionShape());
-    if (!shape) continue;
-    btRigidBody* body = btRigidBody::upcast(&object);
-    if (object.isStaticOrKinematicObject() || !object.isActive()) body = nullptr;
+    const btCollisionShape* shape = object.getCollisionShape();
+    if (!shape || !hasPart(*shape)) continue;
+    btRigidBody* body = movedBody(object);
     const btVector3 none(0, 0, 0);
     const Motion motion =
         body ? stepMotion(startOf(*body, dt), body->getLinearVelocity(), body->getAngularVelocity(), dt)
              : stepMotion(object.getWorldTransform(), none, none, dt);
-    movers_.push_back({&object, shape, body, motion, sweptBox(object, *shape, motion, body != nullptr),
-                       movers_.size(), 1.0});
+    const Aabb swept = sweptBox(object, motion, body != nullptr);
+    if (!swept.min.allFinite() || !swept.max.allFinite()) continue;
+    movers_.push_back({&object, holdsClusters(*shape), body, motion, swept, movers_.size(), 1.0});
   }
 }
 
@@ -94,24 +121,26 @@ void MotionClamping::join(std::size_t first, std::size_t second) {
   movers_[low].fraction = std::min(movers_[low].fraction, movers_[high].fraction);
 }
 
-double MotionClamping::freeFraction(const Mover& first, const Mover& second) const {
+double MotionClamping::freeFraction(const Mover& first, const Mover& second, double until) const {
   const double threshold = motionThreshold(*first.object, *second.object);
-  if (threshold <= 0.0) return 1.0;
-  const ClusteredOctree &a = first.shape->tree(), &b = second.shape->tree();
-  const double length = relativeLengthBound(a, first.motion, b, second.motion);
-  if (length <= threshold) return 1.0;
-  const double tolerance = sweepTolerance(*first.shape, first.motion, *second.shape, second.motion);
-  const auto impact = sweep(a, b, first.motion, second.motion, tolerance);
-  if (!impact) return 1.0;
-  return impact->fraction > 0.0 ? impact->fraction : threshold / length;
+  if (threshold <= 0.0) return until;
+  const MovingBody a{*first.object->getCollisionShape(), first.motion},
+      b{*second.object->getCollisionShape(), second.motion};
+  forEachPartPair(a, b, [&](const BodyPart& part_a, const BodyPart& part_b) {
+    const double length = relativeLengthBound(part_a.hold(), part_a.in_world, part_b.hold(), part_b.in_world);
+    if (length <= threshold) return;
+    const auto impact = sweepParts(part_a, part_b, sweepTolerance(a, part_a, b, part_b), {.until = until});
+    if (!impact) return;
+    until = std::min(until, impact->fraction > 0.0 ? impact->fraction : threshold / length);
+  });
+  return until;
 }
 
 void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
   clamped_.clear();
   if (!(dt > 0)) return;
+  if (!mayClamp(*world)) return;
   collect(*world, dt);
-  const auto clampable = [](const Mover& mover) { return mover.object->getCcdMotionThreshold() > 0; };
-  if (std::ranges::none_of(movers_, clampable)) return;
 
   by_start_.resize(movers_.size());
   std::iota(by_start_.begin(), by_start_.end(), std::size_t{0});
@@ -121,13 +150,13 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
     for (std::size_t j = i + 1; j < by_start_.size(); ++j) {
       const Mover& second = movers_[by_start_[j]];
       if (second.swept.min.x() > first.swept.max.x()) break;
-      if (!first.moved && !second.moved) continue;
+      if (!(first.moved || second.moved) || !(first.ours || second.ours)) continue;
       const bool apart = (first.swept.min.array() > second.swept.max.array()).any() ||
                          (second.swept.min.array() > first.swept.max.array()).any();
       if (apart || !collide(*world, *first.object, *second.object)) continue;
       if (first.moved && second.moved) join(by_start_[i], by_start_[j]);
       double& fraction = movers_[islandOf(by_start_[first.moved ? i : j])].fraction;
-      fraction = std::min(fraction, freeFraction(first, second));
+      fraction = freeFraction(first, second, fraction);
     }
   }
 

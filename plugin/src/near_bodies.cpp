@@ -8,8 +8,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
-#include <typeinfo>
-
+#include "body_parts.h"
 #include "contact/clusters_near.h"
 #include "contact/solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -21,13 +20,6 @@ namespace {
 
 const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
   return static_cast<const btCollisionObject*>(proxy.m_clientObject);
-}
-
-const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
-  if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
-  // The class is final; a dynamic_cast would cost as much as the rest of a query.
-  if (typeid(shape) != typeid(ClusteredOctreeShape)) return nullptr;
-  return static_cast<const ClusteredOctreeShape*>(&shape);
 }
 
 /// A body, or a child of a compound.

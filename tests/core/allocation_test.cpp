@@ -59,6 +59,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
         query.distance(motion.at(fraction));
       }
       sweep(fan, ring, motion, 0.01);
+      sweep(fan, box, motion, 0.01);
       hits += collide(fan, ring, pose).has_value() + collide(fan, box, pose).has_value();
       contacts(fan, ring, pose, 0.05, found);
       patches.reduce(found, 0.01);

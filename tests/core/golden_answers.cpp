@@ -192,6 +192,22 @@ std::uint64_t hashOfSweeps(const GoldenScene& scene, const ClusteredOctree& a, c
   return answers.hash();
 }
 
+std::uint64_t hashOfConvexSweeps(const GoldenScene& scene, const ClusteredOctree& a) {
+  Answers answers;
+  const ConvexHull capsule({{0, 0, -0.4}, {0, 0, 0.4}}, 0.15);
+  const ConvexBox box({.half_extents = {0.5, 0.3, 0.2}});
+  for (std::size_t i = 0; i + 1 < scene.poses.size(); i += 2) {
+    Pose from = scene.poses[i], to = scene.poses[i + 1];
+    from.translation *= 2.0;
+    for (const Convex* convex : {static_cast<const Convex*>(&capsule), static_cast<const Convex*>(&box)}) {
+      const auto impact = sweep(a, *convex, Motion(from, to), 0.01);
+      answers.add(impact ? impact->fraction : 2.0);
+      if (impact) add(answers, impact->clearance);
+    }
+  }
+  return answers.hash();
+}
+
 std::uint64_t hashOfSolids(const GoldenScene& scene, const ClusteredOctree& a, const ClusteredOctree& b) {
   Answers answers;
   const Surface solid_a(a), solid_b(b);
@@ -251,6 +267,7 @@ GoldenAnswers goldenAnswers(const GoldenScene& scene, int threads) {
       {"rays", hashOfRays(scene, soup)},
       {"motions", hashOfMotions(scene, ball, knob)},
       {"sweeps", hashOfSweeps(scene, ball, knob)},
+      {"sweeps of convex bodies", hashOfConvexSweeps(scene, ball)},
       {"solids", hashOfSolids(scene, ball, knob)},
   };
   return found;

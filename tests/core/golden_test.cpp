@@ -35,6 +35,7 @@ const std::vector<Golden> kGolden = {
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},
     {"sweeps", 0x78529b7a550b8faeu},
+    {"sweeps of convex bodies", 0x4a5dd4c4e8e737cfu},
     {"solids", 0x50a1275bcae39306u},
 };
 

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "octoblisk/convex.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -138,6 +139,51 @@ TEST(RelativeMotion, whatTwoBodiesDoTogetherIsNoMotion) {
               1e-10);
     const Motion still(pose_a, pose_a), moving = Motion::about(pose_b, center, turn, way);
     EXPECT_LE(relativeLengthBound(body, still, body, moving), moving.lengthBound(body));
+  }
+}
+
+TEST(RelativeMotion, noSurfaceOfAConvexBodyGoesFartherThanTheBound) {
+  std::mt19937_64 random(75);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 12; ++i) points.push_back(Vec3(3, 0, 0) + testing::randomPoint(random, 1.0));
+  const ConvexHull hull(points, 0.3), ball({Vec3(0.5, 0, 0)}, 2.0), rod({Vec3(-3, 0, 0), Vec3(3, 0, 0)}, 0.1);
+  const Convex* const bodies[] = {&hull, &ball, &rod};
+  int tight = 0;
+  constexpr int kCases = 600;
+  for (int i = 0; i < kCases; ++i) {
+    const Convex& body = *bodies[i % 3];
+    const Hold hold(body);
+    const Motion motion =
+        Motion::about(testing::randomPose(random, 4.0), testing::randomPoint(random, 5.0),
+                      testing::randomPoint(random, i % 2 ? 3.0 : 0.0), testing::randomPoint(random, 3.0));
+    const double bound = motion.lengthBound(hold), start = testing::uniform(random, 0.0, 0.999);
+    const Pose here = motion.at(start), next = motion.at(start + 1e-3);
+    double step = 0.0;
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 direction = testing::randomRotation(random).col(0);
+      const Vec3 point = body.support(direction) + body.radius() * direction;
+      step = std::max(step, (here * point - next * point).norm());
+      ASSERT_LE((point - motion.centerInB()).norm(), hold.distanceFromPoint(motion.centerInB()));
+    }
+    ASSERT_LE(step, 1e-3 * bound * (1.0 + 1e-9)) << i;
+    ASSERT_LE(step, hold.displacement(here, next) * (1.0 + 1e-9)) << i;
+    tight += step > 0.6e-3 * bound;
+  }
+  EXPECT_GT(tight, kCases * 7 / 10);
+}
+
+TEST(Motion, aPartGoesWithTheBody) {
+  std::mt19937_64 random(76);
+  for (int i = 0; i < 100; ++i) {
+    const Motion body = Motion::about(testing::randomPose(random, 4.0), testing::randomPoint(random, 5.0),
+                                      testing::randomPoint(random, 3.0), testing::randomPoint(random, 3.0));
+    const Pose part = testing::randomPose(random, 2.0);
+    const Motion motion = body.ofPart(part);
+    for (const double fraction : {0.0, 0.3, 1.0}) {
+      const Pose expected = body.at(fraction) * part;
+      ASSERT_TRUE(motion.at(fraction).rotation.isApprox(expected.rotation, 1e-13));
+      ASSERT_LT((motion.at(fraction).translation - expected.translation).norm(), 1e-12);
+    }
   }
 }
 

@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "octoblisk/collide.h"
+#include "octoblisk/contacts.h"
+#include "octoblisk/convex.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -270,6 +273,143 @@ TEST(Sweep, theTightestToleranceStillEnds) {
   EXPECT_TRUE(impact->converged);
   EXPECT_NEAR(impact->fraction, 0.6, 1e-10);
   EXPECT_FALSE(collide(box, box, fall.at(impact->fraction)));
+}
+
+TEST(ConvexSweep, anythingOntoAFloor_vs_closedForm) {
+  std::mt19937_64 random(84);
+  const ClusteredOctree floor = ClusteredOctree::build(testing::boxMesh({100, 100, 1}));
+  const ConvexHull ball({Vec3(0.2, 0, 0)}, 1.5), capsule({Vec3(-2, 0, 0), Vec3(2, 1, 0)}, 0.4);
+  const ConvexBox box({Vec3(0, 1, 0), testing::randomRotation(random), Vec3(2, 0.1, 1)});
+  const Convex* const bodies[] = {&ball, &capsule, &box};
+  int hits = 0;
+  constexpr int kCases = 300;
+  for (int i = 0; i < kCases; ++i) {
+    const Convex& body = *bodies[i % 3];
+    const Pose from{testing::randomRotation(random), Vec3(0, 0, uniform(random, 6.0, 28.0))};
+    const Vec3 way{uniform(random, -40, 40), uniform(random, -40, 40), uniform(random, -30, 0)};
+    double lowest = 1e9;
+    for (const Vec3& point : body.points()) lowest = std::min(lowest, (from * point).z() - body.radius());
+    const double gap = lowest - 1.0;  // over the floor's top
+    const auto impact = sweep(floor, body, Motion(from, {from.rotation, from.translation + way}), kTolerance);
+    const double at_tolerance = (gap - kTolerance) / -way.z(),
+                 at_slack = (gap - (1.0 + kSlack) * kTolerance) / -way.z();
+    if (at_tolerance <= 1.0 - 1e-9) {
+      ASSERT_TRUE(impact) << i;
+    } else if (at_slack > 1.0 + 1e-9) {
+      ASSERT_FALSE(impact) << i;
+    }
+    if (!impact) continue;
+    ++hits;
+    expectBetween(*impact, at_slack, at_tolerance);
+    EXPECT_NEAR(impact->clearance.distance, gap + way.z() * impact->fraction, 1e-10);
+    EXPECT_NEAR(impact->clearance.point_on_a.z(), 1.0, 1e-10);
+    EXPECT_EQ(impact->clearance.triangle_b, kNoTriangle);
+  }
+  EXPECT_GT(hits, kCases * 3 / 10);
+  EXPECT_LT(hits, kCases * 7 / 10);
+}
+
+/// A body known by its support function alone.
+class Disk final : public Convex {
+ public:
+  Vec3 support(const Vec3& direction) const override {
+    const double across = std::hypot(direction.x(), direction.y());
+    if (!(across > 0.0)) return Vec3(0.5, 0, 0);
+    return Vec3(direction.x() / across * 0.5, direction.y() / across * 0.5, 0.0);
+  }
+  double radius() const override { return 0.05; }
+};
+
+TEST(ConvexSweep, twoMovingBodies_vs_denseSampling) {
+  const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
+  std::mt19937_64 random(85);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 30; ++i) points.push_back(testing::randomPoint(random, 0.4));
+  const ConvexHull hull(points), ball({Vec3::Zero()}, 0.4);
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(0.5, 0.3, 0.1)});
+  const Disk disk;
+  const Convex* const bodies[] = {&hull, &ball, &box, &disk};
+  std::vector<Contact> found;
+  int hits = 0, met = 0, cases = 0;
+  while (cases < 160) {
+    const Convex& body = *bodies[cases % 4];
+    const Vec3 common = testing::randomPoint(random, 50.0);
+    const auto screw = [&](double turn) {
+      const Pose begin = testing::randomPose(random, 1.9);
+      const Vec3 center = testing::randomPoint(random, 1.0), turned = testing::randomPoint(random, turn);
+      return Motion::about(begin, center, turned, common + testing::randomPoint(random, 1.0));
+    };
+    const Motion fan_in_world = screw(4.0), body_in_world = screw(9.0);
+    const auto within = [&](double fraction, double reach) {
+      const Pose pose = fan_in_world.at(fraction).inverse() * body_in_world.at(fraction);
+      contacts(fan, body, pose, reach, found);
+      return !found.empty();
+    };
+    if (within(0.0, 0.0)) continue;
+    ++cases;
+    const auto impact = sweep(fan, body, fan_in_world, body_in_world, kTolerance);
+    hits += impact.has_value();
+    if (impact) {
+      ASSERT_TRUE(impact->converged);
+      ASSERT_TRUE(within(impact->fraction, (1.0 + kSlack) * kTolerance + 1e-9));
+    }
+    constexpr int kSamples = 300;
+    bool any = false;
+    for (int sample = 0; sample <= kSamples; ++sample) {
+      const double fraction = static_cast<double>(sample) / kSamples;
+      if (impact && fraction >= impact->fraction) {
+        any |= within(fraction, 0.0);
+        continue;
+      }
+      ASSERT_FALSE(within(fraction, kTolerance)) << cases << ", at " << fraction;
+    }
+    met += any;
+  }
+  EXPECT_GT(hits, cases * 3 / 10);
+  EXPECT_LT(hits, cases * 7 / 10);
+  EXPECT_GT(met, hits * 8 / 10);
+}
+
+TEST(ConvexSweep, noSheetIsPassedThrough) {
+  const ClusteredOctree wall = ClusteredOctree::build(testing::boxMesh({1e-4, 2, 2}));
+  const ConvexHull shot({Vec3::Zero()}, 0.05);
+  std::mt19937_64 random(86);
+  int hits = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double start = uniform(random, -99.0, -1.0), height = uniform(random, -4.0, 4.0);
+    const Motion motion(Pose{Mat3::Identity(), Vec3(start, height, 0)},
+                        Pose{Mat3::Identity(), Vec3(start + 100.0, height, 0)});
+    const double past = std::abs(height) - 2.05;  // the wall's edge
+    if (past > 0.0 && past < 2.0 * kTolerance) continue;
+    if (past <= 0.0 && past > -0.05) continue;  // the edge meets the side of the ball
+    const auto impact = sweep(wall, shot, motion, kTolerance);
+    ASSERT_EQ(impact.has_value(), past <= 0.0) << height;
+    if (!impact) continue;
+    ++hits;
+    const double gap = -start - 0.05 - 1e-4;
+    expectBetween(*impact, (gap - (1.0 + kSlack) * kTolerance) / 100.0, (gap - kTolerance) / 100.0);
+  }
+  EXPECT_GT(hits, 60);
+  EXPECT_LT(hits, 140);
+}
+
+TEST(Sweep, nothingIsLookedForFromTheEndOn) {
+  const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(0.5, 0.3, 0.1)});
+  std::mt19937_64 random(87);
+  int hits = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Motion motion(testing::randomPose(random, 2.5), testing::randomPose(random, 2.5));
+    const auto impact = sweep(fan, box, motion, kTolerance);
+    if (!impact || impact->fraction == 0.0) continue;
+    ++hits;
+    EXPECT_FALSE(sweep(fan, box, motion, kTolerance, {.until = impact->fraction * 0.999}));
+    const auto again = sweep(fan, box, motion, kTolerance, {.until = impact->fraction * 1.001});
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->fraction, impact->fraction);
+    EXPECT_EQ(again->clearance.distance, impact->clearance.distance);
+  }
+  EXPECT_GT(hits, 15);
 }
 
 }  // namespace

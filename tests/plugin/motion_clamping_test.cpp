@@ -157,7 +157,8 @@ TEST_F(ThinRing, doesNotMoveIntoOneThatIsPutBack) {
 TEST_F(ThinRing, isPutWhereTheImpactIsAndKeepsItsVelocity) {
   Scene scene(sheet_, ring_, {.height = 0.5}, true);
   scene.world.step(1);
-  // The ring was 0.4 over the sheet and is a quarter of the breaking threshold of 0.02 over it, or a little more.
+  // The ring was 0.4 over the sheet and is a quarter of the breaking threshold of 0.02 over it, or a little
+  // more.
   ASSERT_EQ(scene.clamping.clamped().size(), 1u);
   EXPECT_EQ(scene.clamping.clamped()[0].body, scene.body);
   EXPECT_NEAR(scene.clamping.clamped()[0].fraction, 0.395 / 200.0 * 240.0, 0.002);
@@ -194,7 +195,7 @@ TEST_F(ThinRing, whatIsNotAskedForIsLeftAlone) {
   const auto throwAt = [](BulletWorld& world, btCollisionShape& shape, double x) {
     world.add(shape, 1, at(x, 0, 3.03)).setLinearVelocity(btVector3(0, 0, -200));
   };
-  // Convex bodies, at our sheet and at each other, and our ring at a convex body.
+  // No threshold: convex bodies, at our sheet and at each other, and our ring at a convex body.
   const auto convex = [&](BulletWorld& world) {
     world.add(sheet_, 0, at(0, 0, 0));
     world.add(block, 0, at(20, 0, 0));
@@ -203,6 +204,13 @@ TEST_F(ThinRing, whatIsNotAskedForIsLeftAlone) {
     throwAt(world, ring_, 20);
   };
   EXPECT_EQ(fly(true, convex, 0), fly(false, convex, 0));
+  // Convex bodies alone.
+  const auto alone = [&](BulletWorld& world) {
+    world->getDispatchInfo().m_useContinuous = false;
+    world.add(block, 0, at(20, 0, 0));
+    throwAt(world, ball, 20);
+  };
+  EXPECT_EQ(fly(true, alone, btScalar(kThreshold)), fly(false, alone, btScalar(kThreshold)));
   // No threshold is set; the ways are shorter than it; the filters do not let the bodies meet.
   const auto ring = [&](BulletWorld& world) {
     world.add(sheet_, 0, at(0, 0, 0));
@@ -227,6 +235,161 @@ TEST_F(ThinRing, restsAsItDoesWithout) {
     world.step(120);
   };
   EXPECT_EQ(fly(true, settle, btScalar(kThreshold)), fly(false, settle, btScalar(kThreshold)));
+}
+
+/// Bodies that are no more than a few tenths thick, convex ones and compounds of ours, and a thin plate for
+/// each.
+class ThinParts : public ::testing::Test {
+ protected:
+  ThinParts() {
+    hull_.setMargin(btScalar(0.01));
+    for (int i = 0; i < 12; ++i) {
+      const double angle = i * std::numbers::pi / 6.0;
+      hull_.addPoint(toBullet(Vec3(0.3 * std::cos(angle), 0.2 * std::sin(angle), i % 2 ? 0.1 : -0.1)));
+    }
+    rings_.addChildShape(at(-0.4, 0, 0), &ring_);
+    rings_.addChildShape(btTransform(btQuaternion(btVector3(1, 0, 0), btScalar(1.5)), btVector3(0.4, 0, 0)),
+                         &ring_);
+    boxes_.addChildShape(at(-0.3, 0, 0), &box_);
+    boxes_.addChildShape(at(0.3, 0, 0), &ball_);
+    plates_.addChildShape(at(0, -30, 0), &half_plate_);
+    plates_.addChildShape(at(0, 30, 0), &half_plate_);
+  }
+
+  struct Throw {
+    btCollisionShape& floor;
+    btCollisionShape& shape;
+    Vec3 velocity, spin;
+    double height;
+    bool threshold_of_floor = false;
+  };
+
+  /// Whether the body gets to the floor's other side.
+  static bool tunnels(const Throw& thrown, bool clamped) {
+    MotionClamping clamping;
+    BulletWorld world;
+    world->setGravity(btVector3(0, 0, 0));
+    world->getDispatchInfo().m_useContinuous = false;
+    btRigidBody& floor = world.add(thrown.floor, 0, at(0, 0, 0));
+    btRigidBody& body = world.add(thrown.shape, 1, at(0, 0, thrown.height));
+    body.setLinearVelocity(toBullet(thrown.velocity));
+    body.setAngularVelocity(toBullet(thrown.spin));
+    body.setActivationState(DISABLE_DEACTIVATION);
+    (thrown.threshold_of_floor ? floor : body).setCcdMotionThreshold(btScalar(0.05));
+    if (clamped) world->addAction(&clamping);
+    bool below = false;
+    for (int step = 0; step < 60 && !below; ++step) {
+      world.step(1);
+      below = body.getWorldTransform().getOrigin().z() < btScalar(-0.15);
+    }
+    if (clamped) world->removeAction(&clamping);
+    return below;
+  }
+
+  ClusteredOctreeShape ring_ = shapeOver(testing::torus(0.5, 0.1, 20, 8)),
+                       plate_ = shapeOver(testing::boxMesh({60, 60, 0.005})),
+                       half_plate_ = shapeOver(testing::boxMesh({60, 30, 0.005}));
+  btSphereShape ball_{btScalar(0.1)};
+  btBoxShape box_{btVector3(btScalar(0.3), btScalar(0.2), btScalar(0.1))};
+  btCapsuleShape capsule_{btScalar(0.1), btScalar(0.4)};
+  btCylinderShape cylinder_{btVector3(btScalar(0.2), btScalar(0.1), btScalar(0.2))};
+  btConvexHullShape hull_;
+  btBoxShape thin_{btVector3(60, 60, btScalar(0.005))};
+  btCompoundShape rings_, boxes_, plates_;
+};
+
+TEST_F(ThinParts, stopAtPlatesThatTheyTunnelThrough) {
+  struct Pair {
+    const char* name;
+    btCollisionShape *floor, *shape;
+  };
+  const Pair pairs[] = {{"ball", &plate_, &ball_},
+                        {"box", &plate_, &box_},
+                        {"capsule", &plate_, &capsule_},
+                        {"cylinder", &plate_, &cylinder_},
+                        {"hull", &plate_, &hull_},
+                        {"rings", &plate_, &rings_},
+                        {"boxes", &plate_, &boxes_},
+                        {"ball, plates", &plates_, &ball_},
+                        {"rings, plates", &plates_, &rings_},
+                        {"ring, thin box", &thin_, &ring_},
+                        {"rings, thin box", &thin_, &rings_}};
+  std::mt19937_64 random(94);
+  for (const Pair& pair : pairs) {
+    int tunnelled = 0, throws = 0;
+    for (const double speed : {60.0, 200.0, 900.0}) {
+      for (const double slant : {0.0, 0.9}) {
+        for (const double spin : {0.0, 50.0}) {
+          const Throw thrown{*pair.floor,
+                             *pair.shape,
+                             speed * Vec3(std::sin(slant), 0.0, -std::cos(slant)),
+                             testing::randomPoint(random, spin),
+                             testing::uniform(random, 1.5, 4.0),
+                             throws % 2 == 1};
+          ++throws;
+          tunnelled += tunnels(thrown, false);
+          EXPECT_FALSE(tunnels(thrown, true))
+              << pair.name << ", speed " << speed << ", slant " << slant << ", spin " << spin;
+        }
+      }
+    }
+    EXPECT_GT(tunnelled, throws / 4) << pair.name;
+  }
+}
+
+TEST_F(ThinParts, theOrderOfTheBodiesDoesNotCount) {
+  std::vector<Vec3> places[2];
+  for (const bool ball_first : {false, true}) {
+    MotionClamping clamping;
+    BulletWorld world;
+    world->setGravity(btVector3(0, 0, 0));
+    world->getDispatchInfo().m_useContinuous = false;
+    const auto addPlate = [&] { world.add(plates_, 0, at(0, 0, 0)); };
+    if (!ball_first) addPlate();
+    btRigidBody& body = world.add(boxes_, 1, at(0, 0, 3));
+    if (ball_first) addPlate();
+    body.setLinearVelocity(btVector3(10, 0, -300));
+    body.setAngularVelocity(btVector3(10, 20, 0));
+    body.setCcdMotionThreshold(btScalar(0.05));
+    world->addAction(&clamping);
+    int clamped = 0;
+    for (int step = 0; step < 5; ++step) {
+      world.step(1);
+      clamped += static_cast<int>(clamping.clamped().size());
+      if (clamped == 1 && !clamping.clamped().empty())
+        places[ball_first].push_back(fromBullet(body.getWorldTransform().getOrigin()));
+    }
+    EXPECT_GT(clamped, 0);
+    world->removeAction(&clamping);
+  }
+  EXPECT_EQ(places[0], places[1]);
+}
+
+TEST_F(ThinParts, whatBulletHasPutBackIsLeftThere) {
+  BulletWorld world;
+  world.add(plate_, 0, at(0, 0, 0));
+  btRigidBody& body = world.add(ball_, 1, at(0, 0, 0));
+  body.setLinearVelocity(btVector3(0, 0, -240));
+  body.setCcdMotionThreshold(btScalar(0.05));
+  for (const bool put_back : {false, true}) {
+    // As Bullet leaves a body that has moved by 1 down, or would have.
+    body.setWorldTransform(at(0, 0, -0.5));
+    body.setHitFraction(put_back ? 0 : 1);
+    MotionClamping clamping;
+    clamping.updateAction(&*world, btScalar(1.0 / 240.0));
+    EXPECT_EQ(clamping.clamped().empty(), put_back);
+    EXPECT_EQ(body.getWorldTransform().getOrigin().z() < 0, put_back);
+  }
+}
+
+TEST_F(ThinParts, aBodyThatIsNowhereIsNoMover) {
+  MotionClamping clamping;
+  BulletWorld world;
+  world.add(plate_, 0, at(0, 0, 0)).setCcdMotionThreshold(btScalar(0.05));
+  btRigidBody& body = world.add(box_, 1, at(0, 0, 3));
+  body.setWorldTransform(at(std::nan(""), 0, 3));
+  clamping.updateAction(&*world, btScalar(0.01));
+  EXPECT_TRUE(clamping.clamped().empty());
 }
 
 }  // namespace

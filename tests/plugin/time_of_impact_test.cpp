@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 #include "octoblisk/collide.h"
 #include "octoblisk_bullet/step_motion.h"
@@ -99,7 +100,8 @@ TEST(TimeOfImpact, twoBoxesHeadOn_vs_closedForm) {
 }
 
 TEST(TimeOfImpact, spinningBodies_vs_denseSampling) {
-  ClusteredOctreeShape fan = shapeOver(testing::fan(9, 10)), ring = shapeOver(testing::torus(0.4, 0.1, 20, 12));
+  ClusteredOctreeShape fan = shapeOver(testing::fan(9, 10)),
+                       ring = shapeOver(testing::torus(0.4, 0.1, 20, 12));
   btRigidBody a = bodyOf(fan), b = bodyOf(ring);
   std::mt19937_64 random(92);
   int hits = 0, cases = 0;
@@ -147,11 +149,18 @@ TEST(TimeOfImpact, spinningBodies_vs_denseSampling) {
 TEST(TimeOfImpact, otherShapesAreRefused) {
   ClusteredOctreeShape box = shapeOver(testing::boxMesh({1, 1, 1}));
   btSphereShape sphere(1);
-  btCollisionObject ours, convex;
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  btCompoundShape empty;
+  btCollisionObject ours, convex, wall, nothing;
   ours.setCollisionShape(&box);
   convex.setCollisionShape(&sphere);
-  EXPECT_THROW(timeOfImpact(ours, convex, btScalar(kStep)), std::invalid_argument);
-  EXPECT_THROW(timeOfImpact(convex, ours, btScalar(kStep)), std::invalid_argument);
+  wall.setCollisionShape(&plane);
+  nothing.setCollisionShape(&empty);
+  for (const auto& [a, b] : {std::pair(&ours, &wall), std::pair(&ours, &nothing), std::pair(&convex, &convex),
+                             std::pair(&convex, &wall)}) {
+    EXPECT_THROW(timeOfImpact(*a, *b, btScalar(kStep)), std::invalid_argument);
+    EXPECT_THROW(timeOfImpact(*b, *a, btScalar(kStep)), std::invalid_argument);
+  }
 }
 
 }  // namespace

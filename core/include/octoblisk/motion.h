@@ -1,9 +1,40 @@
 // The way of a body from one pose to another, and how far any of its points gets on it.
 #pragma once
 
+#include <array>
+
 #include "octoblisk/clustered_octree.h"
 
 namespace octoblisk {
+
+class Convex;
+
+/// A box and a ball that both hold a body, for bounds on its motion. Functions that take one accept a tree or
+/// a convex body. The bounds are as valid where rotations are orthonormal to single precision only.
+class Hold {
+ public:
+  Hold(const ClusteredOctree& tree);
+  Hold(const Convex& convex);
+
+  /// No point of the body, so turned, is farther than this from the line along `axis`, of unit length,
+  /// through the body's `center`.
+  double distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const;
+
+  /// No point of the body is farther than this from a point in its frame.
+  double distanceFromPoint(const Vec3& point) const;
+
+  /// No point of the body is farther than this from itself between the two poses.
+  double displacement(const Pose& from, const Pose& to) const;
+
+  /// The lengths that set the rounding of what is measured from the body, but for those of poses.
+  double size() const { return center_.norm() + radius_; }
+
+ private:
+  std::array<Vec3, 8> corners_;  // of the box
+  double beyond_ = 0.0;          // how far the body reaches beyond the box at most
+  Vec3 center_;                  // of the ball
+  double radius_;
+};
 
 /// A motion of B in A's frame, at constant speeds over fractions 0 … 1: one point of B, the centre, goes
 /// straight, while B turns about an axis of fixed direction through it. A centre on the axis of a screw gives
@@ -22,10 +53,13 @@ class Motion {
   /// The pose at a fraction of the way: at 0 the first pose itself, at 1 the last to rounding.
   Pose at(double fraction) const;
 
-  /// A length in mesh units that bounds the way of each point of B's tree, along its path, over the whole
-  /// motion; over a part of it, the same part of this. |v| + |ω| r for the centre's way v and the greatest
+  /// The motion of a part of B, by its pose in B.
+  Motion ofPart(const Pose& part_in_b) const;
+
+  /// A length in mesh units that bounds the way of each point of B, along its path, over the whole motion;
+  /// over a part of it, the same part of this. |v| + |ω| r for the centre's way v and the greatest
   /// distance r from the axis, where the way along the axis and that across are at right angles.
-  double lengthBound(const ClusteredOctree& b) const;
+  double lengthBound(const Hold& b) const;
 
   const Pose& from() const { return from_; }
   const Vec3& centerInB() const { return center_in_b_; }
@@ -53,29 +87,6 @@ class Motion {
 /// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with c at the start or the end, whichever
 ///   gives more, as it changes linearly;
 /// - in B's own frame, likewise.
-double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
-                           const Motion& b_in_world);
-
-/// A box and a ball that both hold a body, for bounds on its motion. They are as valid where rotations are
-/// orthonormal to single precision only.
-class Hold {
- public:
-  explicit Hold(const ClusteredOctree& tree);
-
-  /// No point of the body, so turned, is farther than this from the line along `axis`, of unit length,
-  /// through the body's `center`.
-  double distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const;
-
-  /// No point of the body is farther than this from a point in its frame.
-  double distanceFromPoint(const Vec3& point) const;
-
-  /// No point of the body is farther than this from itself between the two poses.
-  double displacement(const Pose& from, const Pose& to) const;
-
- private:
-  std::array<Vec3, 8> corners_;  // of the box
-  Vec3 center_;                  // of the ball
-  double radius_;
-};
+double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& b, const Motion& b_in_world);
 
 }  // namespace octoblisk

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "octoblisk/convex.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/motion.h"
 
@@ -14,6 +15,8 @@ struct SweepOptions {
   double slack = 0.125;
   /// Distances measured at most.
   int max_steps = 1000;
+  /// Impacts at this fraction or later are left out; > 0, at most 1. The earlier it is, the less is searched.
+  double until = 1.0;
 };
 
 struct TimeOfImpact {
@@ -47,6 +50,14 @@ std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctre
 /// above. The clearance is in A's frame at the fraction.
 std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const ClusteredOctree& b,
                                   const Motion& a_in_world, const Motion& b_in_world, double tolerance,
+                                  const SweepOptions& options = {});
+
+/// The same two functions for the surface of A and a convex body B. B is solid: what is inside it touches it.
+/// The tolerance is raised by twice the error of B's support points as well.
+std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const Convex& b, const Motion& b_in_a,
+                                  double tolerance, const SweepOptions& options = {});
+std::optional<TimeOfImpact> sweep(const ClusteredOctree& a, const Convex& b, const Motion& a_in_world,
+                                  const Motion& b_in_world, double tolerance,
                                   const SweepOptions& options = {});
 
 }  // namespace octoblisk

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/turn.h"
+#include "octoblisk/convex.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -66,24 +68,27 @@ Pose Motion::at(double fraction) const {
   return {rotation, from_.translation + (fraction * advance_ + swing)};
 }
 
-double Motion::lengthBound(const ClusteredOctree& b) const { return lengthOfWay(Hold(b), *this, advance_); }
+Motion Motion::ofPart(const Pose& part_in_b) const {
+  Motion motion = *this;
+  motion.from_ = from_ * part_in_b;
+  motion.center_in_b_ = part_in_b.inverse() * center_in_b_;
+  return motion;
+}
 
-double relativeLengthBound(const ClusteredOctree& a, const Motion& a_in_world, const ClusteredOctree& b,
-                           const Motion& b_in_world) {
-  const Hold hold_a(a), hold_b(b);
+double Motion::lengthBound(const Hold& b) const { return lengthOfWay(b, *this, advance_); }
+
+double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& b, const Motion& b_in_world) {
   const Vec3 way = b_in_world.advance() - a_in_world.advance();  // of B's centre from A's
-  const double with_center_a =
-      lengthOfWay(hold_a, a_in_world, Vec3::Zero()) + lengthOfWay(hold_b, b_in_world, way);
-  const double with_center_b =
-      lengthOfWay(hold_b, b_in_world, Vec3::Zero()) + lengthOfWay(hold_a, a_in_world, -way);
+  const double with_center_a = lengthOfWay(a, a_in_world, Vec3::Zero()) + lengthOfWay(b, b_in_world, way);
+  const double with_center_b = lengthOfWay(b, b_in_world, Vec3::Zero()) + lengthOfWay(a, a_in_world, -way);
   const Vec3 turn_a = a_in_world.angle() * a_in_world.axis(), turn_b = b_in_world.angle() * b_in_world.axis();
   const Vec3 arm = a_in_world.from() * a_in_world.centerInB() - b_in_world.from() * b_in_world.centerInB();
   const auto inFrameThatTurns = [&](const Vec3& turn, double distance_from_center) {
     const double at_start = (way + turn.cross(arm)).norm(), at_end = (way + turn.cross(arm - way)).norm();
     return std::max(at_start, at_end) + (turn_b - turn_a).norm() * distance_from_center;
   };
-  const double in_a = inFrameThatTurns(turn_a, hold_b.distanceFromPoint(b_in_world.centerInB()));
-  const double in_b = inFrameThatTurns(turn_b, hold_a.distanceFromPoint(a_in_world.centerInB()));
+  const double in_a = inFrameThatTurns(turn_a, b.distanceFromPoint(b_in_world.centerInB()));
+  const double in_b = inFrameThatTurns(turn_b, a.distanceFromPoint(a_in_world.centerInB()));
   return std::min({with_center_a, with_center_b, in_a, in_b});
 }
 
@@ -97,19 +102,36 @@ Hold::Hold(const ClusteredOctree& octree)
   }
 }
 
-// All distances are convex functions of the point, so that none in the box exceeds the corners' largest.
+Hold::Hold(const Convex& convex) {
+  const Aabb core = convex.coreBounds();
+  for (unsigned corner = 0; corner < corners_.size(); ++corner) {
+    for (int axis = 0; axis < 3; ++axis)
+      corners_[corner][axis] = (corner >> axis & 1u) != 0 ? core.max[axis] : core.min[axis];
+  }
+  center_ = core.center();
+  beyond_ = convex.radius() + convex.precision() * (core.center().norm() + core.halfExtents().norm());
+  radius_ = core.halfExtents().norm();
+  if (const std::span<const Vec3> points = convex.points(); !points.empty()) {
+    radius_ = 0.0;
+    for (const Vec3& point : points) radius_ = std::max(radius_, (point - center_).norm());
+  }
+  radius_ += beyond_;
+}
+
+// All distances are convex functions of the point, so that none in the box exceeds the corners' largest; and
+// they grow by no more than the way from the box.
 
 double Hold::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
   const auto fromAxis = [&](const Vec3& point) { return (rotation * (point - center)).cross(axis).norm(); };
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, fromAxis(corner));
-  return std::min(of_box, fromAxis(center_) + radius_) + kBoxRounding * radius_;
+  return std::min(of_box + beyond_, fromAxis(center_) + radius_) + kBoxRounding * radius_;
 }
 
 double Hold::distanceFromPoint(const Vec3& point) const {
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, (corner - point).norm());
-  return std::min(of_box, (center_ - point).norm() + radius_) + kBoxRounding * radius_;
+  return std::min(of_box + beyond_, (center_ - point).norm() + radius_) + kBoxRounding * radius_;
 }
 
 double Hold::displacement(const Pose& from, const Pose& to) const {
@@ -119,7 +141,7 @@ double Hold::displacement(const Pose& from, const Pose& to) const {
   const double ball = turn.norm() * radius_;
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, displaced(corner));
-  return std::min(of_box + kBoxRounding * ball, displaced(center_) + ball);
+  return std::min(of_box + kBoxRounding * ball + turn.norm() * beyond_, displaced(center_) + ball);
 }
 
 }  // namespace octoblisk

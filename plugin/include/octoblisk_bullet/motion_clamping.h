@@ -1,4 +1,5 @@
-// Keeps fast concave bodies from getting through others within a step of a Bullet world.
+// Keeps fast bodies from getting through concave ones, and these through others, within a step of a Bullet
+// world.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
@@ -11,8 +12,6 @@ class btRigidBody;
 
 namespace octoblisk {
 
-class ClusteredOctreeShape;
-
 /// What Bullet's own motion clamping does for convex bodies by an embedded sphere, done by the meshes: a body
 /// that would come upon another within a step is put back to where it comes near it, and keeps its velocity.
 /// There the next step's detection makes contacts, and the solver bounces or stops it. An action, as it is
@@ -20,21 +19,28 @@ class ClusteredOctreeShape;
 /// other actions that move bodies or change velocities. `setCcdMotionThreshold` of a body takes half its
 /// thickness, in world units. docs/limits.md has an example.
 ///
-/// Looked at are pairs of bodies with ClusteredOctreeShape that their filters let collide, one or both with
-/// a motion threshold (default: 0, none), the smaller of which their motion to each other in the step exceeds
-/// (relativeLengthBound). A pair farther apart than its tolerance (sweepTolerance) at the step's start is not
-/// let nearer than that within the step, however thin and fast. A pair that is nearer goes on by no more than
-/// the threshold: its contacts are the solver's to keep, and by half the thickness at a time the next
-/// contacts still push it back out of the side from which it came.
+/// The parts of a body are its shape, or the children of its compound, that are ClusteredOctreeShape or
+/// convex. The clamping looks at pairs of bodies that their filters let collide, if one or both have a motion
+/// threshold (default: 0, none). Of such a pair it compares every two parts, one or both of which are
+/// ClusteredOctreeShape, if their motion to each other in the step (relativeLengthBound) exceeds the smaller
+/// threshold that is set. Two parts farther apart than the default tolerance of timeOfImpact at the step's
+/// start do not come nearer than that within the step, however thin and fast they are. Two parts that are
+/// nearer go on by no more than the threshold: their contacts are the solver's to keep, and by half the
+/// thickness at a time the next contacts still push them back out of the side from which they came.
+///
+/// A motion threshold of a convex body also turns on Bullet's own clamping of it, which comes first. A body
+/// that Bullet has put back stays there, as if it had not moved in the step, and nothing is proved of it. To
+/// clamp by the meshes instead, set the world's `getDispatchInfo().m_useContinuous` to false, or set the
+/// threshold of the other body alone.
 ///
 /// What is lost: the rest of the step. A body put back has been slower than its velocity says, once for each
 /// impact, and all along while it slides, rolls or spins in contact by more than the threshold a step. The
-/// dynamic bodies with our shape whose ways in the step come near each other share one fraction, so that none
-/// moves into where another should have gone.
+/// dynamic bodies whose ways in the step come near each other share one fraction, so that none moves into
+/// where another should have gone. Two bodies without a part of our shape do not share one for each other.
 ///
-/// What is not seen: convex and all other shapes, compounds of ours too, which are neither stopped nor
-/// stopped at; kinematic bodies, which Bullet moves between steps, not in them, are stopped at where they
-/// are; what the solver's split impulses shift.
+/// What is not seen: two convex bodies or parts, which are Bullet's to clamp; parts of all other shapes,
+/// which are neither stopped nor stopped at; kinematic bodies and links of multibodies, which are stopped at
+/// where they are at the end of the step; what the solver's split impulses shift.
 class MotionClamping final : public btActionInterface {
  public:
   /// A body that was put back in the last step, and how much of the step it has moved.
@@ -50,10 +56,10 @@ class MotionClamping final : public btActionInterface {
   const std::vector<Clamped>& clamped() const { return clamped_; }
 
  private:
-  /// A body with our shape, and what it did in the step.
+  /// A body with a part that is looked at, and what it did in the step.
   struct Mover {
     btCollisionObject* object;
-    const ClusteredOctreeShape* shape;
+    bool ours;           // has a part of our shape
     btRigidBody* moved;  // null where Bullet did not move it
     Motion motion;
     Aabb swept;
@@ -64,7 +70,7 @@ class MotionClamping final : public btActionInterface {
   void collect(btCollisionWorld& world, btScalar dt);
   void join(std::size_t first, std::size_t second);
   std::size_t islandOf(std::size_t mover) const;
-  double freeFraction(const Mover& first, const Mover& second) const;
+  double freeFraction(const Mover& first, const Mover& second, double until) const;
 
   std::vector<Mover> movers_;
   std::vector<std::size_t> by_start_;  // movers by the least x of their ways

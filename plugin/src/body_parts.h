@@ -1,0 +1,75 @@
+// A body's shape as the parts that are swept: shapes of ours, and convex ones.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+
+#include "bullet_convex.h"
+#include "octoblisk/motion.h"
+#include "octoblisk_bullet/clustered_octree_shape.h"
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+
+/// The shape as ours; null where it is another's.
+const ClusteredOctreeShape* asClusters(const btCollisionShape& shape);
+
+/// Whether the shape, or a child of a compound, is ours or convex.
+bool hasPart(const btCollisionShape& shape);
+
+/// A body's shape on a motion.
+struct MovingBody {
+  const btCollisionShape& shape;
+  Motion in_world;
+};
+
+/// A body's shape, or a child of its compound, of any depth.
+struct BodyPart {
+  const btCollisionShape* shape;
+  const ClusteredOctreeShape* clusters;  ///< null where the part is convex
+  const Convex* convex;                  ///< null where the part is ours
+  Motion in_world;
+
+  Hold hold() const { return clusters ? Hold(clusters->tree()) : Hold(*convex); }
+  /// The thickness beyond what is swept: that of convex shapes is a part of these.
+  double margin() const { return clusters ? double(clusters->getMargin()) : 0.0; }
+};
+
+/// The pose of a child, orthonormal in double precision.
+Pose poseOfChild(const btCompoundShape& compound, int child);
+
+/// Calls visit(part) for every part that is ours and, if asked for, for the convex ones, whose corners are in
+/// `corners` meanwhile.
+template <typename Visit>
+void forEachPart(const MovingBody& body, bool with_convex, CoreCorners& corners, const Visit& visit) {
+  const btCollisionShape& shape = body.shape;
+  if (shape.isCompound()) {
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+      forEachPart(MovingBody{*compound.getChildShape(i), body.in_world.ofPart(poseOfChild(compound, i))},
+                  with_convex, corners, visit);
+    }
+  } else if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
+    visit(BodyPart{&shape, clusters, nullptr, body.in_world});
+  } else if (with_convex && shape.isConvex()) {
+    const auto& convex_shape = static_cast<const btConvexShape&>(shape);
+    corners.update(convex_shape);
+    const BulletConvex convex(convex_shape, corners);
+    visit(BodyPart{&shape, nullptr, &convex, body.in_world});
+  }
+}
+
+/// Where the corners of one convex part at a time are kept: a thread's own, so that warm sweeps allocate
+/// nothing.
+CoreCorners& cornersOfThread();
+
+/// Calls visit(a, b) for every part of A and every part of B of which one or both are ours.
+template <typename Visit>
+void forEachPartPair(const MovingBody& a, const MovingBody& b, const Visit& visit) {
+  CoreCorners& corners = cornersOfThread();
+  forEachPart(a, true, corners, [&](const BodyPart& part_a) {
+    forEachPart(b, part_a.clusters != nullptr, corners,
+                [&](const BodyPart& part_b) { visit(part_a, part_b); });
+  });
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,112 @@
+#include "bullet_convex.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "octoblisk_bullet/convert.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// The corners of a shape's core, if it is the hull of a few.
+void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
+  corners.clear();
+  switch (shape.getShapeType()) {
+    case SPHERE_SHAPE_PROXYTYPE:
+      corners.emplace_back(Vec3::Zero());
+      break;
+    case CAPSULE_SHAPE_PROXYTYPE: {
+      const auto& capsule = static_cast<const btCapsuleShape&>(shape);
+      const Vec3 half = double(capsule.getHalfHeight()) * Vec3::Unit(capsule.getUpAxis());
+      corners.assign({-half, half});
+      break;
+    }
+    case BOX_SHAPE_PROXYTYPE: {
+      const Vec3 half = fromBullet(static_cast<const btBoxShape&>(shape).getHalfExtentsWithoutMargin());
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          for (const double z : {-1.0, 1.0}) corners.emplace_back(half.cwiseProduct(Vec3(x, y, z)));
+        }
+      }
+      break;
+    }
+    case CONVEX_HULL_SHAPE_PROXYTYPE: {
+      const auto& hull = static_cast<const btConvexHullShape&>(shape);
+      const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
+      for (int i = 0; i < hull.getNumPoints(); ++i)
+        corners.emplace_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+/// Points on the rims of a shape's core, if it is a cylinder or a cone.
+void readRims(const btConvexShape& shape, std::vector<Vec3>& rims) {
+  rims.clear();
+  const auto addRim = [&](int axis, double height, double radius) {
+    constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+    for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{{1, 0},
+                                                                               {kDiagonal, kDiagonal},
+                                                                               {0, 1},
+                                                                               {-kDiagonal, kDiagonal},
+                                                                               {-1, 0},
+                                                                               {-kDiagonal, -kDiagonal},
+                                                                               {0, -1},
+                                                                               {kDiagonal, -kDiagonal}}) {
+      Vec3 point = height * Vec3::Unit(axis);
+      point[(axis + 1) % 3] = radius * x;
+      point[(axis + 2) % 3] = radius * y;
+      rims.push_back(point);
+    }
+  };
+  if (shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE) {
+    const auto& cylinder = static_cast<const btCylinderShape&>(shape);
+    const int axis = cylinder.getUpAxis();
+    const Vec3 half = fromBullet(cylinder.getHalfExtentsWithoutMargin());
+    const double radius = half[axis == 0 ? 1 : 0];  // the one that Bullet takes
+    for (const double side : {-1.0, 1.0}) addRim(axis, side * half[axis], radius);
+  } else if (shape.getShapeType() == CONE_SHAPE_PROXYTYPE) {
+    const auto& cone = static_cast<const btConeShape&>(shape);
+    addRim(cone.getConeUpIndex(), -0.5 * double(cone.getHeight()), double(cone.getRadius()));
+  }
+}
+
+}  // namespace
+
+bool CoreCorners::update(const btConvexShape& shape) {
+  readCorners(shape, read_);
+  const bool is_same = read_ == points_;
+  std::swap(read_, points_);
+  if (points_.empty()) {
+    readRims(shape, feet_);
+  } else if (!is_same) {
+    feet_ = points_;
+  }
+  if (is_same) return false;
+  middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) /
+            double(std::max(points_.size(), std::size_t{1}));
+  faces_.find(points_);
+  return true;
+}
+
+Vec3 BulletConvex::support(const Vec3& direction) const {
+  if (!core_.points().empty()) return farthest(core_.points(), direction);
+  return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
+}
+
+double BulletConvex::precision() const {
+  return core_.points().empty() ? std::max(16.0 * double(SIMD_EPSILON), 1e-9) : Convex::precision();
+}
+
+}  // namespace octoblisk::detail

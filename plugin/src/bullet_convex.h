@@ -1,0 +1,55 @@
+// Bullet's convex shapes in the core's terms.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+
+#include <span>
+#include <vector>
+
+#include "octoblisk/convex.h"
+#include "octoblisk/hull_faces.h"
+
+namespace octoblisk::detail {
+
+/// The core of a convex shape: its corners where it is the hull of a few points; the feet on which it may
+/// stand.
+class CoreCorners {
+ public:
+  /// As the shape is now; returns whether it has been scaled, or given points, since the last time. Allocates
+  /// nothing where it has not.
+  bool update(const btConvexShape& shape);
+
+  std::span<const Vec3> points() const { return points_; }
+  /// The mean of the points; without any, the shape's origin.
+  const Vec3& middle() const { return middle_; }
+  HullFaces faces() const { return faces_.view(); }
+  /// The corners; points on the rims of cylinders and cones; none of other shapes.
+  std::span<const Vec3> feet() const { return feet_; }
+
+ private:
+  std::vector<Vec3> points_, feet_, read_;
+  Vec3 middle_ = Vec3::Zero();
+  HullFaceList faces_;
+};
+
+/// A convex shape of Bullet's as one of ours: both are a core and a margin round it. The corners are those of
+/// the shape as it is now.
+class BulletConvex final : public Convex {
+ public:
+  BulletConvex(const btConvexShape& shape, const CoreCorners& core)
+      : shape_(shape), core_(core), margin_(double(shape.getMarginNonVirtual())) {}
+
+  Vec3 support(const Vec3& direction) const override;
+  double radius() const override { return margin_; }
+  Vec3 middle() const override { return core_.middle(); }
+  double precision() const override;
+  std::span<const Vec3> points() const override { return core_.points(); }
+  HullFaces faces() const override { return core_.faces(); }
+
+ private:
+  const btConvexShape& shape_;
+  const CoreCorners& core_;
+  const double margin_;
+};
+
+}  // namespace octoblisk::detail
