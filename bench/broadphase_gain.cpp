@@ -1,10 +1,10 @@
-// What ClusteredOctreeBroadphase saves beside btDbvtBroadphase: the collision detection range (Table 3 of the
-// paper), and pairs, islands awake and the time of a step in a grinding world.
+// Measures what ClusteredOctreeBroadphase saves against btDbvtBroadphase: the collision detection range
+// (Table 3 of the paper), and, in a grinding world, the pairs, the active islands and the time of a step.
 //
 //   broadphase_gain [rows = broadphase.json] [blisk file...]
 //
-// Always of the default blisk; of meshes (mm, axis Z) beside, where they are given. Prints tables and writes
-// their rows; those of other blisks that are there already stay.
+// Always measures the default blisk, and also the given meshes (mm, axis Z). Prints tables and writes their
+// rows. The file's rows of other blisks stay.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -25,7 +25,7 @@ using namespace detail;
 
 namespace {
 
-/// The statistics of a broadphase that holds the blisk alone.
+/// The statistics of a broadphase that holds only the blisk.
 BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   ClusteredOctreeBroadphase broadphase(depth);
   btDefaultCollisionConfiguration configuration;
@@ -41,7 +41,7 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   return statistics;
 }
 
-/// Volumes in mm³, and the part of the one box round all that they save.
+/// Volumes in mm³, and the fraction that they save against one box around everything.
 void addRanges(const GrindingScene& scene, Rows& rows) {
   constexpr std::size_t kMostClusters = 8;
   constexpr int kMostDepth = 6;
@@ -89,7 +89,7 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
   }
 }
 
-/// One drive along the path; means over its steps.
+/// One drive along the path. The figures are means over its steps.
 struct Drive {
   double step_us = 0.0;  ///< processor time
   double pairs = 0.0, awake_islands = 0.0, awake_bodies = 0.0, tool_points = 0.0;
@@ -115,7 +115,7 @@ Drive drive(const GrindingScene& scene, Mount mount, btBroadphaseInterface& broa
   return sum;
 }
 
-/// The median of the drives' times; all else is the same in each.
+/// Takes the median of the drives' times. All other figures are the same in every drive.
 template <typename Broadphase>
 struct Contender {
   void driveOnce(const GrindingScene& scene, Mount mount) {

@@ -66,7 +66,7 @@ std::string textOf(const Row& value) {
   return text.str();
 }
 
-/// The first seven columns, which all rows of a task have.
+/// Prints the first seven columns, which all rows of a task have.
 void printTable(const Rows& rows) {
   constexpr std::size_t kColumns = 7;
   constexpr int kWidth = 20;
@@ -85,7 +85,7 @@ void printTable(const Rows& rows) {
   }
 }
 
-/// "rays.json" → "rays-300k.json", in Google Benchmark's option for it.
+/// Changes "rays.json" to "rays-300k.json" in Google Benchmark's output option.
 std::string forScene(const std::string& option, const std::string& scene) {
   const std::string name = "--benchmark_out=", ending = ".json";
   if (!option.starts_with(name) || !option.ends_with(ending)) return option;
@@ -138,7 +138,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
         run(scene);
         std::cout.flush();
         std::fflush(nullptr);
-        std::_Exit(0);  // what libraries do at exit is no matter
+        std::_Exit(0);  // skip the libraries' exit handlers
       } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         std::_Exit(2);
@@ -157,7 +157,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
   return exit_code;
 }
 
-// The user's own options come later and replace the defaults.
+// The user's options come later and override the defaults.
 Session::Session(const SessionOptions& options, const std::string& scene)
     : rows_file_(options.rows_file),
       arguments_{options.of_google[0],

@@ -1,9 +1,9 @@
-// How well moving bodies behave, scene by scene and shape by shape: energy, depth, cost.
+// Measures energy, depth and cost of moving bodies, for each scene and shape.
 //
 //   dynamics [--quick] [--only SCENE,...] [rows = dynamics.json]
 //
-// Prints a line a run and writes the rows; those of other scenes that are there already stay. --quick: fewer
-// bodies and steps, to see that all works.
+// Prints one line for each run and writes the rows. The file's rows of other scenes stay. --quick uses fewer
+// bodies and steps, to check that everything works.
 #include <algorithm>
 #include <cstdio>
 #include <sstream>

@@ -4,7 +4,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// A line of the summary: a row of ours, and all others of the task and scene beside it.
+/// A line of the summary: our row and the other rows of its task and scene.
 struct Line {
   const char* asked;
   const char* task;
@@ -44,7 +44,7 @@ constexpr Line kLines[] = {
 
 constexpr const char* kOnOneThread = "ours on one thread";
 
-/// How a contender is called beside ours; empty: it is a variant of ours that is told elsewhere.
+/// A contender's name in the summary. Empty for a variant of ours that the summary leaves out.
 std::string calledIn(const std::string& contender) {
   const std::pair<const char*, const char*> names[] = {{"fcl", "FCL"},
                                                        {"fcl-points", "FCL with points"},
