@@ -47,8 +47,8 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
   constexpr int kMostDepth = 6;
   const TriangleMesh& mesh = scene.blisk->mesh();
   const double one_box = 8.0 * mesh.bounds().halfExtents().prod();
-  std::printf("\n%s: collision detection range; one axis-aligned box has %.4g mm3\n", scene.name.c_str(),
-              one_box);
+  std::printf("\n%s: collision detection range; the single axis-aligned box has %.4g mm3\n",
+              scene.name.c_str(), one_box);
   std::printf("%-24s%8s%8s%16s%10s%16s%10s\n", "divided into", "k", "boxes", "axis-aligned", "saved",
               "oriented", "saved");
   const std::pair<const char*, std::vector<int>> divisions[] = {{"one part", {}},
@@ -132,7 +132,7 @@ struct Contender {
 
 void addWorlds(const GrindingScene& scene, Rows& rows) {
   constexpr int kDrives = 3;
-  std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means of a step\n",
+  std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means per step\n",
               scene.name.c_str(), scene.tool_in_blisk.size(), scene.loose.size());
   std::printf("%-12s%-24s%10s%16s%16s%16s%12s%12s%10s\n", "blisk", "broadphase", "pairs", "islands awake",
               "bodies awake", "tool's points", "blisk turned", "us", "ratio");
@@ -171,7 +171,7 @@ void addWorlds(const GrindingScene& scene, Rows& rows) {
     add("ClusteredOctreeBroadphase", ours.last, ours.time());
     add("btDbvtBroadphase", stock.last, stock.time());
     if (differences > 0)
-      std::printf("%-12sat %d steps the tool has another number of contact points\n", "", differences);
+      std::printf("%-12sat %d steps the tool has a different number of contact points\n", "", differences);
   }
 }
 

@@ -162,7 +162,7 @@ Sizes sizesOf(const std::string& name) {
   if (std::regex_match(name, match, belt)) return {.belt = 1000 * number(match)};
   if (std::regex_match(name, match, bodies)) return {.blisk = 50'000, .bodies = number(match)};
   if (std::regex_match(name, match, torus)) return {.torus = number(match)};
-  throw std::invalid_argument("there is no scene '" + name + "'");
+  throw std::invalid_argument("unknown scene '" + name + "'");
 }
 
 /// Stations and points in the proportion of the default belt, with enough stations to go around the wheels. A
@@ -186,7 +186,7 @@ Scene torusScene(const std::string& name, std::size_t triangles, const SceneSize
   auto round = static_cast<std::size_t>(std::ceil(std::sqrt(0.2 * static_cast<double>(triangles))));
   while (round > 3 && triangles % (2 * round) != 0) --round;
   if (round < 3 || triangles % (2 * round) != 0) {
-    throw std::invalid_argument("there is no torus of " + std::to_string(triangles) + " triangles");
+    throw std::invalid_argument("no torus has " + std::to_string(triangles) + " triangles");
   }
   Scene scene;
   scene.name = name;
@@ -245,7 +245,7 @@ RoundedCore roundedCore(Primitive primitive) {
       return {hullMesh(std::move(corners)), kHullMargin};
     }
   }
-  throw std::invalid_argument("there is no such primitive");
+  throw std::invalid_argument("unknown primitive");
 }
 
 const Scene& sceneNamed(const std::string& name, const SceneSize& size) {

@@ -47,7 +47,7 @@ void pinTo(int core) {
   CPU_ZERO(&cores);
   CPU_SET(static_cast<std::size_t>(core), &cores);
   if (sched_setaffinity(0, sizeof cores, &cores) != 0) {
-    refuse("cannot be pinned to core " + std::to_string(core) + ": give another by --core");
+    refuse("cannot pin the process to core " + std::to_string(core) + ". Choose another one with --core");
   }
 }
 
@@ -124,7 +124,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     if (std::ranges::find(scenes, wanted) != scenes.end()) continue;
     std::string known;
     for (const std::string& scene : scenes) known += ' ' + scene;
-    refuse("there is no scene '" + wanted + "' here, but:" + known);
+    refuse("unknown scene '" + wanted + "'. Scenes of this program:" + known);
   }
   int exit_code = 0;
   for (const std::string& scene : scenes) {
@@ -132,7 +132,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     if (!wanted.empty() && std::ranges::find(wanted, scene) == wanted.end()) continue;
     std::cout.flush();
     const pid_t child = fork();
-    if (child < 0) refuse("cannot start a process for the scene " + scene);
+    if (child < 0) refuse("cannot start a process for scene " + scene);
     if (child == 0) {
       try {
         run(scene);
@@ -152,7 +152,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     std::cerr << options.of_google[0] << ": scene " << scene << " failed"
               << (WIFSIGNALED(status) ? std::string(" by signal ") + std::to_string(WTERMSIG(status))
                                       : std::string())
-              << "; it left no rows\n";
+              << "; it wrote no rows\n";
   }
   return exit_code;
 }
@@ -174,7 +174,7 @@ Session::Session(const SessionOptions& options, const std::string& scene)
   benchmark::AddCustomContext("processor", processorName());
   benchmark::AddCustomContext("pinned_to_core", options.core < 0 ? "none" : std::to_string(options.core));
   benchmark::AddCustomContext("octoblisk_flags", OCTOBLISK_BENCH_FLAGS);
-  benchmark::AddCustomContext("peers", "the libraries of Debian's packages, as built there");
+  benchmark::AddCustomContext("peers", "from Debian's packages, as built by Debian");
   for (const auto& [name, about] : descriptions()) benchmark::AddCustomContext("contender " + name, about);
 }
 

@@ -50,7 +50,7 @@ void visit(benchmark::State& state, Entrant& entrant, bool by_the_clock) {
   for (auto _ : state) {
     if (entrant.seconds > kEnough) {  // another pass would add no information
       state.SetIterationTime(entrant.seconds / static_cast<double>(entrant.passes.size()));
-      state.SetLabel("the mean of its passes: not asked again");
+      state.SetLabel("mean of the earlier passes; not run again");
       continue;
     }
     const double start = threadSeconds();

@@ -53,7 +53,7 @@ void write(const fs::path& file, const std::string& text) {
 
 int run(const fs::path& results, const char* page_file) {
   const Rows rows = readAllRows(results);
-  if (rows.empty()) throw std::runtime_error(results.string() + ": has no rows");
+  if (rows.empty()) throw std::runtime_error(results.string() + ": contains no rows");
   const Row machine = machineIn(results);
   write(results / "machine.json", machine.dump(1) + '\n');
   const ResultsPage page = resultsPage(rows, machine);

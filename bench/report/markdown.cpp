@@ -48,7 +48,7 @@ std::string timeText(double microseconds) {
 }
 
 MarkdownTable::MarkdownTable(std::vector<std::string> header) : header_(std::move(header)) {
-  if (header_.empty()) throw std::invalid_argument("a table needs a column");
+  if (header_.empty()) throw std::invalid_argument("a table needs at least one column");
 }
 
 void MarkdownTable::add(std::vector<std::string> cells) {

@@ -36,10 +36,11 @@ std::string colorOf(std::size_t curve) {
 
 void drawScript(const std::string& script, const std::filesystem::path& file) {
   std::FILE* gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": gnuplot cannot be started");
+  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": cannot start gnuplot");
   const bool is_written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
   if (pclose(gnuplot) != 0 || !is_written) {
-    throw std::runtime_error(file.string() + ": gnuplot could not draw it (Debian's gnuplot-nox)");
+    throw std::runtime_error(file.string() +
+                             ": gnuplot cannot draw it. On Debian 12: apt install gnuplot-nox");
   }
 }
 
