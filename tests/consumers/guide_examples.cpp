@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "guide/core.h"
 #include "guide/first-shape.h"
 #include "guide/how-it-works.h"
 #include "guide/limits.h"
 #include "guide/migrating.h"
+#include "guide/core.h"
 #include "guide/threads.h"
 #include "guide/units.h"
 #ifdef WITH_IMPORTER

@@ -240,7 +240,7 @@ TEST(CompactTree, queries_vs_fastTrees) {
 
 TEST(CompactTree, raysAndClosestPoints_vs_fastTrees) {
   std::mt19937_64 random(76);
-  const std::vector<std::pair<SharedMesh, double>> cases = {// with the segment length at which half hit
+  const std::vector<std::pair<SharedMesh, double>> cases = {// and the t_max at which half hit
                                                             {testing::torus(3, 1, 32, 16), 0.5},
                                                             {testing::fan(9, 10), 0.7},
                                                             {testing::soup(random, 500, 3, 0.5), 0.7}};

@@ -132,7 +132,7 @@ TEST(SolidBoundary, locate_vs_theClosedSurface) {
     inside += expected == PointLocation::inside;
     if (found == PointLocation::unknown) {
       ++unknown;
-      EXPECT_GT(point.z(), 0.3) << "only about the hole";
+      EXPECT_GT(point.z(), 0.3) << "only near the hole";
       continue;
     }
     // Between the missing surface and a flat lid over the hole, either answer is acceptable.

@@ -84,7 +84,7 @@ TEST(TrianglesAlong, movingBoxes_vs_bruteforce) {
       given += found.size();
       hits += first_of_all <= 1.0;
       for (const auto& [triangle, first] : visited(tree, box, 0.3)) EXPECT_LE(first, 0.3);
-      // Triangles beyond the limit are left out. The others are still reported.
+      // Lowering the limit leaves out triangles beyond it, but not the first one.
       double nearest = 2.0;
       forEachTriangleAlong(tree, box, 1.0, [&](std::uint32_t triangle, double) {
         nearest = std::min(nearest, firstSeen(box, mesh->triangle(triangle), 24));

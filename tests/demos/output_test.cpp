@@ -95,7 +95,7 @@ TEST_F(Output, whereThereIsNoRoomTheOldFileStaysAndTheCauseIsTold) {
 class NoRoom : public Output {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "/dev/full does not exist";
     ASSERT_EQ(run("grind --poses-only --no-pictures --no-report --out first").exit_code, 1);
     std::vector<Pose> path = readPoses(file("first/path.csv"));
     path = {path.begin() + 40, path.begin() + 46};
@@ -215,7 +215,7 @@ TEST_F(Output, goesToDevicesDirectly) {
     const Outcome outcome = run("path --out " + out);  // which is a file here
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_EQ(outcome.out, expected);
-    EXPECT_THAT(outcome.error, StartsWith(out + ": 793 poses, ")) << "the words are not among the poses";
+    EXPECT_THAT(outcome.error, StartsWith(out + ": 793 poses, ")) << "the summary must not be in the table";
     EXPECT_EQ(run("path --out " + out + " | cat >piped.csv; true").exit_code, 0);
     EXPECT_EQ(contentOf(file("piped.csv")), expected);
   }
