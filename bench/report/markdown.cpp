@@ -27,7 +27,7 @@ std::string line(const std::vector<std::string>& cells) {
 std::string significant(double number, int digits) {
   if (!std::isfinite(number)) return "none";
   if (number == 0.0) return "0";
-  std::ostringstream rounded;  // round first: 9.96 becomes 10, which has one digit more
+  std::ostringstream rounded;  // first round: 9.96 becomes 10, which has one digit more
   rounded << std::scientific << std::setprecision(digits - 1) << number;
   const double value = std::stod(rounded.str());
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));

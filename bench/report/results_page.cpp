@@ -59,7 +59,7 @@ std::string cellOf(const Row& row) {
   return text + differencesText(row);
 }
 
-/// Task, and what it asks.
+/// A task and its title.
 struct Section {
   const char* task;
   const char* asks;

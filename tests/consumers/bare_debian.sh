@@ -13,7 +13,8 @@ install "$packages"/octoblisk_*.deb
 
 install "$packages"/liboctoblisk-dev_*.deb g++ pkg-config
 cd "$work"
-# The flags must be split into words. shellcheck disable=SC2046
+# The flags must be split into words.
+# shellcheck disable=SC2046
 g++ -std=c++20 "$here/core_example.cpp" -o core_example $(pkg-config --cflags --libs octoblisk-core)
 ./core_example
 cat >plugin.cpp <<'TEXT'

@@ -189,7 +189,7 @@ TEST_F(Output, goesThroughLinks) {
   std::filesystem::create_directories(file("elsewhere"));
   folder_.write("elsewhere/path.csv", "old");
   std::filesystem::create_symlink("elsewhere/path.csv", file("link.csv"));
-  std::filesystem::create_symlink("elsewhere/new.stl", file("new.stl"));  // there is nothing yet
+  std::filesystem::create_symlink("elsewhere/new.stl", file("new.stl"));  // the target does not exist yet
   std::filesystem::create_symlink("nowhere/path.csv", file("lost.csv"));
   ASSERT_EQ(run("path --out link.csv").exit_code, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(file("link.csv")));

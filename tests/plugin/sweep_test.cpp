@@ -27,7 +27,7 @@ struct SweepHits final : btCollisionWorld::ConvexResultCallback, Hits {
   }
 };
 
-/// Counts the triangles that it is cast at. Bullet queries its bounding sphere once for each.
+/// Counts the triangles that it is cast at. Bullet calls getAngularMotionDisc once for each.
 ATTRIBUTE_ALIGNED16(struct)
 CountingHull final : btConvexHullShape {
   BT_DECLARE_ALIGNED_ALLOCATOR();
