@@ -272,8 +272,8 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
   ResultsPage page;
   std::string& text = page.text;
   text =
-      "# Results\n\n`./dev bench` writes this page from the rows in this folder; `../README.md` explains "
-      "them.\n"
+      "# Results\n\n"
+      "`./dev bench` writes this page from the rows in this folder; `../README.md` explains them.\n"
       "A cell has the mean time of a query and, after ·, its ratio to that of OctoBlisk in the same run.\n"
       "The ratio is bold if the contender is faster. In brackets is the number of answers that differ from\n"
       "the reference. In the sections on growth, * marks a contender with such answers.\n\n"
