@@ -1,8 +1,9 @@
-// Drops 500 bodies of all kinds on the blisk, again and again, for so many seconds of the clock.
+// Drops 500 bodies of all kinds on the blisk again and again, for the given number of seconds of wall-clock
+// time.
 //
 //   body_soak [seconds = 300]
 //
-// Prints one line. Fails, with 1, where a body leaves through the floor or into the blisk, memory grows, or
+// Prints one line. Exits with 1 if a body falls through the floor or enters the blisk, if memory grows, or if
 // the time was too short to compare memory.
 #include <btBulletDynamicsCommon.h>
 #include <malloc.h>
@@ -33,16 +34,17 @@ std::size_t heapBytes() {
   return info.uordblks + info.hblkhd;
 }
 
-/// A shape, and points within it that no blade can be: those of a hole it might straddle.
+/// A shape, and points in it that must stay outside the blisk. They avoid any hole, because the hole may
+/// straddle a blade.
 struct Kind {
   std::unique_ptr<btCollisionShape> shape;
   std::vector<Vec3> inside = {Vec3::Zero()};
 };
 
-/// Millimetres and seconds. The blisk lies on a floor within a ring of walls.
+/// Units: millimetres and seconds. The blisk lies on a floor within a ring of walls.
 class Soak {
  public:
-  static constexpr int kStepsASecond = 480;  ///< a body moves by less than half its size in a step
+  static constexpr int kStepsASecond = 480;  ///< a body moves less than half its size in a step
 
   Soak() : blisk_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_))) {
     registerAlgorithm(&dispatcher_);
@@ -73,14 +75,14 @@ class Soak {
   Soak(const Soak&) = delete;
   Soak& operator=(const Soak&) = delete;
 
-  /// Takes all bodies out of the world, and all contacts with them.
+  /// Removes all bodies and their contacts from the world.
   void lift() {
     for (const auto& body : bodies_) {
       if (body->isInWorld()) world_.removeRigidBody(body.get());
     }
   }
 
-  /// Puts the bodies back, above the blades.
+  /// Puts the bodies back above the blades.
   void drop(unsigned seed) {
     std::mt19937_64 random(seed);
     solver_.reset();
@@ -107,7 +109,7 @@ class Soak {
     return std::ranges::none_of(bodies_, [](const auto& body) { return body->isActive(); });
   }
 
-  /// Bodies below the floor, beyond the walls, or with a point of theirs in the blisk.
+  /// The number of bodies that are below the floor, beyond the walls, or have a point in the blisk.
   int lost() const {
     int count = 0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -115,7 +117,7 @@ class Soak {
       bool is_lost = false;
       for (const Vec3& point : kinds_[k % kinds_.size()].inside) {
         const Vec3 place = pose * point;
-        // Not a number is lost, too.
+        // A body whose position is NaN is lost too.
         is_lost |= !(place.z() > kFloor && place.head<2>().norm() < 275.0) ||
                    locate(surface_, place) == PointLocation::inside;
       }
@@ -184,7 +186,7 @@ class Soak {
 };
 
 int run(double seconds) {
-  constexpr int kMostSteps = 5 * Soak::kStepsASecond / 4;  // what rolls on is taken up
+  constexpr int kMostSteps = 5 * Soak::kStepsASecond / 4;  // a body that still rolls is removed
   constexpr std::size_t kGrowth = std::size_t{1} << 20;
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
@@ -195,7 +197,7 @@ int run(double seconds) {
   long steps = 0;
   int asleep = 0, lost = 0;
   std::size_t warm = 0, heap = 0;
-  bool is_compared = false;  // a drop ended after the one that memory is compared with
+  bool is_compared = false;  // a drop has ended since `warm` was measured
   while (lost == 0 && elapsed() < seconds) {
     soak.drop(++drops);
     for (int step = 1; step <= kMostSteps && lost == 0 && elapsed() < seconds; ++step, ++steps) {

@@ -1,10 +1,10 @@
-// What ClusteredOctreeBroadphase saves beside btDbvtBroadphase: the collision detection range (Table 3 of the
-// paper), and pairs, islands awake and the time of a step in a grinding world.
+// Measures what ClusteredOctreeBroadphase saves against btDbvtBroadphase: the collision detection range
+// (Table 3 of the paper), and, in a grinding world, the pairs, the active islands and the time of a step.
 //
 //   broadphase_gain [rows = broadphase.json] [blisk file...]
 //
-// Always of the default blisk; of meshes (mm, axis Z) beside, where they are given. Prints tables and writes
-// their rows; those of other blisks that are there already stay.
+// Always measures the default blisk, and also the given meshes (mm, axis Z). Prints tables and writes their
+// rows. The file's rows of other blisks stay.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -25,7 +25,7 @@ using namespace detail;
 
 namespace {
 
-/// The statistics of a broadphase that holds the blisk alone.
+/// The statistics of a broadphase that holds only the blisk.
 BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   ClusteredOctreeBroadphase broadphase(depth);
   btDefaultCollisionConfiguration configuration;
@@ -41,14 +41,14 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   return statistics;
 }
 
-/// Volumes in mm³, and the part of the one box round all that they save.
+/// Volumes in mm³, and the fraction that they save against one box around everything.
 void addRanges(const GrindingScene& scene, Rows& rows) {
   constexpr std::size_t kMostClusters = 8;
   constexpr int kMostDepth = 6;
   const TriangleMesh& mesh = scene.blisk->mesh();
   const double one_box = 8.0 * mesh.bounds().halfExtents().prod();
-  std::printf("\n%s: collision detection range; one axis-aligned box has %.4g mm3\n", scene.name.c_str(),
-              one_box);
+  std::printf("\n%s: collision detection range; the single axis-aligned box has %.4g mm3\n",
+              scene.name.c_str(), one_box);
   std::printf("%-24s%8s%8s%16s%10s%16s%10s\n", "divided into", "k", "boxes", "axis-aligned", "saved",
               "oriented", "saved");
   const std::pair<const char*, std::vector<int>> divisions[] = {{"one part", {}},
@@ -89,7 +89,7 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
   }
 }
 
-/// One drive along the path; means over its steps.
+/// One drive along the path. The figures are means over its steps.
 struct Drive {
   double step_us = 0.0;  ///< processor time
   double pairs = 0.0, awake_islands = 0.0, awake_bodies = 0.0, tool_points = 0.0;
@@ -115,7 +115,7 @@ Drive drive(const GrindingScene& scene, Mount mount, btBroadphaseInterface& broa
   return sum;
 }
 
-/// The median of the drives' times; all else is the same in each.
+/// Takes the median of the drives' times. All other figures are the same in every drive.
 template <typename Broadphase>
 struct Contender {
   void driveOnce(const GrindingScene& scene, Mount mount) {
@@ -132,7 +132,7 @@ struct Contender {
 
 void addWorlds(const GrindingScene& scene, Rows& rows) {
   constexpr int kDrives = 3;
-  std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means of a step\n",
+  std::printf("\n%s: %zu steps of the tool along its path, %zu loose bodies; means per step\n",
               scene.name.c_str(), scene.tool_in_blisk.size(), scene.loose.size());
   std::printf("%-12s%-24s%10s%16s%16s%16s%12s%12s%10s\n", "blisk", "broadphase", "pairs", "islands awake",
               "bodies awake", "tool's points", "blisk turned", "us", "ratio");
@@ -171,7 +171,7 @@ void addWorlds(const GrindingScene& scene, Rows& rows) {
     add("ClusteredOctreeBroadphase", ours.last, ours.time());
     add("btDbvtBroadphase", stock.last, stock.time());
     if (differences > 0)
-      std::printf("%-12sat %d steps the tool has another number of contact points\n", "", differences);
+      std::printf("%-12sat %d steps the tool has a different number of contact points\n", "", differences);
   }
 }
 

@@ -1,5 +1,5 @@
-// What a library is asked in the benchmarks: a small interface for each query. A contender implements those
-// that its library has, in one file of contenders/, and registers itself there.
+// The queries of the benchmarks: one small interface for each. A contender implements the queries that its
+// library supports, in one file of contenders/, and registers itself there.
 #pragma once
 
 #include <concepts>
@@ -16,12 +16,12 @@
 
 namespace octoblisk::bench {
 
-/// A question about one pose.
+/// A query about one pose.
 class PoseQuery {
  public:
   virtual ~PoseQuery() = default;
-  /// How many tests the answer takes, and the bytes they read, by name; empty where the library does not
-  /// tell.
+  /// The number of tests that the answer takes and the bytes that they read, by name. Empty if the library
+  /// does not report them.
   virtual std::map<std::string, double> cost(const Pose&) const { return {}; }
 };
 
@@ -32,27 +32,27 @@ class CollideQuery : public PoseQuery {
   virtual bool collides(const Pose& belt_in_blisk, bool warm) = 0;
 };
 
-/// Everything that touches.
+/// All contacts.
 class ContactsQuery : public PoseQuery {
  public:
-  /// The number of pairs of triangles that meet, or of what the library reports in their place.
+  /// The number of triangle pairs that touch, or of whatever the library reports instead.
   virtual std::size_t contacts(const Pose& belt_in_blisk) = 0;
-  /// Whether `contacts` counts pairs of triangles, all of them. If not, only "none or some" is compared.
+  /// Whether `contacts` counts all triangle pairs. If not, only "none or some" is compared.
   virtual bool countsPairs() const { return true; }
 };
 
-/// The same in a Bullet world: points with depths and normals, for a solver.
+/// All contacts in a Bullet world: points with depths and normals, for a solver.
 class WorldContactsQuery : public PoseQuery {
  public:
   /// The number of contact points of depth 0 or more.
   virtual std::size_t points(const Pose& belt_in_blisk) = 0;
 };
 
-/// How near the two come, in a Bullet world: closest points.
+/// The closest points in a Bullet world.
 class WorldClosestQuery : public PoseQuery {
  public:
-  /// The least distance of a point that contactPairTest reports within the threshold, below 0 where it tells
-  /// a depth; infinity where it reports none.
+  /// The least distance of the points that contactPairTest reports within the threshold. A depth is a
+  /// distance below 0. Infinity if it reports no point.
   virtual double nearest(const Pose& belt_in_blisk, double threshold) = 0;
 };
 
@@ -60,8 +60,8 @@ class WorldClosestQuery : public PoseQuery {
 class WorldPrimitiveQuery {
  public:
   virtual ~WorldPrimitiveQuery() = default;
-  /// The least distance of a point that contactPairTest reports, below 0: a depth; infinity where it reports
-  /// none.
+  /// The least distance of the points that contactPairTest reports. A depth is a distance below 0. Infinity
+  /// if it reports no point.
   virtual double nearest(const Pose& primitive_in_mesh) = 0;
 };
 
@@ -69,30 +69,29 @@ class WorldPrimitiveQuery {
 class WorldRayQuery {
  public:
   virtual ~WorldRayQuery() = default;
-  /// The part of the way, 0 to 1, that is gone when a triangle is met; 1 where none is.
+  /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle.
   virtual double firstHit(const Segment& way) = 0;
 };
 
-/// A ball that is swept through a Bullet world.
+/// A ball swept through a Bullet world.
 class WorldSweepQuery {
  public:
   virtual ~WorldSweepQuery() = default;
-  /// As WorldRayQuery's, of the ball's middle.
+  /// Like WorldRayQuery::firstHit, for the ball's centre.
   virtual double firstTouch(const Segment& way, double radius) = 0;
 };
 
 /// A Bullet world in which convex bodies fall onto the blisk.
 class WorldStepQuery {
  public:
-  static constexpr double kFloor = -30.0;  ///< its height, mm
+  static constexpr double kFloor = -30.0;  ///< height of the floor, mm
 
   virtual ~WorldStepQuery() = default;
-  /// Lifts so many bodies to where they start; always the same number.
+  /// Puts `bodies` bodies at their start. Every call must pass the same number.
   virtual void restart(std::size_t bodies) = 0;
   virtual void step() = 0;
-  /// Where the bodies are.
   virtual std::vector<Vec3> positions() const = 0;
-  /// The contact points on the blisk.
+  /// The number of contact points on the blisk.
   virtual std::size_t contactsOnBlisk() const = 0;
 };
 
@@ -100,40 +99,42 @@ class WorldStepQuery {
 class PileQuery {
  public:
   virtual ~PileQuery() = default;
-  /// Lifts all bodies to where they start.
+  /// Puts all bodies at their start.
   virtual void restart() = 0;
   virtual void step() = 0;
   virtual int bodies() const = 0;
-  virtual int fallen() const = 0;    ///< out of the floor's tray
-  virtual double depth() const = 0;  ///< of the deepest point of a body in another or in the floor, m
+  virtual int fallen() const = 0;    ///< bodies that left the floor's tray
+  virtual double depth() const = 0;  ///< greatest penetration depth of a body in another or in the floor, m
 };
 
-/// What a straight way through the blisk meets first.
+/// The first triangle that a segment through the blisk hits.
 class RayQuery {
  public:
   virtual ~RayQuery() = default;
-  /// The part of the way, 0 to 1, that is gone when a triangle is met; 1 where none is.
+  /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle.
   virtual double firstHit(const Segment& way) = 0;
-  /// As PoseQuery's.
+  /// Like PoseQuery::cost.
   virtual std::map<std::string, double> cost(const Segment&) const { return {}; }
 };
 
-/// How far apart they are.
+/// The distance of belt and blisk.
 class DistanceQuery : public PoseQuery {
  public:
-  /// Of two that do not touch. If `warm`, what the call before found may be of use.
+  /// The belt does not touch the blisk. If `warm`, the answer to the previous call may help.
   virtual double distance(const Pose& belt_in_blisk, bool warm) = 0;
 };
 
-/// The structure that the library keeps beside a mesh.
+/// The structure that the library keeps in addition to a mesh.
 class BuildQuery {
  public:
   virtual ~BuildQuery() = default;
-  /// Builds it anew over the blisk and frees the one before. The mesh is in the library's layout already.
+  /// Frees the previous structure and builds a new one over the blisk. The mesh is already in the library's
+  /// layout.
   virtual void build() = 0;
   /// Frees the structure.
   virtual void clear() = 0;
-  /// The bytes that the library itself says the structure holds; none: the growth of the heap tells.
+  /// The bytes that the structure holds, if the library itself reports them. Otherwise the growth of the heap
+  /// is measured.
   virtual std::optional<std::size_t> ownCount() const { return std::nullopt; }
 };
 
@@ -141,34 +142,34 @@ class BuildQuery {
 class RefitQuery {
  public:
   virtual ~RefitQuery() = default;
-  /// To the blisk as it was, or to the bent one.
+  /// Fits the structure to the bent blisk, or to the original one.
   virtual void refit(bool bent) = 0;
-  /// Whether the belt touches the blisk as it is now.
+  /// Whether the belt touches the blisk in its current shape.
   virtual bool touches(const Pose& belt_in_blisk) = 0;
 };
 
-/// The boxes of a blisk that something must be examined in, once the belt is near: the detection of the
-/// paper.
+/// The boxes of a blisk that need a closer test when the belt is near: the paper's detection.
 class BoxQuery : public PoseQuery {
  public:
   struct Left {
     std::size_t leaves = 0;  ///< leaf boxes that the belt may be in
-    double volume = 0.0;     ///< of them, mm³
+    double volume = 0.0;     ///< of these boxes, mm³
   };
   virtual Left left(const Pose& belt_in_blisk) = 0;
-  /// Whether any is left: looks no further than the first.
+  /// Whether any box is left. Stops at the first one.
   virtual bool mayTouch(const Pose& belt_in_blisk) = 0;
-  /// The volume of the boxes that a detection begins with, mm³.
+  /// The volume of the boxes that a detection starts with, mm³.
   virtual double range() const = 0;
 };
 
 template <typename Query>
 using Maker = std::function<std::unique_ptr<Query>(const Scene&)>;
 
-/// Makes the library's answers to each query on a scene; empty where it has none.
+/// Makes the library's implementation of each query for a scene. A maker is empty if the library does not
+/// support the query.
 struct Contender {
   std::string name;
-  std::string group = {};  ///< empty: of those that all tasks are for; else of one task's own
+  std::string group = {};  ///< empty: takes part in the general tasks; otherwise only in tasks of this group
   Maker<CollideQuery> collide = {};
   Maker<ContactsQuery> contacts = {};
   Maker<WorldContactsQuery> world_contacts = {};
@@ -185,7 +186,7 @@ struct Contender {
   Maker<BoxQuery> boxes = {};
 };
 
-/// Calls visit with a pointer to each of the makers.
+/// Calls `visit` with a pointer to each maker.
 template <typename Visit>
 void forEachMaker(Visit&& visit) {
   const auto each = [&](auto... maker) { (visit(maker), ...); };
@@ -195,19 +196,19 @@ void forEachMaker(Visit&& visit) {
        &Contender::boxes);
 }
 
-/// All of a group that are built in, ours first, the others by name.
+/// All contenders of a group in this build: ours first, the others by name.
 const std::vector<Contender>& contenders(const std::string& group = {});
 
-/// A name may come from several files, each with queries of its own.
+/// Several files may register the same name, each with different queries.
 bool registerContender(Contender contender);
 
-/// Says which version of a library it is, and in which precision it computes.
+/// Records a library's version and the precision it computes in.
 bool describe(const std::string& name, const std::string& about);
 
-/// What was said, by name.
+/// All recorded descriptions, by name.
 const std::vector<std::pair<std::string, std::string>>& descriptions();
 
-/// Offers a library's answers to a query, if it is one that they implement.
+/// Sets the maker of a query if `Answers` implements that query.
 template <typename Answers, typename Query>
 void offer(Maker<Query>& maker) {
   if constexpr (std::derived_from<Answers, Query>) {
@@ -215,7 +216,7 @@ void offer(Maker<Query>& maker) {
   }
 }
 
-/// Registers a library by its classes of answers, each made from a scene.
+/// Registers a library by the classes that implement its queries. Each is constructed from a scene.
 template <typename... Answers>
 bool registerContender(const std::string& name) {
   Contender contender{.name = name};

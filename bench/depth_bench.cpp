@@ -1,4 +1,4 @@
-// How long a pose takes: how deep the belt is in the default blisk, and what lies inside what.
+// Times depth queries: the belt in the default blisk, and solids inside solids.
 #include <benchmark/benchmark.h>
 
 #include "models/belt_grinder.h"
@@ -26,7 +26,7 @@ const Scene& scene() {
   return scene;
 }
 
-/// Only the poses that touch: of the path whose belt is pressed in by so many micrometres.
+/// The poses that touch, of a path whose belt is pressed in by `depth`.
 std::vector<Pose> touchingPoses(double depth) {
   demos::GrindingPathOptions options;
   options.depth = depth;
@@ -52,7 +52,7 @@ void depthOfTouchingPoses(benchmark::State& state) {
   state.counters["deepest_um"] = 1e3 * deepest;
 }
 
-/// A pin in a hole that is 1 µm wider, pressed 1 µm into its wall: 5,760 triangles against as many.
+/// A pin in a hole that is 1 µm wider, pressed 1 µm into its wall. Each has 5,760 triangles.
 void depthOfPinInHole(benchmark::State& state) {
   const double tolerance = static_cast<double>(state.range(0)) * 1e-6;
   const auto solid = [](double inner, double outer, double height) {
@@ -68,7 +68,7 @@ void depthOfPinInHole(benchmark::State& state) {
   }
 }
 
-/// The blisk on itself.
+/// The depth of the blisk in itself.
 void depthOnItself(benchmark::State& state) {
   DepthQuery query;
   for (auto _ : state) {

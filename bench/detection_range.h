@@ -1,5 +1,5 @@
-// The collision detection range (Table 3 of the paper): the boxes that something must come into before it is
-// examined any closer.
+// The collision detection range (Table 3 of the paper): an object is examined closely only if it enters these
+// boxes.
 #pragma once
 
 #include <vector>
@@ -14,16 +14,16 @@ namespace octoblisk::bench {
 struct DetectionRange {
   std::vector<Aabb> axis_aligned;
   std::vector<Obb>
-      oriented;  ///< of the same clusters, in the principal axes of their corners (principal_box.h)
+      oriented;  ///< around the same clusters, in the principal axes of their corners (principal_box.h)
 
-  /// The volumes of the boxes summed, mesh units cubed: what two boxes share counts twice, so the space that
-  /// they take is no more than this.
+  /// The sum of the boxes' volumes, in mesh units cubed. It counts overlaps twice, so it is an upper bound of
+  /// the space that the boxes take.
   double axisAlignedVolume() const;
   double orientedVolume() const;
 };
 
-/// The boxes of the mesh's parts, each divided into k clusters. With one part and k = 1 the axis-aligned one
-/// is the mesh's own. Throws as partClusters does.
+/// The boxes of the mesh's parts. Each part is divided into k clusters. With one part and k = 1, the
+/// axis-aligned box is that of the mesh. Throws what partClusters throws.
 DetectionRange detectionRange(const TriangleMesh& mesh, const detail::PartClusterOptions& options = {});
 
 }  // namespace octoblisk::bench

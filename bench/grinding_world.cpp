@@ -23,8 +23,8 @@ namespace {
 
 using testing::uniform;
 
-constexpr double kLooseRadius = 3.0;  // of a sphere round any loose body
-constexpr double kClear = 1.0;        // of anything else, at the beginning
+constexpr double kLooseRadius = 3.0;  // of a sphere around any loose body
+constexpr double kClear = 1.0;        // from anything else at the start
 
 /// The path in steps of equal time.
 std::vector<Pose> drivenAlong(const std::vector<Pose>& path) {
@@ -44,12 +44,12 @@ std::vector<Pose> drivenAlong(const std::vector<Pose>& path) {
   return steps;
 }
 
-/// Seeded places for loose bodies, clear of all.
+/// Finds seeded places for loose bodies, clear of everything else.
 class LoosePlaces {
  public:
   explicit LoosePlaces(GrindingScene& scene) : scene_(scene), surface_(*scene.blisk) {}
 
-  /// Adds so many between two radii and two heights.
+  /// Adds `count` places between two radii and two heights.
   void add(int count, double least_radius, double most_radius, double low, double high) {
     constexpr int kMostTries = 1'000'000;
     int tries = 0;
@@ -83,7 +83,7 @@ class LoosePlaces {
   std::mt19937_64 random_{17};
 };
 
-/// A hull of points on a sphere.
+/// The convex hull of points on a sphere.
 std::unique_ptr<btCollisionShape> chip() {
   std::mt19937_64 random(18);
   auto hull = std::make_unique<btConvexHullShape>();

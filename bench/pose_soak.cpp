@@ -1,11 +1,11 @@
-// Asks about random poses of hard meshes, a million by default, and holds the pairs to exact arithmetic
-// and distances to those of all pairs.
+// Queries random poses of hard meshes, a million by default. Compares the triangle pairs with exact
+// arithmetic, and the distances with those of all pairs.
 //
 //   pose_soak [poses = 1000000] [scene]
 //
-// Prints rows: by mesh, by scale, by distance from the origin, by tree. Fails, with 1, where an answer
-// differs, fewer than 30 or more than 70 % of the poses of many scenes hit, or memory grows. From a scene on,
-// which a finding names: pose_soak 200 SCENE asks about that one alone.
+// Prints rows by mesh, by scale, by distance from the origin and by tree. Exits with 1 if an answer differs,
+// if fewer than 30 % or more than 70 % of the poses of many scenes touch, or if memory grows. The second
+// argument is the first scene. A finding names its scene: pose_soak 200 SCENE runs only that one.
 #include "shared/pose_soak.h"
 
 #include <unistd.h>
@@ -47,7 +47,7 @@ std::string powerOfTen(double value) {
          std::to_string(static_cast<int>(exponent) + 3);
 }
 
-/// The rows, in the order of their first column: what they are of, and the tally.
+/// The rows in the order of their first column: a label and its tally.
 class Table {
  public:
   void add(const SoakScene& scene, const SoakTally& tally) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-// It counts and is not timed: the one instruction set that all code is compiled for is enough.
+// This file counts and is not timed, so the instruction set of the whole build is enough.
 #include "query/collide_walk-inl.h"
 #include "query/distance_walk-inl.h"
 #include "query/ray_walk-inl.h"
@@ -46,7 +46,7 @@ std::size_t bytesOfBoxes(const ClusteredOctree& tree) {
   return treeOf(tree).isCompact() ? sizeof(CompactNode) : sizeof(Box8);
 }
 
-/// Of the corners, on average.
+/// The average size of a leaf's corners, in bytes.
 std::size_t bytesOfLeaf(const ClusteredOctree& tree) {
   return 9 * sizeof(float) * tree.stats().triangles / tree.stats().leaves;
 }

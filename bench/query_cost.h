@@ -1,4 +1,4 @@
-// What a query looks at on its way to the answer: the work, beside which its time can be judged.
+// The work of a query: the tests it makes and the bytes it reads. The query's time can be judged against it.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 namespace octoblisk::bench {
 
 struct QueryCost {
-  std::size_t box_tests = 0;       ///< of up to eight boxes against one, or against a ray
-  std::size_t leaf_pairs = 0;      ///< whose boxes may be near enough; of a ray: leaves entered
+  std::size_t box_tests = 0;       ///< of up to eight boxes against one box or a ray
+  std::size_t leaf_pairs = 0;      ///< pairs whose boxes may be near enough; for a ray: leaves entered
   std::size_t triangle_tests = 0;  ///< of one triangle, or a ray, against up to eight
-  std::size_t exact_tests = 0;     ///< of two triangles, or a ray and one, in double precision
+  std::size_t exact_tests = 0;     ///< of two triangles, or of a ray and a triangle, in double precision
 
   void boxTest() { ++box_tests; }
   void leafPair() { ++leaf_pairs; }
   void triangleTest() { ++triangle_tests; }
   void exactTest() { ++exact_tests; }
 
-  /// About how many bytes these tests read, those read again counted again.
+  /// The approximate number of bytes that these tests read. Repeated reads count again.
   std::size_t bytes(const ClusteredOctree& a, const ClusteredOctree& b) const;
-  /// The same of a ray's.
+  /// The same for a ray.
   std::size_t bytes(const ClusteredOctree& tree) const;
 };
 

@@ -86,7 +86,7 @@ void Reference::forEachPair(double reach, const TriangleMesh& belt, const Pose& 
         const Aabb other = boundsOf(of_blisk);
         if ((box.min.array() > other.max.array()).any() || (other.min.array() > box.max.array()).any())
           continue;
-        // The boxes may share several cells: the pair belongs to that of their common lowest corner.
+        // The boxes may share several cells. Only the cell of their common lowest corner counts the pair.
         if (cellOf(box.min.cwiseMax(other.min)) == cell) done = visit(of_blisk, of_belt);
       }
     });

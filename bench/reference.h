@@ -1,4 +1,4 @@
-// The answers that contenders are held to: exact, found without any tree.
+// The reference answers. They are exact and use no tree.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,35 @@
 
 namespace octoblisk::bench {
 
-/// Where a way meets a triangle, as a part of the way; 1 where it does not (T. Möller and B. Trumbore, Fast,
-/// minimum storage ray–triangle intersection, 1997).
+/// The fraction of the segment at which it meets the triangle; 1 if it does not meet it (T. Möller and B.
+/// Trumbore, Fast, minimum storage ray–triangle intersection, 1997).
 double hitOf(const Triangle& triangle, const Segment& way);
 
-/// The triangles of a mesh in the cells of a uniform grid. What its boxes may meet is then tested exactly.
+/// The triangles of a mesh in the cells of a uniform grid. Triangles whose boxes may meet are then tested
+/// exactly.
 class Reference {
  public:
   explicit Reference(const TriangleMesh& blisk, double cell_size = 2.0);
 
-  /// The pairs of triangles that meet, exactly, of the blisk and the posed belt.
+  /// The exact number of triangle pairs of the blisk and the posed belt that touch.
   std::size_t touchingPairs(const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 
-  /// The part of the way, 0 to 1, at which a triangle is met first; 1 where none is. In double precision.
+  /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle. In double
+  /// precision.
   double firstHit(const Segment& way) const;
 
-  /// The distance of a point to the nearest triangle, where that is no more than `farthest`; else infinity.
+  /// The distance of a point to the nearest triangle, or infinity if that exceeds `farthest`.
   double distanceTo(const Vec3& point, double farthest) const;
 
-  /// The part of the way, 0 to 1, that a ball's middle has gone when the ball comes within 1e-4 mm of a
-  /// triangle, by steps no longer than the distance; 1 where it does not.
+  /// The fraction of the segment, 0 to 1, at which a ball that moves along it first comes within 1e-4 mm of a
+  /// triangle; 1 if it never does. The ball advances in steps no longer than the distance.
   double firstTouch(const Segment& way, double radius) const;
 
-  /// Whether some two triangles are no farther apart than `reach`.
+  /// Whether any triangle pair is no farther apart than `reach`.
   bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 
-  /// The least distance of two triangles of two bodies that do not touch, by all pairs near enough to matter;
-  /// none where it is above `farthest`.
+  /// The distance of two bodies that do not touch, by all triangle pairs near enough to matter. Empty if it
+  /// exceeds `farthest`.
   std::optional<double> distance(double farthest, const TriangleMesh& belt, const Pose& belt_in_blisk) const;
 
  private:
@@ -47,7 +49,7 @@ class Reference {
   Cell cellOf(const Vec3& point) const;
   std::size_t indexOf(const Cell& cell) const;
 
-  /// Visits each pair of triangles whose boxes, grown by `reach`, meet, once. Stops where `visit` says true.
+  /// Visits each triangle pair once if the boxes, grown by `reach`, overlap. Stops when `visit` returns true.
   void forEachPair(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk,
                    const std::function<bool(const Triangle&, const Triangle&)>& visit) const;
 
@@ -55,7 +57,7 @@ class Reference {
   double cell_size_;
   Vec3 lowest_;
   Cell cells_;
-  std::vector<std::uint32_t> begin_;      // of each cell's triangles
+  std::vector<std::uint32_t> begin_;      // where each cell's triangles start
   std::vector<std::uint32_t> triangles_;  // cell by cell
 };
 
@@ -63,22 +65,22 @@ class Reference {
 struct Truth {
   std::vector<std::size_t> touching_pairs;  ///< at each pose
   double hit_rate = 0.0;                    ///< of the poses that touch
-  double near_rate = 0.0;                   ///< of those apart, but no farther than 0.5 mm
+  double near_rate = 0.0;                   ///< of the poses that are apart by no more than 0.5 mm
 };
 
-/// Found at the first call for these poses, and kept. `poses` must be those of a scene that is kept.
+/// Computed at the first call for these poses and cached. `poses` must belong to a cached scene.
 const Truth& truthOf(const Scene& scene, const std::vector<Pose>& poses);
 
 /// The poses at which a primitive touches a small mesh.
 struct PrimitiveTruth {
-  std::vector<Pose> poses;        ///< of the path, without those within 1e-4 of touching; cylinder: 1e-3
+  std::vector<Pose> poses;        ///< of the path, except those within 1e-4 of touching (cylinder: 1e-3)
   std::vector<bool> touches;      ///< at each pose
-  std::vector<double> distances;  ///< from sphere to mesh at each pose, below 0: the depth; others: empty
+  std::vector<double> distances;  ///< sphere to mesh at each pose; depth below 0; others: empty
   std::size_t hits = 0;           ///< poses that touch
 };
 
-/// Found at the first call, and kept. The scene must be kept. All in double precision, by all triangles near
-/// the primitive.
+/// Computed at the first call and cached. The scene must be cached too. Everything is computed in double
+/// precision from all triangles near the primitive.
 const PrimitiveTruth& truthOf(const Scene& scene, Primitive primitive);
 
 }  // namespace octoblisk::bench

@@ -23,7 +23,7 @@ namespace {
 using testing::uniform;
 
 constexpr int kBlades = 24;
-constexpr std::size_t kPathTriangles = 300'000;  // of the blisk that the path is made on
+constexpr std::size_t kPathTriangles = 300'000;  // of the blisk used to make the path
 
 std::shared_ptr<const TriangleMesh> roundedToFloat(const TriangleMesh& mesh) {
   std::vector<Vec3> vertices = mesh.vertices();
@@ -31,8 +31,8 @@ std::shared_ptr<const TriangleMesh> roundedToFloat(const TriangleMesh& mesh) {
   return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
 }
 
-/// How far the belt is lifted off the surface at each pose, mm: random heights thirty poses apart, joined
-/// smoothly. Below 0 it is pressed in.
+/// The height of the belt over the surface at each pose, mm. Random heights thirty poses apart, smoothly
+/// joined. Below 0 the belt is pressed in.
 std::vector<double> smoothLifts(std::size_t poses, std::mt19937_64& random) {
   constexpr std::size_t kApart = 30;
   const auto height = [&] {
@@ -112,7 +112,7 @@ std::vector<Segment> randomWays(const TriangleMesh& blisk, std::size_t count) {
   return ways;
 }
 
-/// The surface of the hull of points of which no four lie in one plane.
+/// The surface of the convex hull of points. No four of them may lie in one plane.
 std::shared_ptr<const TriangleMesh> hullMesh(std::vector<Vec3> points) {
   const auto count = static_cast<std::uint32_t>(points.size());
   std::vector<TriangleMesh::Indices> faces;
@@ -130,7 +130,7 @@ std::shared_ptr<const TriangleMesh> hullMesh(std::vector<Vec3> points) {
   return std::make_shared<const TriangleMesh>(std::move(points), std::move(faces));
 }
 
-/// Random poses whose origins are near the surface, outside.
+/// Random poses with origins outside the torus, near its surface.
 std::vector<Pose> posesRoundTorus(double major_radius, double minor_radius, std::size_t count) {
   std::mt19937_64 random(4);
   std::vector<Pose> poses(count);
@@ -145,12 +145,12 @@ std::vector<Pose> posesRoundTorus(double major_radius, double minor_radius, std:
   return poses;
 }
 
-/// What a name says.
+/// The sizes that a scene's name gives.
 struct Sizes {
   std::size_t blisk = 300'000;
-  std::size_t belt = 0;  // the default one
+  std::size_t belt = 0;  // 0: the default belt
   std::size_t bodies = 200;
-  std::size_t torus = 0;  // its triangles; else a blisk
+  std::size_t torus = 0;  // triangles of a torus; 0: a blisk
 };
 
 Sizes sizesOf(const std::string& name) {
@@ -162,11 +162,11 @@ Sizes sizesOf(const std::string& name) {
   if (std::regex_match(name, match, belt)) return {.belt = 1000 * number(match)};
   if (std::regex_match(name, match, bodies)) return {.blisk = 50'000, .bodies = number(match)};
   if (std::regex_match(name, match, torus)) return {.torus = number(match)};
-  throw std::invalid_argument("there is no scene '" + name + "'");
+  throw std::invalid_argument("unknown scene '" + name + "'");
 }
 
-/// Stations and points in the proportion of the default belt, twice as many triangles as points; but enough
-/// stations to go round the wheels.
+/// Stations and points in the proportion of the default belt, with enough stations to go around the wheels. A
+/// belt has twice as many triangles as points.
 demos::BeltParameters beltOf(std::size_t triangles) {
   constexpr int kFewestStations = 250;
   demos::BeltParameters parameters;
@@ -181,11 +181,12 @@ demos::BeltParameters beltOf(std::size_t triangles) {
 Scene torusScene(const std::string& name, std::size_t triangles, const SceneSize& size) {
   constexpr double kMajorRadius = 1.0, kMinorRadius = 0.35;
   constexpr std::size_t kPoses = 2000;
-  // Segments round the tube: about as long as those along it, and such that the number is exact.
+  // Segments around the tube: about as long as those along it, in a number that gives the exact triangle
+  // count.
   auto round = static_cast<std::size_t>(std::ceil(std::sqrt(0.2 * static_cast<double>(triangles))));
   while (round > 3 && triangles % (2 * round) != 0) --round;
   if (round < 3 || triangles % (2 * round) != 0) {
-    throw std::invalid_argument("there is no torus of " + std::to_string(triangles) + " triangles");
+    throw std::invalid_argument("no torus has " + std::to_string(triangles) + " triangles");
   }
   Scene scene;
   scene.name = name;
@@ -220,7 +221,7 @@ Scene makeScene(const std::string& name, const SceneSize& size) {
 }  // namespace
 
 RoundedCore roundedCore(Primitive primitive) {
-  constexpr int kSides = 64;  // of the cylinder's prism: 0.00011 inside it at most
+  constexpr int kSides = 64;  // of the cylinder's prism, which is at most 0.00011 inside the cylinder
   constexpr int kCorners = 20;
   constexpr double kBoxMargin = 0.01, kHullMargin = 0.04;  // Bullet's for these sizes
   using Triangles = std::vector<TriangleMesh::Indices>;
@@ -244,7 +245,7 @@ RoundedCore roundedCore(Primitive primitive) {
       return {hullMesh(std::move(corners)), kHullMargin};
     }
   }
-  throw std::invalid_argument("there is no such primitive");
+  throw std::invalid_argument("unknown primitive");
 }
 
 const Scene& sceneNamed(const std::string& name, const SceneSize& size) {

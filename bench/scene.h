@@ -1,4 +1,4 @@
-// What the contenders are asked about: a blisk, the belt, and the poses of a grinding path.
+// The scenes of the queries: a blisk, the belt, and the poses of a grinding path.
 #pragma once
 
 #include <compare>
@@ -10,7 +10,7 @@
 
 namespace octoblisk::bench {
 
-/// A straight way from one point to another.
+/// A straight segment from one point to another.
 struct Segment {
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::Zero();
@@ -19,49 +19,49 @@ struct Segment {
 /// Bullet's convex primitives, of half extents about 0.1.
 enum class Primitive { sphere, box, capsule, cylinder, hull };
 
-/// A primitive is all points within `margin` of a convex core, as Bullet has it by default. The cylinder's
-/// core is a prism of many sides.
+/// A primitive is all points within `margin` of a convex core, like Bullet's default shapes. The cylinder's
+/// core is a prism with many sides.
 struct RoundedCore {
   std::shared_ptr<const TriangleMesh> core;
   double margin = 0.0;
 };
 RoundedCore roundedCore(Primitive primitive);
 
-/// Lengths in mm; those of small meshes in any unit. All coordinates of the meshes and ways are representable
-/// in single precision, so that contenders of either precision see the same.
+/// Lengths are in mm, or in any unit for small meshes. All coordinates of meshes and segments are
+/// representable in single precision, so contenders of both precisions get the same input.
 struct Scene {
   std::string name;
   std::shared_ptr<const TriangleMesh> blisk;
   std::shared_ptr<const TriangleMesh> belt;
-  int stations = 0, points_per_station = 0;  ///< of the belt: its vertices, station by station
-  std::vector<Pose> path;                    ///< belt_in_blisk, in the order they are driven through
-  std::vector<Pose> shuffled;                ///< the same, each turned to a random blade, in random order
-  std::vector<Segment> ways;  ///< from anywhere to anywhere in a box a little larger than the blisk
-  std::size_t bodies = 200;   ///< that fall onto the blisk
+  int stations = 0, points_per_station = 0;  ///< of the belt, whose vertices are ordered by station
+  std::vector<Pose> path;                    ///< belt_in_blisk, in driving order
+  std::vector<Pose> shuffled;  ///< the same poses, each rotated to a random blade, in random order
+  std::vector<Segment> ways;   ///< between random points of a box slightly larger than the blisk
+  std::size_t bodies = 200;    ///< that fall onto the blisk
   Primitive primitive = Primitive::sphere;  ///< that touches a small mesh
 };
 
-/// How much of a scene is asked for.
+/// Limits the size of a scene.
 struct SceneSize {
-  std::size_t poses = 0;  ///< about how many of the path, in stretches of twenty; 0: all
-  bool quick = false;     ///< fewer ways too
+  std::size_t poses = 0;  ///< approximate number of the path's poses, in runs of twenty; 0: all
+  bool quick = false;     ///< fewer segments too
 
   auto operator<=>(const SceneSize&) const = default;
 };
 
-/// A scene, made at the first call and kept:
-///   300k          the default belt over the default blisk of about so many thousand triangles
-///   belt-20k      a belt of about so many thousand triangles over the blisk of 300k
-///   1000-bodies   so many bodies over the blisk of 50k
-///   500-triangles a small mesh of so many triangles in place of the blisk: a torus of radii 1 and 0.35. No
+/// Returns a scene, which is made at the first call and cached:
+///   300k          the default belt over the default blisk of about 300 thousand triangles
+///   belt-20k      a belt of about 20 thousand triangles over the blisk of 300k
+///   1000-bodies   1000 bodies over the blisk of 50k
+///   500-triangles a torus of 500 triangles and radii 1 and 0.35 in place of the blisk. No
 ///                 belt. The path is 2,000 random poses of a primitive. The origin of the primitive is
 ///                 outside the torus, 0.05 to 0.19 from the surface
-/// The path is the same for all blisks: there and back over both sides of a blade in steps of about 1 mm,
-/// approach and retraction, the belt pressed in and lifted off by seeded, smooth amounts. Throws
-/// std::invalid_argument for another name.
+/// The path is the same for all blisks. It runs there and back over both sides of a blade in steps of about 1
+/// mm, with approach and retraction. The belt is pressed in and lifted off by seeded, smooth amounts. Throws
+/// std::invalid_argument for any other name.
 const Scene& sceneNamed(const std::string& name, const SceneSize& size = {});
 
-/// The blisk with every vertex moved by up to 0.5 mm, smoothly: what a refit is for.
+/// The blisk after a smooth deformation that moves vertices by up to 0.5 mm, for refits.
 std::shared_ptr<const TriangleMesh> bent(const TriangleMesh& blisk);
 
 }  // namespace octoblisk::bench

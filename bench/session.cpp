@@ -47,7 +47,7 @@ void pinTo(int core) {
   CPU_ZERO(&cores);
   CPU_SET(static_cast<std::size_t>(core), &cores);
   if (sched_setaffinity(0, sizeof cores, &cores) != 0) {
-    refuse("cannot be pinned to core " + std::to_string(core) + ": give another by --core");
+    refuse("cannot pin the process to core " + std::to_string(core) + ". Choose another one with --core");
   }
 }
 
@@ -66,7 +66,7 @@ std::string textOf(const Row& value) {
   return text.str();
 }
 
-/// The first seven columns, which all rows of a task have.
+/// Prints the first seven columns, which all rows of a task have.
 void printTable(const Rows& rows) {
   constexpr std::size_t kColumns = 7;
   constexpr int kWidth = 20;
@@ -85,7 +85,7 @@ void printTable(const Rows& rows) {
   }
 }
 
-/// "rays.json" → "rays-300k.json", in Google Benchmark's option for it.
+/// Changes "rays.json" to "rays-300k.json" in Google Benchmark's output option.
 std::string forScene(const std::string& option, const std::string& scene) {
   const std::string name = "--benchmark_out=", ending = ".json";
   if (!option.starts_with(name) || !option.ends_with(ending)) return option;
@@ -124,7 +124,7 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     if (std::ranges::find(scenes, wanted) != scenes.end()) continue;
     std::string known;
     for (const std::string& scene : scenes) known += ' ' + scene;
-    refuse("there is no scene '" + wanted + "' here, but:" + known);
+    refuse("unknown scene '" + wanted + "'. Scenes of this program:" + known);
   }
   int exit_code = 0;
   for (const std::string& scene : scenes) {
@@ -132,13 +132,13 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     if (!wanted.empty() && std::ranges::find(wanted, scene) == wanted.end()) continue;
     std::cout.flush();
     const pid_t child = fork();
-    if (child < 0) refuse("cannot start a process for the scene " + scene);
+    if (child < 0) refuse("cannot start a process for scene " + scene);
     if (child == 0) {
       try {
         run(scene);
         std::cout.flush();
         std::fflush(nullptr);
-        std::_Exit(0);  // what libraries do at exit is no matter
+        std::_Exit(0);  // skip the libraries' exit handlers
       } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         std::_Exit(2);
@@ -152,12 +152,12 @@ int forEachScene(const SessionOptions& options, const std::vector<std::string>& 
     std::cerr << options.of_google[0] << ": scene " << scene << " failed"
               << (WIFSIGNALED(status) ? std::string(" by signal ") + std::to_string(WTERMSIG(status))
                                       : std::string())
-              << "; it left no rows\n";
+              << "; it wrote no rows\n";
   }
   return exit_code;
 }
 
-// The user's own options come later and replace the defaults.
+// The user's options come later and override the defaults.
 Session::Session(const SessionOptions& options, const std::string& scene)
     : rows_file_(options.rows_file),
       arguments_{options.of_google[0],
@@ -174,7 +174,7 @@ Session::Session(const SessionOptions& options, const std::string& scene)
   benchmark::AddCustomContext("processor", processorName());
   benchmark::AddCustomContext("pinned_to_core", options.core < 0 ? "none" : std::to_string(options.core));
   benchmark::AddCustomContext("octoblisk_flags", OCTOBLISK_BENCH_FLAGS);
-  benchmark::AddCustomContext("peers", "the libraries of Debian's packages, as built there");
+  benchmark::AddCustomContext("peers", "from Debian's packages, as built by Debian");
   for (const auto& [name, about] : descriptions()) benchmark::AddCustomContext("contender " + name, about);
 }
 

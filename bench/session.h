@@ -1,4 +1,4 @@
-// One run of a benchmark program: its options, the core it is pinned to, and the rows that it leaves.
+// One run of a benchmark program: its options, its core, and its rows.
 #pragma once
 
 #include <cstddef>
@@ -10,42 +10,43 @@
 
 namespace octoblisk::bench {
 
-/// The options of every program, beside Google Benchmark's own:
-///   --rows FILE    where the rows go; those of other tasks and scenes that are there already stay
-///   --scenes A,B   these alone
-///   --core N       the core to be pinned to; -1: none
-///   --poses N      about how many poses to keep of a scene's path; 0: as many as the task takes
-///   --quick        fewer scenes, poses and repetitions: to see that all works, not to tell what is faster
+/// The options of every program, in addition to Google Benchmark's:
+///   --rows FILE    file for the rows; its rows of other tasks and scenes stay
+///   --scenes A,B   run only these scenes
+///   --core N       pin the process to this core; -1: to none
+///   --poses N      approximate number of poses of a scene's path; 0: the task's own number
+///   --quick        fewer scenes, poses and repetitions, to check that everything works, not to compare times
 struct SessionOptions {
   std::string rows_file = {};
   std::vector<std::string> scenes = {};  ///< empty: all of the task
   int core = -1;
   std::size_t poses = 0;
   bool quick = false;
-  std::vector<std::string> of_google = {};  ///< Google Benchmark's, after the program's name
+  std::vector<std::string> of_google = {};  ///< Google Benchmark's options, after the program's name
 };
 
-/// Pinned by default to the last core, or to none. Exits with a message on an option that lacks its value.
+/// Reads the options. By default, pins to the last core if `pinned`. Exits with a message if an option lacks
+/// its value.
 SessionOptions sessionOptions(int argc, char** argv, bool pinned = true);
 
-/// Runs `run` for each of the scenes in a process of its own, so that what one takes of memory, or a library
-/// that crashes in it, is no matter to the next. Returns the exit code: 1 where one failed, with a message.
+/// Runs `run` for each scene in a separate process, so that neither the memory of one scene nor a crash
+/// affects the next. Returns the exit code: 1, with a message, if a scene failed.
 int forEachScene(const SessionOptions& options, const std::vector<std::string>& scenes,
                  const std::function<void(const std::string&)>& run);
 
 /// Google Benchmark for one scene. Its JSON, --benchmark_out=NAME.json, goes to NAME-SCENE.json.
 class Session {
  public:
-  /// Pins the process, and tells Google Benchmark the options and the versions of all contenders. Exits with
-  /// a message on an option that is not known.
+  /// Pins the process, and passes the options and all contenders' versions to Google Benchmark. Exits with a
+  /// message if an option is unknown.
   Session(const SessionOptions& options, const std::string& scene);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Runs what was registered with Google Benchmark.
+  /// Runs the benchmarks registered with Google Benchmark.
   void run() const;
 
-  /// Prints the rows, and merges them into the file.
+  /// Prints the rows and merges them into the file.
   void finish(const Rows& rows) const;
 
  private:

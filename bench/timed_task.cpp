@@ -18,7 +18,7 @@ struct Pass {
   double median_us = 0.0;
 };
 
-/// A contender on a scene: prepared at its first visit.
+/// A contender on a scene, prepared at its first visit.
 struct Entrant {
   std::string scene;
   const Contender* contender = nullptr;
@@ -27,7 +27,7 @@ struct Entrant {
   double seconds = 0.0;  ///< of all passes
 };
 
-constexpr double kEnough = 8.0;  // s that a contender is asked in a task on a scene
+constexpr double kEnough = 8.0;  // s for each contender in a task on a scene
 
 double threadSeconds() {
   timespec time{};
@@ -48,9 +48,9 @@ void visit(benchmark::State& state, Entrant& entrant, bool by_the_clock) {
   std::vector<Clock::time_point> readings(trial.questions + 1);
   std::vector<double> micros(trial.questions);
   for (auto _ : state) {
-    if (entrant.seconds > kEnough) {  // one pass more would tell nothing new
+    if (entrant.seconds > kEnough) {  // another pass would add no information
       state.SetIterationTime(entrant.seconds / static_cast<double>(entrant.passes.size()));
-      state.SetLabel("the mean of its passes: not asked again");
+      state.SetLabel("mean of the earlier passes; not run again");
       continue;
     }
     const double start = threadSeconds();

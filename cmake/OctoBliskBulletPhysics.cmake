@@ -1,10 +1,10 @@
-# Bullet's libraries as targets, one for each precision that is found: OctoBlisk::bullet_physics (single) and
-# OctoBlisk::bullet_physics_float64. Read by the build and, once installed, by find_package(OctoBlisk).
+# Makes targets of Bullet's libraries, one for each precision that is found: OctoBlisk::bullet_physics (single) and
+# OctoBlisk::bullet_physics_float64. The build includes this file, and so does the installed find_package(OctoBlisk).
 #
-# A project that defines these targets itself keeps them. Otherwise they are made of, in this order:
+# A project that defines these targets itself keeps them. Otherwise they are made from, in this order:
 #   1. Bullet's own targets (BulletCollision, …), made by FetchContent, add_subdirectory or find_package(Bullet);
-#   2. the libraries of find_package(Bullet CONFIG), whose precision Bullet's package tells;
-#   3. libraries with Debian's names: with -float64 for double precision.
+#   2. the libraries of find_package(Bullet CONFIG), in the precision that Bullet's package reports;
+#   3. libraries with Debian's names, which end in -float64 for double precision.
 find_path(OCTOBLISK_BULLET_INCLUDE_DIR BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h
   PATH_SUFFIXES bullet)
 mark_as_advanced(OCTOBLISK_BULLET_INCLUDE_DIR)
@@ -26,7 +26,7 @@ function(octoblisk_bullet_physics target precision)
   set(include_dirs ${OCTOBLISK_BULLET_INCLUDE_DIR})
   if(TARGET BulletCollision AND precision STREQUAL precision_of_bullet)
     get_target_property(include_dirs BulletCollision INTERFACE_INCLUDE_DIRECTORIES)
-    if(NOT include_dirs)  # Bullet's own CMake files leave it to the caller
+    if(NOT include_dirs)  # Bullet's own CMake files do not set it
       get_target_property(source_dir BulletCollision SOURCE_DIR)
       get_filename_component(include_dirs ${source_dir} DIRECTORY)
     endif()

@@ -1,5 +1,5 @@
 # The documents of the packages: licence, changelog, and the man page that demos/CMakeLists.txt makes.
-# octoblisk_pack(FILE NAME): FILE as NAME.gz in the build folder, the same bytes whenever it is made.
+# octoblisk_pack(FILE NAME): compresses FILE to NAME.gz in the build folder. The bytes do not depend on the time.
 find_program(OCTOBLISK_GZIP gzip REQUIRED)
 function(octoblisk_pack file name)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
@@ -10,7 +10,7 @@ octoblisk_pack(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/changelog.Debian.in ${PROJECT_BINARY_DIR}/changelog.Debian @ONLY)
 octoblisk_pack(${PROJECT_BINARY_DIR}/changelog.Debian changelog.Debian)
 
-# octoblisk_install_documents(COMPONENT PACKAGE): what Debian wants of every package.
+# octoblisk_install_documents(COMPONENT PACKAGE): installs the documents that Debian requires in every package.
 function(octoblisk_install_documents component package)
   set(folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/${package})
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${component})

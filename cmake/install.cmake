@@ -1,14 +1,14 @@
-# What `cmake --install` puts where, in two components: `command`, the octoblisk command alone, and `development`, all
-# that a program needs that uses core or plugin: headers, libraries, CMake package, pkg-config files. Shared libraries
-# are a component of their own, `libraries`.
+# The files of `cmake --install` in two components. `command` is only the octoblisk command. `development` is everything
+# that a program with core or plugin needs: headers, libraries, CMake package, pkg-config files. Shared libraries are a
+# third component, `libraries`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/OctoBlisk)
 file(RELATIVE_PATH prefix_from_pc /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 
-# octoblisk_install(TARGET DESCRIPTION REQUIRES LIBS): a library with the targets file and the .pc file for it; these
-# tell which packages, and libraries beside, a program has to link.
+# octoblisk_install(TARGET DESCRIPTION REQUIRES LIBS): installs a library with its targets file and .pc file. REQUIRES
+# and LIBS are the packages and further libraries that a program must link.
 function(octoblisk_install library description requires libs)
   get_target_property(export_name ${library} EXPORT_NAME)
   install(TARGETS ${library} EXPORT OctoBlisk_${export_name}
@@ -21,7 +21,7 @@ function(octoblisk_install library description requires libs)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()
 
-# A shared library brings what it is made of; who links a static one links that too.
+# A program that links a static library must also link the library's dependencies. A shared library brings them along.
 if(BUILD_SHARED_LIBS)
   octoblisk_install(octoblisk-core "Exact queries on triangle meshes by a clustered octree" "eigen3" "")
 else()

@@ -1,5 +1,5 @@
-# Debian packages by `cpack -G DEB`, one a component of install.cmake: octoblisk, the command, and liboctoblisk-dev.
-# Shared libraries make liboctoblisk0.1 beside.
+# Debian packages by `cpack -G DEB`, one for each component of install.cmake: octoblisk, the command, and
+# liboctoblisk-dev. Shared libraries add liboctoblisk0.1.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR OctoBlisk)
 set(CPACK_PACKAGE_CONTACT ${OCTOBLISK_PACKAGE_CONTACT})

@@ -1,5 +1,5 @@
-// Our own with one thing changed at a time: what each buys. Trees that BuildOptions does not know are made of
-// the arrays of one that it does.
+// OctoBlisk with one thing changed at a time, to show what each choice gains. Trees that BuildOptions cannot
+// describe are made from the arrays of a tree that it can.
 #include <hwy/targets.h>
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// Each tree once, whatever is asked of it: trees share their memory with their copies.
+/// Makes each tree only once. Copies of a tree share its memory.
 MakeTree kept(const MakeTree& make) {
   const auto trees = std::make_shared<std::map<const TriangleMesh*, ClusteredOctree>>();
   return [make, trees](const std::shared_ptr<const TriangleMesh>& mesh) {
@@ -33,12 +33,12 @@ MakeTree paperTree(int clusters) {
   return [clusters](const std::shared_ptr<const TriangleMesh>& mesh) {
     BuildOptions options = {.partition = PartitionKind::paper, .clusters = clusters};
     const demos::BladesFound blades = demos::findBlades(*mesh);
-    if (blades.count > 0) options.part_of_triangle = blades.blade_of_triangle;  // else the belt: one part
+    if (blades.count > 0) options.part_of_triangle = blades.blade_of_triangle;  // the belt is one part
     return ClusteredOctree::build(mesh, options);
   };
 }
 
-/// Without what the pose before has found.
+/// Ignores the result of the previous pose.
 class ColdDistance final : public DistanceQuery {
  public:
   explicit ColdDistance(const Scene& scene) : warm_(scene, built()) {}
@@ -48,8 +48,8 @@ class ColdDistance final : public DistanceQuery {
   OctoBliskDistance warm_;
 };
 
-/// Lets the library use its code for any x86-64, one number at a time, as long as it lives.
-/// Asking the processor what it has, as tests do, would take longer than a query.
+/// While it exists, the library uses its code for any x86-64 processor, one number at a time. Detecting the
+/// processor's instruction sets anew, as tests do, would take longer than a query.
 class NoSimd {
  public:
   NoSimd() { hwy::GetChosenTarget().Update(HWY_STATIC_TARGET); }

@@ -1,5 +1,5 @@
-// The belt as a compound of 128 convex hulls: two concave meshes have no contacts in Bullet otherwise, but by
-// GImpact.
+// The belt as a compound of 128 convex hulls. Except with GImpact, Bullet makes no contacts between two
+// concave meshes.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::bench {
 
-/// The belt in slices of a few stations each, neighbours sharing a station. All margins are 0.
+/// The belt in slices of a few stations each. Neighbouring slices share a station. All margins are 0.
 class BeltOfHulls {
  public:
   explicit BeltOfHulls(const Scene& scene) {

@@ -29,7 +29,7 @@ class BvhShapes {
   BeltOfHulls belt_;
 };
 
-/// Without the world: what performRaycast finds.
+/// Rays without a world, by performRaycast.
 class BulletBvhRays final : public RayQuery {
  public:
   explicit BulletBvhRays(const Scene& scene) : mesh_(*scene.blisk) {}

@@ -1,4 +1,4 @@
-// What the contenders that ask Bullet share: a world with its questions.
+// The Bullet world and its queries, shared by the contenders that use Bullet.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -14,7 +14,7 @@
 
 namespace octoblisk::bench {
 
-/// Bullet's version, by its own number: "Bullet 3.24, single precision".
+/// Bullet's version in its own notation: "Bullet 3.24, single precision".
 inline std::string bulletVersion() {
   const int version = btGetVersion();
   return "Bullet " + std::to_string(version / 100) + '.' + std::to_string(version % 100) + ", " +
@@ -23,8 +23,8 @@ inline std::string bulletVersion() {
 
 using gallery::BulletMesh;
 
-/// The blisk's shape and the belt's in a world, of which the belt moves. `Shapes` is made of a scene, has
-/// both shapes as blisk() and belt(), and registerAt(dispatcher) for algorithms of its own.
+/// A world with the shapes of blisk and belt. Only the belt moves. `Shapes` is constructed from a scene. It
+/// has both shapes as blisk() and belt(), and registerAt(dispatcher) for its own algorithms.
 template <typename Shapes>
 class InBulletWorld final : public WorldContactsQuery,
                             public WorldClosestQuery,
@@ -35,7 +35,7 @@ class InBulletWorld final : public WorldContactsQuery,
     shapes_.registerAt(&dispatcher_);
     blisk_.setCollisionShape(shapes_.blisk());
     belt_.setCollisionShape(shapes_.belt());
-    world_.addCollisionObject(&blisk_);  // the belt is asked about by name alone
+    world_.addCollisionObject(&blisk_);  // the belt is passed to each query and needs no place in the world
   }
   ~InBulletWorld() override { world_.removeCollisionObject(&blisk_); }
   InBulletWorld(const InBulletWorld&) = delete;
@@ -93,8 +93,8 @@ class InBulletWorld final : public WorldContactsQuery,
   btCollisionObject blisk_, belt_;
 };
 
-/// The blisk's shape fitted anew, by refit(mesh, bounds) of the shapes, where the moved vertices are already.
-/// What it answers is asked by contactPairTest.
+/// Fits the blisk's shape to vertices that have already moved, by refit(mesh, bounds) of the shapes.
+/// contactPairTest then gives the answers.
 template <typename Shapes>
 class BulletRefit final : public RefitQuery {
  public:
@@ -117,8 +117,7 @@ class BulletRefit final : public RefitQuery {
   InBulletWorld<Shapes> world_;
 };
 
-/// The library's points without a world's other questions, pair by pair of triangle and hull, or of
-/// triangles.
+/// Only the contact points of a world, by pairs of a triangle and a hull, or of two triangles.
 template <typename Shapes>
 class BulletContacts final : public ContactsQuery {
  public:

@@ -1,4 +1,4 @@
-// What Bullet allows of two concave meshes of which one moves: btBvhTriangleMeshShape for the blisk, a
+// Bullet's solution for two concave meshes, one of which moves: btBvhTriangleMeshShape for the blisk, a
 // GImpact mesh for the belt. All margins are 0.
 #include "bullet_world.h"
 #include "contender.h"
@@ -23,7 +23,7 @@ class BvhAndGimpact {
   GimpactAlgorithm algorithm_;
 };
 
-/// The world's contacts alone: its closest points, rays and sweeps are those of bullet-bvh.
+/// Only contacts: closest points, rays and sweeps are the same as for bullet-bvh.
 class Contacts final : public WorldContactsQuery {
  public:
   explicit Contacts(const Scene& scene) : world_(scene) {}

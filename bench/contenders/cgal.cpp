@@ -1,4 +1,4 @@
-// CGAL's collision detection of rigid meshes: AABB trees, one of them turned with its boxes.
+// CGAL's collision detection of rigid meshes: AABB trees. One of them is rotated together with its boxes.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Rigid_triangle_mesh_collision_detection.h>
 #include <CGAL/Surface_mesh.h>

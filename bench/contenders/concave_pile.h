@@ -1,4 +1,4 @@
-// The gallery's pile of concave bodies, for the contenders that can have concave bodies move.
+// The gallery's pile of concave bodies, for the contenders whose concave bodies can move.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class ConcavePileQuery : public PileQuery {
   void restart() override {
     for (std::size_t k = 0; k < pile_->size(); ++k) {
       btRigidBody& body = pile_->body(k);
-      pile_->world()->removeRigidBody(&body);  // and with it its pairs
+      pile_->world()->removeRigidBody(&body);  // also removes its pairs
       body.setWorldTransform(starts_[k]);
       body.setInterpolationWorldTransform(starts_[k]);
       body.setLinearVelocity(btVector3(0, 0, 0));
@@ -34,7 +34,7 @@ class ConcavePileQuery : public PileQuery {
   }
 
  protected:
-  /// 64 bodies, which never sleep.
+  /// Drops 64 bodies that never sleep.
   void start(const gallery::MakeShape& make_shape) {
     pile_ = std::make_unique<gallery::ConcavePile>(64, 1, make_shape);
     for (std::size_t k = 0; k < pile_->size(); ++k) {
@@ -42,7 +42,7 @@ class ConcavePileQuery : public PileQuery {
       starts_.push_back(pile_->body(k).getWorldTransform());
     }
   }
-  /// Before what the shapes are made of goes.
+  /// Must be called before the shapes' meshes are destroyed.
   void stop() { pile_.reset(); }
   btCollisionDispatcher* dispatcher() { return &pile_->world().dispatcher(); }
 

@@ -1,5 +1,5 @@
-// Embree 3: rtcCollide, which pairs the boxes of two scenes, with the belt's boxes refitted at each pose, and
-// our exact test on the pairs that it finds (it has no way to stop at the first); rays by rtcIntersect1.
+// Embree 3. rtcCollide pairs the boxes of two scenes. The belt's boxes are refitted at each pose. OctoBlisk's
+// exact test then checks the pairs. rtcCollide cannot stop at the first one. Rays use rtcIntersect1.
 #include <embree3/rtcore.h>
 
 #include <string>
@@ -13,7 +13,7 @@ using namespace detail;
 
 namespace {
 
-/// So many threads, 0 for all, with the memory that it takes counted.
+/// Uses the given number of threads, 0 for all, and counts the memory that Embree takes.
 class EmbreeDevice {
  public:
   explicit EmbreeDevice(unsigned threads = 1)
@@ -38,7 +38,7 @@ class EmbreeDevice {
   RTCDevice device_;
 };
 
-/// Triangles as user geometry, over vertices that may move: rtcCollide takes no other.
+/// Triangles as user geometry over vertices that may move. rtcCollide accepts no other geometry.
 class EmbreeBoxes {
  public:
   EmbreeBoxes(RTCDevice device, const TriangleMesh& mesh, RTCBuildQuality quality)
@@ -63,7 +63,7 @@ class EmbreeBoxes {
   EmbreeBoxes(const EmbreeBoxes&) = delete;
   EmbreeBoxes& operator=(const EmbreeBoxes&) = delete;
 
-  /// To be called when the vertices have moved.
+  /// Must be called after the vertices have moved.
   void commit() {
     rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_);
@@ -77,7 +77,7 @@ class EmbreeBoxes {
   std::vector<Vec3> vertices;
 
  private:
-  /// Larger than the rounding to single precision of coordinates below 1024 mm, so that no pair is lost.
+  /// Larger than the single-precision rounding of coordinates below 1024 mm, so no pair is lost.
   static constexpr double kRoundingPad = 1e-4;
 
   static void boundsOf(const RTCBoundsFunctionArguments* arguments) {
@@ -157,7 +157,7 @@ class EmbreeRefit final : public RefitQuery {
   Embree embree_;
 };
 
-/// The tree for rays, over buffers that are shared with the caller.
+/// The tree for rays. It shares its buffers with the caller.
 class EmbreeTriangles {
  public:
   explicit EmbreeTriangles(const TriangleMesh& mesh, unsigned threads = 1)

@@ -1,4 +1,4 @@
-// FCL in double precision, with the boxes that its authors advise: OBBRSS.
+// FCL in double precision, with OBBRSS, the bounding volumes that its authors recommend.
 #include <fcl/config.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
@@ -40,7 +40,7 @@ struct FclMesh {
   }
 };
 
-/// The two models and a question to them.
+/// The two models, posed for a query.
 class FclPair {
  public:
   explicit FclPair(const Scene& scene)
@@ -70,21 +70,21 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
     return pair_.collide(belt_in_blisk, 1, false).isCollision();
   }
 
-  /// Without points, FCL makes one contact of each pair of triangles.
+  /// Without points, FCL reports one contact for each triangle pair.
   std::size_t contacts(const Pose& belt_in_blisk) override {
     return pair_.collide(belt_in_blisk, kAll, false).numContacts();
   }
 
-  /// FCL keeps nothing from one call to the next and takes no pair to begin with, but it takes a distance
-  /// that only nearer pairs are of interest to: warm, that of the nearest pair of the call before.
+  /// FCL keeps nothing between calls and takes no starting pair. It does take an upper bound of the distance.
+  /// A warm query passes the distance of the previous nearest pair at the new pose.
   double distance(const Pose& belt_in_blisk, bool warm) override {
     const fcl::Transform3d pose = transformOf(belt_in_blisk);
-    fcl::DistanceRequestd request;  // exact, not signed
+    fcl::DistanceRequestd request;  // exact and unsigned
     request.enable_nearest_points = false;
     fcl::DistanceResultd result;
     if (warm && blisk_triangle_ >= 0) result.min_distance = distanceOfNearestBefore(pose);
     fcl::distance(&pair_.blisk(), fcl::Transform3d::Identity(), &pair_.belt(), pose, request, result);
-    if (result.b1 >= 0) {  // else none is nearer than the one before
+    if (result.b1 >= 0) {  // otherwise no pair is nearer than the previous one
       blisk_triangle_ = result.b1;
       belt_triangle_ = result.b2;
     }
@@ -105,7 +105,7 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
   }
 
   FclPair pair_;
-  std::intptr_t blisk_triangle_ = -1, belt_triangle_ = -1;  // the nearest of the call before
+  std::intptr_t blisk_triangle_ = -1, belt_triangle_ = -1;  // the nearest of the previous call
 };
 
 /// With points, normals and depths.
@@ -113,7 +113,7 @@ class FclPoints final : public ContactsQuery {
  public:
   explicit FclPoints(const Scene& scene) : pair_(scene) {}
 
-  /// A pair of triangles may have several points, one after the other.
+  /// A triangle pair may have several points, which follow each other.
   std::size_t contacts(const Pose& belt_in_blisk) override {
     const fcl::CollisionResultd result = pair_.collide(belt_in_blisk, kAll, true);
     std::size_t pairs = 0;
@@ -155,7 +155,7 @@ class FclRefit final : public RefitQuery {
   void refit(bool bent) override {
     blisk_->beginReplaceModel();
     blisk_->replaceSubModel((bent ? bent_ : mesh_).vertices);
-    blisk_->endReplaceModel(true, true);  // the tree stays, its boxes are made anew from the leaves up
+    blisk_->endReplaceModel(true, true);  // keeps the tree and recomputes its boxes from the leaves up
   }
   bool touches(const Pose& belt_in_blisk) override {
     fcl::CollisionResultd result;

@@ -18,12 +18,12 @@ inline std::unique_ptr<btGImpactMeshShape> gimpactShape(const gallery::BulletMes
   return shape;
 }
 
-/// Must outlive the dispatchers that it is registered with.
+/// Must outlive the dispatchers it is registered with.
 class GimpactAlgorithm {
  public:
   void registerAt(btCollisionDispatcher& dispatcher) {
     btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
-    // It registers itself for stepping alone; contactPairTest looks into another table.
+    // GImpact registers itself only for stepping. contactPairTest uses another table.
     for (int other = 0; other < MAX_BROADPHASE_COLLISION_TYPES; ++other) {
       dispatcher.registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, other, &create_);
       dispatcher.registerClosestPointsCreateFunc(other, GIMPACT_SHAPE_PROXYTYPE, &create_);

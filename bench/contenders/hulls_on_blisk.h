@@ -1,5 +1,5 @@
-// A Bullet world in which convex hulls fall onto the blisk, for the contenders that differ in its shape
-// alone.
+// A Bullet world in which convex hulls fall onto the blisk, for contenders that differ only in the blisk's
+// shape.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
@@ -15,9 +15,9 @@
 
 namespace octoblisk::bench {
 
-/// Hulls of 20 corners on a sphere of 6 mm, above the blades of the blisk, which lies on a floor within a
-/// ring of walls. Millimetres and seconds; steps of 1/240 s. The bodies never sleep. `Blisk` is made of a
-/// scene, has blisk(), and registerAt(dispatcher) for algorithms of its own.
+/// Hulls of 20 corners on a sphere of 6 mm start above the blades. The blisk lies on a floor within a ring of
+/// walls. Units: millimetres and seconds. A step is 1/240 s. The bodies never sleep. `Blisk` is constructed
+/// from a scene. It has blisk(), and registerAt(dispatcher) for its own algorithms.
 template <typename Blisk>
 class HullsOnBlisk final : public WorldStepQuery {
  public:
@@ -83,15 +83,15 @@ class HullsOnBlisk final : public WorldStepQuery {
     std::unique_ptr<btConvexHullShape> shape;
     std::unique_ptr<btRigidBody> body;
   };
-  static constexpr btScalar kMargin = btScalar(0.04);  // Bullet's own
+  static constexpr btScalar kMargin = btScalar(0.04);  // Bullet's default
   static constexpr int kWalls = 24;
 
   static btTransform at(const btQuaternion& rotation, const Vec3& place) {
     return btTransform(rotation, toBullet(place));
   }
-  /// Layer over layer above the blades: of up to 1,000 hulls 40 to a layer, on ten rings; of more 400, which
-  /// would begin metres up else, evenly over the same ring (H. Vogel, A better way to construct the sunflower
-  /// head, 1979).
+  /// Stacks layers above the blades. Up to 1,000 hulls: 40 to a layer, on ten rings. More hulls: 400 to a
+  /// layer, spread evenly over the same ring (H. Vogel, A better way to construct the sunflower head, 1979).
+  /// With 40 to a layer they would start metres up.
   btTransform startOf(std::size_t k) const {
     constexpr double kInner = 140.0, kOuter = 216.5;
     const bool is_dense = hulls_.size() > 1000;

@@ -1,4 +1,4 @@
-// Our own: the clustered octree.
+// OctoBlisk: the clustered octree.
 #include <optional>
 #include <utility>
 
@@ -53,7 +53,7 @@ class OctoBliskRefit final : public RefitQuery {
   Trees trees_;
 };
 
-/// Registers all answers of trees that are built by these options, and their build.
+/// Registers all queries on trees built with these options, and the build itself.
 bool registerTrees(const std::string& name, const BuildOptions& options) {
   Contender contender = treesOf(name, built(options));
   contender.build = [options](const Scene& scene) {
@@ -62,7 +62,7 @@ bool registerTrees(const std::string& name, const BuildOptions& options) {
   return registerContender(std::move(contender));
 }
 
-/// Registers their build alone.
+/// Registers only the build.
 bool registerBuild(const std::string& name, const BuildOptions& options) {
   return registerContender({.name = name, .build = [options](const Scene& scene) {
                               return std::make_unique<OctoBliskBuild>(scene, options);
@@ -78,7 +78,7 @@ const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::low
 const bool kCold =
     registerContender({.name = "octoblisk-cold", .collide = answers<OctoBliskCold, CollideQuery>(built())});
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
-// What the lower bound is told beside: every pose by itself.
+// The lower bound is compared with this contender: it answers each pose independently.
 const bool kLimit = [] {
   Contender contender = treesOf(kOurs, built());
   contender.group = "limit";

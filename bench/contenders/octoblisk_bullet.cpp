@@ -1,4 +1,4 @@
-// Our own by way of Bullet: shapes of the plugin in a Bullet world.
+// OctoBlisk in Bullet: the plugin's shapes in a Bullet world.
 #include "bullet_world.h"
 #include "concave_pile.h"
 #include "contender.h"
@@ -42,7 +42,7 @@ class OursOnFloor {
   ClusteredOctreeShape blisk_;
 };
 
-/// Reports no points of bodies that are apart.
+/// Reports no points for bodies that are apart.
 class OurSmallMesh {
  public:
   explicit OurSmallMesh(const Scene& scene) : mesh_(treeOf(scene.blisk)) {

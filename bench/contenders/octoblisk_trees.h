@@ -1,4 +1,4 @@
-// Our own answers, on trees however they are made: for the contenders and for the variants of the ablation.
+// OctoBlisk's queries on any trees, for the contenders and for the variants of the ablation.
 #pragma once
 
 #include <functional>
@@ -38,14 +38,14 @@ std::map<std::string, double> named(const QueryCost& cost, const Trees&... trees
           {"bytes", static_cast<double>(cost.bytes(trees...))}};
 }
 
-/// The two trees that all questions are about.
+/// The trees of blisk and belt.
 struct Trees {
   Trees(const Scene& scene, const MakeTree& make) : blisk(make(scene.blisk)), belt(make(scene.belt)) {}
 
   ClusteredOctree blisk, belt;
 };
 
-/// Along a path by the query made for paths, else pose by pose.
+/// Uses the path query on a path, and single queries otherwise.
 class OctoBliskCollide final : public CollideQuery {
  public:
   OctoBliskCollide(const Scene& scene, const MakeTree& make)
@@ -61,7 +61,7 @@ class OctoBliskCollide final : public CollideQuery {
   PathQuery along_path_;
 };
 
-/// Each pose by itself, on a path as well.
+/// Answers each pose independently, even on a path.
 class OctoBliskCold final : public CollideQuery {
  public:
   OctoBliskCold(const Scene& scene, const MakeTree& make) : trees_(scene, make) {}
@@ -111,7 +111,7 @@ class OctoBliskDistance final : public DistanceQuery {
 
  private:
   Trees trees_;
-  TrianglePair nearest_;  // of the call before
+  TrianglePair nearest_;  // of the previous call
 };
 
 class OctoBliskRays final : public RayQuery {
@@ -144,7 +144,7 @@ Maker<Query> answers(const MakeTree& make) {
       [make](const Scene& scene) -> std::unique_ptr<Query> { return std::make_unique<Answers>(scene, make); };
 }
 
-/// All answers of trees that are made so.
+/// All queries on trees from `make`.
 inline Contender treesOf(const std::string& name, const MakeTree& make) {
   return {.name = name,
           .collide = answers<OctoBliskCollide, CollideQuery>(make),

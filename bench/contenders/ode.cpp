@@ -1,4 +1,4 @@
-// ODE's triangle meshes (OPCODE: boxes in single precision, without rotation of their own).
+// ODE's triangle meshes (OPCODE: axis-aligned boxes in single precision).
 #include <ode/ode.h>
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// Must be there before anything else of ODE.
+/// Must be constructed before any other ODE object.
 struct OdeLibrary {
   OdeLibrary() {
     dInitODE2(0);
@@ -47,7 +47,7 @@ class OdeMesh {
     data_ = nullptr;
   }
 
-  /// Fits the boxes to the vertices of a mesh of the same triangles.
+  /// Fits the boxes to the vertices of a mesh with the same triangles.
   void refit(const TriangleMesh& deformed) {
     std::size_t k = 0;
     for (const Vec3& vertex : deformed.vertices()) {

@@ -11,19 +11,18 @@ using namespace detail;
 
 namespace {
 
-/// A tree of arrays that have the right nodes and axes: its boxes are fitted to what they hold.
+/// Makes a tree from arrays whose nodes and axes are right, and fits its boxes to their contents.
 ClusteredOctree fitted(const std::shared_ptr<const TriangleMesh>& mesh, OwnedArrays arrays) {
   const auto owner = std::make_shared<const OwnedArrays>(std::move(arrays));
   return octreeOver(mesh, owner->view(), owner, {}).refitted(mesh);
 }
 
-/// Writes the nodes of a tree anew, depth first, with fewer children each.
+/// Rewrites the nodes of a tree depth first, with fewer children each.
 class Narrower {
  public:
   Narrower(const ClusteredOctree& tree, std::size_t children) : tree_(treeOf(tree)), most_(children) {
     arrays_.triangle_order.assign(tree_.triangleOrder().begin(), tree_.triangleOrder().end());
-    arrays_.leaf_vertices.assign(tree_.arrays().leaf_vertices.begin(),
-                                 tree_.arrays().leaf_vertices.end());
+    arrays_.leaf_vertices.assign(tree_.arrays().leaf_vertices.begin(), tree_.arrays().leaf_vertices.end());
     arrays_.nodes.emplace_back();
     write(Tree::kRoot, {0, 0});
   }
@@ -31,7 +30,7 @@ class Narrower {
   OwnedArrays take() { return std::move(arrays_); }
 
  private:
-  /// Puts a box of the tree, and all below it, into a slot.
+  /// Writes a box of the tree and its subtree into a slot.
   void write(Slot from, Slot to) {
     const Child child = tree_.child(from);
     set(to, tree_.arrays().box(from));
@@ -46,7 +45,8 @@ class Narrower {
     writeBelow(below, to);
   }
 
-  /// Makes a node of boxes that follow each other in the order of their triangles, and the slot its parent.
+  /// Makes a node from boxes that are consecutive in the order of their triangles, and makes the slot its
+  /// parent.
   void writeBelow(std::span<const Slot> boxes, Slot parent) {
     const auto node = static_cast<std::uint32_t>(arrays_.nodes.size());
     arrays_.nodes[parent.node].children[parent.lane] = Child::node(node);

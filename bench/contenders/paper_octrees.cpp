@@ -1,5 +1,5 @@
-// The detection of the paper: octrees over the centroids of the blisk's triangles, the traditional one and
-// the improved one, whose cells are tested against one box round the belt (section 3.3).
+// The paper's detection: octrees over the centroids of the blisk's triangles, the traditional one and the
+// improved one. Their cells are tested against one box around the belt (section 3.3).
 #include <algorithm>
 #include <numeric>
 
@@ -28,12 +28,12 @@ std::vector<Vec3> centroidsOf(const TriangleMesh& mesh) {
   return centroids;
 }
 
-/// One octree over all points, of a cube.
+/// One octree of a cube over all points.
 std::vector<Octree> traditional(const TriangleMesh& blisk) {
   return {Octree::build(centroidsOf(blisk), {.leaf_capacity = kFnop, .cubic = true})};
 }
 
-/// An octree over each cluster of each blade, and of the hub, of the cluster's own box.
+/// An octree for each cluster of each blade and of the hub, over the cluster's own box.
 std::vector<Octree> improved(const TriangleMesh& blisk) {
   const std::vector<Vec3> centroids = centroidsOf(blisk);
   const PartClusterOptions options = {.clusters = kClusters,
@@ -72,7 +72,8 @@ class PaperBoxes final : public BoxQuery {
   }
 
  private:
-  /// Calls visit with each leaf's cell that meets the belt's box, until it says no; whether it never did.
+  /// Calls `visit` with each leaf cell that meets the belt's box until it returns false. Returns whether it
+  /// never did.
   template <typename Visit>
   bool forEachCell(const Pose& belt_in_blisk, Visit&& visit) const {
     const Obb belt = belt_in_blisk * belt_;
@@ -97,7 +98,7 @@ class PaperBoxes final : public BoxQuery {
   SeparatingAxes axes_;
 };
 
-/// Our boxes of whole triangles against the same one box round the belt.
+/// OctoBlisk's boxes of whole triangles against the same box around the belt.
 class OurBoxes final : public BoxQuery {
  public:
   explicit OurBoxes(const Scene& scene)
@@ -118,7 +119,7 @@ class OurBoxes final : public BoxQuery {
   double range() const override { return blisk_.stats().root_volume; }
 
  private:
-  /// As PaperBoxes::descend.
+  /// Like PaperBoxes::descend.
   template <typename Visit>
   bool descend(Slot slot, const Obb& belt, const Visit& visit) const {
     const Tree& tree = treeOf(blisk_);
@@ -137,13 +138,13 @@ class OurBoxes final : public BoxQuery {
   Obb belt_;
 };
 
-/// What we do instead: exact triangles on both sides. No boxes are left.
+/// OctoBlisk's own method: exact triangle tests on both sides. No boxes are left.
 class OurTriangles final : public BoxQuery {
  public:
   explicit OurTriangles(const Scene& scene) : trees_(scene, built()) {}
 
   Left left(const Pose& belt_in_blisk) override {
-    return {mayTouch(belt_in_blisk) ? std::size_t{1} : 0, 0.0};  // a pair of triangles
+    return {mayTouch(belt_in_blisk) ? std::size_t{1} : 0, 0.0};  // a triangle pair
   }
   bool mayTouch(const Pose& belt_in_blisk) override {
     return collide(trees_.blisk, trees_.belt, belt_in_blisk).has_value();

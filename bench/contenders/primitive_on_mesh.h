@@ -1,5 +1,4 @@
-// A convex primitive of Bullet and a small mesh, for the contenders that differ in the shape of the mesh
-// alone.
+// A convex primitive of Bullet and a small mesh, for contenders that differ only in the shape of the mesh.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -34,8 +33,8 @@ inline std::unique_ptr<btConvexShape> primitiveShape(Primitive primitive) {
   return hull;
 }
 
-/// `Mesh` is made of a scene, has the mesh's shape as blisk(), and registerAt(dispatcher) for algorithms of
-/// its own. The mesh's margin is 0.
+/// `Mesh` is constructed from a scene. It has the mesh's shape as blisk(), and registerAt(dispatcher) for its
+/// own algorithms. The mesh's margin is 0.
 template <typename Mesh>
 class PrimitiveOnMesh final : public WorldPrimitiveQuery {
  public:

@@ -1,4 +1,4 @@
-// Bullet's btScaledBvhTriangleMeshShape: the blisk at half its size, scaled by two; the belt as a compound of
+// Bullet's btScaledBvhTriangleMeshShape: the blisk at half its size, scaled by two. The belt is a compound of
 // convex hulls.
 #include <BulletCollision/CollisionShapes/btScaledBvhTriangleMeshShape.h>
 

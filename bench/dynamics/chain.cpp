@@ -1,4 +1,4 @@
-// A chain of tori, linked by nothing but their contacts.
+// A chain of tori that only their contacts link.
 #include <algorithm>
 #include <numbers>
 
@@ -28,16 +28,16 @@ class Chain final : public DynamicsScene {
 
  private:
   static constexpr double kRadius = 0.5, kTube = 0.12;        ///< m
-  static constexpr double kPitch = 1.96 * (kRadius - kTube);  ///< about to touch
+  static constexpr double kPitch = 1.96 * (kRadius - kTube);  ///< nearly touching
 
-  /// From the link before.
+  /// The distance from the previous link.
   double pitch(const Body& body) const {
     const auto i = static_cast<std::size_t>(&body - moving().data());
     const Body& before = i > 0 ? moving()[i - 1] : fixed().front();
     return (body.pose().translation - before.pose().translation).norm();
   }
 
-  /// Circles whose middles are a diameter apart are not linked.
+  /// Circles whose centres are a diameter apart are not linked.
   bool isLost(const Body& body) const override { return pitch(body) > 2.0 * kRadius; }
 };
 

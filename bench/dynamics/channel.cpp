@@ -1,4 +1,4 @@
-// A channel between two curved walls, and debris in it.
+// A channel between two curved walls, with debris in it.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -11,9 +11,9 @@ namespace octoblisk::bench {
 namespace {
 
 constexpr int kSegments = 24;                                 // of the section
-constexpr double kWidth = 1.2, kHeight = 1.8, kLength = 2.0;  // m; half the width and length
+constexpr double kWidth = 1.2, kHeight = 1.8, kLength = 2.0;  // m; kWidth and kLength are halves
 
-/// Half an ellipse, open above, that leans to one side: one wall overhangs, as a blade does.
+/// Half an ellipse that is open at the top and leans to one side. One wall overhangs like a blade.
 shapes::SharedMesh channelMesh() {
   std::vector<Eigen::Vector2d> outer, inner;
   for (int i = 0; i <= kSegments; ++i) {
@@ -65,7 +65,7 @@ class Channel final : public DynamicsScene {
     for (int i = 0; i < bodies; ++i) {
       const auto& [solid, shape] = kinds[static_cast<std::size_t>(i) % std::size(kinds)];
       Vec3 place(0.7 * (i % 3 - 1), 0.7 * (i / 3 % 5 - 2), 1.8 + 0.7 * (i / 15));
-      place.x() += 0.3 * kHeight;  // the mouth is where the walls lean to
+      place.x() += 0.3 * kHeight;  // the mouth is on the side that the walls lean to
       place += shapes::randomPoint(random, 0.03);
       add(*shape, *solid, 1, {shapes::randomRotation(random), place});
     }

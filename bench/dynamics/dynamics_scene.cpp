@@ -110,7 +110,7 @@ btCollisionShape& DynamicsScene::concave(const Solid& solid, bool moves) {
       if (!moves) return keepShape<btBvhTriangleMeshShape>(mesh(), true);
       [[fallthrough]];
     case ShapeKind::hulls: {
-      if (solid.pieces.empty()) throw std::logic_error("a solid without pieces has no shape of hulls");
+      if (solid.pieces.empty()) throw std::logic_error("a solid without pieces cannot use hulls");
       auto& compound = keepShape<btCompoundShape>();
       for (const auto& piece : solid.pieces) {
         auto& hull = keepShape<btConvexHullShape>();
@@ -124,7 +124,7 @@ btCollisionShape& DynamicsScene::concave(const Solid& solid, bool moves) {
     case ShapeKind::plane:
       break;
   }
-  if (moves) throw std::logic_error("a plane does not move");
+  if (moves) throw std::logic_error("a plane cannot move");
   return keepShape<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(solid.mesh->bounds().max.z()));
 }
 

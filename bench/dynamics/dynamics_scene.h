@@ -1,4 +1,4 @@
-// A Bullet world whose bodies are measured by the solids that they stand for, without Bullet's help.
+// A Bullet world. Its bodies are measured by the solids that they represent, without Bullet's help.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@
 
 namespace octoblisk::bench {
 
-/// What the concave bodies of a scene are made of: all that the contenders differ in. Everything else is
-/// Bullet's default, and so is everything of these shapes.
+/// The shape of a scene's concave bodies. The contenders differ only in it. Everything else, including the
+/// settings of these shapes, is Bullet's default.
 enum class ShapeKind {
   octoblisk,  ///< ClusteredOctreeShape
-  bvh,        ///< btBvhTriangleMeshShape; of a solid that moves: as `hulls`
+  bvh,        ///< btBvhTriangleMeshShape; a moving solid uses `hulls` instead
   gimpact,    ///< btGImpactMeshShape
-  hulls,      ///< btCompoundShape of a btConvexHullShape a piece
+  hulls,      ///< btCompoundShape of one btConvexHullShape for each piece
   plane,      ///< btStaticPlaneShape on top of the solid: the ideal of a flat floor
 };
 const char* nameOf(ShapeKind kind);
 
-/// A figure of one scene alone, its name with the unit.
+/// A figure that only one scene reports. Its name includes the unit.
 struct Figure {
   std::string name;
   double value = 0.0;
@@ -38,17 +38,17 @@ class DynamicsScene {
   void step() { world_.step(1, time_step_); }
   double timeStep() const { return time_step_; }
 
-  /// Those that move.
+  /// The number of moving bodies.
   int bodies() const { return static_cast<int>(moving_.size()); }
   int asleep() const;
-  /// Those that are where they should not be able to get.
+  /// The number of bodies in places that they must not reach.
   int lost() const;
   double kineticEnergy() const { return metres_ * metres_ * world_.kineticEnergy(); }  ///< J
   int contactPoints() const { return world_.contactPoints(); }
-  /// Of pairs with a contact point, or several of a pair.
+  /// The number of manifolds with a contact point. A pair may have several.
   int manifolds() const;
-  /// Of the deepest point of a moving body's surface in another body, or of the floor's or a wall's in a
-  /// moving body, m.
+  /// The penetration depth of the deepest surface point of a moving body in another body, or of the floor or
+  /// a wall in a moving body, m.
   double depth() const;
 
   virtual std::vector<Figure> figures() const { return {}; }
@@ -62,13 +62,13 @@ class DynamicsScene {
     Pose pose() const { return fromBullet(body->getWorldTransform()); }
   };
 
-  /// `metres`: a unit of length.
+  /// `metres`: the length of one unit.
   explicit DynamicsScene(ShapeKind kind, double time_step = kTimeStep, double metres = 1.0);
 
   virtual bool isLost(const Body& body) const = 0;
 
   const Solid& keep(const shapes::SharedMesh& closed, Pieces pieces = {});
-  /// In its principal frame, as `add` needs it of what moves.
+  /// Keeps the solid in its principal frame, as `add` requires for moving bodies.
   const Solid& keepMoving(const shapes::SharedMesh& closed, Pieces pieces = {});
   template <typename Shape, typename... Arguments>
   Shape& keepShape(Arguments&&... arguments) {
@@ -77,14 +77,15 @@ class DynamicsScene {
     shapes_.push_back(std::move(shape));
     return kept;
   }
-  /// The solid's shape of this kind.
+  /// The solid's shape, of this scene's kind.
   btCollisionShape& concave(const Solid& solid, bool moves);
 
-  /// Mass 0: static. The friction is 0.5, the inertia that of the solid. `pose` is that of the solid's mesh.
+  /// Mass 0 makes the body static. The friction is 0.5. The inertia is that of the solid. `pose` is the pose
+  /// of the solid's mesh.
   btRigidBody& add(btCollisionShape& shape, const Solid& solid, double mass, const Pose& pose);
   /// A static box.
   void addBox(const Vec3& half_extents, const Pose& pose);
-  /// A static plane, z = 0, measured as a box of so much to each side and below.
+  /// A static plane at z = 0. It is measured as a box that extends by `size` to each side and down.
   void addPlane(double size);
 
   const std::vector<Body>& moving() const { return moving_; }

@@ -1,4 +1,4 @@
-// Small convex hulls on the blisk, which lies on a floor within a ring of walls.
+// Small convex hulls on the blisk. The blisk lies on a floor within a ring of walls.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -36,7 +36,7 @@ class HullsOnBliskScene final : public DynamicsScene {
  private:
   static constexpr double kFloor = -30.0, kWall = 242.0;  ///< mm
 
-  /// Above the blades, 40 to a layer.
+  /// Adds hulls above the blades, 40 to a layer.
   void addHulls(int hulls) {
     constexpr int kKinds = 8, kLayer = 40;
     std::mt19937_64 random(1);

@@ -1,9 +1,9 @@
-// How well moving bodies behave, scene by scene and shape by shape: energy, depth, cost.
+// Measures energy, depth and cost of moving bodies, for each scene and shape.
 //
 //   dynamics [--quick] [--only SCENE,...] [rows = dynamics.json]
 //
-// Prints a line a run and writes the rows; those of other scenes that are there already stay. --quick: fewer
-// bodies and steps, to see that all works.
+// Prints one line for each run and writes the rows. The file's rows of other scenes stay. --quick uses fewer
+// bodies and steps, to check that everything works.
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
@@ -40,7 +40,7 @@ Options optionsOf(int argc, char** argv) {
   }
   for (const std::string& name : options.only) {
     if (std::ranges::find(dynamicsEntries(), name, &DynamicsEntry::name) == dynamicsEntries().end())
-      throw std::runtime_error("'" + name + "' is no scene");
+      throw std::runtime_error("unknown scene '" + name + "'");
   }
   return options;
 }
@@ -56,8 +56,8 @@ void run(const Options& options) {
           {"task", "dynamics"}, {"scene", entry.name}, {"contender", nameOf(kind)}, {"shows", entry.shows}};
       row.update(measured(*scene, size.steps));
       std::printf(
-          "%-15s %-10s %8.2f ms a step, asleep after %s, late %.3g J, depth %.3g m, %d points in %d, lost %d "
-          "%s\n",
+          "%-15s %-10s %8.2f ms per step, asleep after %s, late %.3g J, depth %.3g m, %d points in %d, "
+          "lost %d %s\n",
           entry.name.c_str(), nameOf(kind), row["step_ms"].get<double>(),
           row["asleep_after_steps"].dump().c_str(), row["late_energy_j"].get<double>(),
           row["depth_m"].get<double>(), row["points"].get<int>(), row["manifolds"].get<int>(),

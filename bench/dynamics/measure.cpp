@@ -7,7 +7,7 @@
 namespace octoblisk::bench {
 namespace {
 
-constexpr int kSamples = 30;  // over time, about
+constexpr int kSamples = 30;  // approximate number of samples over time
 constexpr int kLate = 100;    // steps
 
 double median(std::vector<double> values) {

@@ -1,4 +1,4 @@
-// A scene run to its end, and what is measured of it.
+// Runs a scene to its end and measures it.
 #pragma once
 
 #include "dynamics/dynamics_scene.h"
@@ -6,9 +6,10 @@
 
 namespace octoblisk::bench {
 
-/// The row's figures: step_ms (processor time, mean over the run), asleep_after_steps (null where not all
-/// fell asleep), late_energy_j (median of the last 100 steps), depth_m, points, manifolds, lost, asleep,
-/// those of the scene; and over time time_s, energy_j and depth_over_time_m.
+/// The row has these figures: step_ms (processor time, mean over the run), asleep_after_steps (null if some
+/// body is still awake), late_energy_j (median of the last 100 steps), depth_m, points, manifolds, lost,
+/// asleep, and the scene's own figures. It also has the samples over time: time_s, energy_j and
+/// depth_over_time_m.
 Row measured(DynamicsScene& scene, int steps);
 
 }  // namespace octoblisk::bench

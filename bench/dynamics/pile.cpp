@@ -18,7 +18,7 @@ class Pile : public DynamicsScene {
  protected:
   using DynamicsScene::DynamicsScene;
 
-  /// 1 kg each, the kinds in turn, in square layers from a height on.
+  /// Drops bodies of 1 kg each, the kinds in turn, in square layers that start at `height`.
   void drop(const std::vector<Kind>& kinds, int bodies, int layer_side, double pitch, double height) {
     std::vector<std::pair<const Solid*, btCollisionShape*>> made;
     for (const auto& [mesh, pieces] : kinds) {
@@ -40,7 +40,7 @@ class Pile : public DynamicsScene {
 class PileInPit final : public Pile {
  public:
   PileInPit(ShapeKind kind, const Kind& body, int bodies) : Pile(kind) {
-    constexpr double kThickness = 0.5, kWallHeight = 8.0;  // half of each wall's
+    constexpr double kThickness = 0.5, kWallHeight = 8.0;  // half of each wall's thickness and height
     addPlane(10.0);
     for (const double side : {-1.0, 1.0}) {
       const double middle = side * (kInner + kThickness);

@@ -14,7 +14,7 @@ const std::vector<DynamicsEntry>& dynamicsEntries() {
       {"jack-pile", "100 jacks in a pit", {octoblisk, gimpact, hulls}, {100, 900}, {8, 60}, makeJackPile},
       {"teddy-pile", "100 teddies in a pit", {octoblisk, gimpact}, {100, 900}, {8, 60}, makeTeddyPile},
       {"mixed-pile", "64 bodies on a concave floor", {octoblisk, gimpact}, {64, 900}, {8, 60}, makeMixedPile},
-      // Bullet's cylinders, ten of them, do not stand for 20 s on its own plane or box either.
+      // Ten of Bullet's own cylinders do not stay upright for 20 s on its plane or box either.
       {"tower", "five cylinders on a floor", {octoblisk, bvh, plane}, {5, 1200}, {3, 60}, makeTower},
       {"chain", "ten linked tori", {octoblisk, gimpact}, {10, 1200}, {3, 60}, makeChain},
       {"channel",

@@ -18,30 +18,30 @@ struct DynamicsEntry {
   std::string name;
   std::string shows;  ///< a title
   std::vector<ShapeKind> kinds;
-  DynamicsSize full, quick;  ///< the quick one only shows that it runs
+  DynamicsSize full, quick;  ///< the quick size only checks that the scene runs
   std::function<std::unique_ptr<DynamicsScene>(ShapeKind kind, int bodies)> make;
 };
 
 const std::vector<DynamicsEntry>& dynamicsEntries();
 
-/// One mesh in a square pit on a plane, dropped in layers, turned at random.
+/// Copies of one mesh in a square pit on a plane, dropped in layers with random orientations.
 std::unique_ptr<DynamicsScene> makeTrefoilPile(ShapeKind kind, int bodies);
 std::unique_ptr<DynamicsScene> makeJackPile(ShapeKind kind, int bodies);
 std::unique_ptr<DynamicsScene> makeTeddyPile(ShapeKind kind, int bodies);
 
-/// Tori, gears, U-profiles and bumpy stones on a concave floor, which is a mesh too.
+/// Tori, gears, U-profiles and bumpy stones on a concave floor. The floor is a mesh too.
 std::unique_ptr<DynamicsScene> makeMixedPile(ShapeKind kind, int bodies);
 
-/// Cylinders, one on the other, on a flat floor of triangles. They never sleep.
+/// Cylinders stacked on a flat floor of triangles. They never sleep.
 std::unique_ptr<DynamicsScene> makeTower(ShapeKind kind, int cylinders);
 
-/// Linked tori that hang from one that stays.
+/// Linked tori that hang from a fixed one.
 std::unique_ptr<DynamicsScene> makeChain(ShapeKind kind, int links);
 
-/// Hulls, boxes, balls and U-profiles fall into a static channel with curved walls, like two blades.
+/// Hulls, boxes, balls and U-profiles fall into a static channel. Its walls are curved like two blades.
 std::unique_ptr<DynamicsScene> makeChannel(ShapeKind kind, int bodies);
 
-/// Convex hulls of 6 mm fall onto the default blisk. Millimetres; steps of 1/240 s.
+/// Convex hulls of 6 mm fall onto the default blisk. Units: millimetres. A step is 1/240 s.
 std::unique_ptr<DynamicsScene> makeHullsOnBlisk(ShapeKind kind, int hulls);
 
 }  // namespace octoblisk::bench

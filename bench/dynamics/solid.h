@@ -1,4 +1,4 @@
-// A solid of even density: what is measured of a body, whatever shape Bullet is given.
+// A solid of uniform density. A body is measured by its solid, whatever shape Bullet uses.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace octoblisk::bench {
 
-/// Convex parts that make up a solid: the vertices of each, by their index in the mesh.
+/// The convex parts of a solid: the indices of each part's vertices in the mesh.
 using Pieces = std::vector<std::vector<std::uint32_t>>;
 
-/// So many runs of eight vertices, each `stride` after the one before.
+/// `count` runs of eight vertices. Each run starts `stride` after the previous one.
 Pieces piecesOfEight(std::size_t count, std::uint32_t first, std::uint32_t stride);
 
-/// The solid moved so that its centre of mass is the origin and its principal axes are the coordinate axes,
-/// as Bullet's diagonal inertia wants it; as it is where that is so.
+/// Moves the solid so that its centre of mass is the origin and its principal axes are the coordinate axes,
+/// as Bullet's diagonal inertia requires. Returns the same mesh if it is already so.
 shapes::SharedMesh inPrincipalFrame(const shapes::SharedMesh& mesh);
 
 struct Solid {
-  /// Of a closed mesh.
+  /// The mesh must be closed.
   explicit Solid(shapes::SharedMesh closed, Pieces convex_pieces = {});
   Solid(const Solid&) = delete;
   Solid& operator=(const Solid&) = delete;
 
   shapes::SharedMesh mesh;
-  Pieces pieces;  ///< none: not known
-  Vec3 moments;   ///< of inertia about the axes, of mass 1
+  Pieces pieces;  ///< empty: unknown
+  Vec3 moments;   ///< of inertia about the axes, for mass 1
   ClusteredOctree tree;
   Surface surface;
 };

@@ -31,7 +31,7 @@ class Tower final : public DynamicsScene {
 
   static double heightOf(int i) { return kHalfHeight * (2 * i + 1); }
 
-  /// Where it is no longer on the one below.
+  /// A cylinder is lost if it is no longer on the one below.
   bool isLost(const Body& body) const override {
     const auto i = static_cast<int>(&body - moving().data());
     return body.pose().translation.z() < heightOf(i) - kHalfHeight;

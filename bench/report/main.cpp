@@ -1,10 +1,10 @@
-// Makes one page and plots of the rows.
+// Makes one page and plots from the rows.
 //
 //   bench_report RESULTS [PAGE]
 //
-// Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's, which tell where the rows were
-// taken: that goes to RESULTS/machine.json), writes RESULTS/README.md and RESULTS/*.svg, and table and plots
-// into PAGE, between its lines for it.
+// Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's files, which describe the
+// machine). Writes RESULTS/machine.json, RESULTS/README.md and RESULTS/*.svg. Inserts a table and the plots
+// into PAGE between its marker lines.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -25,7 +25,7 @@ Row objectIn(const fs::path& file) {
   return parsed.is_object() ? parsed : Row::object();
 }
 
-/// The newest of Google Benchmark's, of a run; else what was kept of one.
+/// The machine in the newest file of Google Benchmark, or else in machine.json.
 Row machineIn(const fs::path& results) {
   Row newest = objectIn(results / "machine.json");
   if (!fs::is_directory(results / "google")) return newest;
@@ -53,7 +53,7 @@ void write(const fs::path& file, const std::string& text) {
 
 int run(const fs::path& results, const char* page_file) {
   const Rows rows = readAllRows(results);
-  if (rows.empty()) throw std::runtime_error(results.string() + ": has no rows");
+  if (rows.empty()) throw std::runtime_error(results.string() + ": contains no rows");
   const Row machine = machineIn(results);
   write(results / "machine.json", machine.dump(1) + '\n');
   const ResultsPage page = resultsPage(rows, machine);

@@ -27,7 +27,7 @@ std::string line(const std::vector<std::string>& cells) {
 std::string significant(double number, int digits) {
   if (!std::isfinite(number)) return "none";
   if (number == 0.0) return "0";
-  std::ostringstream rounded;  // first, as 9.96 has one digit more than it shows
+  std::ostringstream rounded;  // first round: 9.96 becomes 10, which has one digit more
   rounded << std::scientific << std::setprecision(digits - 1) << number;
   const double value = std::stod(rounded.str());
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
@@ -48,7 +48,7 @@ std::string timeText(double microseconds) {
 }
 
 MarkdownTable::MarkdownTable(std::vector<std::string> header) : header_(std::move(header)) {
-  if (header_.empty()) throw std::invalid_argument("a table needs a column");
+  if (header_.empty()) throw std::invalid_argument("a table needs at least one column");
 }
 
 void MarkdownTable::add(std::vector<std::string> cells) {

@@ -6,18 +6,18 @@
 
 namespace octoblisk::bench {
 
-/// To so many significant digits, without an exponent: "0.42", "1,300".
+/// The number with `digits` significant digits and no exponent: "0.42", "1,300".
 std::string significant(double number, int digits = 2);
 
-/// "3.4 µs", "320 ms": to two digits, or three from 100 on.
+/// "3.4 µs", "320 ms": two digits, or three from 100 on.
 std::string timeText(double microseconds);
 
 class MarkdownTable {
  public:
-  /// Throws std::invalid_argument for no columns.
+  /// Throws std::invalid_argument if it has no columns.
   explicit MarkdownTable(std::vector<std::string> header);
 
-  /// Throws std::invalid_argument for another number of cells than columns.
+  /// Throws std::invalid_argument if the number of cells differs from the number of columns.
   void add(std::vector<std::string> cells);
 
   bool empty() const { return rows_.empty(); }
@@ -30,11 +30,11 @@ class MarkdownTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The text with what is between the lines <!-- NAME --> and <!-- end of NAME --> replaced. Throws
-/// std::invalid_argument where it has not both lines.
+/// Replaces the text between the lines <!-- NAME --> and <!-- end of NAME -->. Throws std::invalid_argument
+/// if either line is missing.
 std::string spliced(const std::string& text, const std::string& name, const std::string& block);
 
-/// Whether a ratio of times to ours, or of bytes, is below 1 when it is rounded to two digits.
+/// Whether a ratio to OctoBlisk's time or bytes is below 1 when rounded to two digits.
 constexpr bool isFaster(double ratio) { return ratio < 0.995; }
 
 }  // namespace octoblisk::bench

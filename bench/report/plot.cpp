@@ -11,7 +11,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// A string of gnuplot's, taken as it is.
+/// A gnuplot string without escapes.
 std::string inQuotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
@@ -20,7 +20,7 @@ std::string inQuotes(const std::string& text) {
 
 bool hasLaw(const Curve& curve) { return curve.x.size() > 1 && curve.x.front() != curve.x.back(); }
 
-/// What all plots begin with.
+/// The common start of all plots.
 std::string head(const std::string& title, int height, const std::filesystem::path& file) {
   return "set encoding utf8\nset terminal svg size 720," + std::to_string(height) +
          " noenhanced font 'DejaVu Sans,14' background rgb 'white'\nset output " + inQuotes(file.string()) +
@@ -28,7 +28,7 @@ std::string head(const std::string& title, int height, const std::filesystem::pa
          "\nset key outside right top\nset grid lc rgb '#d5dae0' lt 1 lw 1\n";
 }
 
-/// Colours that stay apart for the colour-blind (Okabe and Ito, 2008).
+/// Colours that colour-blind readers can tell apart (Okabe and Ito, 2008).
 std::string colorOf(std::size_t curve) {
   const char* colors[] = {"#0072b3", "#d64000", "#009e73", "#e69e00", "#cc78a6", "#57b5e8"};
   return std::string(" lc rgb '") + colors[curve % std::size(colors)] + "'";
@@ -36,10 +36,11 @@ std::string colorOf(std::size_t curve) {
 
 void drawScript(const std::string& script, const std::filesystem::path& file) {
   std::FILE* gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": gnuplot cannot be started");
+  if (gnuplot == nullptr) throw std::runtime_error(file.string() + ": cannot start gnuplot");
   const bool is_written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
   if (pclose(gnuplot) != 0 || !is_written) {
-    throw std::runtime_error(file.string() + ": gnuplot could not draw it (Debian's gnuplot-nox)");
+    throw std::runtime_error(file.string() +
+                             ": gnuplot cannot draw it. On Debian 12: apt install gnuplot-nox");
   }
 }
 

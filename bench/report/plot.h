@@ -1,4 +1,4 @@
-// Plots, drawn by gnuplot: log–log ones, and values over time.
+// Plots drawn by gnuplot: log–log plots, and values over time.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace octoblisk::bench {
 
 struct Curve {
   std::string name;
-  std::vector<double> x = {}, y = {};  ///< as many of each, above 0 in a log–log plot
+  std::vector<double> x = {}, y = {};  ///< of the same length; above 0 in a log–log plot
 };
 
 struct LogLogPlot {
@@ -17,25 +17,25 @@ struct LogLogPlot {
   std::vector<Curve> curves = {};
 };
 
-/// Curves over time, s, by a logarithmic scale of y. What is below `least`, 0 too, is drawn at it.
+/// Curves over time in s, with a logarithmic y axis. Values below `least`, including 0, are drawn at `least`.
 struct TimePanel {
   std::string y_label;
   double least = 0.0;
   std::vector<Curve> curves = {};
 };
 
-/// Panels, one below the other.
+/// Panels, stacked vertically.
 struct TimePlot {
   std::string title;
   std::vector<TimePanel> panels = {};
 };
 
-/// What makes gnuplot draw the plot as SVG: each curve's points, and the power law that fits them, whose
-/// exponent is in the key. A curve with fewer than two different x has no law.
+/// A gnuplot script that draws the plot as SVG: each curve's points and its fitted power law. The key shows
+/// the exponent. A curve with fewer than two different x has no law.
 std::string gnuplotScript(const LogLogPlot& plot, const std::filesystem::path& file);
 std::string gnuplotScript(const TimePlot& plot, const std::filesystem::path& file);
 
-/// Throws std::runtime_error naming the file where gnuplot is missing or cannot draw it.
+/// Throws std::runtime_error naming the file if gnuplot is missing or cannot draw it.
 void draw(const LogLogPlot& plot, const std::filesystem::path& file);
 void draw(const TimePlot& plot, const std::filesystem::path& file);
 

@@ -6,7 +6,7 @@
 namespace octoblisk::bench {
 
 PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y) {
-  if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x as y");
+  if (x.size() != y.size()) throw std::invalid_argument("a power law needs as many x values as y values");
   const auto count = static_cast<double>(x.size());
   double mean_x = 0.0, mean_y = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -20,7 +20,7 @@ PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y) {
     spread += off * off;
     common += off * (std::log(y[k]) - mean_y);
   }
-  if (!(spread > 1e-20)) throw std::invalid_argument("a power law needs two different x");
+  if (!(spread > 1e-20)) throw std::invalid_argument("a power law needs two different x values");
   const double exponent = common / spread;
   return {std::exp(mean_y - exponent * mean_x), exponent};
 }

@@ -1,4 +1,4 @@
-// How fast something grows: the power law that fits best.
+// Fits a power law, to show how fast something grows.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ struct PowerLaw {
   double exponent = 0.0;
 };
 
-/// The law of least squares between the logarithms. Throws std::invalid_argument for fewer than two different
-/// x, as many x as y not given, or a number that is not above 0.
+/// The least-squares fit of the logarithms. Throws std::invalid_argument if x has fewer than two different
+/// values, if the numbers of x and y differ, or if a number is not above 0.
 PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y);
 
 }  // namespace octoblisk::bench

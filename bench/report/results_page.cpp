@@ -53,35 +53,35 @@ std::string cellOf(const Row& row) {
   const std::string ratio = ratioText(row);
   if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
   for (const auto& [key, what] :
-       {std::pair("points_a_pose", "points a pose"), std::pair("contacts_a_step", "contacts a step")}) {
+       {std::pair("points_a_pose", "points per pose"), std::pair("contacts_a_step", "contacts per step")}) {
     if (row.contains(key)) text += std::string(", ") + significant(number(row, key)) + ' ' + what;
   }
   return text + differencesText(row);
 }
 
-/// Task, and what it asks.
+/// A task and its title.
 struct Section {
   const char* task;
   const char* asks;
 };
 
 constexpr Section kSections[] = {
-    {"boolean-path", "Touching or not, pose by pose along the path"},
-    {"boolean-shuffled", "The same poses over all blades in random order"},
-    {"contacts", "All pairs of triangles that touch"},
-    {"distance-cold", "Distance at the clear poses, each by itself"},
-    {"distance-warm", "Distance, with what the pose before found"},
+    {"boolean-path", "Collision, pose by pose along the path"},
+    {"boolean-shuffled", "Collision at the same poses, over all blades in random order"},
+    {"contacts", "All triangle pairs that touch"},
+    {"distance-cold", "Distance at the clear poses, each independently"},
+    {"distance-warm", "Distance, starting from the result at the previous pose"},
     {"ray", "The first triangle that a ray hits"},
-    {"build", "The structure over the blisk, on as many threads as the library takes"},
-    {"refit", "The structure fitted to moved vertices"},
-    {"memory", "Bytes a triangle beside the mesh"},
+    {"build", "Build over the blisk, each library on its own number of threads"},
+    {"refit", "Refit to moved vertices"},
+    {"memory", "Bytes per triangle in addition to the mesh"},
     {"world-contacts", "Bullet world: contact points of blisk and belt (contactPairTest)"},
     {"world-closest", "Bullet world: closest points within 1 mm (contactPairTest with a threshold)"},
-    {"world-sphere", "Bullet world: a sphere at a small mesh (contactPairTest)"},
-    {"world-box", "Bullet world: a box at a small mesh (contactPairTest)"},
-    {"world-capsule", "Bullet world: a capsule at a small mesh (contactPairTest)"},
-    {"world-cylinder", "Bullet world: a cylinder at a small mesh (contactPairTest)"},
-    {"world-hull", "Bullet world: a convex hull at a small mesh (contactPairTest)"},
+    {"world-sphere", "Bullet world: contacts of a sphere and a small mesh (contactPairTest)"},
+    {"world-box", "Bullet world: contacts of a box and a small mesh (contactPairTest)"},
+    {"world-capsule", "Bullet world: contacts of a capsule and a small mesh (contactPairTest)"},
+    {"world-cylinder", "Bullet world: contacts of a cylinder and a small mesh (contactPairTest)"},
+    {"world-hull", "Bullet world: contacts of a convex hull and a small mesh (contactPairTest)"},
     {"world-ray", "Bullet world: rayTest"},
     {"world-sweep", "Bullet world: convexSweepTest of a ball of 3 mm"},
     {"world-step", "Bullet world: a step in which hulls fall onto the blisk"},
@@ -90,10 +90,10 @@ constexpr Section kSections[] = {
 };
 
 const Growth kGrowths[] = {
-    {"growth-boolean", "", "touching or not, along the path", "triangles of the blisk"},
-    {"growth-boolean", "belt", "touching or not, along the path", "triangles of the belt"},
-    {"growth-distance", "", "distance, each pose by itself", "triangles of the blisk"},
-    {"growth-distance", "belt", "distance, each pose by itself", "triangles of the belt"},
+    {"growth-boolean", "", "collision, along the path", "triangles of the blisk"},
+    {"growth-boolean", "belt", "collision, along the path", "triangles of the belt"},
+    {"growth-distance", "", "distance, each pose independently", "triangles of the blisk"},
+    {"growth-distance", "belt", "distance, each pose independently", "triangles of the belt"},
     {"growth-ray", "", "the first triangle that a ray hits", "triangles of the blisk"},
     {"growth-build", "", "building, on one core", "triangles of the blisk"},
     {"growth-bodies", "", "a step of a Bullet world", "bodies that fall onto the blisk"},
@@ -108,10 +108,10 @@ std::string machineText(const Row& context) {
     text += std::string("- ") + name + ": " + (value.is_string() ? value.get<std::string>() : value.dump()) +
             '\n';
   };
-  item("taken", "date");
+  item("date", "date");
   item("processor", "processor");
   item("cores", "num_cpus");
-  item("MHz, as the system tells", "mhz_per_cpu");
+  item("MHz, as reported by the system", "mhz_per_cpu");
   item("pinned to core", "pinned_to_core");
   item("compiler and flags", "octoblisk_flags");
   item("other libraries", "peers");
@@ -184,7 +184,7 @@ std::string ablationTable(const Rows& all) {
     for (Row& row : ofTask(all, std::string("ablation-") + query)) rows.push_back(std::move(row));
   }
   if (rows.empty()) return "";
-  MarkdownTable table({"variant", "touching", "all pairs", "distance", "ray"});
+  MarkdownTable table({"variant", "collision", "all pairs", "distance", "ray"});
   const std::string scene = rows.front()["scene"].get<std::string>();
   for (const std::string& variant : valuesOf(rows, "contender")) {
     std::vector<std::string> cells = {variant};
@@ -203,8 +203,8 @@ std::string ablationTable(const Rows& all) {
 }
 
 std::string limitTable(const Rows& all) {
-  MarkdownTable table({"query", "blisk", "ours", "lower bound", "times", "exact tests needed", "ours makes",
-                       "bytes needed", "ours reads"});
+  MarkdownTable table({"query", "blisk", "OctoBlisk", "lower bound", "ratio", "exact tests needed",
+                       "exact tests made", "bytes needed", "bytes read"});
   for (const char* query : {"boolean", "contacts", "distance", "ray"}) {
     const std::string task = std::string("limit-") + query;
     for (const std::string& scene : valuesOf(ofTask(all, task), "scene")) {
@@ -222,7 +222,7 @@ std::string limitTable(const Rows& all) {
 std::string paperTable(const Rows& all) {
   const Rows rows = ofTask(all, "paper-method");
   if (rows.empty()) return "";
-  MarkdownTable table({"blisk", "method", "a pose", "times ours", "range, mm³", "leaves left",
+  MarkdownTable table({"blisk", "method", "time per pose", "ratio", "range, mm³", "leaves left",
                        "volume left, mm³", "false alarms", "missed"});
   for (const Row& row : rows) {
     const double clear = number(row, "clear_poses"), poses = number(row, "questions");
@@ -237,8 +237,8 @@ std::string paperTable(const Rows& all) {
 }
 
 std::string dynamicsTable(const Rows& all) {
-  MarkdownTable table({"scene", "shape", "a step", "all asleep after, steps", "late kinetic energy, J",
-                       "depth, mm", "points", "manifolds", "lost", "beside"});
+  MarkdownTable table({"scene", "shape", "time per step", "steps until all sleep", "late kinetic energy, J",
+                       "depth, mm", "points", "manifolds", "lost", "further figures"});
   for (const Row& row : ofTask(all, "dynamics")) {
     std::string beside;
     const Row figures = row.value("figures", Row::object());  // items() refers to it
@@ -272,12 +272,12 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
   ResultsPage page;
   std::string& text = page.text;
   text =
-      "# Results\n\nWritten by `./dev bench` from the rows beside it; what they mean is in `../README.md`. A "
-      "cell is "
-      "the mean time of a\nquestion · its ratio to ours in the same run, bold where the contender is faster "
-      "(how "
-      "many answers differ from the\nreference); in what is told of growth a * marks who has some that "
-      "differ.\n\n## Where they were taken\n\n" +
+      "# Results\n\n"
+      "`./dev bench` writes this page from the rows in this folder; `../README.md` explains them.\n"
+      "A cell has the mean time of a query and, after ·, its ratio to that of OctoBlisk in the same run.\n"
+      "The ratio is bold if the contender is faster. In brackets is the number of answers that differ from\n"
+      "the reference. In the sections on growth, * marks a contender with such answers.\n\n"
+      "## Machine\n\n" +
       machineText(context);
   const auto section = [&](const std::string& title, const std::string& table) {
     if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';
@@ -302,8 +302,8 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
     page.time_plots.push_back({file, dynamicsPlot(rows, scene)});
   }
   if (!pictures.empty()) section("Dynamics (`dynamics`)", dynamicsTable(rows) + pictures);
-  section("One thing changed: times as slow as the default (`ablation`)", ablationTable(rows));
-  section("The limit (`limit`)", limitTable(rows));
+  section("Variants: time relative to the default (`ablation`)", ablationTable(rows));
+  section("Lower bounds (`limit`)", limitTable(rows));
   return page;
 }
 

@@ -1,4 +1,4 @@
-// The results as one page: tables of all rows, by task.
+// The results page: tables of all rows, by task.
 #pragma once
 
 #include <string>
@@ -9,38 +9,40 @@
 
 namespace octoblisk::bench {
 
-/// One contender a line, one scene a column: the mean time of a question and its ratio to ours, bold where
-/// the contender is faster; how many answers differ.
+/// One contender per line, one scene per column. A cell has the mean time of a query, its ratio to ours, bold
+/// if the contender is faster, and the number of answers that differ.
 std::string taskTable(const Rows& rows, const std::string& task);
 
-/// What grows: the rows of a task whose scenes are named by it, or, of none, those of the blisk's sizes.
+/// A growth plot: the rows of a task whose scenes start with `prefix`. An empty prefix means the scenes of
+/// the blisk's sizes.
 struct Growth {
   std::string task, prefix, title, x_label;
 };
 
-/// Its points, by `size`: a curve a contender, µs.
+/// One curve for each contender: µs by `size`.
 LogLogPlot growthPlot(const Rows& rows, const Growth& growth);
 
-/// The exponents that fit the curves, and the times at both ends.
+/// The fitted exponents of the curves, and the times at both ends.
 std::string growthTable(const LogLogPlot& plot);
 
-/// One variant a line, one query a column: times as slow as the default.
+/// One variant per line, one query per column. A cell has the time relative to the default.
 std::string ablationTable(const Rows& rows);
 
-/// For each query and scene: ours, the bound, and how many times it ours is; bytes.
+/// For each query and scene: our time, the lower bound, their ratio, the exact tests and the bytes.
 std::string limitTable(const Rows& rows);
 
-/// The detection of the paper: time, range, false alarms, missed.
+/// The paper's detection: time, range, false alarms and missed contacts.
 std::string paperTable(const Rows& rows);
 
-/// One scene and shape a line: cost, rest, energy, depth, contacts, losses.
+/// One scene and shape per line: time of a step, steps until all sleep, energy, depth, contacts and lost
+/// bodies.
 std::string dynamicsTable(const Rows& rows);
 
-/// Kinetic energy and depth over time, a curve a shape.
+/// Kinetic energy and depth over time, one curve for each shape.
 TimePlot dynamicsPlot(const Rows& rows, const std::string& scene);
 
-/// All of it, with the machine and the versions that Google Benchmark's JSON tells in its context, and the
-/// plots by name.
+/// The whole page and its plots by name. The machine and the versions come from the context in Google
+/// Benchmark's JSON.
 struct NamedPlot {
   std::string file;
   LogLogPlot plot;
@@ -56,8 +58,8 @@ struct ResultsPage {
 };
 ResultsPage resultsPage(const Rows& rows, const Row& context);
 
-/// What docs/methods.md shows: a table of ours and how many times as long others take, and the plots of the
-/// page, two a line, in the folder `results`.
+/// The part of docs/methods.md that is generated: a table of our times and the others' ratios, and the page's
+/// plots, two per line. `results` is the folder of the plots.
 std::string summary(const Rows& rows, const std::string& results);
 
 }  // namespace octoblisk::bench

@@ -1,4 +1,4 @@
-// Rows: the lines of the results, as JSON files of bench/results keep them.
+// Rows of results, as stored in the JSON files of bench/results.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +8,30 @@
 
 namespace octoblisk::bench {
 
-/// A line of the results: task, scene, contender, and figures.
+/// One result: task, scene, contender and figures.
 using Row = nlohmann::ordered_json;
 using Rows = std::vector<Row>;
 
-/// The one that all others are compared with.
+/// The contender that all others are compared with.
 inline constexpr const char* kOurs = "octoblisk";
 
-/// The first row of a task and scene of that contender; null where there is none.
+/// The contender's first row of a task and scene, or null.
 const Row* findRow(const Rows& rows, const std::string& task, const std::string& scene,
                    const std::string& contender);
 
-/// The rows of a file: a JSON array of objects, each with a task and a scene. None where there is
-/// no such file. Throws std::runtime_error that names the file and, where one is at fault, the row.
+/// The rows of a file. The file is a JSON array of objects, each with a task and a scene. Returns no rows if
+/// the file does not exist. Throws std::runtime_error naming the file and, if a row is invalid, that row.
 Rows readRows(const std::filesystem::path& file);
 
-/// Of all such files of a folder, by name; machine.json, which tells where they were taken, is none.
+/// The rows of all such files of a folder, in the order of their names. Skips machine.json, which describes
+/// the machine.
 Rows readAllRows(const std::filesystem::path& folder);
 
-/// One a line. Throws std::runtime_error that names the file.
+/// Writes one row per line. Throws std::runtime_error naming the file.
 void writeRows(const std::filesystem::path& file, const Rows& rows);
 
-/// The rows `before` without those of any task and scene that is in `anew`, then `anew`: what is told of a
-/// scene is of one run, as ratios are worth nothing between runs.
+/// The rows of `before` whose task and scene do not occur in `anew`, then `anew`. All rows of a scene come
+/// from one run, because ratios between runs mean nothing.
 Rows mergedRows(Rows before, const Rows& anew);
 
 }  // namespace octoblisk::bench

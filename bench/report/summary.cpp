@@ -4,7 +4,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// A line of the summary: a row of ours, and all others of the task and scene beside it.
+/// A line of the summary: our row and the other rows of its task and scene.
 struct Line {
   const char* asked;
   const char* task;
@@ -12,16 +12,16 @@ struct Line {
 };
 
 constexpr Line kLines[] = {
-    {"touching or not, along the path", "boolean-path", "300k"},
-    {"the same over all blades in random order", "boolean-shuffled", "300k"},
-    {"the same along the path on 1,500,000 triangles", "boolean-path", "1500k"},
-    {"all pairs of triangles that touch", "contacts", "300k"},
-    {"distance of clear poses", "distance-cold", "300k"},
-    {"the same from the pose before", "distance-warm", "300k"},
-    {"closest ray", "ray", "300k"},
-    {"build, each on as many threads as it takes", "build", "300k"},
+    {"collision, along the path", "boolean-path", "300k"},
+    {"the same, over all blades in random order", "boolean-shuffled", "300k"},
+    {"collision, along the path on 1,500,000 triangles", "boolean-path", "1500k"},
+    {"all triangle pairs that touch", "contacts", "300k"},
+    {"distance at the clear poses", "distance-cold", "300k"},
+    {"the same, starting from the previous pose", "distance-warm", "300k"},
+    {"first hit of a ray", "ray", "300k"},
+    {"build, each library on its own number of threads", "build", "300k"},
     {"refit, on one thread", "refit", "300k"},
-    {"bytes a triangle", "memory", "300k"},
+    {"bytes per triangle", "memory", "300k"},
     {"Bullet world: contacts of belt and blisk", "world-contacts", "300k"},
     {"Bullet world: closest points", "world-closest", "300k"},
     {"Bullet world: contacts of a sphere with 500 triangles", "world-sphere", "500-triangles"},
@@ -35,16 +35,16 @@ constexpr Line kLines[] = {
     {"Bullet world: contacts of a hull with 500 triangles", "world-hull", "500-triangles"},
     {"the same with 5,000 triangles", "world-hull", "5000-triangles"},
     {"Bullet world: a ray", "world-ray", "300k"},
-    {"Bullet world: a ball swept", "world-sweep", "300k"},
+    {"Bullet world: a swept ball", "world-sweep", "300k"},
     {"Bullet world: a step with 200 hulls on the blisk", "world-step", "300k"},
     {"the same on 1,500,000 triangles", "world-step", "1500k"},
     {"the same with 1,000 hulls on 50,000 triangles", "world-step", "1000-bodies"},
     {"Bullet world: a step with 64 concave bodies", "world-pile", "64-bodies"},
 };
 
-constexpr const char* kOnOneThread = "ours on one thread";
+constexpr const char* kOnOneThread = "OctoBlisk on one thread";
 
-/// How a contender is called beside ours; empty: it is a variant of ours that is told elsewhere.
+/// A contender's name in the summary. Empty for a variant of ours that the summary leaves out.
 std::string calledIn(const std::string& contender) {
   const std::pair<const char*, const char*> names[] = {{"fcl", "FCL"},
                                                        {"fcl-points", "FCL with points"},
@@ -63,7 +63,7 @@ std::string calledIn(const std::string& contender) {
 }
 
 std::string tableOf(const Rows& rows) {
-  MarkdownTable table({"asked", "ours", "others take times as much"});
+  MarkdownTable table({"query", "OctoBlisk", "others, relative to OctoBlisk"});
   for (const Line& line : kLines) {
     const Row* ours = findRow(rows, line.task, line.scene, kOurs);
     if (ours == nullptr) continue;

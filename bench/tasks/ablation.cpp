@@ -1,4 +1,5 @@
-// Our own beside itself with one thing changed: touching along the path, all pairs, distance, rays.
+// Compares OctoBlisk with variants that change one thing: collision along the path, all pairs, distance,
+// rays.
 #include "boolean.h"
 #include "contacts.h"
 #include "distance.h"

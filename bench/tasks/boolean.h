@@ -1,4 +1,4 @@
-// Whether belt and blisk touch, at each pose of a list.
+// Collision of belt and blisk at each pose of a list.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -1,4 +1,4 @@
-// Whether they touch, pose by pose along the path.
+// Collision, pose by pose along the path.
 #include "boolean.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// Whether they touch, each pose at another place of the blisk than the one before.
+// Collision, with each pose at a different place of the blisk than the previous one.
 #include "boolean.h"
 
 int main(int argc, char** argv) {

@@ -11,8 +11,8 @@
 
 namespace octoblisk::bench {
 
-/// How many answers are wrong of structures that the contender builds in the same way: of rays, else of
-/// touching or not; nothing where it is asked neither.
+/// The number of wrong answers from structures that the contender builds in the same way: of rays, or else of
+/// collisions. Empty if the contender supports neither.
 inline std::optional<std::size_t> wrongAnswers(const Scene& scene, const Contender& contender) {
   if (contender.ray) return rayTrial(std::shared_ptr<RayQuery>(contender.ray(scene)), scene, 50).differences;
   if (contender.collide) {
@@ -26,7 +26,7 @@ inline std::optional<std::size_t> wrongAnswers(const Scene& scene, const Contend
   return std::nullopt;
 }
 
-/// On as many threads as the library takes.
+/// Uses as many threads as the library chooses.
 inline TimedTask buildTask(const std::string& name) {
   const auto prepare = [](const Scene& scene, const Contender& contender) {
     const std::shared_ptr<BuildQuery> query = contender.build(scene);

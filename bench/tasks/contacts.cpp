@@ -1,4 +1,4 @@
-// All pairs of triangles that meet, pose by pose along the path.
+// All triangle pairs that touch, pose by pose along the path.
 #include "contacts.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// All pairs of triangles that meet, pose by pose along the path.
+// All triangle pairs that touch, pose by pose along the path.
 #pragma once
 
 #include <benchmark/benchmark.h>

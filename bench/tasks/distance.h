@@ -1,4 +1,4 @@
-// How far apart belt and blisk are, at the poses of the path that are clear, in order.
+// The distance of belt and blisk at the clear poses of the path, in order.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -17,17 +17,17 @@
 
 namespace octoblisk::bench {
 
-/// The distances at the clear poses. At one in kEvery the reference finds them, if they are no more than
-/// kFarthest. Elsewhere it is the least that we or FCL say, where it takes part: a search that leaves out too
-/// much errs upwards.
+/// The distances at the clear poses. The reference computes every kEvery-th one, if it is no more than
+/// kFarthest. The others are the smaller of OctoBlisk's and, if it takes part, FCL's answer: a search that
+/// skips too much errs upwards.
 struct Distances {
   static constexpr std::size_t kEvery = 30;
   static constexpr double kFarthest = 3.0;               // mm
-  static constexpr std::size_t kMostForFcl = 2'000'000;  // triangles: it takes more than 500 bytes for each
+  static constexpr std::size_t kMostForFcl = 2'000'000;  // triangles; FCL takes more than 500 bytes for each
 
   std::vector<Pose> poses;
   std::vector<double> truth;
-  std::size_t by_reference = 0;  ///< of the poses
+  std::size_t by_reference = 0;  ///< number of distances that the reference computed
 };
 
 inline Distances findDistances(const Scene& scene) {
@@ -55,7 +55,7 @@ inline Distances findDistances(const Scene& scene) {
   return found;
 }
 
-/// At the clear poses of the scene's path. Found at the first call for a scene, and kept.
+/// The distances at the clear poses of the scene's path, computed at the first call for a scene and cached.
 inline const Distances& distancesOf(const Scene& scene) {
   static std::map<const Scene*, Distances> known;
   const auto entry = known.find(&scene);
@@ -64,13 +64,13 @@ inline const Distances& distancesOf(const Scene& scene) {
 
 inline TimedTask distanceTask(const std::string& name, bool warm) {
   const auto prepare = [warm](const Scene& scene, const Contender& contender) {
-    constexpr double kTolerance = 1e-6;  // of the distance
+    constexpr double kTolerance = 1e-6;  // relative
     const std::shared_ptr<DistanceQuery> query = contender.distance(scene);
     const Distances& distances = distancesOf(scene);
     std::size_t differences = 0;
     for (std::size_t k = 0; k < distances.poses.size(); ++k) {
       const double truth = distances.truth[k];
-      // Not a number is a difference too.
+      // NaN counts as a difference too.
       differences += !(std::abs(query->distance(distances.poses[k], warm) - truth) <= kTolerance * truth);
     }
     std::vector<double> sorted = distances.truth;

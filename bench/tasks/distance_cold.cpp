@@ -1,4 +1,4 @@
-// How far apart they are, each pose by itself.
+// Distance, each pose independently.
 #include "distance.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// How far apart they are, where the nearest triangles at the pose before are a hint.
+// Distance, with the nearest triangles of the previous pose as a hint.
 #include "distance.h"
 
 int main(int argc, char** argv) {

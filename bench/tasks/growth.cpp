@@ -1,5 +1,5 @@
-// How the time of a question grows with the triangles of the blisk, 10,000 to 5 million, and of the belt,
-// 2,000 to 200,000. The rows' `size` is their number.
+// How the time of a query grows with the number of triangles: 10,000 to 5 million of the blisk, 2,000 to
+// 200,000 of the belt. The rows' `size` is that number.
 #include <algorithm>
 
 #include "boolean.h"
@@ -15,8 +15,8 @@ const std::vector<std::string> kBelts = {"belt-2k", "belt-6k", "belt-20k", "belt
 
 bool isBelt(const std::string& scene) { return scene.starts_with("belt"); }
 
-/// The task on scenes of growing size, for contenders of these names. Peers that take gigabytes for the
-/// largest leave them out.
+/// The task on scenes of growing size, for the named contenders. Other libraries skip the largest scenes if
+/// they would need gigabytes.
 TimedTask growing(TimedTask task, const std::vector<std::string>& names, bool with_belts) {
   task.scenes = kBlisks;
   task.quick_scenes = {"10k"};
@@ -43,7 +43,7 @@ TimedTask growing(TimedTask task, const std::vector<std::string>& names, bool wi
 
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
-  // All are pinned to one core, whatever threads they start: taken by the clock, that is their time.
+  // All threads of a contender are pinned to one core, so wall-clock time is their total time.
   return runTimedTasks(argc, argv,
                        {growing(booleanTask("growth-boolean", &Scene::path, true), {kOurs, "fcl"}, true),
                         growing(distanceTask("growth-distance", false), {kOurs, "fcl"}, true),

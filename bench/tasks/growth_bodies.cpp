@@ -1,11 +1,11 @@
-// How the time of a step of a Bullet world grows with the bodies that fall onto the blisk of 50,000
-// triangles, from one to 10,000. The rows' `size` is their number.
+// How the time of a Bullet step grows with the number of bodies, 1 to 10,000, that fall onto the blisk of
+// 50,000 triangles. The rows' `size` is that number.
 #include "world_step.h"
 
 namespace octoblisk::bench {
 namespace {
 
-/// While they fall and come to lie: what takes longest.
+/// Times the steps in which the bodies fall and settle. These take longest.
 Trial prepare(const Scene& scene, const Contender& contender) {
   Trial trial = worldStepTrial(scene, contender, 60);
   trial.counters["size"] = static_cast<double>(scene.bodies);

@@ -1,5 +1,5 @@
-// How far a query is from the least that any could do: the exact test of the triangles that truly meet, and
-// no search for them. That a clear pose, or a free way, is so has to be proved too, which is not counted.
+// Compares each query with a lower bound: the exact test of the triangles that really touch, without a search
+// for them. The bound leaves out the proof that a clear pose or a free segment is clear.
 #include "boolean.h"
 #include "contacts.h"
 #include "distance.h"
@@ -16,11 +16,11 @@ using namespace detail;
 namespace {
 
 constexpr const char* kBound = "lower-bound";
-constexpr std::size_t kBundle = 20;  // poses between two readings of the clock, which takes as long as a test
+constexpr std::size_t kBundle = 20;  // poses between two clock readings; a reading takes as long as a test
 
 const bool kRegistered = registerContender({.name = kBound, .group = "limit"});
 
-/// Our trees, by which the triangles in question are found beforehand.
+/// OctoBlisk's trees, which find the relevant triangles before the timing.
 struct Found {
   explicit Found(const Scene& scene)
       : blisk(ClusteredOctree::build(scene.blisk)), belt(ClusteredOctree::build(scene.belt)) {}
@@ -28,15 +28,15 @@ struct Found {
 };
 
 const Found& foundIn(const Scene& scene) {
-  static const Found found(scene);  // one scene a process
+  static const Found found(scene);  // one scene per process
   return found;
 }
 
-/// The corners of `triangles` of which a question touches each once: what must be read.
+/// The bytes of the corners of `triangles` triangles. A query must read each of them once.
 double bytesOf(std::size_t triangles) { return static_cast<double>(triangles * sizeof(Triangle)); }
 
-/// The task with the bound beside us. `bound` makes its trial, without comparing: its triangles are the
-/// answers.
+/// The task with the bound added to OctoBlisk. `bound` makes the bound's trial. Its answers are not compared,
+/// because its triangles are the answers.
 TimedTask withBound(TimedTask task, const std::function<Trial(const Scene&)>& bound) {
   task.group = "limit";
   task.can_do = [can_do = task.can_do](const Contender& c) { return c.name == kBound || can_do(c); };
@@ -46,7 +46,7 @@ TimedTask withBound(TimedTask task, const std::function<Trial(const Scene&)>& bo
   return task;
 }
 
-/// Tests the pairs of each pose, B's triangle posed as the query poses it.
+/// Tests the pairs of each pose. B's triangle is posed in the same way as in the query.
 Trial pairsTrial(const Scene& scene, bool all) {
   auto pairs = std::make_shared<std::vector<std::vector<TrianglePair>>>();
   std::size_t count = 0, triangles = 0;
@@ -105,9 +105,9 @@ Trial distanceTrial(const Scene& scene) {
           .counters = {{"exact_tests", 1.0}, {"bytes", bytesOf(2)}}};
 }
 
-/// Where the way crosses the plane of the triangle that it hits.
+/// Computes where each segment crosses the plane of the triangle that it hits.
 Trial hitsTrial(const Scene& scene) {
-  constexpr std::size_t kWays = 100;  // a bundle
+  constexpr std::size_t kWays = 100;  // per bundle
   auto hit = std::make_shared<std::vector<std::uint32_t>>();
   std::size_t hits = 0;
   for (const Segment& way : scene.ways) {

@@ -1,4 +1,4 @@
-// What a question takes on average, beside its time.
+// The average cost of a query, besides its time.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::bench {
 
-/// The contender's own counts, over the questions: poses, or ways; empty where it does not tell.
+/// The mean of the contender's own counts over poses or segments. Empty if it reports none.
 template <typename Query, typename Question>
 std::map<std::string, double> meanCost(const Query& query, const std::vector<Question>& questions) {
   std::map<std::string, double> mean;

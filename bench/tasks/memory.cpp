@@ -1,4 +1,4 @@
-// What a library keeps beside the caller's mesh, copies of the mesh included.
+// The memory that a library keeps in addition to the caller's mesh, including copies of the mesh.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 

@@ -1,4 +1,4 @@
-// The detection of the paper beside ours: time, range, and what it calls touching that is not.
+// Compares the paper's detection with OctoBlisk's: time, range and false alarms.
 #include <benchmark/benchmark.h>
 
 #include <memory>

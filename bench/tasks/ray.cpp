@@ -1,4 +1,4 @@
-// What straight ways from anywhere to anywhere meet first.
+// The first triangle that random segments hit.
 #include "ray.h"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// What straight ways from anywhere to anywhere meet first.
+// The first triangle that random segments hit.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,7 @@
 
 namespace octoblisk::bench {
 
-/// By the reference; found at the first call for a scene, and kept.
+/// The reference's first hits, computed at the first call for a scene and cached.
 inline const std::vector<double>& firstHitsOf(const Scene& scene) {
   static std::map<const Scene*, std::vector<double>> known;
   const auto [entry, is_new] = known.try_emplace(&scene);
@@ -29,10 +29,10 @@ inline const std::vector<double>& firstHitsOf(const Scene& scene) {
   return entry->second;
 }
 
-/// Asks `query`, which is one of the contender's, about one way in so many.
+/// Runs `query`, one of the contender's queries, for every `one_in`-th segment.
 template <typename Query>
 Trial rayTrial(const std::shared_ptr<Query>& query, const Scene& scene, std::size_t one_in = 1) {
-  constexpr double kTolerance = 1e-4;  // of the way: single precision on slanting triangles
+  constexpr double kTolerance = 1e-4;  // relative to the segment: single precision on slanted triangles
   constexpr std::size_t kBundle = 100;
   const std::vector<double>& truth = firstHitsOf(scene);
   const std::size_t ways = scene.ways.size() / one_in;

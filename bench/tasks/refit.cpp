@@ -1,4 +1,4 @@
-// Fitting the structure to the blisk bent by up to 0.5 mm, and back again.
+// Refits the structure to the blisk bent by up to 0.5 mm, and back.
 #include <memory>
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// Whether the belt touches the bent blisk, and the blisk, at each pose.
+/// Whether the belt touches the bent and the original blisk at each pose.
 struct Touches {
   std::vector<bool> bent, unbent;
 };

@@ -1,5 +1,5 @@
-// How near belt and blisk come in a Bullet world, at the poses of the path that are clear: contactPairTest
-// with a threshold.
+// The closest points of belt and blisk in a Bullet world at the clear poses of the path: contactPairTest with
+// a threshold.
 #include "distance.h"
 
 namespace octoblisk::bench {

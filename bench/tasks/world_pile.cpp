@@ -1,5 +1,5 @@
-// Moving concave on moving concave: a step of a Bullet world in which 64 tori, gears, brackets and bumpy
-// stones fall onto each other and onto a concave floor.
+// Moving concave bodies on moving concave bodies: a step of a Bullet world in which 64 tori, gears, brackets
+// and bumpy stones fall onto each other and onto a concave floor.
 #include <memory>
 
 #include "timed_task.h"
@@ -9,7 +9,7 @@ namespace {
 
 Trial prepare(const Scene& scene, const Contender& contender) {
   const std::shared_ptr<PileQuery> query = contender.pile(scene);
-  constexpr std::size_t kSteps = 240;  // of 1/60 s: the first half falls, the second half lies
+  constexpr std::size_t kSteps = 240;  // of 1/60 s: the bodies fall in the first half and lie in the second
   query->restart();
   for (std::size_t k = 0; k < kSteps; ++k) query->step();
   return {.questions = kSteps,

@@ -1,5 +1,5 @@
-// Contacts of Bullet's convex primitives with small closed meshes, of the sizes that games have:
-// contactPairTest. Each primitive is a task.
+// Contacts of Bullet's convex primitives with small closed meshes, of sizes common in games: contactPairTest.
+// Each primitive is a task.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TimedTask taskOf(const std::string& name, Primitive primitive) {
                                  const Contender& contender) { return prepare(scene, contender, primitive); },
           .scenes = {"500-triangles", "5000-triangles"},
           .quick_scenes = {"500-triangles"},
-          .visits = 25};  // of some milliseconds each
+          .visits = 25};  // of a few milliseconds each
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// One in fifty of the same ways as rays of a Bullet world: rayTest. GImpact takes a millisecond for each.
+// Every fiftieth of the same segments as a ray of a Bullet world: rayTest. GImpact takes a millisecond for
+// each.
 #include "ray.h"
 
 int main(int argc, char** argv) {

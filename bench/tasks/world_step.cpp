@@ -1,4 +1,4 @@
-// A step of a Bullet world in which 200 convex hulls fall onto the blisk, and one of 1,000.
+// A step of a Bullet world in which 200 or 1,000 convex hulls fall onto the blisk.
 #include "world_step.h"
 
 namespace octoblisk::bench {

@@ -9,7 +9,7 @@
 
 namespace octoblisk::bench {
 
-/// `steps` of them, each a question.
+/// Times `steps` steps. Each step is a query.
 inline Trial worldStepTrial(const Scene& scene, const Contender& contender, std::size_t steps) {
   const std::shared_ptr<WorldStepQuery> query = contender.world_step(scene);
   const std::size_t bodies = scene.bodies;
@@ -19,7 +19,7 @@ inline Trial worldStepTrial(const Scene& scene, const Contender& contender, std:
     query->step();
     contacts += query->contactsOnBlisk();
   }
-  // No two worlds move alike, but in none a body may leave through the floor or into the blisk.
+  // Motion differs between worlds, but in none may a body fall through the floor or enter the blisk.
   const ClusteredOctree tree = ClusteredOctree::build(scene.blisk);
   const Surface blisk(tree);
   std::size_t lost = 0;

@@ -1,4 +1,4 @@
-// Where a ball that is swept through a Bullet world first touches the blisk: convexSweepTest.
+// The first touch of the blisk by a ball swept through a Bullet world: convexSweepTest.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kRadius = 3.0;  // of the ball, mm
 
-/// Ways of the ball's middle, and where by the reference it first touches.
+/// Segments of the ball's centre, and the reference's first touch on each.
 struct Sweeps {
   std::vector<Segment> ways;
   std::vector<double> truth;
   std::size_t hits = 0;
 };
 
-/// Towards points of the surface from up to 60 mm away, some ending before it, some beyond. None begins
-/// within a millimetre of touching.
+/// Makes segments from up to 60 mm away towards points of the surface. Some end before it and some beyond it.
+/// None starts within a millimetre of touching.
 Sweeps makeSweeps(const Scene& scene, std::size_t count) {
   const Reference reference(*scene.blisk);
   std::mt19937_64 random(5);

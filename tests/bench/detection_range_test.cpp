@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadius = 5, kTube = 1;
 
-/// Tori far apart, each in a pose of its own, one a part.
+/// Tori far apart, each in its own pose. Each torus is a part.
 struct Tori {
   explicit Tori(int count) {
     std::mt19937_64 random(92);
@@ -96,7 +96,7 @@ TEST(DetectionRange, boxesHoldTheWholeTrianglesOfTheirClusters) {
 }
 
 TEST(DetectionRange, shrinksWithTheBladesAndTheirClusters) {
-  // Thin twisted blades: the more boxes, the tighter; in frames of their own, tighter still.
+  // More boxes enclose thin twisted blades more tightly, and oriented boxes more tightly still.
   const testing::SharedMesh fan = testing::fan(7, 16);
   std::vector<int> parts;
   for (std::size_t t = 0; t < fan->triangleCount(); ++t)

@@ -1,4 +1,4 @@
-// The dynamics suite: its scenes run, and what it measures is so.
+// The dynamics suite: its scenes run, and its measurements are correct.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace octoblisk::bench {
 namespace {
 
-/// Boxes of half a metre, by a plane where there is one.
+/// Boxes of half a metre, with a plane if the scene has one.
 class Boxes final : public DynamicsScene {
  public:
   explicit Boxes(const std::vector<Vec3>& places, bool has_plane = true)
@@ -64,7 +64,7 @@ TEST(Dynamics, theSameRunTwice) {
   EXPECT_EQ(first->kineticEnergy(), second->kineticEnergy());
 }
 
-/// Of a fall of 1 kg and of 2 kg, in metres and in millimetres: m (g t)² / 2.
+/// Falls of 1 kg and 2 kg, in metres and in millimetres: m (g t)² / 2.
 TEST(Dynamics, energyIsThatOfTheFall) {
   const auto pile = makeTeddyPile(ShapeKind::octoblisk, 5);
   Boxes boxes({{0, 0, 3}});
@@ -85,7 +85,7 @@ TEST(Dynamics, depthIsThatOfTheMeshes) {
   EXPECT_NEAR(Boxes({{0, 0, 0.2}}).depth(), 0.05, 1e-3);                  // in the plane
   EXPECT_NEAR(Boxes({{0, 0, 1}, {0.2, 0.3, 1.42}}).depth(), 0.08, 1e-3);  // a corner in the other
   EXPECT_NEAR(Boxes({{0, 0, 0.22}, {0, 0, 0.62}}).depth(), 0.1, 1e-3);    // the deeper of two
-  EXPECT_NEAR(Boxes({{0, 0, -1}}).depth(), 1.25, 1e-2);                   // wholly below the floor
+  EXPECT_NEAR(Boxes({{0, 0, -1}}).depth(), 1.25, 1e-2);                   // entirely below the floor
 }
 
 TEST(Dynamics, bodiesThatAreLostAreCounted) {

@@ -22,7 +22,7 @@ TEST(PowerLaw, isFoundWherePointsLieOnIt) {
   }
 }
 
-// Of three points with logarithms 0, 1, 2 and 0, 3, 3 the closed form gives a slope of 3/2.
+// For three points with logarithms 0, 1, 2 and 0, 3, 3 the closed form gives a slope of 3/2.
 TEST(PowerLaw, isOfLeastSquaresBetweenLogarithms) {
   const std::vector<double> x = {1.0, std::exp(1.0), std::exp(2.0)}, y = {1.0, std::exp(3.0), std::exp(3.0)};
   const PowerLaw law = fitPowerLaw(x, y);

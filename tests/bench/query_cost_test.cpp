@@ -1,4 +1,4 @@
-// What queries count of their own work.
+// The costs that queries count.
 #include "query_cost.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST_F(QueryCosts, firstPairIsNoMoreWorkThanAllPairs) {
     EXPECT_LE(first.leaf_pairs, all.leaf_pairs);
     EXPECT_LE(first.triangle_tests, all.triangle_tests);
     EXPECT_LE(first.exact_tests, all.exact_tests);
-    EXPECT_LE(pairs.size(), all.triangle_tests * kLanes);  // the least that any method must look at
+    EXPECT_LE(pairs.size(), all.triangle_tests * kLanes);  // any method must look at these
     if (pairs.empty()) {
       EXPECT_EQ(first.box_tests, all.box_tests);
       continue;

@@ -1,4 +1,5 @@
-// The reference that contenders are held to, held to brute force; and we to it, on a scene of the benchmarks.
+// Compares the reference answers with brute force, and OctoBlisk with the reference on a scene of the
+// benchmarks.
 #include "reference.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +110,7 @@ TEST(Scene, ourAnswersAreTheReferences) {
   EXPECT_GT(met, scene.ways.size() / 10);
 }
 
-/// Points on all triangles. Every point of the mesh is within `step` of one.
+/// Points on all triangles. Every point of the mesh is within `step` of one of them.
 std::vector<Vec3> pointsOn(const TriangleMesh& mesh, double step) {
   std::vector<Vec3> points;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {

@@ -80,7 +80,7 @@ TEST(ResultsPage, fitsHowFastThingsGrow) {
   const Growth growth = {"growth-ray", "", "rays", "triangles"};
   const LogLogPlot plot = growthPlot(rows, growth);
   ASSERT_EQ(plot.curves.size(), 1u);
-  EXPECT_EQ(plot.curves[0].x, std::vector<double>({1e4, 1e5, 1e6}));  // sorted, without the belt's
+  EXPECT_EQ(plot.curves[0].x, std::vector<double>({1e4, 1e5, 1e6}));  // sorted, without the rows of belts
   EXPECT_NE(growthTable(plot).find("| octoblisk | 10,000 | 1,000,000 | 1.0 µs | 10 µs | 0.50 |"),
             std::string::npos)
       << growthTable(plot);
@@ -149,7 +149,7 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
-/// Every number of the page's table is that of a row that is kept.
+/// Every number in the page's table comes from a stored row.
 TEST(Results, thePageSaysWhatTheRowsSay) {
   const fs::path source = OCTOBLISK_SOURCE_DIR;
   const Rows rows = readAllRows(source / "bench" / "results");

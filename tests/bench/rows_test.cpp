@@ -46,7 +46,7 @@ TEST_F(RowFiles, areReadAsTheyWereWritten) {
   std::string line;
   int lines = 0;
   while (std::getline(in, line)) ++lines;
-  EXPECT_EQ(lines, 4);  // brackets, and one for each
+  EXPECT_EQ(lines, 4);  // two brackets, and one line for each row
   EXPECT_EQ(readRows(folder_ / "none.json"), Rows());
 }
 
@@ -69,7 +69,7 @@ TEST_F(RowFiles, ofAFolderAreThoseOfItsFilesByName) {
   EXPECT_EQ(readAllRows(folder_), expected);
 }
 
-// Ratios of one run beside means of another would tell nothing.
+// Ratios of one run cannot be compared with means of another.
 TEST_F(RowFiles, ofASceneAreOfOneRun) {
   const Rows before = {row("ray", "50k", "octoblisk", 1), row("ray", "50k", "fcl", 2),
                        row("ray", "300k", "octoblisk", 3), row("build", "50k", "octoblisk", 4)};

@@ -25,7 +25,7 @@ TEST(Session, googlesFileIsJsonThatNamesTheProgram) {
   session.run();
 
   std::ifstream file(folder.path() / "google-50k.json");
-  const nlohmann::json google = nlohmann::json::parse(file);  // throws on bytes that are not UTF-8
+  const nlohmann::json google = nlohmann::json::parse(file);  // throws if the bytes are not UTF-8
   EXPECT_EQ(google.at("context").at("executable"), "some/bench_rest");
   ASSERT_EQ(google.at("benchmarks").size(), 1u);
   EXPECT_EQ(google.at("benchmarks")[0].at("run_name"), "rest/iterations:1");

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bare_debian.sh PACKAGE_FOLDER: on a Debian 12 where nothing else is, as root: the packages bring all that the command
-# and programs of others need. ./dev bare calls it.
+# bare_debian.sh PACKAGE_FOLDER: checks on a bare Debian 12, as root, that the packages bring everything that the
+# command and other programs need. ./dev bare calls it.
 set -eu
 packages=$(realpath "$1")
 here=$(dirname "$(realpath "$0")")
@@ -13,7 +13,7 @@ install "$packages"/octoblisk_*.deb
 
 install "$packages"/liboctoblisk-dev_*.deb g++ pkg-config
 cd "$work"
-# Words of flags are meant to be split.
+# The flags must be split into words.
 # shellcheck disable=SC2046
 g++ -std=c++20 "$here/core_example.cpp" -o core_example $(pkg-config --cflags --libs octoblisk-core)
 ./core_example

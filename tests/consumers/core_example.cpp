@@ -1,4 +1,4 @@
-// A program of someone else that asks the core alone: two tetrahedra, answers known in closed form.
+// An external program that uses only the core: two tetrahedra, with answers known in closed form.
 #include <octoblisk/clustered_octree.h>
 #include <octoblisk/collide.h>
 #include <octoblisk/distance.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# deb.sh BUILD_DIR EXAMPLE_DIR OUT_DIR: Debian packages of a build, unpacked: the command finds its libraries and runs,
-# and programs compile against the rest.
+# deb.sh BUILD_DIR EXAMPLE_DIR OUT_DIR: makes and unpacks the Debian packages of a build. The command finds its
+# libraries and runs, and programs compile against the other packages.
 set -eu
 build_dir=$1 example_dir=$2 out_dir=$3
 here=$(dirname "$0")
@@ -19,12 +19,12 @@ for package in "$out_dir"/*.deb; do
   version=$(zcat "$documents/changelog.Debian.gz" | dpkg-parsechangelog --file - --show-field Version)
   [ "$version" = "$(dpkg-deb --field "$package" Version)" ]
   for packed in "$documents"/*.gz; do
-    [ "$(od -An -tu4 -j4 -N4 "$packed" | tr -d ' ')" = 0 ]  # no time: the same bytes whenever it is made
+    [ "$(od -An -tu4 -j4 -N4 "$packed" | tr -d ' ')" = 0 ]  # no time stamp, so the bytes do not depend on the time
   done
 done
 zcat "$out_dir/root/usr/share/man/man1/octoblisk.1.gz" | grep -q '^\.TH OCTOBLISK 1'
 
-# What the command is linked to is there, and in the packages that it depends on.
+# The command's libraries exist, and come from the packages that it depends on.
 command=$out_dir/root/usr/bin/octoblisk
 if ldd "$command" | grep 'not found'; then exit 1; fi
 dpkg-deb --field "$out_dir"/octoblisk_*.deb Depends | grep -q libembree

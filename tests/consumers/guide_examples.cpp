@@ -1,4 +1,4 @@
-// Runs every example of the guides in docs/, each taken out of its page as it stands.
+// Runs every example of the guides in docs/, extracted unchanged from its page.
 #include <cstdio>
 #include <filesystem>
 
@@ -39,7 +39,7 @@ void runFirstShape() {
   expect(isNear(ball, 0.3, 0.02), "first-shape: the ball lies in its hole");
 }
 
-/// The height over a floor at which a ring of each of the three shapes ends.
+/// Drops a ring of each of the three shapes and compares its final height over the floor.
 void runMigrating() {
   btTriangleMesh mesh, wider;
   addRing(mesh, 16, 1, btScalar(0.2));
@@ -150,7 +150,7 @@ void runSaving() {
 }
 #endif
 
-/// Falls so fast that it is above the floor at one step and below at the next.
+/// Drops a body so fast that it is above the floor at one step and below it at the next.
 bool isHeld(bool clamped) {
   btTriangleMesh mesh, wide;
   addRing(mesh, 16, 1, btScalar(0.2));

@@ -1,5 +1,6 @@
 #!/bin/sh
-# installed.sh PREFIX EXAMPLE_DIR OUT_DIR: builds and runs programs against what is installed, by CMake and pkg-config.
+# installed.sh PREFIX EXAMPLE_DIR OUT_DIR: builds and runs programs against the installed files, with CMake and
+# pkg-config.
 set -eu
 prefix=$1 example_dir=$2 out_dir=$3
 here=$(dirname "$0")

@@ -1,6 +1,6 @@
 #!/bin/sh
-# pkg_config.sh PREFIX EXAMPLE_DIR OUT_DIR [PACKAGE...]: a program for each package, by default all, compiled by nothing
-# but what its installed .pc file says, and run.
+# pkg_config.sh PREFIX EXAMPLE_DIR OUT_DIR [PACKAGE...]: compiles and runs a program for each package, by default all,
+# with only the flags of its installed .pc file.
 set -eu
 prefix=$1 example_dir=$2 out_dir=$3
 shift 3
@@ -15,7 +15,7 @@ for package; do
   [ "$package" != octoblisk-core ] || source=core_example.cpp
   flags=$(pkg-config --cflags --libs "$package")
   echo "$package: $flags"
-  # Flags come quoted for a shell.
+  # The flags are quoted for a shell.
   eval "${CXX:-c++} -std=c++20 -I'$example_dir' '$here/$source' -o '$out_dir/$package' $flags"
   LD_LIBRARY_PATH=${PKG_CONFIG_PATH%/pkgconfig} "$out_dir/$package"
 done

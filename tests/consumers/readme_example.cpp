@@ -1,4 +1,5 @@
-// Runs the README's example: a moving tetrahedron of ours falls on a static one and stays above it.
+// Runs the README's example: a moving tetrahedron with the plugin's shape falls on a static one and stays
+// above it.
 #include "readme_example.h"
 
 #include <cstdio>

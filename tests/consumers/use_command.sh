@@ -1,5 +1,5 @@
 #!/bin/sh
-# use_command.sh COMMAND FOLDER: an octoblisk of a package runs, and finds that an arm meets itself.
+# use_command.sh COMMAND FOLDER: runs a package's octoblisk, which must find that an arm meets itself.
 set -eu
 command=$1
 cd "$2"

@@ -1,4 +1,4 @@
-// Warm queries allocate nothing: every operator new of this program is counted.
+// Warm queries allocate nothing. The test counts every operator new of this program.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -29,7 +29,7 @@ void* operator new(std::size_t size) {
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-// Inlined beside a new that is not, they would be taken for a mismatch (GCC 12).
+// Otherwise GCC 12 inlines them, but not operator new, and reports a mismatch.
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 

@@ -1,4 +1,4 @@
-// Many poses on many threads against one after another.
+// Compares queries of many poses on many threads with one query after another.
 #include "octoblisk/batch.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Batch : ::testing::Test {
     std::mt19937_64 random(95);
     const Pose start{Mat3::Identity(), Vec3(2.5, 0, 0)};
     for (int i = 0; i < 10 * static_cast<int>(kPosesAtOnce) + 17; ++i) {
-      // A path along which several pairs touch at a time, so that which is named depends on what was before.
+      // Several pairs touch at once along this path, so the reported pair depends on the previous poses.
       const Eigen::AngleAxisd turn(0.003 * i, Vec3::UnitZ()), tilt(0.01 * i, Vec3(1, 2, 0).normalized());
       poses.push_back(Pose{turn.toRotationMatrix(), Vec3::Zero()} * start *
                       Pose{tilt.toRotationMatrix(), testing::randomPoint(random, 0.01)});

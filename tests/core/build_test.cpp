@@ -22,7 +22,7 @@ namespace {
 
 using testing::SharedMesh;
 
-/// Large enough for nodes that all threads divide together, and for many subtrees.
+/// Meshes large enough for many subtrees and for nodes that all threads divide together.
 std::vector<SharedMesh> largeMeshes() {
   std::mt19937_64 random(5);
   std::vector<TriangleMesh::Indices> same(10000, {0, 1, 2});

@@ -1,4 +1,4 @@
-// The closest point of a mesh against looking at every triangle.
+// Compares the closest point of a mesh with a brute-force search over every triangle.
 #include "octoblisk/closest_point.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(ClosestPoint, tree_vs_bruteforce) {
         ASSERT_NEAR(found->distance, expected, rounding) << "scene " << s << ", point " << i;
         ASSERT_EQ(found->distance, (found->point - point).norm());
         ASSERT_LE(testing::bruteForceDistance(scene.mesh->triangle(found->triangle), found->point), rounding);
-        // Bounds: at the distance itself it is found, just below it is not.
+        // The point is found with a bound equal to its distance, but not with one just below it.
         ASSERT_TRUE(closestPoint(tree, point, found->distance));
         ASSERT_EQ(closestPoint(tree, point, found->distance)->triangle, found->triangle);
         ASSERT_FALSE(closestPoint(tree, point, std::nextafter(found->distance, 0.0)));

@@ -1,5 +1,5 @@
-// Clusters at a depth against a box and against another tree's: never apart where triangles are near, and
-// near only where boxes of that depth are.
+// Tests clusters at a depth of the tree against a box and against another tree's clusters. They are never
+// apart if triangles are near, and near only if boxes of that depth are.
 #include "contact/clusters_near.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ ClusteredOctree built(const testing::SharedMesh& mesh, Storage storage = Storage
   return ClusteredOctree::build(mesh, {.storage = storage});
 }
 
-/// The widest gap of two boxes along their six face axes, in double precision.
+/// The widest gap between two boxes along their six face axes, in double precision.
 double widestFaceGap(const Obb& a, const Obb& b) {
   double widest = -std::numeric_limits<double>::infinity();
   for (const Mat3* axes : {&a.axes, &b.axes}) {

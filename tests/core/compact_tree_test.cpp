@@ -1,4 +1,4 @@
-// Compact trees give the answers of fast ones, in a quarter of the memory.
+// Compact trees give the same answers as fast trees, in a quarter of the memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 using testing::SharedMesh;
 
-constexpr double kLeanBytes = 24.0;  // a triangle
+constexpr double kLeanBytes = 24.0;  // per triangle
 
 ClusteredOctree compact(const SharedMesh& mesh, PartitionKind partition = PartitionKind::clustering) {
   return ClusteredOctree::build(mesh, {.partition = partition, .storage = Storage::compact});
@@ -174,7 +174,7 @@ struct CompactCase {
   double spread;
 };
 
-/// Every query on two fast trees, two compact ones, and one of each.
+/// Runs every query on two fast trees, two compact trees, and one of each.
 TEST(CompactTree, queries_vs_fastTrees) {
   std::mt19937_64 random(75);
   const std::vector<CompactCase> cases = {
@@ -220,7 +220,7 @@ TEST(CompactTree, queries_vs_fastTrees) {
                   1e-12 * scene.spread);
       if (i % 5 == 0) {
         const Motion motion(pose, Pose{pose.rotation, scene.a->bounds().center()});
-        // The steps depend on the boxes; what is found is held to what it promises.
+        // The steps depend on the boxes, so only the guarantees of the results are checked.
         const double tolerance = 1e-3 * scene.spread;
         const auto swept = sweep(compact_a, compact_b, motion, tolerance);
         const auto same = sweep(fast_a, fast_b, motion, tolerance);
@@ -240,7 +240,7 @@ TEST(CompactTree, queries_vs_fastTrees) {
 
 TEST(CompactTree, raysAndClosestPoints_vs_fastTrees) {
   std::mt19937_64 random(76);
-  const std::vector<std::pair<SharedMesh, double>> cases = {// and so much of a way that half hit
+  const std::vector<std::pair<SharedMesh, double>> cases = {// and the t_max at which half hit
                                                             {testing::torus(3, 1, 32, 16), 0.5},
                                                             {testing::fan(9, 10), 0.7},
                                                             {testing::soup(random, 500, 3, 0.5), 0.7}};

@@ -57,7 +57,7 @@ TEST(ContactPatches, contactsOfAPatchAreApart) {
   ContactPatches reducer;
   const auto patches = reducer.reduce(square(Vec3::Zero(), 0, 7), 3.0);
   ASSERT_EQ(patches.size(), 1u);
-  EXPECT_EQ(patches[0].count, 1);  // all are within 2.83 of the deepest, in the middle
+  EXPECT_EQ(patches[0].count, 1);  // all are within 2.83 of the deepest one in the middle
   EXPECT_EQ(reducer.reduce(square(Vec3::Zero(), 0, 7), 2.5)[0].count, 4);
 }
 
@@ -66,7 +66,7 @@ TEST(ContactPatches, keepsContactsThatAreHardlyWorse) {
   ContactPatches reducer;
   reducer.reduce(contacts, 0.5);
   const std::vector<Contact> before(reducer.last()[0].points().begin(), reducer.last()[0].points().end());
-  // A corner that was not kept moves out a little, and a contact gets as deep as the deepest, nearly.
+  // A corner that was not kept moves slightly outwards, and a contact becomes nearly as deep as the deepest.
   const auto keeps = [&](double out, double depth) {
     std::vector<Contact> moved = contacts;
     for (Contact& contact : moved) {

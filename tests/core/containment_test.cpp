@@ -1,4 +1,4 @@
-// Points and solids in solids, against winding numbers, grids of cells and closed forms.
+// Tests points and solids in solids against winding numbers, grids of cells and closed forms.
 #include "octoblisk/containment.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,7 @@ namespace {
 
 using testing::SharedMesh;
 
-/// A mesh, its tree and its surface, each in its place.
-/// With all coordinates multiples of 2^-16, so that middles of edges and faces are exact.
+/// Rounds all coordinates to multiples of 2^-16, so that midpoints of edges and faces are exact.
 SharedMesh rounded(const TriangleMesh& mesh) {
   std::vector<Vec3> vertices;
   for (const Vec3& v : mesh.vertices()) {
@@ -41,7 +40,7 @@ TEST(Locate, cells_atAllMultiplesOfAHalf) {
       for (int i = -1; i <= 2 * size + 1; ++i) {
         for (int j = -1; j <= 2 * size + 1; ++j) {
           for (int k = -1; k <= 2 * size + 1; ++k) {
-            int full = 0;  // of the eight cells that the point is in or between
+            int full = 0;  // of the eight cells that contain the point or meet at it
             for (int n = 0; n < 8; ++n) {
               const auto cell = [](int twice, int up) { return (twice - (up ? 0 : 1) + 1024) / 2 - 512; };
               full += voxels.at(cell(i, n & 1), cell(j, n & 2), cell(k, n & 4));
@@ -124,7 +123,7 @@ TEST(Locate, linesOfSightThroughVerticesAndEdges) {
                     winding > 0.5 ? PointLocation::inside : PointLocation::outside);
           ++(winding > 0.5 ? inside : outside);
         }
-        // One unit in the last place off the surface is no longer on it, unless the surface runs along x.
+        // A point one unit in the last place off the surface is not on it, unless the surface runs along x.
         const Vec3 next(std::nextafter(exact.x(), 100.0), exact.y(), exact.z());
         const bool on = std::ranges::any_of(mesh->triangles(), [&](const TriangleMesh::Indices& index) {
           return halfLineCrossing(next, {mesh->vertices()[index[0]], mesh->vertices()[index[1]],
@@ -154,7 +153,7 @@ TEST(Locate, insideIsTheParityOfCrossings) {
   const Solid hollow(testing::joined(*testing::boxMesh({3, 3, 3}), *box));
   EXPECT_EQ(locate(hollow.surface, Vec3(2, 0.1, 0.1)), PointLocation::inside);
   EXPECT_EQ(locate(hollow.surface, Vec3(0.5, 0.1, 0.1)), PointLocation::outside);
-  const Solid flat(testing::boxMesh({1, 0, 1}));  // two sheets at one place enclose nothing
+  const Solid flat(testing::boxMesh({1, 0, 1}));  // two coincident sheets enclose nothing
   EXPECT_EQ(locate(flat.surface, Vec3(0, 0, 0)), PointLocation::on_surface);
   EXPECT_EQ(locate(flat.surface, Vec3(-3, 0, 0)), PointLocation::outside);
 }
@@ -179,7 +178,7 @@ TEST(Containment, closedForms) {
   EXPECT_EQ(containment(hollow.surface, small.surface, {}), Containment::apart);
   EXPECT_EQ(containment(small.surface, hollow.surface, {}), Containment::apart);
   EXPECT_EQ(containment(hollow.surface, small.surface, at(6, 0, 0)), Containment::b_inside_a);
-  const Solid ample(testing::boxMesh({5, 5, 5}));  // its middle fills the hollow, its rim is in the solid
+  const Solid ample(testing::boxMesh({5, 5, 5}));  // its middle fills the cavity, its rim is in the solid
   EXPECT_EQ(containment(hollow.surface, ample.surface, {}), Containment::overlapping);
   const Solid two(testing::joined(*small.mesh, *testing::moved(*small.mesh, at(20, 0, 0))));
   EXPECT_EQ(containment(large.surface, two.surface, {}), Containment::overlapping);

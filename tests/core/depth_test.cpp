@@ -1,4 +1,4 @@
-// The depth of gouges against closed forms and dense samples.
+// Compares the depth of gouges with closed forms and dense samples.
 #include "octoblisk/depth.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing::SharedMesh;
 
 Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
 
-/// That the witness is what the answer says: on B, in or on A, and that far from A.
+/// Expects the witness to be on B, in or on A, and at the reported depth in A.
 void expectWitness(const GougeDepth& found, const Solid& a, const Solid& b, const Pose& pose,
                    double rounding) {
   ASSERT_EQ(found.gouging, Gouging::found);
@@ -78,13 +78,13 @@ TEST(Depth, theDeepestPointNeedNotBeAVertex) {
 }
 
 TEST(Depth, bladeTipThroughACoarseTriangle) {
-  // B is one large facet, cut by the corner of A: no vertex of B is near.
+  // B is a large facet that a corner of A cuts. No vertex of B is near.
   const Solid a(testing::boxMesh({1, 1, 1})), b(testing::boxMesh({40, 30, 1}));
   DepthQuery query;
   const Mat3 on_corner = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix();
   for (const double depth : {1e-4, 1e-3, 1e-2}) {
-    // The plane cuts off a pyramid of that height; its base's deepest point is the foot of the apex, where
-    // the three faces are equally far: height / √3.
+    // The plane cuts off a pyramid of that height. The deepest point of its base is the foot of the apex, at
+    // equal distances from the three faces: height / √3.
     const Vec3 corner(1, 1, 1);
     const Pose pose{on_corner, corner * (1.0 - depth / std::sqrt(3.0)) + on_corner * Vec3(7.3, 5.1, 1.0)};
     const GougeDepth found = query.deepest(a.surface, b.surface, pose, 1e-3 * depth);
@@ -106,7 +106,8 @@ TEST(Depth, whatIsNotIn) {
   EXPECT_NEAR(open.depth, 3.0, 1e-6);
 }
 
-/// The deepest of a grid of points on each of B's triangles, and how far any point is from the grid at most.
+/// The deepest point of a grid on each of B's triangles, and the greatest distance of any point from the
+/// grid.
 struct Sample {
   double deepest = -1.0;
   double spacing = 0.0;
@@ -156,7 +157,7 @@ TEST(Depth, randomSolids_vs_denseSamples) {
         ASSERT_LE(found.upper_bound, found.depth + tolerance);
         ASSERT_GE(found.upper_bound, sample.deepest - 1e-12);
         ASSERT_LE(found.depth, std::max(sample.deepest, 0.0) + sample.spacing);
-        // A finer tolerance stays within the bounds of a coarser one.
+        // The result of a finer tolerance lies within the bounds of a coarser one.
         const GougeDepth coarse = query.deepest(a->surface, b->surface, pose, 0.1);
         ASSERT_LE(coarse.depth, found.upper_bound + 1e-12);
         ASSERT_GE(coarse.upper_bound, found.depth - 1e-12);
@@ -169,7 +170,7 @@ TEST(Depth, randomSolids_vs_denseSamples) {
 }
 
 TEST(Depth, cellsOfAGrid) {
-  // Everything at integers and halves: coplanar faces, shared edges, corners on faces.
+  // All coordinates are integers and halves: coplanar faces, shared edges, corners on faces.
   std::mt19937_64 random(92);
   const testing::Voxels cells_a = testing::randomVoxels(random, 4),
                         cells_b = testing::randomVoxels(random, 3);
@@ -194,10 +195,11 @@ TEST(Depth, cellsOfAGrid) {
 }
 
 TEST(Depth, pinInAHoleOfOneMicrometreClearance) {
-  // Surfaces that run side by side, each facet over many triangles of the other: once 18 s a pose.
+  // Surfaces that run side by side, each facet over many triangles of the other. These once took 18 s per
+  // pose.
   constexpr std::uint32_t kFacets = 720;
   const Solid hole(testing::tube(5.001, 10.0, 5.0, kFacets)), pin(testing::tube(2.0, 5.0, 10.0, kFacets));
-  const double clearance = 0.001 * std::cos(std::numbers::pi / kFacets);  // of two facets side by side
+  const double clearance = 0.001 * std::cos(std::numbers::pi / kFacets);  // of two parallel facets
   DepthQuery query;
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
     for (const double depth : {1e-6, 1e-5, 2e-4, 4e-3}) {
@@ -236,7 +238,7 @@ TEST(Depth, ofASurfaceOnItselfIsZero) {
       }
     }
   }
-  // By a segment's turn the ring comes to lie on itself, but for rounding.
+  // A turn by one segment maps the ring onto itself, except for rounding.
   const Solid a(ring);
   const Pose turned{Eigen::AngleAxisd(2.0 * std::numbers::pi / 32, Vec3::UnitZ()).toRotationMatrix(),
                     Vec3::Zero()};
@@ -247,14 +249,15 @@ TEST(Depth, ofASurfaceOnItselfIsZero) {
 }
 
 TEST(Depth, flatTrianglesHideNothing) {
-  // B is a block whose bottom lies on A's top within the tolerance, or a part of it; a peg below goes in.
+  // B is a block whose bottom lies, in whole or in part, on A's top within the tolerance. A peg below it
+  // enters A.
   const Solid a(testing::boxMesh({5, 5, 5}));
   const SharedMesh block = testing::boxMesh({2, 2, 1});
   DepthQuery query;
   constexpr double kTolerance = 1e-3;
   for (const double height : {-0.5e-3, -1e-9, 0.0, 1e-9, 0.5e-3}) {
     for (const double depth : {0.0, 0.4}) {
-      // The peg hangs together with nothing, or goes through the bottom.
+      // The peg is unconnected, or goes through the bottom.
       const SharedMesh peg = testing::moved(*testing::boxMesh({0.5, 0.5, 0.2 + depth}), at(0.3, 0.2, -1.0));
       const Solid b(depth > 0.0 ? testing::joined(*block, *peg) : block);
       const Pose pose = at(0.1, 0.2, 6.0 + height);

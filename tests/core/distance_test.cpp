@@ -1,4 +1,5 @@
-// The distance of two bodies against looking at every pair of triangles, and closed forms.
+// Compares the distance of two bodies with a brute-force search over every triangle pair, and with closed
+// forms.
 #include "octoblisk/distance.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ using namespace detail;
 
 namespace {
 
-/// 0 where two triangles meet, else the least distance of any two.
+/// 0 if any triangle pair meets, otherwise the least distance of all pairs.
 double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
   if (!testing::bruteForcePairs(a, b, b_in_a).empty()) return 0.0;
   double least = std::numeric_limits<double>::infinity();
@@ -27,7 +28,7 @@ double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Po
   return least;
 }
 
-/// Whether the witnesses are on their triangles and as far apart as is said.
+/// Expects the witnesses to be on their triangles, at the reported distance.
 void expectWitness(const Clearance& found, const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                    double size) {
   ASSERT_TRUE(found.found());
@@ -118,7 +119,7 @@ TEST(Distance, ofBodiesOfAnySize_vs_bruteforce) {
   }
 }
 
-/// Two triangles that are nearest where long edges pass each other at a small angle.
+/// Tests triangles that are nearest where long edges pass each other at a small angle.
 TEST(Distance, ofEdgesAllButParallel_vs_bruteforce) {
   std::mt19937_64 random(73);
   for (int i = 0; i < 20000; ++i) {
@@ -167,8 +168,8 @@ TEST(Distance, ofWhatIsBeyondAllMeasureEnds) {
 }
 
 TEST(Distance, ofManyPairsEquallyNear) {
-  // One in the other with the same gap everywhere: more boxes are about as near as the to-do list has room
-  // for.
+  // One mesh lies in the other with the same gap everywhere. More boxes are about equally near than the to-do
+  // list can hold.
   const ClusteredOctree inner = ClusteredOctree::build(testing::torus(1.0, 0.5, 96, 64)),
                         outer = ClusteredOctree::build(testing::torus(1.0, 0.502, 96, 64));
   const Clearance found = distance(inner, outer, Pose{});
@@ -197,7 +198,7 @@ TEST(Distance, toConvexBodies_vs_bruteforce) {
     const Pose pose = testing::randomPose(random, 3.0);
     double expected = bruteForceDistance(*mesh, *box_mesh, pose);
     const Clearance found = distance(tree, box, pose);
-    if (found.distance == 0.0 && expected > 0.0) {  // a triangle wholly inside the box
+    if (found.distance == 0.0 && expected > 0.0) {  // a triangle entirely inside the box
       const Triangle triangle = pose.inverse() * mesh->triangle(found.triangle_a);
       for (const Vec3& corner : triangle) {
         EXPECT_TRUE((corner.cwiseAbs().array() <= Eigen::Array3d(0.5, 0.3, 0.8)).all());

@@ -104,7 +104,7 @@ std::uint64_t hashOfSourceContacts(const GoldenScene& scene, const ClusteredOctr
   return answers.hash();
 }
 
-/// Of all depths, and which share of the answers is yes.
+/// Hashes the answers for all depths, and computes the share of positive answers.
 std::uint64_t hashOfClustersNear(const GoldenScene& scene, const ClusteredOctree& a, const ClusteredOctree& b,
                                  double& share_near) {
   Answers answers;

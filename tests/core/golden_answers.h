@@ -1,4 +1,4 @@
-// The hash of every kind of tree and answer of one scene.
+// The hashes of every kind of tree and answer for one scene.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Golden {
   std::uint64_t hash;
 };
 
-/// Two balls and a soup, which the balls meet in about half of the poses.
+/// Two balls and a triangle soup that the balls meet in about half of the poses.
 struct GoldenScene {
   SharedMesh ball, knob, soup;
   std::vector<Pose> poses;
@@ -22,7 +22,7 @@ struct GoldenScene {
   GoldenScene();
 };
 
-/// Hashes of misses alone would say little: how many of the poses are hits is told too.
+/// The hashes and the number of hits. Hashes of misses alone would prove little.
 struct GoldenAnswers {
   std::vector<Golden> hashes;
   std::size_t hits = 0;     ///< of the balls

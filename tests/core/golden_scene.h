@@ -1,5 +1,5 @@
-// What the golden hashes are of: shapes and poses by additions, products and square roots alone, which every
-// compiler and processor rounds alike, and a hash of whatever the library answers.
+// The scene of the golden hashes. It makes shapes and poses only by additions, products and square roots,
+// which every compiler and processor rounds alike. It also hashes the library's answers.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@
 
 namespace octoblisk::testing {
 
-/// The faces of a cube, each divided into segments², its vertices at 1 from the origin and moved from there
-/// by as much as `bump`: closed, outward.
+/// A cube whose faces are divided into segments² squares. Its vertices lie at `radius` from the origin, moved
+/// by up to `bump`. Closed, outward.
 SharedMesh bumpyBall(std::mt19937_64& random, double radius, double bump, int segments);
 
 /// A uniform rotation, and a translation of the given length.
 Pose poseAt(std::mt19937_64& random, double distance);
 
-/// Collects answers, of which the hash is that of all bits.
+/// Collects answers. The hash covers all of their bits.
 class Answers {
  public:
   void add(double number);

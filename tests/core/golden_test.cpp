@@ -1,6 +1,6 @@
-// The bits of trees and answers, committed as hashes: any compiler, build type, instruction set and number of
-// threads gives these. A change that means to change them writes the new ones here, which the failing test
-// tells, and says so.
+// The bits of trees and answers, committed as hashes. Every compiler, build type, instruction set and number
+// of threads must give these hashes. If a change alters them on purpose, copy the new ones from the failing
+// test and say so in the commit.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -50,7 +50,7 @@ std::string written(const std::vector<Golden>& golden) {
   return text;
 }
 
-/// Eigen fuses products and sums where the compiler is told that the processor can: other last bits.
+/// With FMA enabled in the compiler, Eigen fuses products and sums, which changes the last bits.
 #ifdef __FMA__
 constexpr bool kFused = true;
 #else
@@ -76,7 +76,7 @@ TEST(Golden, isTheSameOnEveryInstructionSet) {
   if (kFused) GTEST_SKIP() << "compiled with -mfma";
   const GoldenScene scene;
   std::vector<std::int64_t> targets = testing::compiledTargets();
-  targets.erase(targets.begin());  // the best is used where nothing else is asked for
+  targets.erase(targets.begin());  // the best one is the default, which other tests use
   for (const std::int64_t target : targets) {
     const OnlyTargets only(target);
     SCOPED_TRACE(::testing::Message() << std::hex << target);

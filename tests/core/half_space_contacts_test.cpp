@@ -22,7 +22,7 @@ TEST(HalfSpaceContacts, corners_vs_bruteforce) {
     int hits = 0;
     constexpr int kPlanes = 200;
     for (int i = 0; i < kPlanes; ++i) {
-      // Some far beyond the mesh, on both sides.
+      // Some planes are far beyond the mesh, on both sides.
       const HalfSpace plane{testing::randomRotation(random).col(0),
                             testing::uniform(random, -1, 1) * tree.mesh().bounds().halfExtents().norm() *
                                 (i % 10 ? 1.8 : 1000.0)};

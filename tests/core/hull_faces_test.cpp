@@ -1,4 +1,4 @@
-// The faces and edges of hulls against every plane through three of the points.
+// Compares the faces and edges of hulls with every plane through three of the points.
 #include "octoblisk/hull_faces.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::randomPoint;
 
-/// The points that lie in a plane, where all others are on one side of it: a face, by its points.
+/// Finds the faces as sets of coplanar points that have all other points on one side.
 std::set<std::set<std::uint32_t>> facesByBruteForce(std::span<const Vec3> points) {
   std::set<std::set<std::uint32_t>> faces;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -52,7 +52,7 @@ std::set<std::set<std::uint32_t>> facesOf(const HullFaces& hull, std::span<const
   return faces;
 }
 
-/// Euler's formula, and each edge in its two faces and at the ends of no other.
+/// Checks Euler's formula, and that each edge lies in its two faces and occurs once.
 void expectWellFormed(const HullFaces& hull, std::span<const Vec3> points) {
   std::set<std::uint32_t> corners;
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -97,7 +97,7 @@ TEST(HullFaces, ofRandomPoints_vs_bruteforce) {
 TEST(HullFaces, ofPointsInOnePlaneAndOnOneLine_vs_bruteforce) {
   std::mt19937_64 random(52);
   std::vector<std::vector<Vec3>> bodies = {prism(3), prism(4), prism(12), prism(32)};
-  bodies.emplace_back();  // a grid: corners, edges' and faces' middles, and the centre
+  bodies.emplace_back();  // a grid: corners, midpoints of edges and faces, and the centre
   for (int k = 0; k < 27; ++k) bodies.back().emplace_back(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (int turn = 0; turn < 5; ++turn) {

@@ -1,4 +1,4 @@
-// The tree and what rays find are the same to the last bit on every instruction set that the machine has.
+// Trees and ray hits are the same to the last bit on every instruction set of the machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is left of a body's contacts with a surface cut into triangles.
+// Tests which contacts of a body with a triangulated surface are kept.
 #include "contact/internal_edges.h"
 
 #include <gtest/gtest.h>
@@ -44,14 +44,14 @@ TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
     ASSERT_NEAR(before, -depth, 1e-9);
     for (const Contact& contact : found) ASSERT_NEAR(contact.normal.z(), -1.0, 1e-6) << "case " << i;
   }
-  EXPECT_GT(askew, kCases / 2);  // else there would be nothing to remove
+  EXPECT_GT(askew, kCases / 2);  // otherwise there is nothing to remove
 }
 
 TEST(InternalEdges, aWallStaysWhereItMeetsTheFloor) {
   const ClusteredOctree room = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
   InternalEdges edges;
   std::vector<Contact> found;
-  // Onto the top, deeper, and beyond the side at the same time.
+  // Onto the top and deeper, and beyond the side at the same time.
   contacts(room, ConvexHull({Vec3(1.0, 0.0, 1.0), Vec3(1.5, 0.0, 1.2), Vec3(1.2, 0.3, 1.5)}, 0.05), Pose(),
            0.02, found);
   ASSERT_FALSE(found.empty());

@@ -20,7 +20,7 @@ std::vector<Vec3> randomPoints(std::uint64_t seed, int count) {
   return points;
 }
 
-/// S(C) of the best of all assignments: every way to put n points into k clusters.
+/// The least S(C) over all assignments of n points to k clusters.
 double leastSquaredError(const std::vector<Vec3>& points, std::size_t k) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> cluster(points.size(), 0);
@@ -99,7 +99,7 @@ TEST(KMeans, theBestOfSeveralStartsCounts) {
     const Clustering best = kMeans(points, {.k = 6, .seed = seed});
     EXPECT_LE(best.squared_error, one.squared_error);
     better += best.squared_error < 0.999 * one.squared_error;
-    // More starts begin as fewer do.
+    // A run with more starts repeats the starts of a run with fewer.
     EXPECT_LE(kMeans(points, {.k = 6, .seed = seed, .starts = 64}).squared_error, best.squared_error);
   }
   EXPECT_GT(better, 5);
@@ -133,7 +133,7 @@ TEST(KMeans, duplicatePointsLeaveClustersEmptyAndEnd) {
 }
 
 TEST(KMeans, anEmptyClusterTakesTheFarthestPoint) {
-  std::vector<Vec3> points(20, Vec3::Zero());  // most seeds draw the origin twice
+  std::vector<Vec3> points(20, Vec3::Zero());  // most random seeds draw the origin twice
   points.push_back({1, 0, 0});
   points.push_back({0, 5, 0});
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

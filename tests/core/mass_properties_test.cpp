@@ -1,4 +1,4 @@
-// Volume, centre of mass and inertia against closed forms.
+// Compares volume, centre of mass and inertia with closed forms.
 #include "octoblisk/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(MassProperties, box) {
 }
 
 TEST(MassProperties, tetrahedron) {
-  // The one of the three axes with edges a, b, c: products of inertia too.
+  // A tetrahedron with edges a, b, c along the axes also has products of inertia.
   const double a = 1.0, b = 2.0, c = 4.0;
   const TriangleMesh mesh({{0, 0, 0}, {a, 0, 0}, {0, b, 0}, {0, 0, c}},
                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
@@ -91,7 +91,7 @@ TEST(MassProperties, movedTurnedScaledAndInsideOut) {
       expectNear(massProperties(turnedInsideOut(*posed)), expected, 1e-12);
     }
   }
-  // Far from the origin the vertices are coarse, but nothing cancels beyond that.
+  // Far from the origin the vertices are coarse, but no further digits cancel.
   const MassProperties far = massProperties(*testing::moved(*mesh, {Mat3::Identity(), Vec3::Constant(1e6)}));
   EXPECT_LT((far.inertia - own.inertia).norm(), 1e-8 * own.inertia.norm());
 }
@@ -142,7 +142,7 @@ TEST(MassProperties, isOrientedClosed_vs_surface) {
       case 1:
         if (triangles.size() > 1) triangles.erase(triangles.begin() + std::ptrdiff_t(victim));
         break;
-      default:  // as it is, and a degenerate triangle
+      default:  // unchanged, plus a degenerate triangle
         triangles.push_back({triangles[victim][0], triangles[victim][0], triangles[victim][1]});
     }
     mesh = std::make_shared<const TriangleMesh>(mesh->vertices(), std::move(triangles));

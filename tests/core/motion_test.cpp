@@ -1,4 +1,4 @@
-// Motions against what they promise of their ends, their centre and every vertex.
+// Tests the guarantees of motions for their ends, their centre and every vertex.
 #include "octoblisk/motion.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Motion, screwOfManyTurns) {
   EXPECT_LT((screw.at(0.1) * Vec3(3, 0, 0) - Vec3(1, 2, 1)).norm(), 1e-13);
 }
 
-/// How far the mesh's vertices are from themselves between two poses, at most.
+/// The greatest distance between a vertex's positions at two poses.
 double farthestVertex(const TriangleMesh& mesh, const Pose& from, const Pose& to) {
   double farthest = 0.0;
   for (const Vec3& vertex : mesh.vertices())
@@ -67,7 +67,7 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
                  turn = testing::randomPoint(random, i % 2 ? 3.0 : 0.0);
       const Motion motion = Motion::about(from, center, turn, way);
       const double bound = motion.lengthBound(tree), start = testing::uniform(random, 0.0, 0.999);
-      // Over a short part the way is as long as it is far.
+      // Over a short part of the motion, path length and distance are equal.
       const Pose here = motion.at(start), next = motion.at(start + 1e-3);
       const double step = farthestVertex(*mesh, here, next);
       ASSERT_LE(step, 1e-3 * bound * (1.0 + 1e-9));
@@ -83,7 +83,7 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
   EXPECT_GT(tight_displacements, cases * 8 / 10);
 }
 
-/// How much the distance of a vertex of A and one of B changes at most.
+/// The greatest change of the distance between a vertex of A and one of B.
 double mostChange(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, const Pose& next) {
   double most = 0.0;
   for (const Vec3& on_a : a.vertices()) {
@@ -101,7 +101,7 @@ TEST(RelativeMotion, noDistanceChangesByMoreThanTheBound) {
   int tight = 0;
   constexpr int kCases = 800;
   for (int i = 0; i < kCases; ++i) {
-    // One still, one that only turns, both turning, both going fast with little between them.
+    // One at rest, one that only turns, both turning, and both moving fast with a small relative motion.
     const Vec3 common = i % 4 == 3 ? testing::randomPoint(random, 500.0) : Vec3(Vec3::Zero());
     const auto screw = [&](bool still, bool turns) {
       const Vec3 turn = testing::randomPoint(random, turns ? 2.0 : 0.0);
@@ -133,7 +133,7 @@ TEST(RelativeMotion, whatTwoBodiesDoTogetherIsNoMotion) {
   for (int i = 0; i < 100; ++i) {
     const Pose pose_a = testing::randomPose(random, 4.0), pose_b = testing::randomPose(random, 4.0);
     const Vec3 turn = testing::randomPoint(random, 3.0), way = testing::randomPoint(random, 100.0);
-    const Vec3 center = testing::randomPoint(random, 4.0);  // of both: they turn as one body
+    const Vec3 center = testing::randomPoint(random, 4.0);  // of both bodies, which turn as one
     EXPECT_LT(relativeLengthBound(body, Motion::about(pose_a, center, turn, way), body,
                                   Motion::about(pose_b, center, turn, way)),
               1e-10);

@@ -12,7 +12,7 @@ using namespace detail;
 
 namespace {
 
-/// Splits counted by plain recursion over copies of the points.
+/// Counts splits by plain recursion over copies of the points.
 std::size_t bruteForceSplits(const std::vector<Vec3>& points, const Vec3& low, const Vec3& high,
                              std::size_t capacity, int depth) {
   if (points.size() <= capacity || depth == 0) return 0;
@@ -35,7 +35,8 @@ std::size_t bruteForceSplits(const std::vector<Vec3>& points, const Vec3& low, c
 TEST(Octree, countsNodesAsBruteForceDoes) {
   std::mt19937_64 random(9);
   for (const std::size_t capacity : {1u, 2u, 5u, 10u}) {
-    std::vector<Vec3> points;  // whole numbers within [0, 64], with the corners: boundaries are met exactly
+    std::vector<Vec3>
+        points;  // integers in [0, 64] that include the corners, so points lie exactly on boundaries
     for (int i = 0; i < 700; ++i) points.push_back((testing::randomPoint(random, 32).array() + 32).floor());
     points.push_back(Vec3::Zero());
     points.push_back(Vec3::Constant(64));

@@ -1,4 +1,4 @@
-// Lets the library use some of Highway's instruction sets alone.
+// Restricts the library to some of Highway's instruction sets.
 #pragma once
 
 #include <hwy/targets.h>
@@ -8,8 +8,8 @@
 
 namespace octoblisk::testing {
 
-/// The instruction sets that the library is compiled for and the machine has, the best first. The last is
-/// what every processor has: in GCC 12 Highway's scalar one, in Clang its emulation of vectors.
+/// The instruction sets that the library is compiled for and the machine supports, best first. The last one
+/// runs on every processor: Highway's scalar target with GCC 12, its emulated vectors with Clang.
 inline std::vector<std::int64_t> compiledTargets() {
   std::vector<std::int64_t> targets;
   for (std::int64_t left = HWY_TARGETS & (hwy::SupportedTargets() | HWY_STATIC_TARGET); left != 0;) {
@@ -19,7 +19,7 @@ inline std::vector<std::int64_t> compiledTargets() {
   return targets;
 }
 
-/// As long as it lives; the one that the program is compiled for is always among them.
+/// Restricts the targets while it exists. The target that the program is compiled for always stays allowed.
 class OnlyTargets {
  public:
   explicit OnlyTargets(std::int64_t targets) {

@@ -1,4 +1,4 @@
-// Loops over threads: every index once, and what is thrown in one reaches the caller.
+// Parallel loops visit every index once. An exception thrown in a thread reaches the caller.
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(ParallelFor, throwsWhatABodyThrew) {
     } catch (const std::runtime_error& error) {
       EXPECT_STREQ(error.what(), "at 17");
     }
-    EXPECT_LT(visits, 100000);  // the rest is not begun
+    EXPECT_LT(visits, 100000);  // the remaining work is not started
   }
 }
 

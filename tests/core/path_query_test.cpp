@@ -1,4 +1,4 @@
-// Queries along a path against the same queries each on its own.
+// Compares queries along a path with the same queries made independently.
 #include "octoblisk/path_query.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace octoblisk {
 namespace {
 
-/// A path of fine steps, each a part of a motion between random poses, with a jump where the next begins.
+/// A path of fine steps along motions between random poses, with a jump between two motions.
 std::vector<Pose> finePath(std::mt19937_64& random, int motions, int steps, double spread) {
   std::vector<Pose> path;
   for (int m = 0; m < motions; ++m) {
@@ -45,7 +45,7 @@ TEST(PathQuery, collide_vs_eachOnItsOwn) {
   }
   EXPECT_GT(hits, path.size() * 3 / 10);
   EXPECT_LT(hits, path.size() * 7 / 10);
-  EXPECT_GT(kept, hits / 2);  // the witness serves
+  EXPECT_GT(kept, hits / 2);  // the witness is often valid
 }
 
 TEST(PathQuery, distance_vs_eachOnItsOwn) {
@@ -124,7 +124,7 @@ TEST(PathQuery, aDistanceWithinAToleranceProvesThatMuchLess) {
     const double found = query.distance(pose, {.tolerance = 0.3}).distance;
     if (exact.distance == 0.0 || found < exact.distance + 0.02) continue;
     ++too_large;
-    // Straight at the nearest point, a little farther than is free, but not as far as was said.
+    // Moves straight towards the nearest point: slightly farther than is free, but less than announced.
     const Vec3 way = (exact.point_on_a - exact.point_on_b) * ((exact.distance + 0.01) / exact.distance);
     const Pose nearer{pose.rotation, pose.translation + way};
     const bool expected = collide(bodies.fan, bodies.ring, nearer).has_value();

@@ -1,4 +1,4 @@
-// A moment of bench/pose_soak: every pair of hard meshes, every kind of tree.
+// A short run of bench/pose_soak: every pair of hard meshes, every kind of tree.
 #include "shared/pose_soak.h"
 
 #include <gtest/gtest.h>

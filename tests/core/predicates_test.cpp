@@ -38,7 +38,7 @@ TEST(Predicates, orient3dEqualsIntegers) {
     const Vec3 a = point(), b = point(), c = point();
     Vec3 d = point();
     if (i % 4 !=
-        0) {  // in the plane of a, b, c up to rounding: the filter must give up, the exact sum decide
+        0) {  // in the plane of a, b, c up to rounding: the filter gives up and the exact sum decides
       const double u = uniform(random, -1, 1), v = uniform(random, -1, 1);
       d = (a + u * (b - a) + v * (c - a)).array().round();
       if (i % 4 == 1) d = 2.0 * b - a;  // on the line through a and b: exactly 0
@@ -75,7 +75,7 @@ TEST(Predicates, orient3dChangesSignWithEverySwap) {
 }
 
 TEST(Predicates, exactAtEveryScale) {
-  // Determinants of integers are as exact when every corner is scaled by a power of two, down to denormals.
+  // Scaling every corner by a power of two, down to denormals, keeps integer determinants exact.
   std::mt19937_64 random(4);
   std::array<int, 3> seen{};
   for (int i = 0; i < 200'000; ++i) {
@@ -90,7 +90,7 @@ TEST(Predicates, exactAtEveryScale) {
     const int flat = sign(static_cast<Int128>((b - a).x()) * static_cast<Int128>((c - a).y()) -
                           static_cast<Int128>((b - a).y()) * static_cast<Int128>((c - a).x()));
     ASSERT_EQ(orient2d(scale * a.head<2>(), scale * b.head<2>(), scale * c.head<2>()), flat);
-    // One axis alone, which moves no point across the plane.
+    // Scaling a single axis moves no point across the plane.
     const Vec3 one_axis(1.0, std::ldexp(1.0, i % 1000 - 1000), 1.0);
     const auto squeezed = [&](const Vec3& p) { return Vec3(p.cwiseProduct(one_axis)); };
     ASSERT_EQ(orient3d(squeezed(a), squeezed(b), squeezed(c), squeezed(d)), expected) << one_axis.y();

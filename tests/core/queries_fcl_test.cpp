@@ -1,4 +1,4 @@
-// Whole-mesh queries, posed at random and all but touching, against exact arithmetic and FCL.
+// Compares whole-mesh queries with exact arithmetic and FCL, at random poses and at poses that barely touch.
 #include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ class Bodies {
 
 struct Tally {
   int poses = 0, hits = 0;
-  int fcl_missed = 0, fcl_made_up = 0;  ///< poses that FCL judges the other way
+  int fcl_missed = 0, fcl_made_up = 0;  ///< poses that FCL judges differently
   int pairs = 0, fcl_pairs_missed = 0, fcl_pairs_made_up = 0;
 };
 
@@ -114,7 +114,7 @@ Pairs missingFrom(const Pairs& pairs, const Pairs& whole) {
   return missing;
 }
 
-/// Compares all answers at one pose; where FCL differs from the library, CGAL has the last word.
+/// Compares all answers at one pose. If FCL differs from the library, CGAL decides.
 void compare(const Bodies& bodies, const Pose& pose, Tally& tally) {
   const Pairs expected = bodies.bruteForce(pose);
   const auto found = bodies.collision(pose);
@@ -157,8 +157,8 @@ TEST(QueriesFcl, randomPoses) {
   }
 }
 
-/// Moves B along a direction from a pose where the bodies meet to where they just do; none where they never
-/// part.
+/// Moves B along a direction from a pose at which the bodies meet to the last pose at which they do. Empty if
+/// they never part.
 std::optional<double> lastTouch(const Bodies& bodies, const Pose& pose, const Vec3& direction, double far) {
   const auto meets = [&](double way) {
     return bodies.collision({pose.rotation, pose.translation + way * direction}).has_value();
@@ -182,7 +182,7 @@ TEST(QueriesFcl, nearlyTouchingPoses) {
       ASSERT_LT(i, 20 * wanted);
       SCOPED_TRACE(std::string(scene.name) + ", pose " + std::to_string(i));
       Pose pose = testing::randomPose(random, scene.spread);
-      if (i % 4 == 0) pose.rotation.setIdentity();  // edges and faces meet edges and faces
+      if (i % 4 == 0) pose.rotation.setIdentity();  // aligned edges and faces
       const Vec3 direction =
           i % 8 == 0 ? Vec3(Vec3::Unit(i / 8 % 3)) : testing::randomPoint(random, 1).normalized();
       const std::optional<double> touch = lastTouch(bodies, pose, direction, 20.0);

@@ -1,4 +1,4 @@
-// Whole-mesh queries against looking at every triangle.
+// Compares whole-mesh queries with a brute-force search over every triangle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,8 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Partitions, Queries,
                            return kind.param == PartitionKind::paper ? "paper" : "clustering";
                          });
 
-/// Triangles whose corners are in a line but for rounding: what single precision makes of their normals
-/// points anywhere.
+/// Triangles whose corners are collinear except for rounding. In single precision their normals point
+/// anywhere.
 SharedMesh slivers(std::mt19937_64& random, int count) {
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
@@ -193,8 +193,8 @@ TEST(Queries, farFromTheOriginNothingIsMissed) {
   EXPECT_LT(hits, 70);
 }
 
-/// A sliver among other triangles, which is long, `thinness` of that wide, and along no axis, and a small
-/// triangle at it.
+/// A sliver among other triangles, with a small triangle at it. The sliver lies along no axis, and its width
+/// is `thinness` times its length.
 struct SliverScene {
   SharedMesh a, b;
 

@@ -1,4 +1,5 @@
-// Rays against looking at every triangle, and the test of one triangle against integers.
+// Compares rays with a brute-force search over every triangle, and the test of one triangle with integer
+// arithmetic.
 #include "octoblisk/raycast.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +101,7 @@ TEST(RayTriangle, crossing_vs_integers) {
 }
 
 TEST(RayTriangle, tIsPreciseWhereTheRayIsAllButInThePlane) {
-  // The plane z = slope · x, of a triangle round the origin, and a ray along x in the height `lift`.
+  // A triangle around the origin in the plane z = slope · x, and a ray along x at the height `lift`.
   const double lift = 0x1p-40;
   for (const double slope : {0x1p-10, 0x1p-30, 0x1p-39}) {
     const Triangle triangle = {Vec3(-4, -4, -4 * slope), Vec3(4, -4, 4 * slope), Vec3(0, 8, 0)};
@@ -130,7 +131,7 @@ void expectEqual(const RayHit& found, const RayHit& expected) {
   EXPECT_EQ(found.back_face, expected.back_face);
 }
 
-/// Rays of all kinds round a mesh, in turn.
+/// Makes rays of all kinds around a mesh, in turn.
 class RayMaker {
  public:
   explicit RayMaker(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -150,7 +151,7 @@ class RayMaker {
         break;  // anywhere
       case 1:
         target = triangle[0];
-        break;  // at a corner; t = 1 is on the verge
+        break;  // at a corner, with t = 1 at the limit
       case 2:
         target = 0.5 * (triangle[0] + triangle[1]);
         break;  // at an edge
@@ -176,7 +177,7 @@ class RayMaker {
         break;  // from afar
     }
     ray.direction = target - ray.origin;
-    if (random_() % 4 == 0) {  // of another length, and without an end
+    if (random_() % 4 == 0) {  // of a different length, and unbounded
       ray.direction *= uniform(random_, 0.01, 100.0);
       ray.t_max = std::numeric_limits<double>::infinity();
     }
@@ -245,7 +246,7 @@ TEST(Raycast, noRaySlipsThroughEdgesOrCorners) {
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     std::mt19937_64 random(74);
     for (int i = 0; i < 3000; ++i) {
-      // From outside through the surface at a corner or edge to a point of the circle inside the tube.
+      // From outside through a corner or edge of the surface to a point of the circle inside the tube.
       const Triangle triangle = mesh->triangle(random() % mesh->triangleCount());
       const double share = i % 2 ? 0.0 : uniform(random, 0.0, 1.0);
       const Vec3 target = triangle[0] + share * (triangle[1] - triangle[0]);
@@ -336,7 +337,7 @@ TEST(Raycast, aVisitorEndsTheSearchWhereItLikes) {
   struct {
     std::vector<double> seen;
     double wanted;
-  } visited{{}, all[1].t};  // the two behind are of no interest
+  } visited{{}, all[1].t};  // the two behind are beyond the limit
   const detail::CrossingVisitor visitor = [](void* context, const detail::RayCrossing& crossing) {
     auto& [seen, wanted] = *static_cast<decltype(visited)*>(context);
     seen.push_back(crossing.t);

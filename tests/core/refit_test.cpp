@@ -1,4 +1,5 @@
-// Trees whose vertices have moved: valid, and their queries are those of looking at every triangle.
+// Trees stay valid after their vertices move, and their queries match a brute-force search over every
+// triangle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ SharedMesh scaled(const TriangleMesh& mesh, double factor) {
 
 struct Deformation {
   const char* name;
-  double spread;  ///< of poses that half of the time touch
+  double spread;  ///< of poses, half of which touch
   double noise;
   std::function<Vec3(const Vec3&)> moved;
 };
@@ -85,7 +86,7 @@ TEST(Refit, isValidForEveryDeformationAndScale) {
   }
 }
 
-/// The least distance of a pair of triangles that is no more than the bound, by looking at all.
+/// The least distance of all triangle pairs, if it is no more than the bound. Brute force.
 double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose, double bound) {
   double least = std::numeric_limits<double>::infinity();
   for (const Contact& contact : testing::bruteForceContacts(a, b, pose, bound))
@@ -127,7 +128,7 @@ TEST(Refit, collideAndDistance_vs_bruteforce) {
   }
 }
 
-/// The first crossing by Cramer's rule, none: infinity. Random rays pass no edge by less than its rounding.
+/// The first crossing by Cramer's rule, or infinity. No random ray passes an edge by less than its rounding.
 double firstCrossing(const TriangleMesh& mesh, const Ray& ray) {
   double first = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
@@ -212,7 +213,7 @@ TEST(Refit, isTheSameForAnyNumberOfThreadsAndInItsOwnMemory) {
     const ClusteredOctree other = ClusteredOctree(tree).refitted(moved, 4);
     EXPECT_NE(treeOf(other).nodes().data(), memory);
     EXPECT_TRUE(sameBits(alone, other));
-    EXPECT_NO_THROW(shared.validate());  // is over the first mesh still
+    EXPECT_NO_THROW(shared.validate());  // still refers to the first mesh
   }
   tree = std::move(tree).refitted(moved, 4);
   EXPECT_EQ(treeOf(tree).nodes().data(), memory);

@@ -1,4 +1,4 @@
-// Whether two trees are the same to the last bit.
+// Compares two trees to the last bit.
 #pragma once
 
 #include <algorithm>

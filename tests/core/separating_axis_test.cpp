@@ -33,7 +33,7 @@ bool segmentMeetsBox(const Obb& box, const Vec3& from, const Vec3& to) {
   return enter <= leave;
 }
 
-/// Two boxes overlap where an edge of one meets the other, or one holds the other's centre.
+/// Two boxes overlap if an edge of one meets the other, or if one contains the other's centre.
 bool overlapByEdges(const Obb& a, const Obb& b) {
   const auto anyEdgeMeets = [](const Obb& box, const Obb& other) {
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,4 +1,4 @@
-// The meshes of the gallery, tests and benchmarks: closed, facing outward, and of the size that they say.
+// The meshes of the gallery, tests and benchmarks: closed, facing outward, and of the stated size.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 
 using shapes::SharedMesh;
 
-/// massProperties turns what faces inward, so the sign is taken here.
+/// Computed here because massProperties turns inward-facing meshes around, which loses the sign.
 double signedVolume(const TriangleMesh& mesh) {
   double six_times = 0.0;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
@@ -24,7 +24,7 @@ double signedVolume(const TriangleMesh& mesh) {
   return six_times / 6.0;
 }
 
-/// One closed surface of that Euler characteristic that faces outward; its volume.
+/// Expects one closed surface of the Euler characteristic that faces outward. Returns its volume.
 double volumeOfSolid(const SharedMesh& mesh, int euler_characteristic) {
   const ClusteredOctree tree = ClusteredOctree::build(mesh);
   const Surface surface(tree);
@@ -48,7 +48,7 @@ TEST(Shapes, trefoilKnot) {
   for (std::size_t i = 0; i < 2000; ++i) length += (vertices[3 * i] - vertices[3 * ((i + 1) % 2000)]).norm();
   const double section = 5.0 * std::sin(0.2 * std::numbers::pi) * 0.065 * 0.065;  // of a decagon
   EXPECT_NEAR(volumeOfSolid(knot, 0) / (length * section), 1.0, 0.01);
-  // No point of the tube is nearer to another part of the curve than to its own.
+  // Every point of the tube is nearest to its own part of the curve.
   for (std::size_t v = 0; v < knot->vertices().size(); ++v) {
     for (std::size_t i = 0; i < 2000; ++i)
       ASSERT_GT((knot->vertices()[v] - vertices[3 * i]).norm(), 0.064) << v;

@@ -1,4 +1,4 @@
-// The signed distance against closed forms, finite differences, and the two queries it joins.
+// Compares the signed distance with closed forms, finite differences, and the two queries that it combines.
 #include "octoblisk/signed_distance.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(SignedDistance, ofBoxes_vs_closedForm) {
 }
 
 TEST(SignedDistance, ofATippedBox_vs_closedForm) {
-  // One corner is nearest, or deepest: the derivative is that of its height.
+  // One corner is nearest or deepest, so the derivative is that of its height.
   const Solid a(testing::boxMesh({50, 50, 5})), b(testing::boxMesh({1, 2, 3}));
   std::mt19937_64 random(110);
   for (int i = 0; i < 60; ++i) {
@@ -61,7 +61,7 @@ TEST(SignedDistance, ofATippedBox_vs_closedForm) {
 }
 
 TEST(SignedDistance, ofBallsAndRings_vs_closedForm) {
-  // Meshes inscribed to round bodies: within what facets are off.
+  // Meshes inscribed in round bodies, within the error of the facets.
   std::mt19937_64 random(111);
   const Solid ball(testing::bumpySphere(random, 1.0, 0.0, 64)), ring(testing::torus(2, 0.8, 128, 64));
   for (const double gap : {2.0, 0.1, 0.01, -0.01, -0.1, -0.4}) {
@@ -84,7 +84,7 @@ TEST(SignedDistance, ofBallsAndRings_vs_closedForm) {
   }
 }
 
-/// The pose after a small displacement and a small turn about the origin of B's frame.
+/// The pose after a small displacement and a small rotation about the origin of B's frame.
 Pose nearby(const Pose& pose, const Eigen::Matrix<double, 6, 1>& by) {
   const Vec3 by_turn = by.tail<3>();
   const double angle = by_turn.norm();
@@ -103,7 +103,7 @@ TEST(SignedDistance, derivative_vs_finiteDifferences) {
       for (int i = 0; i < 50; ++i) {
         const Pose pose = testing::randomPose(random, a == &ring || b == &ring ? 3.0 : 1.9);
         PathQuery query(a->surface, b->surface);
-        // Deeper there are many ties: what is deepest lies on the other's medial axis.
+        // At greater depths ties are common, because the deepest point lies on the other body's medial axis.
         if (query.signedDistance(pose, {.tolerance = 1e-3}).distance < -0.35) continue;
         const SignedDistanceOptions fine_depths{.tolerance = 1e-9};
         const SignedDistance found = query.signedDistance(pose, fine_depths);
@@ -120,7 +120,7 @@ TEST(SignedDistance, derivative_vs_finiteDifferences) {
           const double coarse = difference(by) / 1e-4;
           by[k] = 1e-5;
           const double fine = difference(by) / 1e-5;
-          // A jump of the derivative nearer than the coarse step shows in the two steps' difference.
+          // If the derivative jumps within the coarse step, the results of the two steps differ.
           is_smooth &= std::abs(coarse - fine) < 2e-3;
           agrees &= std::abs(fine - derivative[k]) < 2e-3;
         }

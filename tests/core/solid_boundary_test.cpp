@@ -1,4 +1,4 @@
-// Where a surface with holes, doubled triangles or overlaps bounds a solid, and what is inside it there.
+// Tests where a surface with holes, doubled triangles or overlaps bounds a solid, and what is inside it.
 #include "octoblisk/solid_boundary.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::SharedMesh;
 
-/// Without some triangles.
+/// Returns the mesh without some triangles.
 SharedMesh without(const TriangleMesh& mesh, const auto& is_left_out) {
   std::vector<TriangleMesh::Indices> kept;
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
@@ -26,7 +26,7 @@ SharedMesh without(const TriangleMesh& mesh, const auto& is_left_out) {
 
 Vec3 middleOf(const Triangle& triangle) { return (triangle[0] + triangle[1] + triangle[2]) / 3.0; }
 
-/// A sphere with bumps, and the same with a hole about its top.
+/// A sphere with bumps. `holed` cuts a hole around its top.
 SharedMesh bumpy() {
   std::mt19937_64 random(5);
   return testing::bumpySphere(random, 1.0, 0.3, 14);
@@ -39,7 +39,7 @@ bool sharesCorner(const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(a, [&](const Vec3& corner) { return std::ranges::find(b, corner) != b.end(); });
 }
 
-/// By definition, from every pair of triangles and winding numbers on both sides.
+/// Computes the boundary by its definition, from every triangle pair and from winding numbers on both sides.
 std::vector<bool> boundaryOf(const TriangleMesh& mesh) {
   const std::size_t count = mesh.triangleCount();
   std::vector<bool> bounds(count, true);
@@ -132,10 +132,10 @@ TEST(SolidBoundary, locate_vs_theClosedSurface) {
     inside += expected == PointLocation::inside;
     if (found == PointLocation::unknown) {
       ++unknown;
-      EXPECT_GT(point.z(), 0.3) << "only about the hole";
+      EXPECT_GT(point.z(), 0.3) << "only near the hole";
       continue;
     }
-    // Between the missing surface and a straight lid over the hole either answer does.
+    // Between the missing surface and a flat lid over the hole, either answer is acceptable.
     if (point.z() > 0.75 && std::hypot(point.x(), point.y()) < 0.55) continue;
     ASSERT_EQ(found, expected) << point.transpose();
   }
@@ -169,7 +169,8 @@ TEST(SolidBoundary, depthDoesNotDependOnAHoleElsewhere) {
     apart += expected.gouging == Gouging::none;
     if (expected.gouging == Gouging::none) continue;
     ++touching;
-    // Farther from the surface that is left than from all of it, at most: never less deep.
+    // The distance to the remaining surface is at least that to the whole surface, so the depth is never
+    // less.
     EXPECT_GE(found.upper_bound, expected.depth - 1e-12);
     if (is_far) {
       ASSERT_NEAR(found.depth, expected.depth, kTolerance);
@@ -199,7 +200,7 @@ TEST(SolidBoundary, depthIsNotKnownWhereTheSurfaceIsDoubledOrMeetsItself) {
   int known = 0, unknown = 0;
   std::mt19937_64 random(9);
   for (int i = 0; i < 300; ++i) {
-    // In what both rings fill: parity says outside, which flatters.
+    // In the overlap of the rings: parity says outside, which understates the depth.
     const Vec3 place = Vec3(0.55, 0.0, 0.0) + testing::randomPoint(random, 0.9);
     const bool in_both = locate(Solid(ring).surface, place) == PointLocation::inside &&
                          locate(Solid(beside).surface, place) == PointLocation::inside;

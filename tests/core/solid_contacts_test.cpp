@@ -1,4 +1,4 @@
-// What closed meshes and flat faces add to the contacts of triangles.
+// Tests the contacts that closed meshes and flat faces add to those of triangles.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using namespace detail;
 
 namespace {
 
-/// A point that wanders through a torus, by steps of all lengths.
+/// Follows a point that wanders through a torus in steps of all lengths.
 TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));
   const Surface surface(tree);
@@ -47,8 +47,8 @@ TEST(ThinThickness, ofClosedForms) {
   EXPECT_NEAR(thicknessOf(testing::torus(2, 0.3, 64, 32)), 0.6, 0.02);
 }
 
-/// A box on a square of two triangles, each wider than the other one way: they share a square, whose corners
-/// are none of either's.
+/// A box on a square of two triangles. Each is wider than the other in one direction. The corners of the
+/// shared square belong to neither.
 TEST(FlatContacts, ofABoxThatCrossesASquare) {
   const auto square = std::make_shared<const TriangleMesh>(
       std::vector<Vec3>{{-0.5, -0.4, 0}, {0.5, -0.4, 0}, {0.5, 0.4, 0}, {-0.5, 0.4, 0}},

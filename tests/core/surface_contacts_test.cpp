@@ -1,4 +1,4 @@
-// What is left of the contacts of two surfaces cut into triangles.
+// Tests which contacts of two triangulated surfaces are kept.
 #include "contact/surface_contacts.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using testing::uniform;
 
-/// The contacts of two meshes before and after.
+/// The contacts of two meshes before and after the filter.
 struct Found {
   std::vector<Contact> all, kept;
 
@@ -52,7 +52,7 @@ TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
     ASSERT_EQ(testing::deepest(found.kept), testing::deepest(found.all));
     for (const Contact& contact : found.kept) ASSERT_LT(contact.normal.z(), -0.99) << "case " << i;
   }
-  EXPECT_GT(askew, kCases / 2);  // else there would be nothing to remove
+  EXPECT_GT(askew, kCases / 2);  // otherwise there is nothing to remove
 }
 
 TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
@@ -67,7 +67,7 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
     pose.translation = direction * uniform(random, 1.75, 1.95);
     const Found found(tree, tree, pose, 0.04);
     if (found.all.empty() || testing::deepest(found.all) > 0.0) continue;
-    // A point midway between two surfaces that are past each other is in both solids.
+    // A point midway between two surfaces that have passed each other is in both solids.
     const auto isInside = [&](const Contact& c) {
       const Vec3 middle = 0.5 * (c.point_on_a + c.point_on_b);
       return c.distance > 1e-6 && testing::windingNumber(*mesh, middle) > 0.5;
@@ -81,7 +81,7 @@ TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
   EXPECT_EQ(inside_after, 0);
 }
 
-/// A box on top of another, upright or askew, with its lowest face, edge or corner a little in it.
+/// Puts a box on top of another, upright or tilted, with its lowest face, edge or corner slightly in it.
 void expectShortWays(const testing::SharedMesh& mesh_a, double top, const testing::SharedMesh& mesh_b,
                      double share_left) {
   std::mt19937_64 random(99);
@@ -97,7 +97,7 @@ void expectShortWays(const testing::SharedMesh& mesh_a, double top, const testin
     const double depth = uniform(random, 0.002, 0.05);
     pose.translation.z() = top - lowest - depth;
     const Found found(a, b, pose, 0.0);
-    if (found.all.empty()) continue;  // what is lowest is beside A
+    if (found.all.empty()) continue;  // the lowest feature is beside A
     ++cases;
     had_long_ways += testing::deepest(found.all) < -2.0 * depth;
     has_long_ways += testing::deepest(found.kept) < -2.0 * depth;

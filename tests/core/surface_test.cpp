@@ -1,4 +1,4 @@
-// Whether a mesh is closed, oriented, and in how many parts.
+// Tests whether a mesh is closed and oriented, and its number of parts.
 #include "octoblisk/surface.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Facts factsOf(const SharedMesh& mesh) {
   return {surface.isClosed(), surface.isOriented(), surface.cornerCount(), surface.partCount()};
 }
 
-/// Three vertices of its own for each triangle, as in an STL file; zeros of either sign.
+/// Gives each triangle its own three vertices, like an STL file, with zeros of either sign.
 SharedMesh unwelded(const TriangleMesh& mesh) {
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;

@@ -1,4 +1,4 @@
-// Times of impact against closed forms and against dense sampling.
+// Compares times of impact with closed forms and dense sampling.
 #include "octoblisk/sweep.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using testing::uniform;
 constexpr double kTolerance = 1e-3;
 constexpr double kSlack = SweepOptions{}.slack;
 
-/// That the impact is between the fractions at which the distance falls to (1 + slack) · tolerance and to the
-/// tolerance, the rounding in `error`.
+/// Expects the impact between the fractions at which the distance falls to (1 + slack) · tolerance and to the
+/// tolerance. `error` allows for rounding.
 void expectBetween(const TimeOfImpact& impact, double at_slack, double at_tolerance, double error = 1e-9) {
   EXPECT_TRUE(impact.converged);
   EXPECT_GE(impact.fraction, at_slack - error);
@@ -61,7 +61,7 @@ TEST(Sweep, anythingOntoAFloor_vs_closedForm) {
 }
 
 TEST(Sweep, noSheetIsPassedThrough) {
-  // Two triangles without any thickness, and a small box at a thousand times its size a step.
+  // Two triangles without thickness, and a small box that moves a thousand times its size per step.
   const auto sheet =
       std::make_shared<const TriangleMesh>(std::vector<Vec3>{{0, -2, -2}, {0, 2, -2}, {0, 2, 2}, {0, -2, 2}},
                                            std::vector<TriangleMesh::Indices>{{0, 1, 2}, {0, 2, 3}});
@@ -89,8 +89,8 @@ TEST(Sweep, noSheetIsPassedThrough) {
 }
 
 TEST(Sweep, rodTurnsOntoACorner_vs_closedForm) {
-  // The rod along x turns about z, counter-clockwise, up to the right lower edge of a block: that is at
-  // angle φ and distance ρ, and ρ sin(φ − θ) − thickness over the rod.
+  // The rod along x turns counter-clockwise about z until it meets the lower right edge of a block. The edge
+  // is at angle φ and distance ρ, so it is ρ sin(φ − θ) − thickness above the rod.
   constexpr double kThickness = 0.05, kLength = 10.0;
   const ClusteredOctree rod = ClusteredOctree::build(testing::boxMesh({kLength, kThickness, 1.0}));
   const ClusteredOctree block = ClusteredOctree::build(testing::boxMesh({0.5, 0.5, 0.5}));
@@ -158,7 +158,7 @@ TEST(Sweep, curvedMotions_vs_denseSampling) {
   }
   EXPECT_GT(hits, cases * 3 / 10);
   EXPECT_LT(hits, cases * 7 / 10);
-  EXPECT_GT(met, hits * 8 / 10);  // most impacts are no mere near misses
+  EXPECT_GT(met, hits * 8 / 10);  // most impacts are real hits, not near misses
 }
 
 TEST(Sweep, twoMovingBodies_vs_denseSampling) {
@@ -208,7 +208,7 @@ TEST(Sweep, twoMovingBodies_vs_denseSampling) {
 }
 
 TEST(Sweep, twoMovingBodies_vs_oneOfThem) {
-  // A still body A, or one that goes as B does less its way, gives B's own sweep.
+  // The sweep depends only on the relative motion of A and B.
   const ClusteredOctree fan = ClusteredOctree::build(testing::fan(9, 10));
   const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.4, 0.1, 20, 12));
   std::mt19937_64 random(88);
@@ -254,7 +254,7 @@ TEST(Sweep, aBodyInsideAHollowOneIsFreeUntilItMeetsTheWall) {
 
 TEST(Sweep, usedUpStepsAreTold) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
-  // Slides past at twice the tolerance: free, but in small steps only.
+  // A body that slides past at twice the tolerance is free, but the search advances only in small steps.
   const double height = 2.0 + 2.0 * kTolerance;
   const Motion past(Pose{Mat3::Identity(), Vec3(0, 0, height)}, Pose{Mat3::Identity(), Vec3(1, 0, height)});
   EXPECT_FALSE(sweep(box, box, past, kTolerance, {.max_steps = 1010}));

@@ -1,5 +1,4 @@
-// The to-do list of searches for the nearest: by gap while there is room, and nothing is lost when there is
-// none.
+// The to-do list of nearest searches is sorted by gap while it has room, and loses nothing when it is full.
 #include "query/traversal_queue.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +37,7 @@ TEST(TraversalQueue, givesTheLeastGapFirst) {
 }
 
 TEST(TraversalQueue, losesNothingWhereRoomRunsOut) {
-  // Each entry taken brings three, as in a walk, until there are many more than there is room for.
+  // Like in a traversal, each popped entry adds three, until many more exist than fit.
   const auto queue = std::make_unique<Queue>();
   constexpr int kEntries = 9000;
   std::mt19937_64 random(32);
@@ -74,7 +73,7 @@ TEST(TraversalQueue, dismissesNothingOnceRoomRanOut) {
   const auto queue = std::make_unique<Queue>();
   for (int i = 0; i < 1025; ++i) queue->pushSorted(queue->size(), {i, 1.0f + 0.001f * static_cast<float>(i)});
   const std::size_t first = queue->size();
-  queue->pushSorted(first, {2000, 5.0f});  // below what was popped last
+  queue->pushSorted(first, {2000, 5.0f});  // below the last popped gap
   EXPECT_EQ(queue->pop().name, 2000);
   queue->dismiss();
   EXPECT_EQ(queue->size(), 1025u);

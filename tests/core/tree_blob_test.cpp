@@ -1,4 +1,4 @@
-// Saved trees: the same queries to the last bit, and nothing else is taken for one.
+// Saved trees give the same queries to the last bit. Any other data is refused.
 #include "octoblisk/tree_blob.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ void write(const std::filesystem::path& file, const Blob& blob) {
       .write(reinterpret_cast<const char*>(blob.data()), static_cast<std::streamsize>(blob.size()));
 }
 
-/// What is said about a blob that is refused; "" where it is not.
+/// The message that refuses a blob, or "" if it is accepted.
 std::string refusal(const std::function<void()>& load) {
   try {
     load();
@@ -154,7 +154,7 @@ TEST(TreeBlob, roundTripGivesTheSameTree) {
       expectTheSame(tree, mapped);
       EXPECT_EQ(toBlob(mapped), blob);
 
-      // The mapping stays while any tree is over it, whatever becomes of the file.
+      // The mapping stays valid while any tree uses it, even if the file is replaced or deleted.
       const ClusteredOctree kept = mapped;
       saveTree(ClusteredOctree::build(mesh), file);
       std::filesystem::remove(file);
@@ -354,7 +354,7 @@ TEST(TreeBlob, filesThatCannotBeReadOrWrittenAreNamed) {
             std::string::npos);
   std::filesystem::create_directory(folder / "a_folder");
   EXPECT_NE(said([&] { saveTree(tree, folder / "a_folder"); }).find("a_folder"), std::string::npos);
-  EXPECT_EQ(folder.files(), 1);  // nothing is left of what failed
+  EXPECT_EQ(folder.files(), 1);  // the failed save leaves no file
   write(folder / "empty", {});
   EXPECT_NE(refusal([&] { mapTree(folder / "empty", mesh); }).find("empty is cut off"), std::string::npos);
   Blob cut = toBlob(tree);

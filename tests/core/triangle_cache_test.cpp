@@ -1,4 +1,4 @@
-// What is kept from question to question changes no answer.
+// The cache between queries changes no answer.
 #include "octoblisk/triangle_cache.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ ConvexHull randomHull(std::mt19937_64& random, int points) {
   return ConvexHull(std::move(corners), 0.02);
 }
 
-/// A small step on from a pose: a way and a turn of about this size.
+/// A small step from a pose: a translation and a rotation of about this size.
 Pose steppedFrom(const Pose& pose, std::mt19937_64& random, double size) {
   const Vec3 turn = randomPoint(random, size);
   Pose next = pose;
@@ -42,7 +42,7 @@ void expectEqual(const std::vector<Contact>& found, const std::vector<Contact>& 
   }
 }
 
-/// The contacts found with what is kept, after they are compared with those found without.
+/// Returns the contacts found with the cache, after comparing them with those found without it.
 std::vector<Contact> checkedContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& pose,
                                      double reach, TriangleCache& near) {
   std::vector<Contact> found, expected;

@@ -46,8 +46,7 @@ TEST(TriangleConvex, boxEqualsTheThirteenAxes) {
   EXPECT_LT(hits, kCases * 7 / 10);
 }
 
-/// A triangle as thin as rounding, a segment, a point, or a large one; through the unit cube more often than
-/// not.
+/// A triangle as thin as rounding, a segment, a point, or a large triangle. Most pass through the unit cube.
 Triangle awkwardTriangle(std::mt19937_64& random, int kind) {
   Triangle t = randomTriangle(random, kind == 2 ? 1.0 : 1.5);
   const double width = std::pow(10.0, uniform(random, -18, -5));
@@ -103,7 +102,7 @@ TEST(TriangleConvex, sliversAndSegmentsInBoxesEqualTheThirteenAxes) {
   EXPECT_LT(hits, kCases * 7 / 10);
 }
 
-/// A body without what is known of it but its support: what GJK and EPA are left to find.
+/// Hides everything except the body's support function, so only GJK and EPA apply.
 class SupportAlone final : public Convex {
  public:
   explicit SupportAlone(const Convex& convex) : convex_(convex) {}
@@ -119,8 +118,8 @@ struct Agreement {
   int cases = 0, cores_meet = 0, normals_differ = 0;
 };
 
-/// The contact by axes, or a closed form, against that by search: distances are equal, normals are where the
-/// way out is the only one, the points are on the two bodies and the distance apart.
+/// Compares the contact by axes or closed form with the contact by search. Distances are equal. Normals are
+/// equal if the shortest way out is unique. The points are on the two bodies, at that distance.
 void expectAsSearched(const Triangle& triangle, const Convex& convex, double size, Agreement& seen) {
   const auto found = contactOf(triangle, convex, 1e4),
              searched = contactOf(triangle, SupportAlone(convex), 1e4);
@@ -134,7 +133,7 @@ void expectAsSearched(const Triangle& triangle, const Convex& convex, double siz
   const Vec3 on_core = found->point_on_b - convex.radius() * found->normal;
   const auto at_point = contactOf({on_core, on_core, on_core}, SupportAlone(convex), 1e4);
   ASSERT_LE(at_point->distance, 1e-8 * size - convex.radius()) << "case " << seen.cases;
-  // It parts the two, or tells them apart, by itself.
+  // This contact alone separates the two, or proves them apart.
   const double low = std::min(
       {found->normal.dot(triangle[0]), found->normal.dot(triangle[1]), found->normal.dot(triangle[2])});
   const double high = found->normal.dot(convex.support(found->normal)) + convex.radius();
@@ -152,7 +151,7 @@ TEST(TriangleConvex, hullsByTheirFacesEqualSearches) {
     for (int p = 0; p < 4 + i % 29; ++p) points.push_back(randomPoint(random, 1).normalized());
     const ConvexHull hull(points, i % 3 ? 0.0 : 0.1);
     ASSERT_FALSE(hull.faces().empty());
-    const double size = std::pow(10.0, uniform(random, -2, 2));  // of the triangle: small and large ones
+    const double size = std::pow(10.0, uniform(random, -2, 2));  // of the triangle: small and large
     Triangle triangle = randomTriangle(random, size);
     const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0, to = randomPoint(random, 1.1);
     for (Vec3& corner : triangle) corner += to - middle;
@@ -161,7 +160,7 @@ TEST(TriangleConvex, hullsByTheirFacesEqualSearches) {
   }
   EXPECT_GT(seen.cores_meet, seen.cases * 3 / 10);
   EXPECT_LT(seen.cores_meet, seen.cases * 7 / 10);
-  EXPECT_LT(seen.normals_differ, seen.cases / 1000);  // two ways out as long
+  EXPECT_LT(seen.normals_differ, seen.cases / 1000);  // two equally short directions out
 }
 
 /// A narrow triangle that still has a normal, a large one, or one along the axes.
@@ -201,7 +200,7 @@ TEST(TriangleConvex, spheresAndCapsulesEqualSearches) {
     const Triangle triangle =
         i % 4 == 0 ? awkwardTriangleWithNormal(random, i / 4 % 3) : randomTriangle(random, 1.2);
     const double longest = std::max((triangle[1] - triangle[0]).norm(), (triangle[2] - triangle[0]).norm());
-    if (scaledNormal(triangle).norm() < 1e-5 * longest * longest) continue;  // has no normal to speak of
+    if (scaledNormal(triangle).norm() < 1e-5 * longest * longest) continue;  // has no reliable normal
     Vec3 from = randomPoint(random, 1), to = randomPoint(random, 1);
     const Vec3 inside = triangle[0] + 0.4 * (triangle[1] - triangle[0]) + 0.3 * (triangle[2] - triangle[0]);
     if (i % 2 == 0) to = inside + uniform(random, 0, 1) * (inside - from);  // through it
@@ -220,7 +219,7 @@ TEST(TriangleConvex, spheresAndCapsulesEqualSearches) {
 }
 
 TEST(TriangleConvex, flatOnEachOtherTheyTouchInTheMiddle) {
-  // A box on a floor, over the floor's end by half: what they share is 1 x 2.
+  // Half of the box extends beyond the floor's edge. The shared area is 1 x 2.
   const Triangle floor = {Vec3(0, -100, 0), Vec3(0, 100, 0), Vec3(-100, 0, 0)};
   for (const double height : {0.0, 0.01, -0.01}) {
     const ConvexBox box({Vec3(0, 0, 1 + height), Mat3::Identity(), Vec3::Ones()});
@@ -233,8 +232,8 @@ TEST(TriangleConvex, flatOnEachOtherTheyTouchInTheMiddle) {
 }
 
 TEST(TriangleConvex, depthFromAFlatSimplex) {
-  // A simplex that GJK may end with where rounding makes it flat: corners of one face, one edge or one corner
-  // of the difference.
+  // A flat simplex that GJK may end with after rounding: corners of one face, one edge or one corner of the
+  // difference.
   const ConvexBox box({Vec3::Zero(), Mat3::Identity(), Vec3(1, 1, 0.5)});
   const Triangle triangle = {Vec3(-4, -4, 0.25), Vec3(4, -4, 0.25), Vec3(0, 4, 0.25)};
   const double thin = 1e-13;
@@ -292,7 +291,7 @@ TEST(TriangleConvex, depthPartsAndNoLessDoes) {
                before = contactOf(moved(1.0 - 1e-4), hull, kFar);
     ASSERT_GT(after->distance, 0.0) << "case " << i;
     ASSERT_LT(before->distance, 0.0) << "case " << i;
-    for (int d = 0; d < 20; ++d) {  // no shorter way out in other directions
+    for (int d = 0; d < 20; ++d) {  // no other direction gives a shorter way out
       const Vec3 direction = randomPoint(random, 1).normalized();
       const Pose shift{Mat3::Identity(), -contact->distance * 0.99 * direction};
       ASSERT_LE(contactOf(shift * triangle, hull, kFar)->distance, 1e-9) << "case " << i;
@@ -319,7 +318,7 @@ TEST(TriangleConvex, nothingBeyondTheThreshold) {
 }
 
 TEST(TriangleConvex, aLargeTriangleDoesNotWidenTheTolerance) {
-  // A core known to single precision over a floor a thousand times its size.
+  // A core in single precision over a floor a thousand times its size.
   class Rough final : public Convex {
    public:
     explicit Rough(const Obb& box) : box_(box) {}

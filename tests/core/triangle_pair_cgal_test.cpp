@@ -1,4 +1,4 @@
-// Two triangles, against CGAL's exact kernels.
+// Compares tests of two triangles with CGAL's exact kernels.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/squared_distance_3.h>
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(TrianglePairCgal, intersects_vs_exactKernel) {
   EXPECT_LE(all, kCases * 7 / 10);
 }
 
-/// The squared distance; none for the pairs of shapes that CGAL has no distance for.
+/// The squared distance. Empty for pairs of shapes for which CGAL has no distance.
 std::optional<double> squaredDistance(const Triangle& a, const Triangle& b) {
   return std::visit(
       [](const auto& in_a, const auto& in_b) -> std::optional<double> {
@@ -93,7 +93,7 @@ TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
     ++compared;
     const Contact contact = closestPoints(a, b);
     const double expected = std::sqrt(*squared);
-    // Relative to the triangles' size, about 1; down there, coordinates themselves are rounded.
+    // Relative to the triangles' size of about 1. At this scale the coordinates themselves are rounded.
     ASSERT_NEAR(contact.distance, expected, 1e-13 + 1e-14 * expected)
         << testing::nameOf(kind) << ", case " << i << '\n'
         << describe(a, b);
@@ -103,7 +103,7 @@ TEST(TrianglePairCgal, closestPoints_vs_exactKernel) {
   }
 }
 
-/// Two triangles with an edge each that pass each other 1e-9 to 1e-3 apart, crossed or all but parallel.
+/// Two triangles with edges that pass each other 1e-9 to 1e-3 apart, crossed or nearly parallel.
 std::array<Triangle, 2> closeEdges(std::mt19937_64& random, bool parallel) {
   const auto uniform = [&](double low, double high) { return testing::uniform(random, low, high); };
   const double apart = std::pow(10.0, uniform(-9.0, -3.0));
@@ -129,7 +129,7 @@ TEST(TrianglePairCgal, closestPointsOfCloseEdgesFarFromTheOrigin_vs_exactKernel)
       for (Vec3& corner : t) corner = rotation * corner + offset;
     }
     const auto& [a, b] = pair;
-    if (intersects(a, b)) continue;  // rounded far away
+    if (intersects(a, b)) continue;  // moved by rounding far from the origin
     const std::optional<double> squared = squaredDistance(a, b);
     ASSERT_TRUE(squared);
     ++compared;
@@ -164,8 +164,8 @@ bool inPrism(const Vector& point, const Corners& t, const Vector& normal) {
   return true;
 }
 
-/// How deep `other` reaches below a proper `face` within the prism over it. The deepest point is a corner of
-/// other, or where an edge of one meets a side of the other's prism.
+/// The depth of `other` below a proper `face`, within the prism over it. The deepest point is a corner of
+/// `other`, or a point where an edge of one meets a side of the other's prism.
 double exactDepth(const Corners& face, const Corners& other) {
   const Vector normal = normalOf(face), other_normal = normalOf(other);
   Exact::FT deepest = 0;  // they meet
@@ -191,7 +191,7 @@ double exactDepth(const Corners& face, const Corners& other) {
          std::sqrt(CGAL::to_double(CGAL::exact(normal.squared_length())));
 }
 
-/// Twice the area by the square of the longest edge: how far from thin a face is.
+/// Twice the area divided by the square of the longest edge; small for thin faces.
 double fatness(const Triangle& t) {
   const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
   return std::sqrt(CGAL::to_double(CGAL::exact(normalOf(cornersOf(t)).squared_length()))) /
@@ -199,7 +199,7 @@ double fatness(const Triangle& t) {
 }
 
 TEST(TrianglePairCgal, depthOfContact_vs_exactKernel) {
-  constexpr double kThin = 1e-12;  // contactOf has no depth over thinner faces
+  constexpr double kThin = 1e-12;  // contactOf gives no depth over thinner faces
   std::mt19937_64 random(103);
   int compared = 0, deep = 0;
   for (int i = 0; compared < 10'000 / kScale; ++i) {
@@ -209,7 +209,7 @@ TEST(TrianglePairCgal, depthOfContact_vs_exactKernel) {
     const auto undecided = [](double fat) { return fat > 0.9 * kThin && fat < 1.1 * kThin; };
     if (undecided(fat_a) || undecided(fat_b)) continue;
     ++compared;
-    // A face a little smaller and a little larger bracket what rounding may do at its rim.
+    // A slightly smaller and a slightly larger face bracket the effect of rounding at the rim.
     double least = std::numeric_limits<double>::infinity(), most = least;
     const Corners in_a = cornersOf(a), in_b = cornersOf(b);
     for (const auto& [face, other, fat] : {std::tie(in_a, in_b, fat_a), std::tie(in_b, in_a, fat_b)}) {

@@ -27,7 +27,8 @@ TEST(TrianglePair, verdictEqualsIntegersOnDegenerateNeighbours) {
   int hits = 0;
   constexpr int kCases = 200'000;
   for (int i = 0; i < kCases; ++i) {
-    // Few distinct coordinates: shared vertices, coplanar pairs, crossing edges, segments and points abound.
+    // Few distinct coordinates give many shared vertices, coplanar pairs, crossing edges, segments and
+    // points.
     const double size = i % 3 == 0 ? 1.6 : i % 3 == 1 ? 4.0 : 500.0;
     Triangle a = integerTriangle(random, size), b = integerTriangle(random, size);
     if (i % 5 == 0) {
@@ -98,7 +99,7 @@ TEST(TrianglePair, depthIsTheLeastTranslationAlongAFaceThatParts) {
     };
     ASSERT_FALSE(intersects(moved(1.0 + 1e-6), b)) << "case " << i;
     ASSERT_TRUE(intersects(moved(1.0 - 1e-6), b)) << "case " << i;
-    // No shorter translation along the other face's normal parts them.
+    // No shorter translation along the other face's normal separates them.
     const Vec3 other = contact.normal.isApprox(normal_b, 1e-9) ? Vec3(-normal_a) : normal_b;
     const Pose along_other{Mat3::Identity(), -contact.distance * (1.0 - 1e-6) * other};
     ASSERT_TRUE(intersects(along_other * a, b)) << "case " << i;
@@ -116,7 +117,7 @@ TEST(TrianglePair, degenerateTrianglesThatMeetTouch) {
 }
 
 TEST(TrianglePair, needlesThatMeetShareAPoint) {
-  constexpr double kWidth = 0x1.d3d343d3d3d3ep-44;  // of some 10 in length
+  constexpr double kWidth = 0x1.d3d343d3d3d3ep-44;  // of a length of about 10
   const Triangle a = {Vec3(10, kWidth, kWidth), Vec3(0, kWidth, 0), Vec3(kWidth, 5e-324, 1e-323)};
   const Triangle b = {Vec3(1e-323, kWidth, kWidth), Vec3(10, 1.5e-323, 5e-324),
                       Vec3(kWidth, 2e-323, 0x1.d3d343d3d3d3fp-44)};

@@ -1,4 +1,4 @@
-// The triangles that a moving box meets, against looking at every triangle at many times.
+// Compares the triangles that a moving box meets with a test of every triangle at many times.
 #include "contact/triangles_along.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ std::map<std::uint32_t, double> visited(const ClusteredOctree& tree, const Movin
   return found;
 }
 
-/// A box of up to the given half extents that moves past some vertex of the mesh, missing it by up to
-/// `miss`; it may end short of it.
+/// A box of up to the given half extents that moves past a vertex of the mesh and misses it by up to `miss`.
+/// The box may stop before the vertex.
 MovingBox randomBox(std::mt19937_64& random, const TriangleMesh& mesh, double extent, double miss) {
   MovingBox box;
   box.start = {testing::randomPoint(random, 4.0), testing::randomRotation(random),
@@ -44,7 +44,7 @@ MovingBox randomBox(std::mt19937_64& random, const TriangleMesh& mesh, double ex
   return box;
 }
 
-/// The fraction at which a box is first seen to overlap a triangle, of so many steps; above 1: never.
+/// The first fraction, in steps, at which a box overlaps a triangle; above 1 if it never does.
 double firstSeen(const MovingBox& box, const Triangle& triangle, int steps) {
   for (int step = 0; step <= steps; ++step) {
     const double fraction = double(step) / steps;
@@ -84,7 +84,7 @@ TEST(TrianglesAlong, movingBoxes_vs_bruteforce) {
       given += found.size();
       hits += first_of_all <= 1.0;
       for (const auto& [triangle, first] : visited(tree, box, 0.3)) EXPECT_LE(first, 0.3);
-      // What is no longer of interest is left out, what is not comes all the same.
+      // Lowering the limit leaves out triangles beyond it, but not the first one.
       double nearest = 2.0;
       forEachTriangleAlong(tree, box, 1.0, [&](std::uint32_t triangle, double) {
         nearest = std::min(nearest, firstSeen(box, mesh->triangle(triangle), 24));
@@ -94,7 +94,7 @@ TEST(TrianglesAlong, movingBoxes_vs_bruteforce) {
     }
     EXPECT_GT(hits, kBoxes * 3 / 10);
     EXPECT_LT(hits, kBoxes * 7 / 10);
-    EXPECT_LT(given, 3 * seen);  // few are passed by: most of those are met between two of the steps
+    EXPECT_LT(given, 3 * seen);  // few extra triangles; the box meets most of them between two steps
   }
 }
 
@@ -148,7 +148,7 @@ TEST(TrianglesAlong, standstillAndBadNumbers) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(2, 0.7, 24, 12));
   MovingBox box;
   box.start = {Vec3(2, 0, 0.7), Mat3::Identity(), Vec3::Constant(0.2)};
-  EXPECT_FALSE(visited(tree, box).empty());  // it need not move
+  EXPECT_FALSE(visited(tree, box).empty());  // a box at rest is allowed
   box.start.center.z() = 2.0;
   EXPECT_TRUE(visited(tree, box).empty());
   box.start.center.z() = 0.7;

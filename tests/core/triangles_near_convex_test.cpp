@@ -1,4 +1,4 @@
-// The triangles that a search hands over for a convex body: all that are near, few that are not.
+// The search for triangles near a convex body returns all near triangles and few others.
 #include "octoblisk/triangles_near_convex.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ ConvexHull randomHull(std::mt19937_64& random, int points, double size, double r
   return ConvexHull(std::move(corners), radius);
 }
 
-/// Without its corners, which searches then do without.
+/// Hides the corners, so searches cannot use them.
 class Cornerless final : public Convex {
  public:
   explicit Cornerless(const Convex& convex) : convex_(convex) {}

@@ -1,4 +1,4 @@
-// Sine, cosine and angle beside those of the C library in extended precision.
+// Compares sine, cosine and angle with the C library in extended precision.
 #include "base/turn.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Turn, sineAndCosineAreThoseOfTheCLibrary) {
       }
     }
   }
-  // Of a great angle, as far as a double tells it.
+  // For a large angle, within the resolution of a double.
   EXPECT_NEAR(sineCosine(1e9).sine, static_cast<double>(sinl(1e9L)), 1e-7);
 }
 

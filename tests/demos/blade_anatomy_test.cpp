@@ -190,7 +190,7 @@ TEST(BladeAnatomy, mirroredBladesAreConvexOnTheOtherSide) {
   };
   EXPECT_NE(convexOf(blisk.mesh), convexOf(mirrored));
   const TriangleMesh inward(vertices, blisk.mesh.triangles());
-  EXPECT_EQ(convexOf(inward), convexOf(mirrored)) << "whichever way the triangles face";
+  EXPECT_EQ(convexOf(inward), convexOf(mirrored)) << "whatever side the triangles face";
 }
 
 TEST(BladeAnatomy, straightBladesHaveNoConvexSide) {
@@ -238,7 +238,7 @@ TEST(BladeAnatomy, heightsRiseFromTheHubToTheTip) {
     }
     EXPECT_GT(sum / static_cast<double>(contour.forward.size()), before);
     before = sum / static_cast<double>(contour.forward.size());
-    EXPECT_LT(greatest - least, 8.0) << "lines of equal height keep about their radius";
+    EXPECT_LT(greatest - least, 8.0) << "lines of equal height keep their radius approximately";
     EXPECT_EQ(contour.forward.front().position, contour.backward.front().position);
     EXPECT_EQ(contour.forward.back().position, contour.backward.back().position);
   }

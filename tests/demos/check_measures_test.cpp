@@ -164,7 +164,7 @@ TEST_F(CheckCommand, freeWaysAreCleanAndThoseThatAreNotAreNoCleanRun) {
   EXPECT_THAT(contentOf(folder_.path() / "out.csv"), HasSubstr("\n0,0,,,\n1,0,,,1\n"));
   folder_.write("through.csv", kPoseHeader + "2.5,0,0,1,0,0,0\n-2.5,0,0,1,0,0,0\n");
   const Outcome through = run(arguments + "through.csv");
-  EXPECT_EQ(through.exit_code, 1) << "both poses are clear, the way is not";
+  EXPECT_EQ(through.exit_code, 1) << "both poses are clear, the motion is not";
   EXPECT_THAT(through.out, StartsWith("2 poses: 0 colliding, 2 clear; "));
 }
 

@@ -108,7 +108,7 @@ TEST_F(CheckRanks, aLostRankIsMadeGoodByResuming) {
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     EXPECT_NE(status, 0);
-    ASSERT_FALSE(exists(name)) << "it was lost too late for this test";
+    ASSERT_FALSE(exists(name)) << "the rank was lost too late for this test";
     const std::string left = content(name + ".partial");
     EXPECT_THAT(left, HasSubstr("# checksum"));
 

@@ -66,7 +66,7 @@ TEST_F(CheckParts, partsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
     EXPECT_FALSE(exists("merged.csv"));
   }
   EXPECT_LE(run("merge second first --out merged.csv").exit_code, 1)
-      << "threads, and a tolerance of nothing asked for, do not count";
+      << "threads and an unused tolerance must not matter";
 }
 
 TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {

@@ -75,7 +75,7 @@ TEST_F(CheckRefusal, ofAResultThatCannotBeWrittenNamesIt) {
   if (std::filesystem::exists("/dev/full")) expectOutRefused("/dev/full");
   const std::string poses = contentOf(folder_.path() / "poses.csv");
   expectOutRefused("./poses.csv");
-  EXPECT_EQ(contentOf(folder_.path() / "poses.csv"), poses) << "input is never written over";
+  EXPECT_EQ(contentOf(folder_.path() / "poses.csv"), poses) << "input must not be overwritten";
 }
 
 TEST_F(CheckRefusal, leavesTheResultOfAnEarlierRunAsItWas) {

@@ -82,7 +82,7 @@ TEST(Fixture, isJudgedLikeTheRest_vs_collideOfEachPart) {
     EXPECT_EQ(pose.clearance->clearance.distance, std::min(least, other.clearance->clearance.distance)) << p;
     ASSERT_EQ(pose.depths.size(), other.depths.size());
     for (std::size_t d = 0; d < pose.depths.size(); ++d) {
-      EXPECT_EQ(pose.depths[d].depth, other.depths[d].depth) << "depths are of the blisk alone";
+      EXPECT_EQ(pose.depths[d].depth, other.depths[d].depth) << "depths are measured only in the blisk";
     }
   }
   EXPECT_GE(touched, run.poses.size() / 5);

@@ -48,7 +48,7 @@ TEST_F(GrindCommand, aHoleElsewhereChangesNoDepthAndIsToldOf) {
   EXPECT_THAT(outcome.error, HasSubstr("are unknown, which counts as interference"));
   const auto table = readTable(file("run/poses.csv"));
   EXPECT_NEAR(std::stod(table.at(0).at("depth_mm")), 0.05, 1e-3);
-  EXPECT_EQ(table.at(0).at("verdict"), "interference") << "no blades: every touch is";
+  EXPECT_EQ(table.at(0).at("verdict"), "interference") << "without blades, every touch is interference";
 }
 
 TEST_F(GrindCommand, onAClosedBliskTheBuiltInPathLeavesByTheChannelsEnd) {
@@ -122,7 +122,7 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
   EXPECT_LT(interfering, alike * 7 / 10);
   EXPECT_GT(sides, 50u);
   EXPECT_THAT(run("--blisk moved.stl --axis 1,2 --out bad").error, HasSubstr("--axis"));
-  EXPECT_EQ(run("--blisk moved.stl --no-pictures --out made").error, "") << "a path of its own, too";
+  EXPECT_EQ(run("--blisk moved.stl --no-pictures --out made").error, "") << "its own path must work too";
 }
 
 TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {

@@ -32,7 +32,7 @@ TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
   for (const auto& row : table) {
     EXPECT_EQ(row.at("verdict"), "clear");
     EXPECT_GT(std::stod(row.at("clearance_mm")), 10.0);
-    EXPECT_EQ(std::stod(row.at("depth_mm")), -std::stod(row.at("clearance_mm"))) << "where it is nearest";
+    EXPECT_EQ(std::stod(row.at("depth_mm")), -std::stod(row.at("clearance_mm"))) << "at the nearest point";
     const Vec3 normal(std::stod(row.at("normal_x")), std::stod(row.at("normal_y")),
                       std::stod(row.at("normal_z")));
     EXPECT_NEAR(normal.norm(), 1.0, 1e-6);
@@ -65,7 +65,7 @@ TEST_F(GrindCommand, beltSpeedAndForcesAreInTheTables) {
                       std::stod(row.at("normal_z")));
     const Pose& pose = path[std::stoul(row.at("pose"))];
     EXPECT_NEAR(velocity.norm(), 25.0, 1e-6);
-    EXPECT_NEAR(velocity.dot(pose.rotation.col(2)), 0.0, 1e-6) << "square to the wheels' axis";
+    EXPECT_NEAR(velocity.dot(pose.rotation.col(2)), 0.0, 1e-6) << "perpendicular to the wheels' axis";
     EXPECT_LT(std::abs(velocity.dot(normal)), 25.0 * 0.2) << "along the surface";
   }
   EXPECT_GT(of_belt, 3u);
@@ -85,7 +85,7 @@ TEST_F(GrindCommand, beltSpeedAndForcesAreInTheTables) {
   EXPECT_EQ(summary["forces"]["poses_that_touch"], 3);
   EXPECT_EQ(summary["forces"]["poses_at_which_the_spindle_turns"], 0);
   EXPECT_EQ(summary["parts"][0]["belt_speed_m_s"], 25.0);
-  EXPECT_EQ(run("--stiffness 10 --out run").exit_code, 2) << "of no use without --spindle";
+  EXPECT_EQ(run("--stiffness 10 --out run").exit_code, 2) << "--stiffness needs --spindle";
 }
 
 TEST_F(GrindCommand, helpTellsWhatTheTablesMean) {

@@ -106,7 +106,7 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
     if (!is_ground) continue;
     ground += std::stod(row.at("area_mm2"));
     EXPECT_GE(std::stod(row.at("depth_mm")), 0.0);
-    EXPECT_TRUE(touching[std::stoul(row.at("pose"))].contains("belt")) << "or the pose before or after";
+    EXPECT_TRUE(touching[std::stoul(row.at("pose"))].contains("belt")) << "or at the previous or next pose";
   }
   EXPECT_NEAR(summary["coverage"]["ground_share"], ground / area, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nGround: " + std::to_string(std::lround(100.0 * ground / area)) +
@@ -173,7 +173,8 @@ TEST_F(GrindCommand, theDepthOfATouchIsThatOfTheSolidsHoweverFineTheMeshes) {
     writeMesh(file("block.ply"), block({50, 50, 20}, steps));
     const Outcome outcome = run("--blisk block.ply --belt tool.ply --path press.csv --no-pictures --out run");
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.error, HasSubstr("block.ply: no blades were found")) << "its edges are none";
+    EXPECT_THAT(outcome.error, HasSubstr("block.ply: no blades were found"))
+        << "edges of a block are not blades";
     const auto table = readTable(file("run/poses.csv"));
     ASSERT_EQ(table.size(), 3u);
     const double pressed[] = {0.05, 3.0, 9.0};

@@ -98,7 +98,7 @@ TEST(GrindingPath, eachWorkingPoseTouchesThePointOfItsBladeByTheDepth) {
       ASSERT_TRUE(liesOnBlade(options.blade, touched, 1e-6));
       EXPECT_NEAR(distanceFromAxis(pose, touched), reach, 1e-6);
       const Vec3 e_theta = Vec3(-touched.y(), touched.x(), 0.0).normalized();
-      EXPECT_GT(forward ? normal.dot(e_theta) : -normal.dot(e_theta), 0.3) << "the side asked for";
+      EXPECT_GT(forward ? normal.dot(e_theta) : -normal.dot(e_theta), 0.3) << "the requested side";
       EXPECT_GT(pose.rotation.col(0).dot(Vec3(touched.x(), touched.y(), 0.0).normalized()), 0.7)
           << "the arm goes outwards";
     }

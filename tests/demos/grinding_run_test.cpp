@@ -110,8 +110,8 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   job.blisk = treeOf(TriangleMesh(wall.vertices(), open));
   job.blades.blade_of_triangle.pop_back();
   const GrindingRun of_open = runGrinding(job);
-  EXPECT_EQ(of_open.depthsProved(), 0u) << "nothing is, where the blisk is open";
-  EXPECT_LT(of_open.depthBound(), 3.0) << "the depths at the poses tell";
+  EXPECT_EQ(of_open.depthsProved(), 0u) << "nothing is proved for an open blisk";
+  EXPECT_LT(of_open.depthBound(), 3.0) << "the depths at the poses still count";
 }
 
 TEST(GrindingRun, aMoveThatIsNotProvedFreeCountsAsInterference) {

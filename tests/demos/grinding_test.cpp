@@ -68,7 +68,7 @@ TEST(GrindingCell, contacts_vs_bruteforce) {
       hits += least <= 0.0;
     }
   }
-  EXPECT_LT(dispatched, 2u * kPoses) << "the broadphase has sorted out some";
+  EXPECT_LT(dispatched, 2u * kPoses) << "the broadphase must leave out some pairs";
   EXPECT_GT(hits, 2 * kPoses * 3 / 10);
   EXPECT_LT(hits, 2 * kPoses * 7 / 10);
 }
@@ -153,7 +153,7 @@ TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt)
   const WorstTouch worst = worstTouch(report).value();
   EXPECT_EQ(worst.blade, 2);
   EXPECT_EQ(worst.deepest_blade, 1);
-  EXPECT_NEAR(worst.depth, 0.05, 1e-12) << "of the belt, wherever it is deepest";
+  EXPECT_NEAR(worst.depth, 0.05, 1e-12) << "the belt's depth, wherever it is deepest";
   EXPECT_EQ(judged(Posts::kStep / 2, true).verdict, Verdict::near_miss) << "apart from blade 2";
 }
 
@@ -213,8 +213,8 @@ TEST(Verdict, onlyTheBeltMayTouchOnlyTheGroundBladeOnlySoDeep) {
     return verdictOf(contactOf(part, 0.2), blade, nullptr, rules);
   };
   EXPECT_EQ(touch(0, 3, 0.05, false), Verdict::unknown);
-  EXPECT_EQ(touch(0, 3, 0.15, false), Verdict::interference) << "as deep as that it is";
-  EXPECT_EQ(touch(0, 4, 0.05, false), Verdict::interference) << "any touch is";
+  EXPECT_EQ(touch(0, 3, 0.15, false), Verdict::interference) << "too deep";
+  EXPECT_EQ(touch(0, 4, 0.05, false), Verdict::interference) << "any touch is interference";
   EXPECT_EQ(apart(0, 3), Verdict::clear);
   EXPECT_EQ(touch(0, 3, 0.05), Verdict::intended_contact);
   EXPECT_EQ(touch(0, 3, 0.1), Verdict::intended_contact);
@@ -237,7 +237,7 @@ TEST(Verdict, ofAPoseIsTheWorstOfItsContacts) {
   setVerdicts(poses, {.ground_blade = 3});
   EXPECT_EQ(poses[0].verdict, Verdict::interference);
   const WorstTouch worst = worstTouch(poses[0]).value();
-  EXPECT_EQ(worst.blade, 4) << "not where it is deepest, but where it must not be";
+  EXPECT_EQ(worst.blade, 4) << "not the deepest contact, but the forbidden one";
   EXPECT_EQ(worst.depth, 0.07);
   EXPECT_FALSE(worstTouch(poses[1]).has_value());
   EXPECT_EQ(poses[1].verdict, Verdict::clear);

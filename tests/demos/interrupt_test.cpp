@@ -63,7 +63,7 @@ TEST_F(Interrupt, grindKeepsThePosesDone) {
   const Outcome stopped =
       interrupted("grind --path long.csv --ground-blade 1 --no-pictures --no-report --out run");
   EXPECT_EQ(stopped.exit_code, 130);
-  if (!exists("run/summary.json")) {  // the machine had no while for it
+  if (!exists("run/summary.json")) {  // the machine was too busy to reach a pose
     EXPECT_THAT(stopped.error, HasSubstr("stopped before the first pose was done: no file was written"));
     return;
   }

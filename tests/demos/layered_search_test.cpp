@@ -118,7 +118,7 @@ TEST(LayeredSearch, isTheBestOfAllPairsOfNodes) {
     EXPECT_NEAR(found.cost, best.cost, 1e-5) << "scene " << s;
     with_blocked += best.blocked > 0;
   }
-  EXPECT_GT(with_blocked, scenes * 3 / 10) << "some scenes have no free way";
+  EXPECT_GT(with_blocked, scenes * 3 / 10) << "some scenes have no free route";
   EXPECT_LT(with_blocked, scenes * 7 / 10);
 }
 

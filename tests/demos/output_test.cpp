@@ -95,7 +95,7 @@ TEST_F(Output, whereThereIsNoRoomTheOldFileStaysAndTheCauseIsTold) {
 class NoRoom : public Output {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "/dev/full does not exist";
     ASSERT_EQ(run("grind --poses-only --no-pictures --no-report --out first").exit_code, 1);
     std::vector<Pose> path = readPoses(file("first/path.csv"));
     path = {path.begin() + 40, path.begin() + 46};
@@ -189,7 +189,7 @@ TEST_F(Output, goesThroughLinks) {
   std::filesystem::create_directories(file("elsewhere"));
   folder_.write("elsewhere/path.csv", "old");
   std::filesystem::create_symlink("elsewhere/path.csv", file("link.csv"));
-  std::filesystem::create_symlink("elsewhere/new.stl", file("new.stl"));  // there is nothing yet
+  std::filesystem::create_symlink("elsewhere/new.stl", file("new.stl"));  // the target does not exist yet
   std::filesystem::create_symlink("nowhere/path.csv", file("lost.csv"));
   ASSERT_EQ(run("path --out link.csv").exit_code, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(file("link.csv")));
@@ -215,7 +215,7 @@ TEST_F(Output, goesToDevicesDirectly) {
     const Outcome outcome = run("path --out " + out);  // which is a file here
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_EQ(outcome.out, expected);
-    EXPECT_THAT(outcome.error, StartsWith(out + ": 793 poses, ")) << "the words are not among the poses";
+    EXPECT_THAT(outcome.error, StartsWith(out + ": 793 poses, ")) << "the summary must not be in the table";
     EXPECT_EQ(run("path --out " + out + " | cat >piped.csv; true").exit_code, 0);
     EXPECT_EQ(contentOf(file("piped.csv")), expected);
   }

@@ -249,7 +249,7 @@ TEST(DetectionReplay, posesSayWhatTheTrianglesAndTheBoxesSay) {
   const Replay replay = detectionReplay(scene, small.result);
   ASSERT_EQ(replay.tracks.size(), 2u);
   const Alarms& alarms = small.result.rows[kImproved].lifted;
-  EXPECT_GT(alarms.false_positives, 0u) << "else nothing is asked of the findings";
+  EXPECT_GT(alarms.false_positives, 0u) << "otherwise the findings are not tested";
   for (const ReplayTrack& track : replay.tracks) {
     ASSERT_EQ(track.poses.size(), small.poses.size());
     for (std::size_t p = 0; p < small.poses.size(); ++p) {

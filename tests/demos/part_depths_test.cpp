@@ -50,7 +50,7 @@ TEST(PartDepths, ofAPartWhollyInsideOrRoundTheBlisk) {
     const auto inside = depthsOf(block({50, 50, 20}, 8), block({2, 2, 2}, 2), at(10, 0, 13), limit);
     ASSERT_EQ(inside.size(), 1u);
     EXPECT_TRUE(inside[0].is_inside);
-    EXPECT_NEAR(inside[0].depth, 9.0, 1e-3) << "of its lower face";
+    EXPECT_NEAR(inside[0].depth, 9.0, 1e-3) << "depth of the lower face";
     const auto round = depthsOf(*testing::torus(10, 2, 64, 32), block({50, 50, 20}, 1), at(0, 0, 0), limit);
     ASSERT_EQ(round.size(), 1u);
     EXPECT_TRUE(round[0].is_inside);

@@ -53,8 +53,8 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   EXPECT_TRUE(repair.isFree());
   EXPECT_EQ(repair.interferedBefore(), 9u) << "the bit is 2 wide, the ridge 6";
   EXPECT_EQ(repair.posesLeft() + repair.movesLeft(), 0u);
-  EXPECT_GT(repair.changed(), 9u) << "a way up and down";
-  EXPECT_LT(repair.changed(), 29u) << "no more than needs be";
+  EXPECT_GT(repair.changed(), 9u) << "it also lifts and lowers the tool";
+  EXPECT_LT(repair.changed(), 29u) << "no more than necessary";
   EXPECT_TRUE(describeLeft(repair, judge_->parts(), BodyNames(1)).empty());
   for (std::size_t p = 0; p < path.size(); ++p) {
     EXPECT_TRUE(testing::bruteForcePairs(solid, bit_, repair.path[p]).empty()) << "pose " << p;
@@ -63,7 +63,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
               touched || std::abs(path[p].translation.x()) < 2.0);
     const Change& change = repair.poses[p].change;
     if (change.isNone()) {
-      EXPECT_EQ(repair.path[p].translation, path[p].translation) << "to the last bit";
+      EXPECT_EQ(repair.path[p].translation, path[p].translation) << "must be the same to the last bit";
     }
     if (p == 0) continue;
     const Change& last = repair.poses[p - 1].change;
@@ -80,7 +80,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   double most = 0.0;
   for (const PoseRepair& pose : repair.poses) most = std::max(most, pose.change.retract);
   EXPECT_GT(most, 3.5);
-  EXPECT_LT(most, 8.0) << "moves that were blocked had it retracted farther than the least";
+  EXPECT_LT(most, 8.0) << "blocked motions once caused more retraction than necessary";
 
   const PathRepair alone = repaired(solid, path, limits, 1);
   for (std::size_t p = 0; p < path.size(); ++p) {
@@ -153,7 +153,7 @@ TEST_F(PathRepairOver, keepsContactWhereAChangeCanAndNamesWhatLostIt) {
   // If no slide is left, the contact is lost, and the path is still repaired.
   const PathRepair must_lose = repaired({.tilt = 0, .slide = 2, .retract = 2}, true);
   EXPECT_TRUE(must_lose.isFree());
-  EXPECT_EQ(must_lose.contactsLost(), 3u) << "no more than must be";
+  EXPECT_EQ(must_lose.contactsLost(), 3u) << "no more than necessary";
 }
 
 TEST_F(PathRepairOver, refusesAnEmptyPath) { EXPECT_THROW(repaired(ridge(), {}, {}), std::invalid_argument); }

@@ -80,7 +80,7 @@ TEST(ReplayPage, namesCannotEndTheScript) {
   const auto run = nlohmann::json::parse(json);
   const std::string name = run["parts"][0]["name"];
   EXPECT_THAT(name,
-              StartsWith("</script><script>alert(1)</script><!-- "));  // as it was, but for what is no UTF-8
+              StartsWith("</script><script>alert(1)</script><!-- "));  // unchanged except for invalid UTF-8
 
   const ScratchFolder folder;
   writeReplayPage(replay, meshes, folder.path() / "report.html");

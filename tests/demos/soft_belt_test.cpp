@@ -50,7 +50,7 @@ void expectOnWheels(const SoftBelt& belt, const SoftBeltOptions& options) {
     const Vec3 from_drive = node - Vec3(options.sizes.wheel_distance, 0, 0);
     EXPECT_GT(node.head<2>().norm(), rolling - 1e-6);
     EXPECT_GT(from_drive.head<2>().norm(), driving - 1e-6);
-    // Where the belt wraps a wheel it lies on it; the chord between nodes is off by less.
+    // The belt lies on the wheel that it wraps. The error of the chords between nodes is below the tolerance.
     if (node.x() < -0.5 * rolling) {
       EXPECT_LT(node.head<2>().norm(), rolling + 0.5);
       ++on_contact_wheel;

@@ -217,8 +217,8 @@ TEST_F(StudyFiles, aBrokenRunGoesOnWhereverItsFileEnds) {
     most = std::max(most, outcome.answered);
     std::filesystem::remove(file("all.csv"));
   }
-  EXPECT_LE(fewest, 20u) << "what was answered is not asked again";
-  EXPECT_EQ(most, kItems) << "all is asked again where nothing is left";
+  EXPECT_LE(fewest, 20u) << "answered items are not run again";
+  EXPECT_EQ(most, kItems) << "without a part, all items are run again";
 }
 
 TEST_F(StudyFiles, aBrokenShardGoesOnAndAFinishedOneStays) {
@@ -232,7 +232,8 @@ TEST_F(StudyFiles, aBrokenShardGoesOnAndAFinishedOneStays) {
   EXPECT_EQ(run(again).tallies.size(), 7u);
   EXPECT_EQ(content("again"), whole);
   EXPECT_FALSE(exists("again.partial"));
-  EXPECT_EQ(run({file("again"), Shard{1, 2}, true}).answered, 24u) << "another part is no finished one";
+  EXPECT_EQ(run({file("again"), Shard{1, 2}, true}).answered, 24u)
+      << "a different shard must not count as finished";
   EXPECT_EQ(content("again"), contentOf(parts[0]));
 }
 
@@ -300,7 +301,7 @@ TEST_F(StudyFiles, aRunThatAnsweredNothingLeavesNothing) {
   runUntil({file("all.csv"), {}}, 0);
   EXPECT_EQ(content("all.csv"), "earlier");
   EXPECT_FALSE(exists("all.csv.partial"));
-  EXPECT_EQ(run({file("all.csv"), {}}).answered, kItems) << "a finished table is written anew";
+  EXPECT_EQ(run({file("all.csv"), {}}).answered, kItems) << "a finished table is replaced";
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
 }
 

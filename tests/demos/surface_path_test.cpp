@@ -117,7 +117,7 @@ TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFo
     ASSERT_LT(closest.distance, 1e-6) << "on the blade";
     const Vec3 normal = normalOf(pose, options().tilt);
     const Vec3 facet = scaledNormal(bladeTree().mesh().triangle(closest.triangle)).normalized();
-    EXPECT_GT(normal.dot(facet), at_edge ? 0.3 : 0.99) << "few facets go round the edge";
+    EXPECT_GT(normal.dot(facet), at_edge ? 0.3 : 0.99) << "few facets go around the edge";
     const double facing = normal.dot(tangential(contact));
     const double side = options().region == forward ? 1.0 : -1.0;
     EXPECT_TRUE(at_edge || side * facing > 0.3) << facing;
@@ -299,7 +299,7 @@ TEST_F(PathCommand, followsABliskThatLiesAnywhere) {
     if (move.feed == 0.0) continue;
     ++working;
     const Vec3 contact = contactOf(move.tool_in_blisk, {});
-    EXPECT_LT(closestPoint(tree, contact).value().distance, 0.1) << "but for what the facets lift it";
+    EXPECT_LT(closestPoint(tree, contact).value().distance, 0.1) << "up to the lift by the facets";
   }
   EXPECT_GT(working, 20);
 }

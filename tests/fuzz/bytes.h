@@ -1,4 +1,4 @@
-// The fuzzer's bytes as numbers.
+// Reads the fuzzer's bytes as numbers.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace octoblisk::fuzz {
 
-/// Hands them out in order; zeros once they are used up.
+/// Hands the bytes out in order, and then zeros.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}

@@ -1,5 +1,5 @@
-// Any bytes as a CL file: refused in one line, or moves with axes of unit length, square to each other, which
-// come back as they are once written.
+// Reads any bytes as a CL file. It is refused with a one-line message, or its poses have perpendicular unit
+// axes and survive writing and reading.
 #include "fuzz/fuzz_input.h"
 #include "shared/meshes.h"
 #include "toolpath/cl_moves.h"

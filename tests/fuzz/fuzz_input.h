@@ -1,4 +1,4 @@
-// What the fuzz targets of readers have in common: the fuzzer's bytes as files, and what a refusal must be.
+// Shared by the fuzz targets of readers: writes the fuzzer's bytes to files and checks refusals.
 #pragma once
 
 #include <unistd.h>
@@ -26,7 +26,7 @@ inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// A folder of this process' own, gone with it unless it crashes.
+/// This process's own folder. It is removed at exit unless the process crashes.
 class ScratchFolder {
  public:
   ScratchFolder()
@@ -52,7 +52,8 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Bad input is told in one line, without control characters, that begins with the file, or folder, at fault.
+/// The message on bad input must be one line without control characters that begins with the bad file or
+/// folder.
 inline void requireClear(const std::exception& refusal, const std::filesystem::path& file) {
   const std::string_view message = refusal.what();
   if (!message.starts_with(file.string())) fail("a refusal that names no file", message);
@@ -60,7 +61,7 @@ inline void requireClear(const std::exception& refusal, const std::filesystem::p
   if (std::ranges::any_of(message, is_control)) fail("a refusal of more than one line", message);
 }
 
-/// The fuzzer's bytes, cut where a line is `%`.
+/// The fuzzer's bytes, split at lines that consist of `%`.
 inline std::vector<std::string_view> pieces(std::string_view bytes) {
   constexpr std::string_view kCut = "\n%\n";
   std::vector<std::string_view> result;

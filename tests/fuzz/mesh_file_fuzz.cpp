@@ -1,5 +1,6 @@
-// Any bytes as an STL, OBJ or PLY file, by the first byte: refused in one line, or a mesh of finite
-// coordinates and as many triangles as it has once it is written.
+// Reads any bytes as an STL, OBJ or PLY file; the first byte selects the format. The file is refused with a
+// one-line message, or gives a mesh with finite coordinates whose triangle count survives writing and
+// reading.
 #include <iterator>
 
 #include "fuzz/fuzz_input.h"
@@ -8,7 +9,7 @@
 using namespace octoblisk;
 using namespace octoblisk::demos;
 
-// Assimp itself loses memory where a file breaks off.
+// Assimp itself leaks memory if a file is truncated.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp\n"; }
 

@@ -1,5 +1,5 @@
-// A mesh interface of parts of any types, strides, counts and bytes: refused with a message, or a shape that
-// can be asked, scaled and written.
+// Makes a shape from a mesh interface with any types, strides, counts and bytes. The interface is refused
+// with a message, or the shape can be queried, scaled and written.
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
@@ -18,14 +18,15 @@ namespace {
 
 using fuzz::Bytes;
 
-/// Small whole numbers, so that edges and planes are shared, or, one in eight, any.
+/// Small integers, so that edges and planes are shared. One in eight is any number.
 template <typename Number>
 Number coordinateOf(Bytes& bytes) {
   const std::uint8_t kind = bytes.byte();
   return kind % 8 == 7 ? bytes.any<Number>() : static_cast<Number>(static_cast<std::int8_t>(kind)) / 8;
 }
 
-/// A part, and what it points to. The buffers end where a caller's may, so that reading beyond shows.
+/// A part and its buffers. The buffers are as short as a caller's may be, so that a read beyond the end is
+/// detected.
 class Part {
  public:
   explicit Part(Bytes& bytes) {
@@ -71,7 +72,7 @@ class Part {
     std::memcpy(to, size == 4 ? static_cast<const void*>(&single) : &twice, size);
   }
 
-  /// Of a vertex, more often than not.
+  /// Writes an index. It is usually that of a vertex.
   void putIndex(unsigned char* to, std::size_t size, Bytes& bytes) const {
     const std::uint8_t byte = bytes.byte();
     const std::uint32_t index = byte == 0xff             ? bytes.any<std::uint32_t>()

@@ -1,4 +1,5 @@
-// Any bytes as a table of poses: refused in one line, or moves that come back as they are once written.
+// Reads any bytes as a table of poses. It is refused with a one-line message, or its poses survive writing
+// and reading.
 #include "fuzz/fuzz_input.h"
 #include "toolpath/pose_file.h"
 

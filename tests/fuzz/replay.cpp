@@ -1,4 +1,5 @@
-// The main of a fuzz target where libFuzzer is not: gives it every file of the folders named, once.
+// The main function of a fuzz target without libFuzzer. It runs the target once on every file of the named
+// folders.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
       std::printf("%s\n", entry.path().filename().c_str());
-      std::fflush(stdout);  // known when it crashes
+      std::fflush(stdout);  // so the file is known after a crash
       LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
       ++files;
     }

@@ -1,5 +1,5 @@
-// Any bytes as a hub's profile and the sections of a blade, one after the other: refused in one line, or a
-// blade of finite points.
+// Reads any bytes as a hub's profile followed by the sections of a blade. They are refused with a one-line
+// message, or give a blade with finite points.
 #include "fuzz/fuzz_input.h"
 #include "models/blade_sections.h"
 #include "models/blade_surface.h"
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     requireFinite(sampleBlade(sections, hub, nullptr, 8, 4));
-  } catch (const std::invalid_argument&) {  // sections, but of no blade
+  } catch (const std::invalid_argument&) {  // valid sections that give no blade
   }
   return 0;
 }

@@ -1,6 +1,6 @@
-// Any bytes, cut where a line is `%`, as parts of a study for octoblisk merge, and as what an unfinished run
-// left: refused in one line, or a table of the rows in them. Each is asked about as it is, and with its
-// checksums right.
+// Splits any bytes at lines that consist of `%`, and reads them as parts of a study for octoblisk merge and
+// as the rest of an unfinished run. They are refused with a one-line message, or give a table of their rows.
+// Each input is tried unchanged and with corrected checksums.
 #include <cstdio>
 #include <optional>
 
@@ -40,7 +40,7 @@ void requireSame(const PartText& part, const PartText& again) {
   if (part.items != again.items || part.groups.size() != again.groups.size()) fuzz::fail("items were lost");
 }
 
-/// What was read comes back once it is written.
+/// Checks that the part survives writing and reading.
 std::string writtenAgain(const PartText& part, std::string_view text) {
   std::string written = headOf(part.study, part.items);
   const std::string head = written;
@@ -66,7 +66,7 @@ void requireMissingIsTheRest(const PartText& part) {
   if (items != part.items.size()) fuzz::fail("items are neither there nor missing");
 }
 
-/// The text with checksums of what is in it: no fuzzer finds them by chance.
+/// The text with correct checksums, which no fuzzer finds by chance.
 std::string withChecksums(std::string_view text) {
   constexpr std::string_view kGroup = "# checksum ", kItems = ", items ";
   const std::size_t head_size = std::min(text.find(kGroup), text.size());
@@ -105,7 +105,7 @@ void resume(const fuzz::ScratchFolder& folder, const PartText& part, std::string
   }
 }
 
-/// What octoblisk merge goes on with once the table is written: refusing is too late then.
+/// Reads what octoblisk merge uses after the table is written, when a refusal is too late.
 void requireReadable(const MergedStudy& merged, const std::filesystem::path& table) {
   if (merged.study.name == kCheckName) {
     summaryOfTallies(merged.tallies);

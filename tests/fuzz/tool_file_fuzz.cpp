@@ -1,4 +1,5 @@
-// Any bytes as a tool's JSON file: refused in one line, or what says the same once it is written.
+// Reads any bytes as a tool's JSON file. It is refused with a one-line message, or its meaning survives
+// writing and reading.
 #include "fuzz/fuzz_input.h"
 #include "grinding/tool_file.h"
 
@@ -29,7 +30,7 @@ void requireSame(const std::vector<Row>& read, const std::vector<Row>& again) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::ScratchFolder folder;
-  static const std::filesystem::path mesh = folder.write("a.ply", "");  // what the seeds name
+  static const std::filesystem::path mesh = folder.write("a.ply", "");  // the seeds name it
   const std::filesystem::path file = folder.write("tool.json", fuzz::textOf(data, size));
   ToolFile tool;
   try {

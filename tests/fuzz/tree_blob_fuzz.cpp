@@ -1,5 +1,5 @@
-// A tree's blob with bytes changed, its checksum made right again more often than not: it is refused, or
-// queries on it come to an end.
+// Changes bytes of a tree's blob, and usually corrects its checksum. The blob is refused, or queries on it
+// terminate.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -100,7 +100,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ClusteredOctree tree = fromBlob(mutated(seed, data, size), seed.mesh);
     try {
       tree.validate();
-    } catch (const std::logic_error&) {  // a tree, but of wrong boxes
+    } catch (const std::logic_error&) {  // a tree with wrong boxes
     }
     query(tree, seed.other);
     query(tree.refitted(seed.mesh, 1), seed.other);

@@ -1,5 +1,5 @@
-// Two triangles of any coordinates a mesh may have: the verdict does not depend on the order of triangles and
-// corners, a contact is finite and agrees with the verdict.
+// Tests two triangles with any coordinates that a mesh may have. The verdict does not depend on the order of
+// triangles and corners. A contact is finite and agrees with the verdict.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -87,7 +87,7 @@ void checkVerdict(const Triangle& a, const Triangle& b, bool meet) {
     require(intersects(a, {corner, corner, corner}), "a corner is not on it", a, b);
 }
 
-constexpr double kUnderflow = 1e-70;  // lengths that products of four are lost of
+constexpr double kUnderflow = 1e-70;  // products of four smaller lengths underflow
 
 void checkContact(const Triangle& a, const Triangle& b, bool meet) {
   const Contact contact = contactOf(a, b);

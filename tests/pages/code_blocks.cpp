@@ -7,7 +7,7 @@
 namespace octoblisk::pages {
 namespace {
 
-/// Of a line outside of fences: whether Markdown, but not codeBlocksOf, takes it for code.
+/// Whether a line outside of fences is code to Markdown, but not to codeBlocksOf.
 bool isOtherCode(const std::string& line) {
   const std::size_t blanks = std::min(line.find_first_not_of(" \t"), line.size());
   const std::string rest = line.substr(blanks);

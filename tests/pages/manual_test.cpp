@@ -1,4 +1,4 @@
-// docs/command.md and the man page have what --help has, and nothing else.
+// docs/command.md and the man page have the same content as --help.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 /// The options of each command, by its full name.
 using Options = std::map<std::string, std::set<std::string>>;
 
-/// But those of help, which every command has.
+/// Adds the options in `head`, except the help options, which every command has.
 void add(std::set<std::string>& options, const std::string& head) {
   for (const std::string& option : found(head, "(--[a-z][a-z0-9-]*)")) {
     if (!option.starts_with("--help")) options.insert(option);
@@ -32,7 +32,7 @@ std::string helpOf(const ScratchFolder& folder, const std::string& command) {
   return runScript(folder, command + " --help").out;
 }
 
-/// Of the command and all below it.
+/// Collects the options of the command and all its subcommands.
 void askForHelp(const ScratchFolder& folder, const std::string& command, Options& options) {
   std::istringstream lines(helpOf(folder, command));
   std::set<std::string>& its = options[command];
@@ -83,7 +83,7 @@ Options optionsOfPage() {
 TEST(Manual, isUpToDate) {
   const ScratchFolder folder;
   EXPECT_EQ(contentOf(kProject / "docs/command.md"), runScript(folder, "octoblisk --manual markdown").out)
-      << "./dev manual writes it";
+      << "run ./dev manual";
 }
 
 TEST(Manual, hasEveryOptionOfHelpAndNoOther) {
@@ -113,7 +113,7 @@ TEST(Manual, helpFitsATerminal) {
   }
 }
 
-/// Calls of octoblisk in sentences: commands and options that there are.
+/// Calls of octoblisk in sentences name existing commands and options.
 TEST(Manual, hasWhatSentencesName) {
   const Options options = optionsOfPage();
   int calls = 0;

@@ -1,4 +1,4 @@
-// Every call of octoblisk that a page shows is run as it stands there, or with smaller inputs.
+// Runs every call of octoblisk on the pages, unchanged or with smaller inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 
 std::string without(const std::string& text, const std::string& part) { return replaced(text, part, ""); }
 
-/// Exit code 0; or 1 where the last call of octoblisk is one that may find interference.
+/// Expects exit code 0, or 1 if the last call of octoblisk may find interference.
 void expectDone(const ScratchFolder& folder, const std::string& script) {
   const std::set<std::string> studies = {"access", "check", "grind", "merge", "repair"};
   const std::vector<std::string> commands = found(script, "octoblisk ([a-z]+)");
@@ -57,7 +57,7 @@ const std::vector<Placeholder> kPlaceholders = {{"", "DIR", "out"},
                                                 {"--starts", "N", "2"},
                                                 {"--seed", "N", "3"}};
 
-/// What takes long is left out: pictures.
+/// Removes pictures from the call, because they take long.
 std::string withoutPictures(const std::string& call) {
   for (const auto& [command, option] :
        {std::pair("grind", " --no-pictures"), {"blades", " --no-picture"}, {"access", " --no-picture"}}) {
@@ -66,15 +66,15 @@ std::string withoutPictures(const std::string& call) {
   return call;
 }
 
-/// What is refused is a file that is not there: so the call is a valid one, but for that.
+/// Expects the call to be refused only because a file is missing, so the call itself is valid.
 void expectLackOfFile(const ScratchFolder& folder, const std::string& call) {
   const Outcome outcome = runScript(folder, call);
   EXPECT_EQ(outcome.exit_code, 2) << call;
   EXPECT_THAT(outcome.error, HasSubstr("missing.stl: no such file")) << call;
 }
 
-/// All options that are shown, one alternative after another; and with none but those that must be told.
-/// Of commands that take long the first call is run; the others are held to lack a file, and nothing else.
+/// Runs synopses with all options, one alternative after another, and with only the required ones. Of
+/// commands that take long, only the first call runs. The others must fail only because a file is missing.
 TEST(Pages, synopsesHold) {
   const ScratchFolder folder;
   makeInputs(folder);
@@ -101,7 +101,7 @@ TEST(Pages, synopsesHold) {
   }
 }
 
-/// From a path to one that is clean; the words below say what comes of it.
+/// Runs from a path to a clean one, and compares the text below with the results.
 TEST(Pages, theStoryEndsClean) {
   const ScratchFolder folder;
   ASSERT_EQ(blocksOf(Kind::story).size(), 1u);
@@ -125,7 +125,7 @@ TEST(Pages, theStoryEndsClean) {
   EXPECT_THAT(outcomes[3].out, HasSubstr(" 0 interference\n"));
 }
 
-/// Every step of the tutorial on the files of the steps before, on a path of larger steps.
+/// Runs every step of the tutorial on the files of the previous steps, with a path of larger steps.
 TEST(Pages, theTutorialRuns) {
   const ScratchFolder folder;
   std::map<std::string, bool> is_clean;
@@ -147,7 +147,7 @@ TEST(Pages, theTutorialRuns) {
   EXPECT_TRUE(is_clean["clean"]);
 }
 
-/// An example of a whole blade, in larger steps.
+/// Runs the example of a whole blade with larger steps.
 TEST(Pages, examplesRun) {
   const ScratchFolder folder;
   for (const CodeBlock& block : blocksOf(Kind::example)) {
@@ -160,7 +160,7 @@ TEST(Pages, examplesRun) {
   }
 }
 
-/// A study among the tasks of a job array, and by mpirun: the file of one run.
+/// A study in a job array, and one by mpirun, give the same file as a single run.
 TEST(Pages, studiesAreShared) {
   const ScratchFolder folder;
   std::string poses = "x,y,z,qw,qx,qy,qz\n";

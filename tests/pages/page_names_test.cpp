@@ -1,5 +1,5 @@
-// What pages name is there: every block of code is of a kind that is tested, and verbs, presets, programs,
-// options, keys and files in blocks are those of the project. C++ is compiled by tests/consumers.
+// Everything that pages name exists. Every code block is of a tested kind. Verbs, presets, programs, options,
+// keys and files in blocks are those of the project. tests/consumers compiles the C++.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,17 +28,17 @@ TEST(Pages, haveNoBlocksButThoseThatAreTested) {
   std::set<Kind> kinds;
   for (const CodeBlock& block : allBlocks()) {
     const std::optional<Kind> kind = kindOf(block);
-    ASSERT_TRUE(kind) << block.place() << ": no test knows what to do with it";
+    ASSERT_TRUE(kind) << block.place() << ": no test covers this kind of block";
     kinds.insert(*kind);
     const std::filesystem::path page = block.page;
     const bool is_compiled = page == "README.md" || page.parent_path() == "docs";
-    EXPECT_TRUE(kind != Kind::cpp || is_compiled) << block.place() << ": tests/consumers does not take it";
+    EXPECT_TRUE(kind != Kind::cpp || is_compiled) << block.place() << ": tests/consumers does not compile it";
     EXPECT_TRUE(kind != Kind::cmake || block.page == "docs/install.md") << block.place();
   }
   EXPECT_EQ(kinds.size(), kBeginnings.size() + kLanguages.size() + 1);  // the tutorial, by its page
 }
 
-/// In blocks and in sentences: verbs that ./dev knows.
+/// In blocks and in sentences, the verbs of ./dev exist.
 TEST(Pages, nameVerbsOfDev) {
   const ScratchFolder folder;
   const Outcome help = runScript(folder, "cd '" + kProject.string() + "'; ./dev help");
@@ -117,7 +117,7 @@ TEST(Pages, tellOfRowsAsTheyAre) {
   EXPECT_GT(rows, 100);
 }
 
-/// Charts name the files where what they show is done.
+/// Charts name existing files.
 TEST(Pages, chartsNameFilesThatExist) {
   for (const CodeBlock& block : blocksOf(Kind::flow_chart)) {
     int files = 0;

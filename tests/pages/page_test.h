@@ -1,4 +1,4 @@
-// What the tests of pages share: the blocks of a kind, parts of texts, and lines run by a shell.
+// Shared by the tests of pages: blocks by kind, text search and replacement, and shell scripts.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ enum class Kind {
   study
 };
 
-/// How a block that no fence names begins.
+/// The beginnings of blocks without a language.
 inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
     {"./dev ", Kind::dev_verbs},           {"cmake --preset ", Kind::presets},
     {"build/bench/bin/", Kind::benchmark}, {"{\"task\", ", Kind::row},
@@ -45,7 +45,7 @@ inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 
-/// The page whose calls of octoblisk are run one after another, in one folder.
+/// The page whose calls of octoblisk run one after another in one folder.
 inline const std::string kTutorial = "docs/grinding.md";
 
 inline std::optional<Kind> kindOf(const CodeBlock& block) {
@@ -66,15 +66,15 @@ inline std::vector<CodeBlock> allBlocks() {
   return all;
 }
 
-/// Those of a kind; a failure where there is none.
+/// The blocks of a kind. Fails if it finds none.
 inline std::vector<CodeBlock> blocksOf(Kind kind) {
   std::vector<CodeBlock> blocks = allBlocks();
   std::erase_if(blocks, [&](const CodeBlock& block) { return kindOf(block) != kind; });
-  EXPECT_FALSE(blocks.empty()) << "this test asks nothing";
+  EXPECT_FALSE(blocks.empty()) << "this test checks no blocks";
   return blocks;
 }
 
-/// All that the group of an expression fits.
+/// All matches of the expression's first group.
 inline std::vector<std::string> found(const std::string& text, const std::string& expression) {
   const std::regex searched(expression);
   std::vector<std::string> all;
@@ -84,7 +84,7 @@ inline std::vector<std::string> found(const std::string& text, const std::string
   return all;
 }
 
-/// With another text for every part that is there; a failure where there is none.
+/// Replaces every occurrence of `part`. Fails if it finds none.
 inline std::string replaced(std::string text, const std::string& part, const std::string& by) {
   EXPECT_THAT(text, ::testing::HasSubstr(part));
   for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += by.size()) {
@@ -93,7 +93,7 @@ inline std::string replaced(std::string text, const std::string& part, const std
   return text;
 }
 
-/// A page without its code, in blocks and in sentences, and with every run of blanks as one space.
+/// The page without code in blocks and sentences, and with every run of blanks replaced by one space.
 inline std::string proseOf(const std::string& text) {
   std::string prose;
   bool is_code = false, is_blank = false;
@@ -109,10 +109,10 @@ inline std::string proseOf(const std::string& text) {
   return prose;
 }
 
-/// Runs lines for a shell in a folder, where `octoblisk` is ours.
+/// Runs shell lines in a folder. `octoblisk` is the command of this build.
 inline demos::Outcome runScript(const demos::ScratchFolder& folder, const std::string& script) {
   const std::string path = std::filesystem::path(OCTOBLISK_COMMAND).parent_path().string();
-  // Whoever the user is, and however many processors the machine has.
+  // Lets mpirun run for any user and on any number of processors.
   const std::string mpi =
       "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
       "OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_btl_vader_single_copy_mechanism=none "

@@ -1,4 +1,4 @@
-// What holds for the text of pages: the README's length, links, and the terms of the glossary.
+// Checks the text of pages: the README's length, links, and the terms of the glossary.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(Pages, theReadmeIsShort) {
   EXPECT_LE(std::ranges::count(readme, '\n'), 130);
 }
 
-/// Its few rows of numbers are written by hand.
+/// The README's few rows of numbers are written by hand.
 TEST(Pages, timesOfTheReadmeAreThoseOfTheResults) {
   const std::string results = contentOf(kProject / "bench/results/README.md");
   const auto times = found(contentOf(kProject / "README.md"), "\\| ([0-9.]+ (µs|ms)) \\|");
@@ -33,7 +33,7 @@ TEST(Pages, timesOfTheReadmeAreThoseOfTheResults) {
   for (const std::string& time : times) EXPECT_THAT(results, ::testing::HasSubstr("| " + time)) << time;
 }
 
-/// Headings as GitHub names them.
+/// The anchors of a page's headings, as GitHub names them.
 std::set<std::string> anchorsOf(const std::string& page) {
   std::set<std::string> anchors;
   std::istringstream lines(page);
@@ -70,7 +70,7 @@ TEST(Pages, linksLeadSomewhere) {
   EXPECT_GE(links, 100);
 }
 
-/// The cells of its rows.
+/// The cells of the glossary's rows.
 std::vector<std::vector<std::string>> glossary() {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& row : found(contentOf(kProject / kGlossary), "\n\\| ([^-\n][^\n]*)\\|(?=\n)")) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kEllipsis = "…";
 
-/// Those of a word, `a|b`, or of a group, `a B | c D`.
+/// The alternatives of a word, `a|b`, or of a group, `a B | c D`.
 std::vector<std::string> alternativesOf(const std::string& text, const std::string& bar) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
@@ -18,11 +18,11 @@ std::vector<std::string> alternativesOf(const std::string& text, const std::stri
     parts.push_back(text.substr(begin, end - begin));
   }
   parts.push_back(text.substr(begin));
-  std::erase(parts, kEllipsis);  // more of the kind
+  std::erase(parts, kEllipsis);  // repetition
   return parts;
 }
 
-/// Words, and groups in brackets as one.
+/// The terms: words, and whole groups in brackets.
 std::vector<std::string> termsOf(const std::string& text) {
   std::vector<std::string> terms;
   int depth = 0;
@@ -47,7 +47,7 @@ bool isPlaceholder(const std::string& word) {
   return word == kEllipsis || word.find(',') != std::string::npos || std::ranges::all_of(stem, is_capital);
 }
 
-/// Makes the call of one choice among alternatives.
+/// Makes the call for one choice of alternatives.
 class Call {
  public:
   Call(const std::vector<Placeholder>& placeholders, std::size_t choice, bool has_options)

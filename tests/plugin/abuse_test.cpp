@@ -1,5 +1,5 @@
-// What Bullet's own shapes survive: shapes exchanged, scaled and refitted, bodies removed and deleted,
-// questions asked in callbacks, pools that are full. In worlds that run, with both broadphases.
+// Tests operations that Bullet's own shapes survive: exchanging, scaling and refitting shapes, removing and
+// deleting bodies, queries in callbacks, full pools. The worlds run, with both broadphases.
 #include <LinearMath/btPoolAllocator.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing::at;
 using testing::BulletMesh;
 using testing::PairReport;
 
-/// A world that deletes the bodies that are left. Expects that nothing else is left then.
+/// A world that deletes its remaining bodies. Expects that nothing else remains.
 template <typename Broadphase>
 class World {
  public:
@@ -51,7 +51,7 @@ class World {
     world_.addRigidBody(bodies_.back().get());
     return *bodies_.back();
   }
-  /// Out of the world, and deleted.
+  /// Removes the body from the world and deletes it.
   void remove(const btCollisionObject& body) {
     const auto found = std::ranges::find(bodies_, &body, [](const auto& kept) { return kept.get(); });
     ASSERT_NE(found, bodies_.end());
@@ -93,7 +93,7 @@ class World {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
-/// What the world calls in the middle of each step while this lives.
+/// While it exists, the world calls it in the middle of each step.
 class Tick {
  public:
   Tick(btDynamicsWorld& world, bool before_the_step, std::function<void()> action)
@@ -114,7 +114,7 @@ class Tick {
   std::function<void()> action_;
 };
 
-/// Bullet's callbacks of contacts, which are global, while this lives.
+/// Sets Bullet's global contact callbacks while it exists.
 struct ContactCallbacks {
   ContactCallbacks(ContactAddedCallback added, ContactProcessedCallback processed,
                    ContactDestroyedCallback destroyed = nullptr) {
@@ -129,7 +129,7 @@ struct ContactCallbacks {
   }
 };
 
-/// Places on a floor, so far apart that bodies there have no pairs with one another.
+/// Positions on a floor, far enough apart that bodies have no pairs with one another.
 btTransform lying(int i) { return at(3.0 * (i % 4) - 4.5, 3.0 * (i / 4 % 4) - 4.5, 0.3); }
 
 testing::SharedMesh floorMesh() { return testing::waveSheet(6, 0.0, 12); }
@@ -137,7 +137,7 @@ testing::SharedMesh floorMesh() { return testing::waveSheet(6, 0.0, 12); }
 template <typename Broadphase>
 class Abuse : public ::testing::Test {
  protected:
-  /// Rings on a floor, some as a child of a compound.
+  /// Adds rings on a floor. Some are children of compounds.
   void addRings(World<Broadphase>& world, int count) {
     world.add(floor_, 0, at(0, 0, 0));
     for (int i = 0; i < count; ++i) world.add(i % 3 == 2 ? held_shape() : ring_, 1, lying(i));
@@ -181,7 +181,7 @@ TYPED_TEST(Abuse, shapesOfMovingBodiesAreExchanged) {
   for (std::size_t round = 0; round < 3 * std::size(chain); ++round) {
     for (std::size_t i = 1; i < world.bodies().size(); ++i) {
       btRigidBody& body = *world.bodies()[i];
-      // A compound's algorithm is Bullet's, which survives no exchange; the pair must not have become one.
+      // A compound's algorithm is Bullet's, which does not survive an exchange. The pair must not have one.
       ASSERT_NE(dynamic_cast<detail::MeshAlgorithm*>(world.algorithmOf(floor, body)), nullptr)
           << "round " << round << ", body " << i;
       btCollisionShape& next = *chain[(round + i) % std::size(chain)];
@@ -234,14 +234,14 @@ TYPED_TEST(Abuse, childrenOfCompoundsAreExchanged) {
   auto gear = shapeOver(testing::gear(8, 0.5, 0.7, 0.2, 0.25));
   btBoxShape box(toBullet(Vec3(0.6, 0.6, 0.25)));
   btCollisionShape* const children[] = {&this->ring_, &box, &gear};
-  std::array<btCompoundShape, 4> compounds;  // each shared by four bodies, two of them one on the other
+  std::array<btCompoundShape, 4> compounds;  // each shared by four bodies; two of these are stacked
   for (auto& compound : compounds) {
     compound.addChildShape(at(0, 0, 0), &this->ring_);
     compound.addChildShape(at(0.2, 0, 0), &box);
   }
   World<TypeParam> world;
   world.add(this->floor_, 0, at(0, 0, 0));
-  for (int i = 0; i < 16; ++i) {  // two in each place
+  for (int i = 0; i < 16; ++i) {  // two at each position
     btTransform pose = lying(i / 2);
     pose.getOrigin().setZ(btScalar(0.3 + 0.55 * (i % 2)));
     world.add(compounds[std::size_t(i) % 4], 1, pose);
@@ -263,7 +263,7 @@ TYPED_TEST(Abuse, childrenOfCompoundsAreExchanged) {
 }
 
 TYPED_TEST(Abuse, aShapeDeletedForAnotherLeavesNothing) {
-  // The new tree is likely to lie where the old one lay.
+  // The new tree is likely to reuse the old one's address.
   btBoxShape box(toBullet(Vec3(0.4, 0.3, 0.2)));
   World<TypeParam> world;
   auto shape = std::make_unique<ClusteredOctreeShape>(shapeOver(testing::torus(2, 0.7, 48, 24)));
@@ -321,7 +321,7 @@ TYPED_TEST(Abuse, bodiesThatTouchedAreDeleted) {
       if (collected.empty()) continue;
       world.remove(**collected.begin());
       ++deleted;
-      world.add(this->ring_, 1, lying(deleted));  // likely to lie where the old one lay
+      world.add(this->ring_, 1, lying(deleted));  // likely to reuse the old address
     }
     EXPECT_GT(deleted, 16);
   }
@@ -345,7 +345,7 @@ TYPED_TEST(Abuse, bodiesAreRemovedAndDeletedInATick) {
           btRigidBody* body = btRigidBody::upcast(const_cast<btCollisionObject*>(object));
           if (std::ranges::find(out, body) != out.end()) continue;
           world->removeRigidBody(body);
-          out.push_back(body);  // back in the next tick
+          out.push_back(body);  // added again in the next tick
         }
         const auto left = world.touching();
         if (left.empty()) return;
@@ -457,7 +457,7 @@ TYPED_TEST(Abuse, fixedPoolsThatAreFullDropContacts) {
     ASSERT_LE(world.dispatcher().getNumManifolds(), 6);
   }
   EXPECT_EQ(most, 6u);
-  while (world.bodies().size() > 3) {  // those that are left get what the others had
+  while (world.bodies().size() > 3) {  // the remaining bodies get the resources of the others
     world.remove(*world.bodies().back());
     world.step(1);
   }
@@ -512,7 +512,7 @@ TYPED_TEST(Abuse, theWorldIsAskedInATick) {
     world.step(60);
   }
   {
-    // As it would have gone without questions.
+    // The same world without queries.
     World<TypeParam> other;
     this->addRings(other, 16);
     other.step(60);
@@ -528,7 +528,7 @@ TYPED_TEST(Abuse, theWorldIsAskedInATick) {
 btCollisionWorld* asked_world = nullptr;
 int answers = 0;
 
-/// Asks about the very bodies whose contact is just being added.
+/// Queries the bodies whose contact is being added.
 bool askAgain(btManifoldPoint&, const btCollisionObjectWrapper* body0, int, int,
               const btCollisionObjectWrapper* body1, int, int) {
   static int depth = 0;
@@ -560,7 +560,7 @@ TYPED_TEST(Abuse, theWorldIsAskedInACallback) {
     world.step(60);
   }
   EXPECT_GT(answers, 20);
-  // And in the callback of a query for triangles.
+  // Also queries in the callback of a triangle query.
   struct Asks final : btTriangleCallback {
     std::function<void()> ask;
     std::set<int> seen;

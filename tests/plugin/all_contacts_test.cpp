@@ -1,4 +1,5 @@
-// All contacts of a pair, from the algorithm that the dispatcher runs: against every pair of triangles.
+// Compares all contacts of a pair, from the dispatcher's algorithm, with a brute-force search over every
+// triangle pair.
 #include "octoblisk_bullet/all_contacts.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
@@ -30,7 +31,7 @@ class DispatchedPair {
   DispatchedPair(const DispatchedPair&) = delete;
   DispatchedPair& operator=(const DispatchedPair&) = delete;
 
-  /// The contacts, in the frame of A, and A.
+  /// Returns A, and the contacts in A's frame.
   std::pair<const btCollisionObject*, std::vector<Contact>> contacts() {
     const btCollisionObjectWrapper a = wrapOf(first_), b = wrapOf(second_);
     AllContacts all(&a, &b);
@@ -88,14 +89,14 @@ TEST(AllContacts, ofTwoOfOurShapes_vs_bruteforce) {
     }
     hits += !found.empty();
     patches += found.size() > 4;
-    ASSERT_EQ(pair.manifoldPoints(), 0) << "they are left as they are";
+    ASSERT_EQ(pair.manifoldPoints(), 0) << "the manifolds must stay unchanged";
   }
   EXPECT_GT(hits, 3 * kPoses / 10);
   EXPECT_LT(hits, 7 * kPoses / 10);
   EXPECT_GT(patches, hits / 2) << "more than a manifold keeps";
 }
 
-/// Of a partition, with the blades of a fan as its parts.
+/// A shape over a partitioned mesh, with the blades of a fan as its parts.
 ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, BuildOptions options, int parts) {
   options.part_of_triangle.resize(mesh->triangleCount());
   for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
@@ -163,7 +164,7 @@ TEST(AllContacts, ofAConvexShapeInEitherOrderAreInTheMeshsFrame) {
     DispatchedPair pair(world, mesh_first ? mesh : convex, mesh_first ? convex : mesh);
     const auto [a, found] = pair.contacts();
     EXPECT_EQ(a, &mesh);
-    EXPECT_GT(found.size(), 4u) << "one of each triangle beneath";
+    EXPECT_GT(found.size(), 4u) << "one for each triangle below";
     for (const Contact& contact : found) {
       EXPECT_NEAR(contact.point_on_a.z(), 0.0, 1e-5);
     }

@@ -1,4 +1,4 @@
-// Bad use ends in a clear exception at construction, or in no contact: never in worse.
+// Bad use gives a clear exception at construction, or no contact, and nothing worse.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ TEST(BadUse, aMissingRegistrationIsTold) {
   EXPECT_FALSE(isRegistered(&dispatcher));
   btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
   EXPECT_FALSE(isRegistered(&dispatcher));
-  {  // what then happens: bodies of our shape do not meet
+  {  // without registration, bodies with the plugin's shape do not meet
     ClusteredOctreeShape torus(
         std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
     ClusteredOctreeBroadphase broadphase;
@@ -99,7 +99,7 @@ TEST(BadUse, anExhaustedContactPoolDropsContacts) {
   btCollisionWorld world(&dispatcher, &broadphase, &configuration);
   ClusteredOctreeShape torus(
       std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
-  std::array<btCollisionObject, 4> rings;  // all in one place: six pairs, of several patches each
+  std::array<btCollisionObject, 4> rings;  // all at one position: six pairs with several patches each
   for (std::size_t i = 0; i < rings.size(); ++i) {
     rings[i].setCollisionShape(&torus);
     btTransform pose(btQuaternion(btVector3(1, 0, 0), btScalar(0.4) * btScalar(i)));
@@ -109,7 +109,7 @@ TEST(BadUse, anExhaustedContactPoolDropsContacts) {
   for (int step = 0; step < 3; ++step) world.performDiscreteCollisionDetection();
   EXPECT_EQ(dispatcher.getNumManifolds(), 3);
   for (int i = 0; i < 3; ++i) EXPECT_GT(dispatcher.getManifoldByIndexInternal(i)->getNumContacts(), 0);
-  world.removeCollisionObject(&rings[0]);  // its manifolds go to those that had none
+  world.removeCollisionObject(&rings[0]);  // pairs without manifolds get its manifolds
   world.performDiscreteCollisionDetection();
   EXPECT_EQ(dispatcher.getNumManifolds(), 3);
   for (std::size_t i = 1; i < rings.size(); ++i) world.removeCollisionObject(&rings[i]);
@@ -128,8 +128,8 @@ TEST(BadUse, shapesExchangedInALiveBody) {
   compound.addChildShape(btTransform::getIdentity(), &ball);
   btCollisionShape* const shapes[] = {&box, &ball, &compound, &bvh, &plane, &torus};
   std::size_t exchanges = 0, touching = 0;
-  for (btCollisionShape* const first : shapes) {  // what the pair's algorithm is made for, beside the torus
-    if (first == &compound) continue;             // then it is Bullet's, which survives no exchange
+  for (btCollisionShape* const first : shapes) {  // the pair's algorithm is made for the torus and this shape
+    if (first == &compound) continue;             // Bullet's algorithm does not survive an exchange
     for (btCollisionShape* const other : shapes) {
       for (btCollisionShape* const next : shapes) {
         testing::BulletWorld world;

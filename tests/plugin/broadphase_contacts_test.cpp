@@ -1,6 +1,5 @@
-// The contacts of worlds with ClusteredOctreeBroadphase beside those of the same worlds with
-// btDbvtBroadphase: bodies of all kinds move, come, go and change their shapes, and every contact is the
-// same to the last bit.
+// Compares the contacts of worlds with ClusteredOctreeBroadphase and with btDbvtBroadphase. Bodies of all
+// kinds move, appear, disappear and change their shapes. Every contact is the same to the last bit.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +19,7 @@ using testing::StockWorld;
 using testing::TightWorld;
 using testing::uniform;
 
-/// A contact point, but for what a solver keeps in it.
+/// A contact point without the solver's data.
 struct TouchPoint {
   std::pair<int, int> bodies;
   std::array<double, 10> place;  ///< on the one body, on the other, normal, distance
@@ -29,8 +28,7 @@ struct TouchPoint {
   auto operator<=>(const TouchPoint&) const = default;
 };
 
-/// Without those of sleepers that were put where their boxes do not meet: these stay for as long as their
-/// pair.
+/// Leaves out contacts of sleepers that were moved apart. Bullet keeps these contacts as long as the pair.
 template <typename World>
 std::vector<TouchPoint> touchPoints(World& world) {
   std::vector<TouchPoint> found;
@@ -53,7 +51,7 @@ std::vector<TouchPoint> touchPoints(World& world) {
   return found;
 }
 
-/// Of the objects in a ghost, without those whose boxes have parted.
+/// The numbers of the objects in a ghost, except those whose boxes no longer overlap.
 std::vector<int> numbersIn(const btGhostObject& ghost) {
   std::vector<int> numbers;
   for (int i = 0; i < ghost.getNumOverlappingObjects(); ++i) {
@@ -69,13 +67,13 @@ struct Life {
   const char* name;
   int bodies, steps;
   int detail;                      ///< of the shapes
-  double half_size;                ///< of the cube that the bodies begin in
-  double least_speed, most_speed;  ///< mesh units a step, and radians
+  double half_size;                ///< of the cube in which the bodies start
+  double least_speed, most_speed;  ///< mesh units and radians per step
 
   friend void PrintTo(const Life& life, std::ostream* out) { *out << life.name; }
 };
 
-/// The same life in two worlds.
+/// The same sequence of changes in two worlds.
 class Twins {
  public:
   explicit Twins(const Life& life) : life_(life), shapes_(life.detail) {
@@ -96,7 +94,7 @@ class Twins {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       move(i);
       if (random_() % (movers_[i].is_there ? 400 : 40) == 0) toggle(i);
-      if (random_() % 30 == 0) {  // to sleep, or awake; sleepers are moved and changed as all others are
+      if (random_() % 30 == 0) {  // puts to sleep or wakes; sleepers move and change like all others
         const int state = random_() % 3 == 0 ? ISLAND_SLEEPING : ACTIVE_TAG;
         both([&](auto& world) { world.objects[i]->forceActivationState(state); });
       }
@@ -109,7 +107,7 @@ class Twins {
     both([](auto& world) { world.world.performDiscreteCollisionDetection(); });
   }
 
-  /// Whether ghosts overlap the same in both worlds; counts what they overlap.
+  /// Whether ghosts overlap the same objects in both worlds. Counts these objects.
   bool ghostsAgree(std::size_t& overlaps) const {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
       const auto* ghost = dynamic_cast<const btGhostObject*>(stock_.objects[i].get());
@@ -152,7 +150,7 @@ class Twins {
     btCollisionShape& shape = shapes_.any(random_);
     const std::uint64_t kind = random_() % 20;
     const bool is_ghost = kind == 0, is_kinematic = kind >= 1 && kind < 6, is_static = kind >= 6 && kind < 8;
-    if (is_kinematic || is_static) {  // as Bullet filters static bodies, and the plugin its tools
+    if (is_kinematic || is_static) {  // filters as Bullet uses for static bodies and the plugin for tools
       mover.group = is_static ? Filter::StaticFilter : Filter::KinematicFilter;
       mover.mask = Filter::AllFilter ^ mover.group;
     }
@@ -172,7 +170,7 @@ class Twins {
     });
   }
 
-  /// A body's box holds the place that it is thought to come from, too.
+  /// A body's box also contains the position that Bullet interpolates from.
   static void place(btCollisionObject& object, const Pose& pose) {
     object.setWorldTransform(toBullet(pose));
     object.setInterpolationWorldTransform(toBullet(pose));
@@ -209,7 +207,7 @@ class Twins {
   TightWorld tight_;
 };
 
-/// Pairs in which clusters have a say.
+/// The number of pairs that clusters decide.
 template <typename World>
 std::size_t pairsOfClusters(World& world) {
   const btBroadphasePairArray& pairs = world.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
@@ -243,7 +241,8 @@ const auto kNameOfLife = [](const ::testing::TestParamInfo<Life>& info) {
 };
 
 class BroadphaseContacts : public ::testing::TestWithParam<Life> {};
-// About still, slow, and past the boxes that Bullet keeps; then all of them at once, many and for long.
+// Nearly at rest, slow, and fast enough to leave Bullet's enlarged boxes. The last world mixes them, with
+// many bodies and many steps.
 INSTANTIATE_TEST_SUITE_P(lives, BroadphaseContacts,
                          ::testing::Values(Life{"still", 140, 24, 12, 9, 0.002, 0.002},
                                            Life{"slow", 140, 24, 12, 9, 0.05, 0.05},
@@ -256,7 +255,7 @@ TEST_P(BroadphaseContacts, areAllThere) {
   StockWorld& stock = twins.stock();
   TightWorld& tight = twins.tight();
   std::size_t bodies = 0, points = 0, ghost_overlaps = 0;
-  std::size_t stock_pairs = 0, tight_pairs = 0, touching_pairs = 0;  // those of clusters
+  std::size_t stock_pairs = 0, tight_pairs = 0, touching_pairs = 0;  // pairs that clusters decide
   for (int step = 0; step < GetParam().steps; ++step) {
     twins.step();
     const std::vector<TouchPoint> expected = touchPoints(stock), found = touchPoints(tight);

@@ -1,5 +1,5 @@
-// Dynamics worlds with ClusteredOctreeBroadphase: nothing falls through, and what clusters keep apart is no
-// island.
+// Dynamics worlds with ClusteredOctreeBroadphase: nothing falls through, and bodies that clusters keep apart
+// form no island.
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using testing::at;
 using testing::shapeOf;
 
-/// A dynamics world with our broadphase.
+/// A dynamics world with ClusteredOctreeBroadphase.
 struct DynamicWorld {
   DynamicWorld() { registerAlgorithm(&dispatcher); }
   ~DynamicWorld() {

@@ -1,5 +1,5 @@
-// Piles beside each other with ClusteredOctreeBroadphase and with btDbvtBroadphase: what moves and sleeps,
-// and where bodies touch.
+// Compares piles with ClusteredOctreeBroadphase and with btDbvtBroadphase: motion, sleep, and touching
+// bodies.
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ struct Pile {
   std::vector<std::unique_ptr<btRigidBody>> bodies;
 };
 
-/// The same pile with both.
+/// The same pile with both broadphases.
 struct Piles {
   void add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
     stock.add(shape, mass, pose);
@@ -90,7 +90,7 @@ struct Piles {
   Pile<ClusteredOctreeBroadphase> tight;
 };
 
-/// Towers of bodies 0.6 high at most, let fall a little.
+/// Towers of bodies at most 0.6 high, dropped from a small height.
 struct Towers : Piles {
   Towers(const std::vector<btCollisionShape*>& shapes, double distance) {
     add(*floor, 0, at(0, 0, 0));
@@ -122,7 +122,7 @@ TEST(BroadphaseMotion, isTheSameToTheLastBitWhereNoPairIsKeptApart) {
   EXPECT_EQ(towers.stock.sleepers().size(), 65u);
 }
 
-/// With a ball in the hole of each ring on the floor.
+/// Each ring on the floor has a ball in its hole.
 TEST(BroadphaseMotion, aPileWithHolesFallsAsleepAlike) {
   const auto block = shapeOf(testing::boxMesh({0.7, 0.65, 0.3})),
              ring = shapeOf(testing::torus(0.6, 0.28, 32, 16));
@@ -135,7 +135,7 @@ TEST(BroadphaseMotion, aPileWithHolesFallsAsleepAlike) {
   EXPECT_EQ(towers.tight.sleepers(), towers.stock.sleepers());
   EXPECT_EQ(towers.tight.touching(), towers.stock.touching());
   EXPECT_EQ(towers.stock.sleepers().size(), towers.stock.bodies.size());
-  // The solver takes the contacts in another order.
+  // The solver processes the contacts in a different order.
   EXPECT_LT(towers.farthestApart(), 0.1);
 }
 

@@ -1,5 +1,5 @@
-// Where clusters have no say, ClusteredOctreeBroadphase does what btDbvtBroadphase does: pairs of other
-// shapes, coarse pairs, rays, boxes.
+// Without clusters to decide, ClusteredOctreeBroadphase equals btDbvtBroadphase: pairs of other shapes,
+// coarse pairs, rays, boxes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using testing::StockWorld;
 using testing::TightWorld;
 using testing::uniform;
 
-/// What a query calls back with.
+/// The results of a query's callback.
 struct Seen final : btBroadphaseRayCallback {
   explicit Seen(const btVector3& direction = btVector3(1, 1, 1), btScalar length = 1) {
     for (int i = 0; i < 3; ++i) {
@@ -31,7 +31,7 @@ struct Seen final : btBroadphaseRayCallback {
   std::vector<int> order;
 };
 
-/// The same life in both broadphases: objects move, come, go and change their shapes. Calls
+/// Makes the same changes in both broadphases: objects move, appear, disappear and change their shapes. Calls
 /// check(stock, tight, random) after each step.
 template <typename Check>
 void liveTwice(const std::vector<btCollisionShape*>& shapes, Check&& check) {

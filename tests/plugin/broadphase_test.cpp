@@ -1,4 +1,4 @@
-// Which pairs ClusteredOctreeBroadphase makes, and what it tells of them.
+// Tests the pairs of ClusteredOctreeBroadphase and its statistics.
 #include <gtest/gtest.h>
 
 #include "octoblisk/clustered_octree.h"
@@ -38,12 +38,12 @@ TEST(Broadphase, aSphereInTheHoleOfATorusIsNoPair) {
 }
 
 TEST(Broadphase, aTurnMakesAPairThoughNoBoxChanges) {
-  // A blade that turns about its own middle, in a box of half its size: the sphere's corner is free, then
+  // A blade turns about its own centre in a box of half its size. The sphere's corner is first clear and then
   // not.
   const auto blade = shapeOf(testing::boxMesh({2, 0.05, 0.05}));
   const auto torus = shapeOf(testing::torus(2, 0.1, 48, 12));
   btSphereShape sphere(btScalar(0.2));
-  btCompoundShape cross;  // its box is the same a quarter turn on
+  btCompoundShape cross;  // its box is the same after a quarter turn
   cross.addChildShape(at(0, 0, 0), blade.get());
   cross.addChildShape(btTransform(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI)), blade.get());
   TightWorld tight;
@@ -87,7 +87,7 @@ TEST(Broadphase, shapesMarginsAndScalesAreReadAnew) {
   EXPECT_TRUE(found());
   tight.reshape(ball, sphere);
   EXPECT_FALSE(found());
-  tight.reshape(ring, box);  // not ours: the boxes decide
+  tight.reshape(ring, box);  // not the plugin's shape, so the boxes decide
   EXPECT_TRUE(found());
   tight.reshape(ring, *torus);
   EXPECT_FALSE(found());

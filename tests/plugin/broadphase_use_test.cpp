@@ -1,4 +1,4 @@
-// ClusteredOctreeBroadphase as other code of Bullet's and the user's uses it: filters, masks, ghosts, pairs
+// Uses ClusteredOctreeBroadphase like other code of Bullet and its users: filters, masks, ghosts, and pairs
 // that a user removes or adds.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(Broadphase, theFilterIsAskedOnInsertionAlone) {
   struct Filter final : btOverlapFilterCallback {
     mutable int asked = 0;
     bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
-      ++asked;  // and the masks do not count
+      ++asked;  // and masks are ignored
       return static_cast<btCollisionObject*>(a->m_clientObject)->getUserIndex() +
                  static_cast<btCollisionObject*>(b->m_clientObject)->getUserIndex() !=
              4;
@@ -108,7 +108,8 @@ TEST(Broadphase, whatAUserRemovesWhileIteratingIsGone) {
   EXPECT_EQ(remove.seen, all);
   EXPECT_EQ(tight.pairs(), all - all / 2);
   EXPECT_EQ(tight.broadphase.coarsePairs(), tight.pairs());
-  tight.world.performDiscreteCollisionDetection();  // nobody has left his box: no new pairs, as in Bullet
+  tight.world.performDiscreteCollisionDetection();  // no object has left its box, so Bullet makes no new
+                                                    // pairs either
   EXPECT_EQ(tight.pairs(), all - all / 2);
 
   cache.sortOverlappingPairs(&tight.dispatcher);
@@ -165,7 +166,7 @@ TEST(Broadphase, aSleeperMovedUnknownToBulletIsMetWhereItIs) {
     btCollisionObject& ball = world.add(sphere, at(0, 0, 0));
     ball.forceActivationState(ISLAND_SLEEPING);
     world.world.performDiscreteCollisionDetection();
-    ball.setWorldTransform(at(1.2, 0, 0));  // and no updateSingleAabb
+    ball.setWorldTransform(at(1.2, 0, 0));  // without updateSingleAabb
     world.world.performDiscreteCollisionDetection();
     int contacts = 0;
     for (int m = 0; m < world.dispatcher.getNumManifolds(); ++m)

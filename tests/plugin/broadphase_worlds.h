@@ -1,4 +1,4 @@
-// Collision worlds with our broadphase and with Bullet's, for tests of the two beside each other.
+// Collision worlds with ClusteredOctreeBroadphase and with Bullet's, for tests that compare them.
 #pragma once
 
 #include <LinearMath/btPoolAllocator.h>
@@ -19,13 +19,13 @@ inline std::unique_ptr<ClusteredOctreeShape> shapeOf(const SharedMesh& mesh) {
       std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
 }
 
-/// As btDbvtBroadphase has them. It finds only some steps later that boxes have parted.
+/// Uses the boxes of btDbvtBroadphase. It notices only some steps later that boxes no longer overlap.
 inline bool boxesOverlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
   return Intersect(static_cast<const btDbvtProxy*>(a)->leaf->volume,
                    static_cast<const btDbvtProxy*>(b)->leaf->volume);
 }
 
-/// Expects at its end that no pair, manifold or algorithm is left once all objects are out.
+/// When destroyed, removes all objects and expects that no pair, manifold or algorithm remains.
 template <typename Broadphase>
 struct BroadphaseWorld {
   BroadphaseWorld() { registerAlgorithm(&dispatcher); }
@@ -39,7 +39,7 @@ struct BroadphaseWorld {
   BroadphaseWorld(const BroadphaseWorld&) = delete;
   BroadphaseWorld& operator=(const BroadphaseWorld&) = delete;
 
-  /// Objects are numbered from 1 on.
+  /// Objects are numbered from 1.
   btCollisionObject& add(btCollisionShape& shape, const btTransform& pose, int group = 1, int mask = -1) {
     objects.push_back(std::make_unique<btCollisionObject>());
     objects.back()->setCollisionShape(&shape);
@@ -48,7 +48,7 @@ struct BroadphaseWorld {
     world.addCollisionObject(objects.back().get(), group, mask);
     return *objects.back();
   }
-  /// As Bullet wants it: algorithms are made for a kind of shape.
+  /// Changes the shape as Bullet requires, because its algorithms are made for a kind of shape.
   void reshape(btCollisionObject& object, btCollisionShape& shape) {
     object.setCollisionShape(&shape);
     if (btBroadphaseProxy* proxy = object.getBroadphaseHandle()) {
@@ -88,8 +88,8 @@ struct BroadphaseWorld {
   std::vector<std::unique_ptr<btCollisionObject>> objects;
 };
 
-/// Expects that the pairs of overlapping boxes are those of btDbvtBroadphase, and that Bullet sees some
-/// of them, once each.
+/// Expects the same pairs of overlapping boxes as with btDbvtBroadphase, and that Bullet sees a subset of
+/// them, each once.
 template <typename Stock, typename Tight>
 void expectPairsOf(Stock& stock, Tight& tight) {
   const auto there = stock.overlappingPairs(), here = tight.overlappingPairs();

@@ -1,4 +1,4 @@
-// Headless Bullet worlds for tests, and what they are asked.
+// Headless Bullet worlds for tests, and their queries.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ using gallery::at;
 using gallery::BulletMesh;
 using gallery::BulletWorld;
 
-/// What contactPairTest reports.
+/// Collects the points that contactPairTest reports.
 struct PairReport final : btCollisionWorld::ContactResultCallback {
   struct Point {
     Vec3 on_a, on_b, normal;
@@ -28,7 +28,7 @@ struct PairReport final : btCollisionWorld::ContactResultCallback {
     return 0;
   }
 
-  /// The least distance; +infinity where there is no contact.
+  /// The least distance, or +infinity without contacts.
   double deepest() const {
     double least = std::numeric_limits<double>::infinity();
     for (const Point& p : points) least = std::min(least, p.distance);

@@ -1,4 +1,5 @@
-// What tests of rays and convex sweeps share: scenes, ways past them, and our shape without its short cut.
+// Shared by the tests of rays and convex sweeps: scenes, segments past them, and the plugin's shape without
+// its fast path.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@
 
 namespace octoblisk::testing {
 
-/// Our shape behind a callback that it does not know: every triangle in the bounds of the way.
+/// The plugin's shape behind a callback that it does not know. It then reports every triangle in the bounds
+/// of the segment.
 ATTRIBUTE_ALIGNED16(struct)
 Generic final : btConcaveShape {
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -66,12 +68,12 @@ Hit hitOf(const Result& result) {
           normal.z()};
 }
 
-/// What a callback of Bullet's is told: all hits, or the closest.
+/// The hits that a Bullet callback receives: all of them, or the closest.
 struct Hits {
   bool all;
   std::vector<Hit> found = {};
 
-  /// The fraction that hits matter up to from now on.
+  /// The new limit of the fraction of later hits.
   template <typename Result>
   btScalar gather(const Result& result, btScalar& closest) {
     if (!all) {
@@ -91,7 +93,7 @@ struct Scene {
   const char* name;
   SharedMesh mesh;
   Vec3 scaling;
-  double miss;  // by how much rays are off a vertex, at most
+  double miss;  // greatest distance of rays from a vertex
 
   ClusteredOctreeShape shape() const {
     ClusteredOctreeShape made(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
@@ -126,7 +128,7 @@ inline Way randomWay(std::mt19937_64& random, const Scene& scene) {
   return {from, to};
 }
 
-/// A shape as the one object of a world's query, at a pose.
+/// A shape as the only object of a world's query, at a pose.
 struct Object {
   Object(const btCollisionShape& shape, const btTransform& pose) {
     object.setCollisionShape(const_cast<btCollisionShape*>(&shape));

@@ -1,4 +1,4 @@
-// The triangles that a shape gives to a callback.
+// Collects the triangles that a shape passes to a callback.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btTriangleCallback.h>

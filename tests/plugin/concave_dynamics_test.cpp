@@ -27,7 +27,8 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
       fastest = std::max(fastest, pile.kineticEnergy());
     }
     ASSERT_EQ(pile.fallen(), 0) << "after " << second << " s";
-    // While they fall on each other, what a step of 6 m/s leads in: contacts are found at its end.
+    // While bodies fall on each other, the depth may reach the motion of one step at 6 m/s, because contacts
+    // are found at its end.
     const ConcavePile::Depths depths = pile.depths();
     EXPECT_LT(depths.in_floor, 0.1) << "after " << second << " s";
     EXPECT_LT(depths.in_bodies, 0.1) << "after " << second << " s";
@@ -41,7 +42,7 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
     pile.step();
     energy += pile.kineticEnergy() / 60.0;
   }
-  EXPECT_LT(energy, 1.0);  // of 64 kg: what a hop of 1.6 mm costs
+  EXPECT_LT(energy, 1.0);  // for 64 kg: the energy of a hop of 1.6 mm
   EXPECT_EQ(pile.fallen(), 0);
   EXPECT_LT(pile.depths().in_floor, 0.002);
   EXPECT_LT(pile.depths().in_bodies, 0.002);
@@ -52,11 +53,11 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
     lifted += middle.z() > testing::trayHeight(middle.x(), middle.y()) + 0.6;
   }
   EXPECT_LE(moved, 2);    // a torus may still roll
-  EXPECT_GT(lifted, 10);  // they lie on one another, not side by side
+  EXPECT_GT(lifted, 10);  // they lie on one another and not side by side
 }
 
-/// Cubes of twelve triangles, half a size of 1, dropped on each other without a margin; on one of our shape,
-/// or of Bullet's. Where they meet, their walls hardly do, and each could be pushed out by all of its width.
+/// Cubes of twelve triangles and half size 1 are dropped on each other without a margin, on a floor of the
+/// plugin's shape or of Bullet's. Their walls hardly meet, so a cube could be pushed out by its whole width.
 TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
   for (const bool on_bvh : {false, true}) {
     const auto mesh = testing::boxMesh({1, 1, 1});
@@ -78,7 +79,7 @@ TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
   }
 }
 
-/// A bar lies on the edges of two boxes turned by 45°, or on two upright plates, and stays.
+/// A bar stays on the edges of two boxes turned by 45°, or on two upright plates.
 TEST(ConcaveDynamics, aCoarseBarLiesOnEdgesAndOnThinPlatesWithoutAMargin) {
   ClusteredOctreeShape bar = shapeOver(testing::boxMesh({1.5, 0.3, 0.2})),
                        box = shapeOver(testing::boxMesh({0.5, 1, 0.5})),
@@ -102,8 +103,8 @@ TEST(ConcaveDynamics, aCoarseBarLiesOnEdgesAndOnThinPlatesWithoutAMargin) {
   }
 }
 
-/// Whether two rings of a radius, each round the z axis of its pose, go through each other: of the two points
-/// where one meets the other's plane just one is within the other.
+/// Whether two rings of the same radius, each around the z axis of its pose, are linked. One ring meets the
+/// other's plane at two points; if linked, exactly one of these is inside the other ring.
 bool areLinked(const Pose& a, const Pose& b, double radius) {
   const Pose b_in_a = a.inverse() * b;
   const Vec3 &center = b_in_a.translation, x = b_in_a.rotation.col(0), y = b_in_a.rotation.col(1);
@@ -137,7 +138,7 @@ TEST(ConcaveDynamics, aChainOfTwelveHangsFromASwingingTorusForAMinute) {
   const auto pose = [&](int i) { return fromBullet(rings[std::size_t(i)]->getWorldTransform()); };
   double energy = 0.0, farthest = 0.0;
   for (int step = 0; step < 3600; ++step) {
-    const double time = step * kTimeStep;  // swings for 20 s
+    const double time = step * kTimeStep;  // the first ring swings for 20 s
     if (time < 20.0) {
       btTransform swung = rings[0]->getWorldTransform();
       swung.setOrigin(btVector3(btScalar(0.3 * std::sin(2.0 * time) * (1.0 - time / 20.0)), 0, 0));
@@ -152,15 +153,15 @@ TEST(ConcaveDynamics, aChainOfTwelveHangsFromASwingingTorusForAMinute) {
     }
     if (time >= 50.0) energy += now / 600.0;
   }
-  // Round tubes touch at 2 (R - r), less two margins; these have flat sides, and sway.
+  // Round tubes touch at 2 (R - r), less two margins. These tubes have flat sides, and sway.
   EXPECT_LT(farthest, 2.0 * (kRadius - kTube) + 0.03);
   EXPECT_GT(farthest, 2.0 * (kRadius - kTube) - 0.03);
-  EXPECT_LT(energy, 2.0);  // of 12 kg
+  EXPECT_LT(energy, 2.0);  // for 12 kg
 }
 
-/// What becomes of a sheet that floats over another, for a second.
+/// The result of one second with a sheet that floats over another.
 struct Floating {
-  int contacts = 0;  ///< the most at a time
+  int contacts = 0;  ///< greatest number at a time
   double least_distance = std::numeric_limits<double>::infinity();
   double moved = 0.0;
 };
@@ -195,13 +196,13 @@ TEST(ConcaveDynamics, sheetsThatDoNotTouchDoNotPush) {
   const btQuaternion flipped(btVector3(1, 0, 0), SIMD_PI), turned(btVector3(0, 0, 1), btScalar(0.4));
   for (const double waves : {0.0, 0.2}) {
     const auto sheet = testing::waveSheet(2, waves, 12);
-    // Waves run in one another where the sheet is shifted or flipped, so only flat ones are.
+    // Waves of shifted or flipped sheets would intersect, so only flat sheets are shifted or flipped.
     for (const btQuaternion& turn : {btQuaternion::getIdentity(), flipped, turned}) {
       if (waves > 0.0 && turn != btQuaternion::getIdentity()) continue;
       const auto apart = [&](double gap) {
         return floatOver(sheet, btTransform(turn, btVector3(0, 0, btScalar(gap))));
       };
-      // Of wavy sheets the nearest points are not one above the other.
+      // The nearest points of wavy sheets do not lie one above the other.
       const Floating clear = apart(0.025), near = apart(0.01);
       EXPECT_EQ(clear.contacts, 0);
       EXPECT_LT(clear.moved, 1e-6);

@@ -1,4 +1,4 @@
-// A kinematic tool at a static part: what is reported, with the part's blades.
+// Tests the contacts reported for a kinematic tool at a static part, with the part's blades.
 #include "octoblisk_bullet/contact_report.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::BulletWorld;
 
 constexpr int kBlades = 5, kSegments = 8;
 
-/// A body of mass 0 in a world, as long as it lives.
+/// A body of mass 0 that is in a world while it exists.
 struct Added {
   Added(BulletWorld& to, btCollisionShape& shape, bool kinematic) : world(to), body(0, nullptr, &shape) {
     if (kinematic) {
@@ -41,7 +41,7 @@ struct Added {
 std::vector<ReportedContact> report(BulletWorld& world, std::span<const BladeTable> blades = {},
                                     btScalar up_to = btScalar(BT_LARGE_FLOAT)) {
   world->performDiscreteCollisionDetection();
-  std::vector<ReportedContact> found(3);  // is replaced
+  std::vector<ReportedContact> found(3);  // must be replaced
   reportContacts(world.dispatcher(), found, blades, up_to);
   return found;
 }
@@ -90,7 +90,7 @@ TEST(KinematicBody, byTheWorldsOwnWayHasNoContactWithAStaticOne) {
 }
 
 TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
-  // A fan whose blades are parts of two each, and one that is alone.
+  // A fan with two blades to a part, and one single blade.
   const auto fan = testing::fan(kBlades, kSegments);
   const auto triangles = static_cast<std::uint32_t>(fan->triangleCount() / kBlades);
   ASSERT_EQ(triangles * kBlades, fan->triangleCount());
@@ -99,7 +99,7 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
     blade_of_triangle.push_back(1 + int(i / triangles));
   const std::vector<std::uint32_t> part_begin{0, 2 * triangles, 4 * triangles};
   ClusteredOctreeShape blisk = shapeOver(fan, part_begin), tool = shapeOver(testing::torus(0.6, 0.2, 16, 8));
-  btCompoundShape compound;  // Bullet puts it first in its manifolds, wherever it was added
+  btCompoundShape compound;  // Bullet puts a compound first in its manifolds
   compound.addChildShape(btTransform::getIdentity(), &tool);
   std::mt19937_64 random(95);
   int touching = 0, several_blades = 0;
@@ -152,7 +152,7 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
 }
 
 TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
-  // Tools come to the part all at once, or one by one and the last first.
+  // Tools reach the part all at once, or one by one in reverse order.
   ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
   btSphereShape ball(btScalar(0.9));
   const auto numbers = [&](bool one_by_one) {

@@ -1,4 +1,4 @@
-// The boxes of a tree, and the mesh, through Bullet's debug drawer.
+// Draws the boxes of a tree and the mesh through Bullet's debug drawer.
 #include "octoblisk_bullet/debug_draw.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ ClusteredOctreeShape torusShape() {
       std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
 }
 
-/// Which corner of the box a point is, by the signs of its sides; -1: none.
+/// The index of the box corner at a point, by the signs of its sides; -1: none.
 int cornerOf(const Obb& box, const Vec3& point) {
   const Vec3 local = box.axes.transpose() * (point - box.center);
   int corner = 0;

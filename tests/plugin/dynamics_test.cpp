@@ -1,4 +1,4 @@
-// Bodies that fall on, and of, our shape come to rest.
+// Bodies that fall on the plugin's shape, or have it, come to rest.
 #include <gtest/gtest.h>
 
 #include "plugin/bullet_world.h"
@@ -32,7 +32,7 @@ TEST(Dynamics, convexBodiesRestOnAFlatMesh) {
   expectRest(lying, 0.3, 0.02);
 }
 
-/// Slides a body over a flat floor of small triangles and tells the highest speed upward.
+/// Slides a body over a flat floor of small triangles and returns its greatest upward speed.
 double bumpOf(btConvexShape& shape, double height) {
   auto floor = shapeOver(testing::waveSheet(20, 0.0, 80));
   BulletWorld world;
@@ -56,7 +56,7 @@ TEST(Dynamics, nothingBumpsAgainstTheEdgesOfAFlatFloor) {
   btSphereShape sphere(btScalar(0.5));
   btBoxShape box(btVector3(btScalar(0.5), btScalar(0.4), btScalar(0.3)));
   btCylinderShape wheel(btVector3(btScalar(0.5), btScalar(0.2), btScalar(0.5)));
-  // Over Bullet's own mesh the three are thrown up at 0.2 to 0.5.
+  // Bullet's own mesh throws the three bodies up at 0.2 to 0.5.
   EXPECT_LT(bumpOf(sphere, 0.5), 0.001);
   EXPECT_LT(bumpOf(box, 0.3), 0.06);
   EXPECT_LT(bumpOf(wheel, 0.5), 0.06);
@@ -84,7 +84,7 @@ TEST(Dynamics, aTorusHangsOnATorus) {
       torus, 1,
       btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI), btVector3(0, 0, btScalar(-1.45))));
   world.step(240 * 5);
-  EXPECT_GT(double(link.getWorldTransform().getOrigin().z()), -1.75);  // linked: the tubes hold each other
+  EXPECT_GT(double(link.getWorldTransform().getOrigin().z()), -1.75);  // linked, so the tubes hold each other
   EXPECT_LT(double(link.getLinearVelocity().length()), 1.0);
 }
 

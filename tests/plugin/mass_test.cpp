@@ -1,4 +1,4 @@
-// Inertia of our shape, and bodies that turn as solids do.
+// Tests the inertia of the plugin's shape, and that its bodies turn like solids.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ TEST(Mass, inertiaOfAClosedMeshIsThatOfTheSolid) {
   const Vec3 half(1, 2, 3);
   const SharedMesh box = testing::boxMesh(half);
   expectNear(inertiaOf(shapeOver(box), 6.0), Vec3(26, 20, 10));
-  // About the origin, wherever the centre of mass is.
+  // The inertia is about the origin, wherever the centre of mass is.
   const SharedMesh beside = testing::moved(*box, {Mat3::Identity(), Vec3(10, 0, 0)});
   expectNear(inertiaOf(shapeOver(beside), 6.0), Vec3(26, 620, 610));
   const double major = 3.0, minor = 1.0;
@@ -64,8 +64,8 @@ TEST(Mass, principalAxisTransform) {
 }
 
 TEST(Mass, aCompoundAtThePrincipalFrameSpinsSteadily) {
-  // Free of forces, a solid that turns about a principal axis goes on doing so, its centre of mass at rest.
-  // Its inertia about the skew axes of the mesh would not let it.
+  // Without forces, a solid that turns about a principal axis keeps doing so, with its centre of mass at
+  // rest. With the inertia about the mesh's skew axes it would not.
   std::mt19937_64 random(72);
   const Pose pose = testing::randomPose(random, 1.0);
   ClusteredOctreeShape shape = shapeOver(testing::moved(*testing::boxMesh({3, 2, 1}), pose));
@@ -86,7 +86,7 @@ TEST(Mass, aCompoundAtThePrincipalFrameSpinsSteadily) {
   world.step(240);
   EXPECT_LT((fromBullet(body.getAngularVelocity()) - fromBullet(axis * 2)).norm(), 1e-3);
   EXPECT_LT((fromBullet(body.getWorldTransform().getOrigin()) - pose.translation).norm(), 1e-4);
-  // The mesh is where the shape would be on its own: its centre stays.
+  // The mesh is where the shape alone would be, so its centre stays.
   const btTransform mesh_in_world = body.getWorldTransform() * compound.getChildTransform(0);
   EXPECT_LT((fromBullet(mesh_in_world * toBullet(pose.translation)) - pose.translation).norm(), 1e-4);
 }

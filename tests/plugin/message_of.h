@@ -1,4 +1,4 @@
-// What an action is refused with.
+// The message with which an action is refused.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace octoblisk::testing {
 
-/// The message of the std::invalid_argument that an action throws; "accepted" where it throws none.
+/// The message of the std::invalid_argument that an action throws; "accepted" if it throws none.
 inline std::string messageOf(const std::function<void()>& action) {
   try {
     action();

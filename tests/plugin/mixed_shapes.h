@@ -1,4 +1,4 @@
-// Shapes of every kind for worlds in which anything may meet anything.
+// Shapes of every kind for worlds in which any two may meet.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,15 @@ namespace octoblisk::testing {
 
 class MixedShapes {
  public:
-  /// The triangles of a mesh grow with the square of `detail`: 16 makes rings of 768. Shapes are one to three
-  /// units across.
+  /// The number of triangles of a mesh grows with the square of `detail`: 16 makes rings of 768 triangles.
+  /// Shapes are one to three units across.
   explicit MixedShapes(int detail) {
     const auto ring = [&](double radius, double tube) {
       return torus(radius, tube, 2 * detail, 3 * detail / 4);
     };
     for (const auto& partners : {convexPartners(), concavePartners(ring(0.8, 0.4))}) {
       for (const Partner& partner : partners) {
-        if (partner.name == "plane") continue;  // through the middle of all; there is another
+        if (partner.name == "plane") continue;  // passes through all bodies; plane_ does not
         made_.push_back(partner.make());
         others_.push_back(made_.back().shape.get());
       }
@@ -35,14 +35,15 @@ class MixedShapes {
     compound_.addChildShape(btTransform(btQuaternion(btVector3(1, 0, 0), 1), btVector3(1, 0, 0)), &held);
     nested_.addChildShape(at(0.5, 0, 0), &compound_);
     nested_.addChildShape(at(-1.5, 0, 0), &ball_);
-    for (int i = 0; i < 24; ++i) {  // so many that a compound's own tree is asked for them
+    for (int i = 0; i < 24; ++i) {  // enough that the compound uses its own tree
       large_.addChildShape(at(2.0 * std::cos(0.26 * i), 2.0 * std::sin(0.26 * i), 0), &ball_);
     }
     large_.addChildShape(at(0, 0, 0), &compound_);
   }
 
-  /// One in two is ours, or a compound that holds ours. Planes, which have a pair with everything, are rare,
-  /// and far from their origin: of a mesh below a plane every triangle has a contact.
+  /// Every second shape is the plugin's, or a compound that contains it. Planes have a pair with everything,
+  /// so they are rare. They are far from their origin, because every triangle of a mesh below a plane has a
+  /// contact.
   btCollisionShape& any(std::mt19937_64& random) {
     if (random() % 1000 == 0) return plane_;
     if (random() % 10 == 0) {
@@ -53,7 +54,7 @@ class MixedShapes {
     return *others_[random() % others_.size()];
   }
 
-  /// Gives one of ours, of those that no compound holds, another scale, margin or threshold.
+  /// Changes the scale, margin or threshold of one of the plugin's shapes that is in no compound.
   void change(std::mt19937_64& random) {
     ClusteredOctreeShape& shape = *ours_[1 + random() % (ours_.size() - 1)];
     const std::uint64_t what = random() % 3;

@@ -1,4 +1,4 @@
-// Thin bodies at 200 m/s that tunnel through sheets, and do not where motions are clamped.
+// Thin bodies at 200 m/s tunnel through sheets unless their motions are clamped.
 #include "octoblisk_bullet/motion_clamping.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using testing::at;
 using testing::BulletWorld;
 
-constexpr double kTube = 0.1;  // of the ring
+constexpr double kTube = 0.1;  // radius of the ring's tube
 constexpr double kThreshold = kTube;
 
 struct Throw {
@@ -45,7 +45,7 @@ struct Scene {
   }
   ~Scene() { world->removeAction(&clamping); }
 
-  /// How many of the ring's vertices are below the sheet.
+  /// The number of the ring's vertices below the sheet.
   std::size_t below(const ClusteredOctreeShape& ring) const {
     const Pose pose = fromBullet(body->getWorldTransform());
     return static_cast<std::size_t>(std::ranges::count_if(
@@ -97,7 +97,7 @@ TEST_F(ThinRing, stopsAtASheetThatItTunnelsThrough) {
 }
 
 TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
-  // Both fly in steps of 5/6, three times and more what they are thick, and bounce.
+  // Both move 5/6 per step, at least three times their thickness, and bounce.
   for (const bool clamped : {false, true}) {
     MotionClamping clamping;
     BulletWorld world;
@@ -105,7 +105,7 @@ TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
     btRigidBody &low = world.add(ring_, 1, at(0, 0, -2.3)), &high = world.add(ring_, 1, at(0.1, 0, 2.1));
     low.setLinearVelocity(btVector3(0, 0, 200));
     high.setLinearVelocity(btVector3(0, 0, -200));
-    if (clamped) low.setCcdMotionThreshold(btScalar(kThreshold));  // of one is enough
+    if (clamped) low.setCcdMotionThreshold(btScalar(kThreshold));  // one body's threshold is enough
     world->addAction(&clamping);
     bool put_back = false;
     for (int step = 0; step < 20; ++step) {
@@ -124,7 +124,7 @@ TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
 }
 
 TEST_F(ThinRing, doesNotMoveIntoOneThatIsPutBack) {
-  // One behind the other at the same speed: they would not meet but for the sheet.
+  // One flies behind the other at the same speed. They meet only because of the sheet.
   MotionClamping clamping;
   BulletWorld world;
   world->setGravity(btVector3(0, 0, 0));
@@ -144,7 +144,7 @@ TEST_F(ThinRing, doesNotMoveIntoOneThatIsPutBack) {
   EXPECT_NEAR(heightOf(low), kTube + 0.005, 0.001);
   ASSERT_EQ(clamping.clamped().size(), 3u);
   EXPECT_GT(clamping.clamped()[0].fraction,
-            clamping.clamped()[1].fraction);  // the far one, by the sheet alone
+            clamping.clamped()[1].fraction);  // only the sheet clamps the far one
   EXPECT_EQ(clamping.clamped()[1].fraction, clamping.clamped()[2].fraction);
   for (int step = 0; step < 60; ++step) {
     world.step(1);
@@ -157,8 +157,8 @@ TEST_F(ThinRing, doesNotMoveIntoOneThatIsPutBack) {
 TEST_F(ThinRing, isPutWhereTheImpactIsAndKeepsItsVelocity) {
   Scene scene(sheet_, ring_, {.height = 0.5}, true);
   scene.world.step(1);
-  // The ring was 0.4 over the sheet and is a quarter of the breaking threshold of 0.02 over it, or a little
-  // more.
+  // The ring was 0.4 above the sheet. It is now a quarter of the breaking threshold of 0.02 above it, or
+  // slightly more.
   ASSERT_EQ(scene.clamping.clamped().size(), 1u);
   EXPECT_EQ(scene.clamping.clamped()[0].body, scene.body);
   EXPECT_NEAR(scene.clamping.clamped()[0].fraction, 0.395 / 200.0 * 240.0, 0.002);
@@ -171,7 +171,7 @@ TEST_F(ThinRing, isPutWhereTheImpactIsAndKeepsItsVelocity) {
   EXPECT_GT(double(scene.body->getWorldTransform().getOrigin().z()), 0.9 * kTube);
 }
 
-/// Where a scene's bodies are after some steps, with the clamping in the world or not.
+/// The positions of a scene's bodies after some steps, with or without clamping.
 std::vector<Vec3> fly(bool clamped, const std::function<void(BulletWorld&)>& fill, btScalar threshold) {
   MotionClamping clamping;
   BulletWorld world;
@@ -195,7 +195,8 @@ TEST_F(ThinRing, whatIsNotAskedForIsLeftAlone) {
   const auto throwAt = [](BulletWorld& world, btCollisionShape& shape, double x) {
     world.add(shape, 1, at(x, 0, 3.03)).setLinearVelocity(btVector3(0, 0, -200));
   };
-  // No threshold: convex bodies, at our sheet and at each other, and our ring at a convex body.
+  // Without a threshold: convex bodies at the plugin's sheet and at each other, and its ring at a convex
+  // body.
   const auto convex = [&](BulletWorld& world) {
     world.add(sheet_, 0, at(0, 0, 0));
     world.add(block, 0, at(20, 0, 0));
@@ -211,7 +212,7 @@ TEST_F(ThinRing, whatIsNotAskedForIsLeftAlone) {
     throwAt(world, ball, 20);
   };
   EXPECT_EQ(fly(true, alone, btScalar(kThreshold)), fly(false, alone, btScalar(kThreshold)));
-  // No threshold is set; the ways are shorter than it; the filters do not let the bodies meet.
+  // No threshold is set, the motions are shorter than it, or the filters keep the bodies from meeting.
   const auto ring = [&](BulletWorld& world) {
     world.add(sheet_, 0, at(0, 0, 0));
     throwAt(world, ring_, 0);

@@ -1,5 +1,4 @@
-// What is no rigid body, and what asks a world: cloth, ghosts, multibodies, rays and sweeps against our
-// shape.
+// Cloth, ghosts, multibodies, rays and sweeps against the plugin's shape.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
@@ -22,7 +21,7 @@ namespace {
 using testing::at;
 using testing::BulletWorld;
 
-/// Gravity, its collision objects removed at the end.
+/// A world with gravity. Its collision objects are removed at the end.
 template <typename World>
 void settle(World& world, int steps) {
   for (int i = 0; i < steps; ++i) world.stepSimulation(btScalar(1.0 / 240.0), 0);
@@ -76,7 +75,7 @@ TEST(OtherBodies, ghostsSeeOurs) {
   EXPECT_EQ(ghost.getNumOverlappingObjects(), 1);
   btBroadphasePairArray& pairs = ghost.getOverlappingPairCache()->getOverlappingPairArray();
   ASSERT_EQ(pairs.size(), 1);
-  // A ghost's own cache knows the pair; the world's has its algorithm.
+  // The ghost's own cache knows the pair. The world's cache has its algorithm.
   btBroadphasePair* pair = world->getPairCache()->findPair(pairs[0].m_pProxy0, pairs[0].m_pProxy1);
   ASSERT_TRUE(pair && pair->m_algorithm);
   btManifoldArray manifolds;

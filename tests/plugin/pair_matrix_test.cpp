@@ -1,4 +1,4 @@
-// Ours against every kind of shape: both orders, both tables, and worlds.
+// The plugin's shape against every kind of shape: both orders, both tables, and worlds.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ std::vector<Partner> floors() {
 
 const auto kName = [](const auto& partner) { return partner.param.name; };
 
-/// Our torus as body 0, and the partner.
+/// A torus of the plugin's shape as body 0, and the partner.
 struct Pair {
   explicit Pair(const Partner& partner) : made(partner.make()), random(71) {
     torus_object.setCollisionShape(&torus);
@@ -83,13 +83,13 @@ class ConcavePairs : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(ConcavePairs, contacts_vs_bruteforce) {
   Pair pair(GetParam());
-  pair.torus.setSolid(false);  // contacts of triangles alone
+  pair.torus.setSolid(false);  // only contacts of triangles
   BulletWorld world;
   int hits = 0;
   constexpr int kPoses = 200;
   for (int i = 0; i < kPoses; ++i) {
     pair.poseAtRandom();
-    // Margins on both; a plane's does not count, as for Bullet's convex shapes.
+    // Both have margins. A plane's margin is ignored, as with Bullet's convex shapes.
     const double margin = i % 2 ? 0.05 : 0.0, other_margin = i % 2 ? 0.03 : 0.0;
     pair.torus.setMargin(btScalar(margin));
     pair.made.setMargin(other_margin);
@@ -119,14 +119,14 @@ TEST_P(ConcavePairs, contacts_vs_bruteforce) {
     ASSERT_EQ(report.points.empty(), expected.empty()) << "pose " << i;
     hits += !expected.empty();
     if (expected.empty()) continue;
-    // The plane's contacts are those of corners: none goes a long way.
+    // The plane's contacts are at corners, so none pushes far.
     const double least_deep =
         pair.made.mesh && deepest + margins <= 0.0
             ? testing::deepestShortWay(*torusMesh(), *pair.made.mesh, pair.other_in_torus, expected) - margins
             : deepest;
     ASSERT_GE(report.deepest(), deepest - kNoise) << "pose " << i;
     ASSERT_LE(report.deepest(), least_deep + kNoise) << "pose " << i;
-    // Of two bodies of our shape the first is the one whose frame is taken.
+    // With two bodies of the plugin's shape, the result is in the first one's frame.
     if (GetParam().name != "ours") {
       ASSERT_NO_FATAL_FAILURE(expectMirrored(report, swapped)) << "pose " << i;
     }
@@ -179,7 +179,7 @@ class ConvexPartners : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(ConvexPartners, contacts_vs_bvh) {
   Pair pair(GetParam());
-  pair.torus.setSolid(false);  // as BVH
+  pair.torus.setSolid(false);  // like btBvhTriangleMeshShape
   BulletMesh source(*torusMesh());
   btBvhTriangleMeshShape bvh(source.view(), true);
   btCollisionObject bvh_object;
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(PairMatrix, ConvexPartners, ::testing::ValuesIn(testing
 class AllPairs : public ::testing::TestWithParam<Partner> {};
 
 TEST_P(AllPairs, worldsFindWhatPairTestsFind) {
-  // The other table, and the broadphase; the order of a pair is that of being added.
+  // The other table, and the broadphase. A pair has the order in which its bodies were added.
   Pair pair(GetParam());
   const auto breaking = [](const btCollisionObject& object) {
     return double(object.getCollisionShape()->getContactBreakingThreshold(gContactBreakingThreshold));
@@ -278,7 +278,7 @@ TEST_P(Floors, ourBodiesComeToRest) {
 INSTANTIATE_TEST_SUITE_P(PairMatrix, Floors, ::testing::ValuesIn(floors()), kName);
 
 TEST(Plane, deepBodiesComeOut) {
-  // However deep: a plane is a half-space.
+  // At any depth, because a plane is a half-space.
   auto box = shapeOver(testing::boxMesh({1, 1, 1}));
   btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
   BulletWorld world;
@@ -291,7 +291,7 @@ TEST(Plane, deepBodiesComeOut) {
   EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), 0.9);
 }
 
-/// The deepest contact of a torus of ours and a GImpact shape, in both orders, and in a world.
+/// The deepest contact of a torus of the plugin's shape and a GImpact shape, in both orders and in a world.
 struct GImpactContacts {
   double first, second, in_world;
 };
@@ -336,7 +336,7 @@ TEST(GImpact, theLastRegistrationWins) {
   EXPECT_EQ(after.second, ours.second);
   EXPECT_EQ(after.in_world, ours.in_world);
 
-  // GImpact takes the table of contacts, not that of closest points.
+  // GImpact registers in the table of contacts, not in that of closest points.
   BulletWorld gimpact_last;
   btGImpactCollisionAlgorithm::registerAlgorithm(&gimpact_last.dispatcher());
   const GImpactContacts before = gimpactContacts(gimpact_last, box);

@@ -1,4 +1,4 @@
-// Our shape in a Bullet world: contacts of every pair, in both orders, from both tables.
+// The plugin's shape in a Bullet world: contacts of every pair, in both orders, from both tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class ConvexPairs : public ::testing::TestWithParam<NamedConvex> {};
 TEST_P(ConvexPairs, contacts_vs_bvh) {
   const auto mesh = testing::torus(2, 0.7, 24, 12);
   ClusteredOctreeShape ours = shapeOver(mesh);
-  ours.setSolid(false);  // as BVH
+  ours.setSolid(false);  // like btBvhTriangleMeshShape
   BulletMesh source(*mesh);
   btBvhTriangleMeshShape bvh(source.view(), true);
   bvh.setMargin(0);
@@ -76,7 +76,7 @@ TEST_P(ConvexPairs, contacts_vs_bvh) {
     hits += ours_hits;
     if (std::min(std::abs(from_ours.deepest()), std::abs(from_bvh.deepest())) > 1e-3) {
       ASSERT_EQ(ours_hits, bvh_hits) << "pose " << i;
-      // Bullet's depth is that of its own GJK and EPA on the same triangles.
+      // Bullet's depth comes from its own GJK and EPA on the same triangles.
       ASSERT_TRUE(!ours_hits || std::abs(from_ours.deepest() - from_bvh.deepest()) < 0.03) << "pose " << i;
     }
     ASSERT_EQ(from_ours.points.size(), swapped.points.size());
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Pairs, ConvexPairs, ::testing::ValuesIn(kConvexes),
 TEST(MeshPairs, contacts_vs_bruteforce) {
   const auto mesh_a = testing::torus(2, 0.7, 24, 12), mesh_b = testing::fan(5, 8);
   ClusteredOctreeShape a = shapeOver(mesh_a), b = shapeOver(mesh_b);
-  for (ClusteredOctreeShape* shape : {&a, &b}) shape->setSolid(false);  // contacts of triangles alone
+  for (ClusteredOctreeShape* shape : {&a, &b}) shape->setSolid(false);  // only contacts of triangles
   btCollisionObject object_a, object_b;
   object_a.setCollisionShape(&a);
   object_b.setCollisionShape(&b);
@@ -137,7 +137,7 @@ TEST(MeshPairs, contacts_vs_bruteforce) {
       ASSERT_TRUE(point.normal.isApprox(world_a.rotation * same->normal, 1e-4));
     }
   }
-  EXPECT_GT(bounded, hits / 2);  // depths that must be told
+  EXPECT_GT(bounded, hits / 2);  // depths that must be reported
   EXPECT_GT(hits, kPoses * 3 / 10);
   EXPECT_LT(hits, kPoses * 7 / 10);
 }
@@ -233,7 +233,7 @@ TEST(Pairs, compoundChildrenKeepTheirNumbers) {
 TEST(Pairs, aBreakingThresholdSetLateCounts) {
   ClusteredOctreeShape floor = shapeOver(testing::waveSheet(5, 0.0, 10));
   floor.setContactBreakingThreshold(btScalar(0.019));
-  btCompoundShape compound;  // keeps the bounds that its children have when they are added
+  btCompoundShape compound;  // keeps the bounds that its children had when they were added
   compound.addChildShape(at(0, 0, 0), &floor);
   btBoxShape box(btVector3(1, 1, 1));
   for (btCollisionShape* shape :
@@ -257,7 +257,7 @@ TEST(Pairs, aBreakingThresholdSetLateCounts) {
 }
 
 TEST(Pairs, manifoldsStayWithTheirPatches) {
-  // A bar lies flat, then is tilted up on one end: the other end's contacts keep their impulses.
+  // A flat bar is tilted up at one end. The contacts at the other end keep their impulses.
   ClusteredOctreeShape floor = shapeOver(testing::waveSheet(5, 0.0, 10));
   ClusteredOctreeShape bar = shapeOver(testing::boxMesh({4, 0.5, 0.5}));
   BulletWorld world;

@@ -14,7 +14,7 @@
 namespace octoblisk::testing {
 namespace {
 
-/// A mesh as Bullet's interface of two parts, the first with half of the triangles.
+/// A mesh as a Bullet interface with two parts. The first part has half of the triangles.
 class PartedMesh {
  public:
   explicit PartedMesh(const TriangleMesh& mesh) {
@@ -69,7 +69,7 @@ Made bvh(const SharedMesh& mesh) {
   return made;
 }
 
-/// Scales what the shape consists of; outward again, as the scaling mirrors.
+/// Scales the shape's mesh and turns its triangles outward again, because the scaling mirrors.
 void scaleMesh(Made& made) {
   std::vector<Vec3> vertices;
   for (const Vec3& vertex : made.mesh->vertices())
@@ -107,7 +107,7 @@ Made scaledGImpact(const SharedMesh& mesh) {
   return made;
 }
 
-/// Someone else's shape of our type.
+/// A foreign shape with the plugin's shape type.
 struct Foreign final : btBvhTriangleMeshShape {
   explicit Foreign(btStridingMeshInterface* mesh) : btBvhTriangleMeshShape(mesh, true) {
     m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
@@ -120,7 +120,7 @@ Made foreign(const SharedMesh& mesh) {
   return made;
 }
 
-/// Heights over a grid, z up, scaled; Bullet puts the middle of the bounds in the origin.
+/// Scaled heights over a grid, with z up. Bullet puts the centre of the bounds at the origin.
 Made heightfield(double amplitude) {
   constexpr int kWidth = 13, kLength = 11;
   const btVector3 scaling(btScalar(0.5), btScalar(0.75), btScalar(1.5));
@@ -139,7 +139,7 @@ Made heightfield(double amplitude) {
   for (int y = 0; y + 1 < kLength; ++y) {
     for (int x = 0; x + 1 < kWidth; ++x) {
       const auto at = [&](int dx, int dy) { return static_cast<std::uint32_t>((y + dy) * kWidth + x + dx); };
-      triangles.push_back({at(0, 0), at(1, 0), at(0, 1)});  // up; Bullet's face down
+      triangles.push_back({at(0, 0), at(1, 0), at(0, 1)});  // faces up; Bullet's face down
       triangles.push_back({at(1, 0), at(1, 1), at(0, 1)});
       made.ids.insert(made.ids.end(), {{2 * x, y}, {2 * x + 1, y}});
     }
@@ -218,7 +218,7 @@ Made uniformScaling() {
   return made;
 }
 
-/// Of a box and a sphere, or of two boxes whose tops are z = 0.
+/// A compound of a box and a sphere, or of two boxes with their tops at z = 0.
 Made compound(bool floor) {
   Made made;
   auto& shape = made.is<btCompoundShape>();
@@ -236,9 +236,9 @@ Made compound(bool floor) {
   return made;
 }
 
-Made movedDown(Made made) {  // by a compound of one child, as convex shapes have the origin inside
+Made movedDown(Made made) {  // uses a compound of one child, because convex shapes contain the origin
   auto child = made.shape;
-  child->setMargin(0);  // beyond the hull's points
+  child->setMargin(0);  // beyond the points of the hull
   made.kept.push_back(child);
   made.is<btCompoundShape>().addChildShape(
       btTransform(btMatrix3x3::getIdentity(), btVector3(0, 0, btScalar(-0.5))), child.get());

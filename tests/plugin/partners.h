@@ -1,4 +1,4 @@
-// Every kind of shape that ours meets, with what it is made of.
+// Every kind of shape that the plugin's shape can meet, with its triangles.
 #pragma once
 
 #include <btBulletCollisionCommon.h>
@@ -15,12 +15,12 @@
 
 namespace octoblisk::testing {
 
-/// A shape and all that it points to.
+/// A shape and everything it points to.
 struct Made {
   std::vector<std::shared_ptr<void>> kept;
   std::shared_ptr<btCollisionShape> shape;
-  SharedMesh mesh;              ///< what it consists of, where it consists of triangles
-  std::vector<TriangleId> ids;  ///< how Bullet numbers these
+  SharedMesh mesh;              ///< its triangles, if it consists of triangles
+  std::vector<TriangleId> ids;  ///< Bullet's numbers of these
   std::shared_ptr<HalfSpace> half_space;
 
   template <typename Kept, typename... Arguments>
@@ -40,20 +40,20 @@ struct Made {
 
 struct Partner {
   std::string name;
-  double spread;               ///< of poses about a torus of radii 2 and 0.7 that meet it every second time
-  std::function<Made()> make;  ///< a body of some few units
-  /// A floor whose top is z = 0, not far below the origin; none for what nothing comes to rest on.
+  double spread;               ///< of poses around a torus of radii 2 and 0.7, half of which meet it
+  std::function<Made()> make;  ///< a body a few units across
+  /// A floor with its top at z = 0, near the origin. Empty if nothing can rest on the shape.
   std::function<Made()> floor = nullptr;
 
   friend void PrintTo(const Partner& partner, std::ostream* out) { *out << partner.name; }
 };
 
-/// Bullet's concave shapes, and ours; those of a mesh are of this one.
+/// Bullet's concave shapes and the plugin's. Mesh shapes use `body`.
 std::vector<Partner> concavePartners(const SharedMesh& body = fan(5, 8));
 /// Bullet's convex shapes, and compounds.
 std::vector<Partner> convexPartners();
 
-/// The mesh as Bullet stores it: coordinates of the precision of its scalar.
+/// The mesh as Bullet stores it, with coordinates rounded to its scalar type.
 SharedMesh rounded(const TriangleMesh& mesh);
 
 }  // namespace octoblisk::testing

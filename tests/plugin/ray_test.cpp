@@ -1,5 +1,5 @@
-// Rays through Bullet's world calls: what the shape gives along the way alone finds what its generic path
-// finds, and Bullet's own mesh.
+// Rays through Bullet's world calls. The shape's fast path along a ray finds the same hits as its generic
+// path and as Bullet's own mesh.
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST_P(Rays, closestAndAll_vs_genericPath) {
       oracle.ray(way, expected_closest);
       ASSERT_EQ(all.sorted(), expected_all.sorted()) << "ray " << i << ", flags " << flags;
       ASSERT_EQ(closest.found.size(), expected_closest.found.size());
-      // Of two at the same fraction either may be the closest.
+      // Either of two hits at the same fraction may be the closest.
       ASSERT_EQ(closest.m_closestHitFraction, expected_closest.m_closestHitFraction) << "ray " << i;
       if (flags == 0) hits += closest.hasHit();
       all_hits += all.found.size();
@@ -92,7 +92,7 @@ TEST_P(Rays, closestAndAll_vs_bvhAndRaycast) {
     hits += closest.hasHit();
     const std::optional<RayHit> exact =
         closestHit(shape.tree(), {way.from, way.to - way.from, 1.0, flags != 0});
-    // Bullet's rays hit within a rim of one part in ten thousand round a triangle.
+    // Bullet's rays also hit within a rim of one part in ten thousand around a triangle.
     if (exact.has_value() != closest.hasHit() ||
         (exact && std::abs(exact->t - double(closest.m_closestHitFraction)) > 1e-4)) {
       ++at_rims;
@@ -141,7 +141,7 @@ TEST_P(Rays, visitFewTriangles) {
   }
   EXPECT_GT(in_bounds, 20 * closest_visited);
   EXPECT_LE(closest_visited, all_visited);
-  EXPECT_LE(all_visited, all_hits + all_hits / 10);  // those of the rim
+  EXPECT_LE(all_visited, all_hits + all_hits / 10);  // those in the rim
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Rays, ::testing::ValuesIn(scenes()), testing::nameOf);

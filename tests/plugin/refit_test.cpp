@@ -1,4 +1,4 @@
-// Shapes whose vertices move: queries, scaling, and what becomes of contacts that were.
+// Shapes whose vertices move: queries, scaling, and existing contacts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,8 +104,8 @@ TEST(ShapeRefit, refusesAnotherMesh) {
 }
 
 TEST(ShapeRefit, contactsOfBeforeAreGone) {
-  // Bars lie on a floor of which one half sinks away: the contacts on it are known to Bullet by their places
-  // on the bodies, which have not moved.
+  // Bars lie on a floor, and one half of the floor sinks. Bullet keeps contacts by their positions on the
+  // bodies, and the bodies have not moved.
   const SharedMesh flat = testing::waveSheet(4, 0.0, 16);
   const SharedMesh stepped =
       deformed(*flat, [](const Vec3& v) { return Vec3(v.x(), v.y(), v.x() > 0.01 ? -1.0 : 0.0); });

@@ -1,4 +1,5 @@
-// How convex bodies rest on our mesh, beside Bullet's own mesh and the closed form of a flat floor.
+// Compares convex bodies at rest on the plugin's mesh with Bullet's own mesh and the closed form of a flat
+// floor.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,9 +40,9 @@ const std::vector<Body> kBodies = {
     {"hull", roundHull},
 };
 
-/// What is seen of a body at the end of its fall, and of its contacts while it lay.
+/// The state of a body at the end of its fall, and of its contacts while it lay.
 struct Rest {
-  double lowest = 0.0;  ///< of its points: 0 is on the floor, below is in it
+  double lowest = 0.0;  ///< of its points: 0 is on the floor, below 0 is in it
   double speed = 0.0;
   double most_askew = 0.0;  ///< the sine of the widest angle between a contact's normal and the floor's
 };

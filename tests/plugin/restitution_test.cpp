@@ -1,4 +1,4 @@
-// How high bodies rise after a bounce, against the closed form.
+// Compares the rise of bodies after a bounce with the closed form.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 using testing::at;
 using testing::BulletWorld;
 
-/// The height after the first bounce, as a part of the height that the body is dropped from.
+/// The height after the first bounce, as a fraction of the drop height.
 double riseAfterBounce(btCollisionShape& floor, btCollisionShape& body_shape, double half_height,
                        double restitution, int steps_a_second, double height) {
   BulletWorld world;
@@ -34,8 +34,8 @@ double riseAfterBounce(btCollisionShape& floor, btCollisionShape& body_shape, do
   return highest / height;
 }
 
-/// On average over heights, bodies rise to e² of the height: within 10 %, or within 3 % of the height that
-/// they were dropped from, as a step of 1/60 s moves them by as much.
+/// On average over drop heights, bodies rise to e² of the height: within 10 %, or within 3 % of the drop
+/// height, because a step of 1/60 s moves them that far.
 TEST(Restitution, meanRise_vs_closedForm) {
   ClusteredOctreeShape sheet = shapeOver(testing::waveSheet(5, 0.0, 10));
   ClusteredOctreeShape ring = shapeOver(testing::torus(0.4, 0.1, 32, 16));

@@ -1,4 +1,5 @@
-// The shape written as Bullet writes meshes, read back by Bullet's own importer; and its tree kept as a blob.
+// Writes the shape as Bullet writes meshes and reads it back with Bullet's own importer. Also keeps its tree
+// as a blob.
 #include <BulletCollision/CollisionDispatch/btCollisionWorldImporter.h>
 #include <LinearMath/btSerializer.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace {
 
 using testing::BulletMesh;
 
-/// Leaves pointers as they are: the importer reads from the chunks where they were written.
+/// Leaves pointers unchanged, because the importer reads the chunks in place.
 struct InMemorySerializer final : btDefaultSerializer {
   ~InMemorySerializer() override { btDefaultSerializer::finishSerialization(); }  // frees the chunks
   void* getUniquePointer(void* pointer) override { return pointer; }
@@ -76,7 +77,7 @@ TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
       ASSERT_LT((found.at(id)[k] - triangle[k]).norm(), 1e-6) << "part " << id.first << ", " << id.second;
     }
   }
-  // And the shape again, from what was read: the same mesh to the bit.
+  // The shape made from the read mesh has the same mesh to the last bit.
   const ClusteredOctreeShape again(loaded->getMeshInterface());
   EXPECT_EQ(again.getLocalScaling(), shape.getLocalScaling());
   for (std::uint32_t t = 0; t < shape.tree().mesh().triangleCount(); ++t) {
@@ -85,7 +86,7 @@ TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
   }
 }
 
-/// What a shape writes, aligned.
+/// The data that a shape writes, aligned.
 std::vector<btVector3DoubleData> dataOf(const btCollisionShape& shape, btSerializer& serializer) {
   std::vector<btVector3DoubleData> data(
       std::size_t(shape.calculateSerializeBufferSize()) / sizeof(btVector3DoubleData) + 1);

@@ -1,4 +1,4 @@
-// A shape over a mesh, with a tree of its own and without a margin: contacts are exact on the triangles.
+// A shape over a mesh, with its own tree and no margin. Contacts are exact on the triangles.
 #pragma once
 
 #include <cstdint>

@@ -60,7 +60,7 @@ TEST(Shape, processAllTrianglesTakesBoxesOfAnySize) {
   }
 }
 
-/// The same two triangles through every layout that the interface allows.
+/// Reads the same two triangles through every layout that the interface allows.
 template <typename Scalar, typename Index>
 CollectedTriangles throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType index_type) {
   struct Vertex {
@@ -178,7 +178,7 @@ TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
   ClusteredOctreeShape shape(tree), other(tree);
   shape.setLocalScaling(btVector3(-1, 2, btScalar(0.5)));
   EXPECT_EQ(&other.tree(), tree.get());
-  double volume = 0.0;  // by the divergence theorem: positive where triangles face outward
+  double volume = 0.0;  // by the divergence theorem; positive if triangles face outward
   for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
     const Triangle corners = shape.tree().mesh().triangle(t);
     volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;

@@ -1,4 +1,4 @@
-// Closed meshes are solids: what is inside is pushed out the shortest way.
+// Closed meshes are solids. Bodies inside are pushed out in the shortest direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using testing::at;
 using testing::BulletWorld;
 using testing::PairReport;
 
-/// The depth of a ball in a torus round z, at its nearest way out; the two are fine enough for 1 %.
+/// The depth of a ball in a torus around z, along the shortest way out. The meshes are fine enough for 1 %.
 double depthInTorus(const Vec3& center, double radius, double major, double minor) {
   const double from_tube = std::hypot(center.head<2>().norm() - major, center.z());
   return minor - from_tube + radius;
@@ -56,7 +56,7 @@ TEST(Solid, aBallInATorus_vs_closedForm) {
   EXPECT_LE(inside, kPlaces * 7 / 10);
 }
 
-/// Bodies of every kind that begin inside a block come out of it and rest on it.
+/// Bodies of every kind that start inside a block leave it and rest on it.
 TEST(Solid, whatIsInsideComesOut) {
   ClusteredOctreeShape block = shapeOver(testing::boxMesh({4, 4, 1}));
   ClusteredOctreeShape ring = shapeOver(testing::torus(0.3, 0.1, 24, 12));
@@ -85,9 +85,9 @@ TEST(Solid, whatIsInsideComesOut) {
   }
 }
 
-/// A hollow is outside.
+/// A cavity is outside.
 TEST(Solid, aHollowIsOutside) {
-  // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the hollow.
+  // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the cavity.
   std::vector<Vec3> vertices;
   std::vector<TriangleMesh::Indices> triangles;
   std::mt19937_64 random(73);

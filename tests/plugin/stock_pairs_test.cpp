@@ -1,4 +1,5 @@
-// The table of docs/bullet.md: which pairs of a moving concave body are found, by ours and by Bullet's own shapes.
+// The table of docs/bullet.md: the pairs of a moving concave body that the plugin's shape and Bullet's own
+// shapes find.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <BulletSoftBody/btSoftBody.h>
@@ -19,7 +20,8 @@ using testing::Made;
 using testing::PairReport;
 using testing::Partner;
 
-/// What the contacts of a world, and contactPairTest in both orders, found of the poses where ours touches.
+/// The number of poses at which the plugin's shape touches, and the number found by a world's contacts and by
+/// contactPairTest in both orders.
 struct Found {
   int touching = 0, in_world = 0, by_pair_test = 0;
 };
@@ -53,7 +55,7 @@ Found found(btCollisionShape& mover, const Partner& partner) {
     world->contactPairTest(&reference, &other, expected);
     if (expected.deepest() > -0.02) continue;  // beyond doubt
     ++sum.touching;
-    // GImpact before ours, so that both are as they should be.
+    // Registers GImpact first, as both require.
     btGImpactCollisionAlgorithm::registerAlgorithm(&world.dispatcher());
     registerAlgorithm(&world.dispatcher());
     PairReport report, swapped;
@@ -111,7 +113,7 @@ TEST_P(StockPairs, bvhFindsConvexBodiesAlone) {
   }
   EXPECT_EQ(sum.by_pair_test, 0);
   if (GetParam().name.starts_with("gimpact")) {
-    EXPECT_GT(sum.in_world, 0);  // by GImpact's algorithm
+    EXPECT_GT(sum.in_world, 0);  // found by GImpact's algorithm
   } else {
     EXPECT_EQ(sum.in_world, 0);
   }
@@ -130,7 +132,7 @@ TEST_P(StockPairs, gimpactFindsConcaveBodiesInWorldsAlone) {
 INSTANTIATE_TEST_SUITE_P(PairMatrix, StockPairs, ::testing::ValuesIn(partners()),
                          [](const auto& partner) { return partner.param.name; });
 
-/// The height of the lowest node of a cloth that fell on a floor at 0.
+/// The height of the lowest node of a cloth dropped on a floor at 0.
 double clothOn(btCollisionShape& shape) {
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);

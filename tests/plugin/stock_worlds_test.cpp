@@ -1,5 +1,5 @@
-// The table of docs/bullet.md, its worlds of other kinds: links of multibodies, and deformables, on and as concave
-// bodies.
+// The table of docs/bullet.md for other worlds: links of multibodies, and deformables, on concave bodies and
+// as concave bodies.
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -42,13 +42,13 @@ struct Shapes {
   btGImpactMeshShape gimpact;
 };
 
-/// GImpact before ours, so that both are as they should be.
+/// Registers GImpact first, as both require.
 void registerBoth(btCollisionDispatcher& dispatcher) {
   btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
   registerAlgorithm(&dispatcher);
 }
 
-/// Ends at the height of the floor, within what margins make of it, or far below.
+/// Expects a final height at the floor, up to the margins, or far below it.
 void expectHeight(double found, double on_floor, bool is_held, const std::string& what) {
   if (is_held) {
     EXPECT_NEAR(found, on_floor, 0.05) << what;
@@ -57,7 +57,7 @@ void expectHeight(double found, double on_floor, bool is_held, const std::string
   }
 }
 
-/// How high a link ends that falls along an upright slider of its multibody, over a floor.
+/// The final height of a link that falls onto a floor along a vertical slider of its multibody.
 template <typename Broadphase>
 double linkOn(btCollisionShape& link, btCollisionShape& floor, double floor_height) {
   btDefaultCollisionConfiguration configuration;
@@ -90,7 +90,7 @@ double linkOn(btCollisionShape& link, btCollisionShape& floor, double floor_heig
   return height;
 }
 
-/// A link on a floor, in both broadphases.
+/// Tests a link on a floor, with both broadphases.
 void expectLink(btCollisionShape& link, btCollisionShape& floor, bool is_held, double floor_height = 0) {
   const std::string what = std::string(link.getName()) + " on " + floor.getName();
   expectHeight(linkOn<btDbvtBroadphase>(link, floor, floor_height), 0.25, is_held, what);
@@ -132,7 +132,7 @@ TEST(StockWorlds, concaveLinksMeetWhatRigidBodiesMeet) {
   expectLink(rings.bvh, floors.slab, true, -0.5);
 }
 
-/// A deformable, and what of it Bullet tests against rigid bodies.
+/// A deformable, and its features that Bullet tests against rigid bodies.
 struct Soft {
   const char* name;
   bool is_ball;
@@ -142,7 +142,7 @@ struct Soft {
   friend void PrintTo(const Soft& soft, std::ostream* out) { *out << soft.name; }
 };
 
-/// Its lowest nodes at the height.
+/// Makes the deformable with its lowest nodes at the height.
 btSoftBody* made(const Soft& kind, btSoftBodyWorldInfo& info, double height) {
   if (kind.is_ball) {
     return btSoftBodyHelpers::CreateEllipsoid(info, toBullet(Vec3(0, 0, height + 0.3)),
@@ -153,8 +153,8 @@ btSoftBody* made(const Soft& kind, btSoftBodyWorldInfo& info, double height) {
                                         9, 0, true);
 }
 
-/// The height of the lowest node of a deformable that fell on a body. The body is static, its top at 0; or it
-/// falls itself and comes to rest on a floor, its top at 0, then the floor is 0.5 lower.
+/// The height of the lowest node of a deformable that fell on a body. The body's top ends at 0. The body is
+/// static, or it falls and comes to rest on a floor 0.5 lower.
 template <typename Broadphase>
 double lowestOn(const Soft& kind, btCollisionShape& shape, bool is_static) {
   btSoftBodyRigidBodyCollisionConfiguration configuration;
@@ -207,7 +207,7 @@ double lowestOn(const Soft& kind, btCollisionShape& shape, bool is_static) {
 
 class StockDeformables : public ::testing::TestWithParam<Soft> {
  protected:
-  /// Held by nodes at the margin, by faces up to a few margins.
+  /// Expects a deformable held by its nodes to lie at the margin, and by its faces within a few margins.
   void expectHeld(btCollisionShape& shape, bool is_static, bool is_held) {
     const std::string what = std::string(shape.getName()) + (is_static ? ", static" : ", moving");
     expectHeight(lowestOn<btDbvtBroadphase>(GetParam(), shape, is_static), 0.06, is_held, what);

@@ -1,5 +1,5 @@
-// Convex sweeps through Bullet's world calls: what the shape gives along the way alone finds what its generic
-// path finds, and Bullet's own mesh.
+// Convex sweeps through Bullet's world calls. The shape's fast path along a sweep finds the same hits as its
+// generic path and as Bullet's own mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct SweepHits final : btCollisionWorld::ConvexResultCallback, Hits {
   }
 };
 
-/// Counts the triangles it is cast at: for each, Bullet asks once how far it reaches from its origin.
+/// Counts the triangles that it is cast at. Bullet calls getAngularMotionDisc once for each.
 ATTRIBUTE_ALIGNED16(struct)
 CountingHull final : btConvexHullShape {
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -117,7 +117,7 @@ TEST_P(Sweeps, closestAndAll_vs_bvh) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Sweeps, ::testing::ValuesIn(scenes()), testing::nameOf);
 
 TEST(Sweep, callbacksThatCollectWhateverTheyReturn) {
-  // Bullet does not look at what a sweep's callback returns: 0 does not mean that nothing else is wanted.
+  // Bullet ignores the return value of a sweep's callback, so 0 does not end the sweep.
   struct Careless final : btCollisionWorld::ConvexResultCallback {
     btScalar addSingleResult(btCollisionWorld::LocalConvexResult&, bool) override {
       ++hits;

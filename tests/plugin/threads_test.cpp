@@ -1,4 +1,4 @@
-// Worlds of their own on threads of their own, over one tree: the answers are as alone.
+// Separate worlds on separate threads over one tree give the same answers as a single world.
 #include <gtest/gtest.h>
 
 #include <latch>
@@ -23,7 +23,7 @@ SharedTree sharedTree() {
   return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12)));
 }
 
-/// All that is asked of a world, as numbers; the kinds of questions are counted.
+/// All answers of a world's queries as numbers, with a count for each kind of query.
 struct Answers {
   std::vector<double> numbers;
   int contacts = 0, rays = 0, sweeps = 0;
@@ -73,7 +73,7 @@ void cast(BulletWorld& world, const btConvexShape& convex, std::mt19937_64& rand
   }
 }
 
-/// Everything in a world that has the shape in it several times, still and moving.
+/// Runs all queries in a world that contains the shape several times, at rest and moving.
 Answers answersOf(btCollisionShape& shape, unsigned seed) {
   std::mt19937_64 random(seed);
   Answers answers;

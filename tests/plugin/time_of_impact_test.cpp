@@ -1,4 +1,5 @@
-// When moving bodies meet within a step, against Bullet's own integration, closed forms and dense sampling.
+// Compares the time at which moving bodies meet within a step with Bullet's own integration, closed forms and
+// dense sampling.
 #include "octoblisk_bullet/time_of_impact.h"
 
 #include <LinearMath/btTransformUtil.h>
@@ -22,7 +23,7 @@ using testing::uniform;
 
 constexpr double kStep = 1.0 / 60.0;
 constexpr double kTolerance = 0.01;
-/// Of what is computed in Bullet's scalars from lengths of about 10.
+/// The error of results in Bullet's scalars for lengths of about 10.
 constexpr double kError = 1e3 * double(SIMD_EPSILON);
 
 btRigidBody bodyOf(ClusteredOctreeShape& shape) {
@@ -34,7 +35,7 @@ TEST(StepMotion, endsWhereBulletIntegratesTo) {
   for (int i = 0; i < 2000; ++i) {
     const btTransform from = toBullet(testing::randomPose(random, 5.0));
     const btVector3 linear = toBullet(randomPoint(random, 300.0));
-    // From none at all to turns that Bullet cuts.
+    // From no rotation to rotations that Bullet limits.
     const double fastest = std::pow(10.0, uniform(random, -6.0, 3.0));
     const btVector3 angular = toBullet(i % 20 ? randomPoint(random, fastest) : Vec3(Vec3::Zero()));
     btTransform expected, halfway;
@@ -70,7 +71,7 @@ TEST(TimeOfImpact, twoBoxesHeadOn_vs_closedForm) {
   a.setWorldTransform(at(-2, 0, 0));
   b.setWorldTransform(at(2, btScalar(0.5), 0));
   a.setLinearVelocity(btVector3(90, 0, 30));
-  b.setLinearVelocity(btVector3(-90, 0, 30));  // 3 nearer in a step, 2 apart
+  b.setLinearVelocity(btVector3(-90, 0, 30));  // 3 nearer per step, 2 apart
   auto impact = timeOfImpact(a, b, btScalar(kStep), btScalar(kTolerance));
   ASSERT_TRUE(impact);
   EXPECT_TRUE(impact->converged);
@@ -84,7 +85,7 @@ TEST(TimeOfImpact, twoBoxesHeadOn_vs_closedForm) {
   impact = timeOfImpact(a, b, btScalar(kStep));
   ASSERT_TRUE(impact);
   EXPECT_NEAR(impact->distance, 0.005, 0.005 / 8.0 + kError);
-  // Margins meet sooner.
+  // With margins the bodies meet sooner.
   box.setMargin(btScalar(0.1));
   impact = timeOfImpact(a, b, btScalar(kStep), btScalar(kTolerance));
   ASSERT_TRUE(impact);

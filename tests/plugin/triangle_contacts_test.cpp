@@ -1,4 +1,4 @@
-// The contact of one triangle and a convex shape, beside what Bullet's own search finds for the same two.
+// Compares the contact of a triangle and a convex shape with Bullet's own search.
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -38,7 +38,7 @@ const std::vector<NamedShape> kShapes = {
     {"hull", hullOfTwenty},
 };
 
-/// Minus the depth where the two meet. The triangle has no margin.
+/// The distance, or minus the depth if the two meet. The triangle has no margin.
 double distanceByBullet(const Triangle& triangle, const btConvexShape& shape, const btTransform& pose) {
   btTriangleShape flat(toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2]));
   flat.setMargin(0);
@@ -56,7 +56,7 @@ double distanceByBullet(const Triangle& triangle, const btConvexShape& shape, co
 class TriangleContacts : public ::testing::TestWithParam<NamedShape> {};
 
 TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
-  constexpr double kOfBullet = 2e-3;  // of Bullet's search, in single precision; of bodies of about 1
+  constexpr double kOfBullet = 2e-3;  // error of Bullet's single-precision search for bodies of size 1
   const std::unique_ptr<btConvexShape> shape = GetParam().make();
   btCollisionObject triangle_object, shape_object;
   shape_object.setCollisionShape(shape.get());
@@ -87,7 +87,7 @@ TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
     }
     if (by_bullet > -kOfBullet) continue;
     ++hits;
-    // A way out no longer than Bullet's, as Bullet itself sees once the triangle has gone it.
+    // The way out is no longer than Bullet's. Bullet confirms this after the triangle has moved along it.
     ASSERT_GE(report.deepest(), by_bullet - kOfBullet) << "case " << i;
     equal += std::abs(report.deepest() - by_bullet) < kOfBullet;
     const auto deepest = std::ranges::min_element(report.points, {}, &PairReport::Point::distance);

@@ -1,4 +1,4 @@
-// Worlds saved to .bullet files, and what comes back.
+// Saves worlds to .bullet files and loads them again.
 #include "octoblisk_bullet/world_importer.h"
 
 #include <LinearMath/btSerializer.h>
@@ -41,13 +41,13 @@ struct Loaded {
   Importer importer{&*world};
 };
 
-/// Without ties between contacts, which rounding would decide.
+/// A tilt that avoids ties between contacts, which rounding would decide.
 btTransform tilted(double x, double y, double z) {
   return at(x, y, z) * btTransform(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.3)));
 }
 
-/// A floor, and above it a ring, one that is scaled and mirrored, a gear in a compound at its principal axes,
-/// and another beside a box.
+/// A floor, and above it a ring, a scaled and mirrored ring, a gear in a compound at its principal axes, and
+/// another gear in a compound with a box.
 struct Scene {
   Scene() {
     ring.setMargin(btScalar(0.0625));
@@ -86,7 +86,7 @@ const ClusteredOctreeShape* ours(const btCollisionShape* shape) {
   return dynamic_cast<const ClusteredOctreeShape*>(shape);
 }
 
-/// Both bodies come back with one compound.
+/// Both bodies are loaded with one shared compound.
 TEST(WorldImporter, aCompoundThatBodiesShare) {
   ClusteredOctreeShape gear = shapeOver(testing::gear(8, 0.5, 0.7, 0.2, 0.25));
   gear.setSolid(false);
@@ -149,7 +149,7 @@ TEST(WorldImporter, shapesAndMassesComeBack) {
 }
 
 TEST(WorldImporter, aLoadedWorldGoesOnAsTheSavedOne) {
-  for (const int before : {0, 60, 110}) {  // new, falling, and touching, when the solver has to start cold
+  for (const int before : {0, 60, 110}) {  // new, falling, and touching (the solver then starts cold)
     const double near = before == 110 ? 0.03 : 0.002;
     Scene scene;
     scene.world.step(before);

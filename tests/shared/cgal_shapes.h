@@ -1,4 +1,4 @@
-// Triangles as CGAL's shapes, and its exact verdict on two of them.
+// Triangles as CGAL shapes, and CGAL's exact test of two of them.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -22,7 +22,7 @@ typename Kernel::Point_3 pointOf(const Vec3& v) {
 template <typename Kernel>
 using Shape = std::variant<typename Kernel::Point_3, typename Kernel::Segment_3, typename Kernel::Triangle_3>;
 
-/// The triangle as what it is: a point, a segment or a proper triangle.
+/// The triangle as a point, a segment or a proper triangle.
 template <typename Kernel>
 Shape<Kernel> shapeOf(const Triangle& t) {
   std::array<typename Kernel::Point_3, 3> corner = {pointOf<Kernel>(t[0]), pointOf<Kernel>(t[1]),
@@ -36,7 +36,7 @@ Shape<Kernel> shapeOf(const Triangle& t) {
   return typename Kernel::Segment_3(corner[0], corner[2]);
 }
 
-/// Whether two triangles share a point, by predicates without rounding.
+/// Whether two triangles share a point, by exact predicates.
 using ExactShape = Shape<CGAL::Exact_predicates_inexact_constructions_kernel>;
 inline bool exactlyMeet(const ExactShape& a, const ExactShape& b) {
   return std::visit([](const auto& in_a, const auto& in_b) { return CGAL::do_intersect(in_a, in_b); }, a, b);
@@ -46,8 +46,9 @@ inline bool exactlyMeet(const Triangle& a, const Triangle& b) {
   return exactlyMeet(shapeOf<Kernel>(a), shapeOf<Kernel>(b));
 }
 
-/// All pairs of triangles that meet, by ascending indices: bruteForcePairs, with no test of the library's.
-/// B's vertices are posed in double precision. Compile it without fused multiply-add, as the library is.
+/// All triangle pairs that meet, in ascending order of indices, like bruteForcePairs but without the
+/// library's tests. B's vertices are posed in double precision. Compile it without fused multiply-add, like
+/// the library.
 inline std::vector<TrianglePair> exactPairs(const TriangleMesh& a, const TriangleMesh& b,
                                             const Pose& b_in_a) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -67,7 +67,8 @@ SharedMesh duplicates(std::mt19937_64& random) {
   return meshOf(std::move(vertices), std::move(triangles));
 }
 
-/// A box and a torus' triangles cut at the middle of an edge again and again, those beside them not.
+/// Triangles of a box and a torus, some repeatedly divided at the middle of an edge. Their neighbours stay
+/// undivided.
 SharedMesh tJunctions(std::mt19937_64& random) {
   Vec3 half;
   for (int k = 2; k >= 0; --k) half[k] = uniform(random, k == 2 ? 0.02 : 0.3, 0.9);

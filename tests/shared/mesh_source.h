@@ -1,11 +1,11 @@
-// A mesh as triangles that someone else keeps.
+// A mesh as an external source of triangles.
 #pragma once
 
 #include "octoblisk/triangle_source.h"
 
 namespace octoblisk::testing {
 
-/// Hands out no more than it is asked for; part 0.
+/// Hands out only the requested triangles, all of part 0.
 class MeshSource final : public TriangleSource {
  public:
   explicit MeshSource(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -23,7 +23,7 @@ class MeshSource final : public TriangleSource {
     }
   }
 
-  mutable std::size_t queries = 0;  ///< how often it was asked
+  mutable std::size_t queries = 0;  ///< number of queries
 
  private:
   const TriangleMesh& mesh_;

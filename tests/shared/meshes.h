@@ -1,4 +1,4 @@
-// Meshes and random poses for tests and benchmarks. All seeded, all closed forms.
+// Seeded, closed-form meshes and random poses for tests and benchmarks.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace octoblisk::testing {
 
-// Those that the gallery shows, too.
+// The gallery also uses these meshes.
 using shapes::boxMesh;
 using shapes::bumpySphere;
 using shapes::extrudedBand;
@@ -31,10 +31,11 @@ Pose randomPose(std::mt19937_64& random, double half_size);
 /// A triangle with corners within ±half_size.
 Triangle randomTriangle(std::mt19937_64& random, double half_size);
 
-/// Thin twisted blades round the z axis, not joined: what a blisk is like to a tree.
+/// Thin twisted blades around the z axis, unconnected. To a tree they resemble a blisk.
 SharedMesh fan(int blades, int segments);
 
-/// A tube round z whose outer and inner walls are prisms of so many facets; a facet's middle is towards x.
+/// A tube around z. Its outer and inner walls are prisms with `facets` facets. The middle of one facet lies
+/// towards x.
 SharedMesh tube(double inner, double outer, double half_height, std::uint32_t facets);
 
 /// Random triangles, each of about the given size, within ±half_size; every eighth is degenerate or a

@@ -64,7 +64,7 @@ ClusteredOctree treeOf(const SharedMesh& mesh, const TreeKind& kind) {
   return ClusteredOctree::build(longer, kind.options).refitted(mesh, 1);
 }
 
-/// A point of a triangle: a corner, of an edge, or inside it.
+/// A point of a triangle: a corner, or on an edge, or inside it.
 Vec3 pointOf(const Triangle& t, std::mt19937_64& random) {
   const double u = uniform(random, 0.0, 1.0), v = uniform(random, 0.0, 1.0 - u);
   switch (random() % 4) {
@@ -77,7 +77,7 @@ Vec3 pointOf(const Triangle& t, std::mt19937_64& random) {
   }
 }
 
-/// Turned by right angles, so that planes and edges fall together.
+/// A rotation by right angles, so that planes and edges coincide.
 Mat3 rightAngled(std::mt19937_64& random) {
   std::array<int, 3> axis = {0, 1, 2};
   std::swap(axis[0], axis[random() % 3]);
@@ -88,7 +88,7 @@ Mat3 rightAngled(std::mt19937_64& random) {
   return rotation;
 }
 
-/// Brings a point of B onto one of A, or away from it by up to B's size.
+/// Moves a point of B onto a point of A, or up to B's size away from it.
 Pose nearPose(const TriangleMesh& a, const TriangleMesh& b, double size_of_b, std::mt19937_64& random) {
   Pose pose;
   pose.rotation = random() % 3 == 0 ? rightAngled(random) : randomRotation(random);
@@ -100,7 +100,7 @@ Pose nearPose(const TriangleMesh& a, const TriangleMesh& b, double size_of_b, st
   return pose;
 }
 
-/// The least distance of all pairs of triangles.
+/// The least distance of all triangle pairs.
 double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < b.triangleCount(); ++j) {
@@ -139,7 +139,7 @@ SoakTally soak(std::uint64_t scene_number, int poses) {
   const Vec3 direction = randomRotation(random).col(0);
   const SharedMesh mesh_a =
       placed(*hardMesh(random, scene.a), scene.scale, scene.scale * scene.far * direction);
-  // B may lie far from its own origin, too.
+  // B may also lie far from its own origin.
   const double far_of_b = random() % 2 == 0 ? 0.0 : size_of_b * scene.far;
   const SharedMesh mesh_b = placed(*hardMesh(random, scene.b), size_of_b, far_of_b * direction);
   const TreeKind& kind = treeKinds()[scene_number % treeKinds().size()];
@@ -166,7 +166,7 @@ SoakTally soak(std::uint64_t scene_number, int poses) {
     if (expected.empty() && k % kPosesADistance == 0) {
       ++tally.distances;
       const double least = bruteForceDistance(*mesh_a, *mesh_b, b_in_a);
-      // Of the way between two triangles, to the rounding of coordinates.
+      // Relative to the distance of the triangles, plus the rounding of coordinates.
       const double rounding = 1e-12 * (least + scene.scale * (1.0 + scene.far));
       wrong_distances = !(std::abs(distance(a, b, b_in_a).distance - least) <= rounding);
     }

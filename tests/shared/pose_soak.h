@@ -1,5 +1,5 @@
-// Random poses of hard meshes, pairs held to exact arithmetic and distances to those of all pairs: soaked for
-// long by bench/pose_soak, for a moment by the tests.
+// Random poses of hard meshes. Compares triangle pairs with exact arithmetic, and distances with those of all
+// pairs. bench/pose_soak runs it for long, the tests only briefly.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,30 @@
 
 namespace octoblisk::testing {
 
-/// What two meshes the poses of a scene are of: all by its number.
+/// The two meshes of a scene. The scene's number determines everything.
 struct SoakScene {
   MeshKind a, b;
   double scale;      ///< of A, in mesh units: 1e-6 to 1e6
   double ratio;      ///< of B to A: 1e-3 to 1
-  double far;        ///< how far A lies from the origin, in its own size: 0 to 1e6
+  double far;        ///< distance of A from the origin, in sizes of A: 0 to 1e6
   const char* tree;  ///< how the trees are made
 };
 SoakScene soakScene(std::uint64_t number);
 
 struct SoakTally {
   std::uint64_t poses = 0, hits = 0;                 ///< hits, by the oracle
-  std::uint64_t pairs = 0;                           ///< of triangles that meet, by the oracle
-  std::uint64_t missed = 0;                          ///< verdicts and pairs that the library does not give
-  std::uint64_t wrong = 0;                           ///< those that it gives and the oracle does not
-  std::uint64_t distances = 0, wrong_distances = 0;  ///< of some of the poses that are clear
-  std::vector<std::string> findings;                 ///< a line for each of the first that differ
+  std::uint64_t pairs = 0;                           ///< triangle pairs that meet, by the oracle
+  std::uint64_t missed = 0;                          ///< verdicts and pairs that the library misses
+  std::uint64_t wrong = 0;                           ///< verdicts and pairs that only the library reports
+  std::uint64_t distances = 0, wrong_distances = 0;  ///< at some of the clear poses
+  std::vector<std::string> findings;                 ///< one line for each of the first differences
 
   SoakTally& operator+=(const SoakTally& more);
   bool agrees() const { return missed == 0 && wrong == 0 && wrong_distances == 0; }
 };
 
-/// Asks `collide` and `touchingPairs` at so many poses of a scene, and `distance` at some. Oracles: CGAL's
-/// exact predicates on every pair of triangles whose bounds meet; of distances, every pair of triangles.
+/// Runs `collide` and `touchingPairs` at `poses` poses of a scene, and `distance` at some. The oracles are
+/// CGAL's exact predicates on every triangle pair whose bounds meet and, for distances, every triangle pair.
 SoakTally soak(std::uint64_t scene_number, int poses);
 
 }  // namespace octoblisk::testing

@@ -15,7 +15,7 @@ bool Voxels::at(int i, int j, int k) const {
 Voxels randomVoxels(std::mt19937_64& random, int size) {
   Voxels voxels{size, {}, nullptr};
   for (int i = 0; i < size * size * size; ++i) voxels.full.push_back(random() % 2 == 0);
-  std::vector<Vec3> vertices;  // four a face, so that equal positions have many indices
+  std::vector<Vec3> vertices;  // four per face, so equal positions have several indices
   std::vector<TriangleMesh::Indices> triangles;
   using Cell = Eigen::Vector3i;
   for (int cell_index = 0; cell_index < size * size * size; ++cell_index) {
@@ -88,7 +88,7 @@ double bruteForceDistance(const Triangle& triangle, const Vec3& point) {
   };
   double least = std::min(
       {along(triangle[0], triangle[1]), along(triangle[1], triangle[2]), along(triangle[2], triangle[0])});
-  // The foot on the plane by least squares: point ≈ corner + edges · weights.
+  // The closest point of the plane, by least squares: point ≈ corner + edges · weights.
   Eigen::Matrix<double, 3, 2> edges;
   edges << triangle[1] - triangle[0], triangle[2] - triangle[0];
   if (edges.col(0).cross(edges.col(1)).norm() > 1e-9 * edges.col(0).norm() * edges.col(1).norm()) {

@@ -1,4 +1,4 @@
-// Closed meshes, and oracles of what is inside them. All seeded, all by looking at every triangle.
+// Seeded closed meshes, and brute-force oracles for points inside them.
 #pragma once
 
 #include "octoblisk/contact.h"
@@ -6,8 +6,8 @@
 
 namespace octoblisk::testing {
 
-/// Cells [i, i+1]×[j, j+1]×[k, k+1] of a grid, each filled with a probability of one half, and the faces
-/// between full and empty ones. Closed, outward; cells may meet in edges or corners alone.
+/// Cells [i, i+1]×[j, j+1]×[k, k+1] of a grid, each full with probability 1/2, and the faces between full and
+/// empty cells. The mesh is closed and faces outward. Cells may meet only in edges or corners.
 struct Voxels {
   int size;
   std::vector<bool> full;
@@ -17,27 +17,27 @@ struct Voxels {
 };
 Voxels randomVoxels(std::mt19937_64& random, int size);
 
-/// Every vertex moved by the pose after it was scaled.
+/// Scales every vertex and then moves it by the pose.
 SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale = 1.0);
 SharedMesh scaledAndMoved(const SharedMesh& mesh, double scale, const Vec3& offset);
 
-/// All triangles of both, unconnected.
+/// All triangles of both meshes, unconnected.
 SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 
-/// Without its triangles from `count` on.
+/// The first `count` triangles of the mesh.
 SharedMesh firstTriangles(const TriangleMesh& mesh, std::size_t count);
 
-/// How often an oriented surface winds round a point (Van Oosterom, Strackee 1983): 1 inside, 0 outside, as
-/// the sum of the solid angles of all triangles.
+/// The winding number of an oriented surface around a point: 1 inside, 0 outside. It is the sum of the solid
+/// angles of all triangles (Van Oosterom, Strackee 1983).
 double windingNumber(const TriangleMesh& mesh, const Vec3& point);
 
-/// The distance to the nearest triangle, by a search of each triangle that shares no step with the library's.
+/// The distance to the nearest triangle, by brute force that shares no step with the library.
 double bruteForceDistance(const TriangleMesh& mesh, const Vec3& point);
 double bruteForceDistance(const Triangle& triangle, const Vec3& point);
 
-/// How deep the deepest is of the contacts that push the short way, below 0; 0 where none does. These are
-/// contacts of A and B, not all; one pushes the short way where what it pushes is inside the body that it is
-/// pushed out of, and no part of the surface is nearer than half of the way.
+/// The least distance, below 0, of those contacts of A and B that push the short way; 0 if none does. A
+/// contact pushes the short way if its point is inside the body that it is pushed out of, and no part of that
+/// body's surface is nearer than half of the push.
 double deepestShortWay(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                        const std::vector<Contact>& contacts);
 

@@ -23,7 +23,7 @@ Vec3 onFace(std::mt19937_64& random, const Triangle& t) {
   return t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
 }
 
-/// In the plane x + y + z = 0, exactly: coordinates are multiples of 2^-20.
+/// A point exactly in the plane x + y + z = 0. Its coordinates are multiples of 2^-20.
 Vec3 inSkewPlane(std::mt19937_64& random, double half_size) {
   const Vec3 p = (randomPoint(random, half_size) * 0x1p20).array().round() * 0x1p-20;
   return {p.x(), p.y() - p.x(), -p.y()};
@@ -43,7 +43,7 @@ void flatten(std::mt19937_64& random, Triangle& t) {
       t[2] = t[1];
       break;
     case 1:
-      t[2] = 0.5 * (t[0] + t[1]);  // exactly collinear, but for rounding
+      t[2] = 0.5 * (t[0] + t[1]);  // collinear except for rounding
       break;
     case 2:
       t[2] = 2.0 * t[1] - t[0];
@@ -57,7 +57,7 @@ void flattenToMeet(std::mt19937_64& random, Triangle& a, Triangle& b) {
   a = randomTriangle(random, 1);
   b = randomTriangle(random, 1);
   for (Triangle* t : {&a, &b}) {
-    for (Vec3& corner : *t) corner = (corner * 4.0).array().round();  // so that segments and points do meet
+    for (Vec3& corner : *t) corner = (corner * 4.0).array().round();  // then segments and points often meet
   }
   if (!oneIn(random, 3)) {  // through a corner, the middle of an edge or the middle of the triangle
     const Vec3 meeting = oneIn(random, 2) ? a[0] : 0.5 * (a[0] + a[1]);
@@ -80,7 +80,7 @@ TrianglePairSample touching(std::mt19937_64& random, PairKind kind) {
   Triangle a = randomTriangle(random, 1), b = randomTriangle(random, 1);
   switch (kind) {
     case PairKind::random: {
-      const double radius = uniform(random, 0.3, 1.0);  // round the middle of b
+      const double radius = uniform(random, 0.3, 1.0);  // around the centre of b
       for (Vec3& corner : a) corner = radius * corner + (b[0] + b[1] + b[2]) / 3.0;
       break;
     }
@@ -141,7 +141,7 @@ void shuffle(std::mt19937_64& random, TrianglePairSample& pair) {
   if (oneIn(random, 2)) std::swap(pair.a, pair.b);
 }
 
-/// The share of exact touches that an ulp is taken away from; the rest of the kinds are a mix by themselves.
+/// Whether to move an exact touch by one ulp. The other kinds are already mixed.
 bool toBeNudged(std::mt19937_64& random, PairKind kind) {
   const bool touches_always = kind == PairKind::sharedVertex || kind == PairKind::sharedEdge;
   return touches_always ? !oneIn(random, 20) : oneIn(random, 4);

@@ -1,4 +1,4 @@
-// Pairs of triangles that are hard to judge: touching, nearly touching, flat, thin, tiny, huge, far away.
+// Triangle pairs that are hard to judge: touching, nearly touching, flat, thin, tiny, huge, far away.
 #pragma once
 
 #include <random>
@@ -9,7 +9,7 @@ namespace octoblisk::testing {
 
 enum class PairKind {
   random,        ///< of similar size, at random
-  grid,          ///< few distinct integer coordinates: every kind of touch
+  grid,          ///< few distinct integer coordinates, so every kind of touch occurs
   coplanar,      ///< exactly in one skew plane
   sharedVertex,  ///< one corner in common
   sharedEdge,    ///< one edge in common
@@ -26,11 +26,11 @@ struct TrianglePairSample {
   PairKind kind = PairKind::random;
 };
 
-/// A pair of the kind, of a size from denormal to 1e11, in part far from the origin and in part with
-/// coordinates moved by an ulp. Corners in any order, each triangle as likely first.
+/// A pair of the kind, with a size from denormal to 1e11. Some pairs are far from the origin, and some have
+/// coordinates moved by an ulp. The corners and the triangles are in random order.
 TrianglePairSample hardPair(std::mt19937_64& random, PairKind kind);
 
-/// The same without the change of size and place: corners of magnitude up to about 4.
+/// The same without the change of size and position: corners of magnitude up to about 4.
 TrianglePairSample hardPairOfUnitSize(std::mt19937_64& random, PairKind kind);
 
 }  // namespace octoblisk::testing
