@@ -44,7 +44,7 @@ struct Kind {
 /// Units: millimetres and seconds. The blisk lies on a floor within a ring of walls.
 class Soak {
  public:
-  static constexpr int kStepsASecond = 480;  ///< a body moves less than half its size in a step
+  static constexpr int kStepsASecond = 960;  ///< a body moves by less than half its size in a step
 
   Soak() : blisk_(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh_))) {
     registerAlgorithm(&dispatcher_);
