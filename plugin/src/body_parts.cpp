@@ -20,6 +20,15 @@ bool hasPart(const btCollisionShape& shape) {
   return false;
 }
 
+bool holdsClusters(const btCollisionShape& shape) {
+  if (!shape.isCompound()) return asClusters(shape) != nullptr;
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (holdsClusters(*compound.getChildShape(i))) return true;
+  }
+  return false;
+}
+
 Pose poseOfChild(const btCompoundShape& compound, int child) {
   const Pose pose = fromBullet(compound.getChildTransform(child));
   return {Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix(), pose.translation};

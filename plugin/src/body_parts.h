@@ -1,4 +1,4 @@
-// A body's shape as the parts that are swept: shapes of ours, and convex ones.
+// The parts of a body's shape that are swept: our shapes and convex shapes.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
@@ -10,11 +10,14 @@
 
 namespace octoblisk::detail {
 
-/// The shape as ours; null where it is another's.
+/// The shape as a ClusteredOctreeShape; null if it is another shape.
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape);
 
 /// Whether the shape, or a child of a compound, is ours or convex.
 bool hasPart(const btCollisionShape& shape);
+
+/// Whether the shape is a ClusteredOctreeShape, or a compound that contains one at any depth.
+bool holdsClusters(const btCollisionShape& shape);
 
 /// A body's shape on a motion.
 struct MovingBody {
@@ -25,8 +28,8 @@ struct MovingBody {
 /// A body's shape, or a child of its compound, of any depth.
 struct BodyPart {
   const btCollisionShape* shape;
-  const ClusteredOctreeShape* clusters;  ///< null where the part is convex
-  const Convex* convex;                  ///< null where the part is ours
+  const ClusteredOctreeShape* clusters;  ///< null if the part is convex
+  const Convex* convex;                  ///< null if the part is ours; valid during the visit only
   Motion in_world;
 
   Hold hold() const { return clusters ? Hold(clusters->tree()) : Hold(*convex); }
@@ -37,8 +40,8 @@ struct BodyPart {
 /// The pose of a child, orthonormal in double precision.
 Pose poseOfChild(const btCompoundShape& compound, int child);
 
-/// Calls visit(part) for every part that is ours and, if asked for, for the convex ones, whose corners are in
-/// `corners` meanwhile.
+/// Calls visit(part) for every part of our shape and, with `with_convex`, for every convex part. `corners`
+/// holds the corners of a convex part during its visit.
 template <typename Visit>
 void forEachPart(const MovingBody& body, bool with_convex, CoreCorners& corners, const Visit& visit) {
   const btCollisionShape& shape = body.shape;
@@ -58,15 +61,15 @@ void forEachPart(const MovingBody& body, bool with_convex, CoreCorners& corners,
   }
 }
 
-/// Where the corners of one convex part at a time are kept: a thread's own, so that warm sweeps allocate
+/// Holds the corners of one convex part at a time. Each thread has its own, so that warm sweeps allocate
 /// nothing.
 CoreCorners& cornersOfThread();
 
-/// Calls visit(a, b) for every part of A and every part of B of which one or both are ours.
+/// Calls visit(a, b) for every part of A and every part of B if at least one of the two is ours.
 template <typename Visit>
 void forEachPartPair(const MovingBody& a, const MovingBody& b, const Visit& visit) {
   CoreCorners& corners = cornersOfThread();
-  forEachPart(a, true, corners, [&](const BodyPart& part_a) {
+  forEachPart(a, holdsClusters(b.shape), corners, [&](const BodyPart& part_a) {
     forEachPart(b, part_a.clusters != nullptr, corners,
                 [&](const BodyPart& part_b) { visit(part_a, part_b); });
   });

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "near_bodies.h"
 #include "octoblisk_bullet/step_motion.h"
 #include "part_sweep.h"
 

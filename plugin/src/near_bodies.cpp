@@ -151,15 +151,6 @@ bool isBody(const btCollisionObject* object) {
 
 }  // namespace
 
-bool holdsClusters(const btCollisionShape& shape) {
-  if (!shape.isCompound()) return asClusters(shape) != nullptr;
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (holdsClusters(*compound.getChildShape(i))) return true;
-  }
-  return false;
-}
-
 bool ClusterHolders::contain(const btCollisionShape& shape) {
   if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
     return holdsClusters(shape);

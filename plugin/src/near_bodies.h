@@ -13,9 +13,6 @@ class btDispatcher;
 
 namespace octoblisk::detail {
 
-/// Whether the shape is a ClusteredOctreeShape, or a compound that contains one at any depth.
-bool holdsClusters(const btCollisionShape& shape);
-
 /// holdsClusters with a memory for large compounds: a compound with thousands of children may be in as many
 /// pairs. The stored answers are valid as long as no shape changes.
 class ClusterHolders {

@@ -10,13 +10,13 @@
 
 namespace octoblisk::detail {
 
-/// The tolerance given to the sweep of two parts, in which their margins are. Of `tolerance`, default
-/// included, timeOfImpact says what it is.
+/// The tolerance for the sweep of two parts; it contains their margins. `tolerance` is that of timeOfImpact;
+/// below 0, the default.
 double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingBody& body_b,
                       const BodyPart& b, btScalar tolerance = -1);
 
-/// The sweep of two parts, one or both of which are ours. Points of the clearance are in the world; a convex
-/// part has no triangle.
+/// The sweep of two parts; at least one is ours. Points of the clearance are in the world. A convex part has
+/// no triangle.
 std::optional<TimeOfImpact> sweepParts(const BodyPart& a, const BodyPart& b, double tolerance,
                                        const SweepOptions& options = {});
 

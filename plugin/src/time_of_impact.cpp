@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
+#include <cassert>
 #include <stdexcept>
 
 #include "octoblisk_bullet/step_motion.h"
@@ -34,6 +35,10 @@ StepImpact stepImpactOf(const TimeOfImpact& impact, const BodyPart& a, const Bod
 
 std::optional<StepImpact> timeOfImpact(const btCollisionObject& a, const btCollisionObject& b, btScalar dt,
                                        btScalar tolerance, const SweepOptions& options) {
+  if (!a.getCollisionShape() || !b.getCollisionShape()) {
+    throw std::invalid_argument("timeOfImpact: a body has no shape");
+  }
+  assert(options.until > 0.0);
   const MovingBody body_a{*a.getCollisionShape(), stepMotion(a, dt)},
       body_b{*b.getCollisionShape(), stepMotion(b, dt)};
   std::optional<StepImpact> first;

@@ -152,13 +152,14 @@ TEST(TimeOfImpact, otherShapesAreRefused) {
   btSphereShape sphere(1);
   btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
   btCompoundShape empty;
-  btCollisionObject ours, convex, wall, nothing;
+  btCollisionObject ours, convex, wall, nothing, shapeless;
   ours.setCollisionShape(&box);
   convex.setCollisionShape(&sphere);
   wall.setCollisionShape(&plane);
   nothing.setCollisionShape(&empty);
-  for (const auto& [a, b] : {std::pair(&ours, &wall), std::pair(&ours, &nothing), std::pair(&convex, &convex),
-                             std::pair(&convex, &wall)}) {
+  for (const auto& [a, b] :
+       {std::pair(&ours, &wall), std::pair(&ours, &nothing), std::pair(&ours, &shapeless),
+        std::pair(&convex, &convex), std::pair(&convex, &wall)}) {
     EXPECT_THROW(timeOfImpact(*a, *b, btScalar(kStep)), std::invalid_argument);
     EXPECT_THROW(timeOfImpact(*b, *a, btScalar(kStep)), std::invalid_argument);
   }

@@ -31,8 +31,8 @@ struct GougeDepth {
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
   /// False if B meets A's surface, or is nearest to it, where the surface bounds no solid (solid_boundary.h).
-  /// Then B may reach deeper than the upper bound, or may not be in A at all. If B meets such a
-  /// part of A's surface, the depth is not measured.
+  /// Then B may reach deeper than the upper bound, or may not be in A at all. If B meets such a part of A's
+  /// surface, the depth is not measured.
   bool is_known = true;
 };
 

@@ -9,8 +9,9 @@ namespace octoblisk {
 
 class Convex;
 
-/// A box and a ball that both hold a body, for bounds on its motion. Functions that take one accept a tree or
-/// a convex body. The bounds are as valid where rotations are orthonormal to single precision only.
+/// A box, grown by a distance, and a ball. Each contains a body, for bounds on its motion. Functions that
+/// take a Hold accept a tree or a convex body; a Hold keeps no reference to it. The bounds hold even if
+/// rotations are orthonormal to single precision only.
 class Hold {
  public:
   Hold(const ClusteredOctree& tree);
@@ -53,7 +54,7 @@ class Motion {
   /// The pose at a fraction of the way: at 0 the first pose itself, at 1 the last to rounding.
   Pose at(double fraction) const;
 
-  /// The motion of a part of B, by its pose in B.
+  /// The motion of a part of B. The pose of the part in B must be orthonormal to double precision.
   Motion ofPart(const Pose& part_in_b) const;
 
   /// A length in mesh units that bounds the way of each point of B, along its path, over the whole motion;

@@ -18,7 +18,7 @@ namespace octoblisk {
 /// length. For a ray from one point to another, use their difference as direction and t_max = 1.
 ///
 /// A ray hits nothing if it contains a NaN, if a coordinate of its origin or direction exceeds
-/// ±TriangleMesh::kMaxCoordinate, or if the largest coordinate of its direction is below kMinDirection.
+/// ±TriangleMesh::kMaxCoordinate, or if all coordinates of its direction are within ±kMinDirection.
 struct Ray {
   static constexpr double kMinDirection = 1e-60;
 

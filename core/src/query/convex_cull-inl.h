@@ -64,8 +64,9 @@ class ConvexCull {
     unsigned near = (1u << count) - 1u;
     near &= ~beyondBounds(corner, reach);
     if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
-    return count_ == 1 ? near
-                       : notParted(near, corner, reach);  // for a single point, the exact distance is cheaper
+    if (count_ == 1)
+      return near;  // for a single point, the exact distance is cheaper than a search for a plane
+    return notParted(near, corner, reach);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 #include "tree/tree.h"
 
@@ -37,16 +38,21 @@ class FarthestVertex {
       if (!tree_.child(slot).isEmpty()) branches[count++] = {reachOf(tree_.box(slot)), tree_.child(slot)};
     }
     std::ranges::sort(branches.begin(), branches.begin() + count, std::ranges::greater(), &Branch::reach);
-    for (std::size_t k = 0; k < count && branches[k].reach > reach_; ++k) visit(branches[k].child);
+    for (std::size_t k = 0; k < count && branches[k].reach >= reach_; ++k) visit(branches[k].child);
   }
 
   void visit(const Triangle& triangle) {
     for (const Vec3& corner : triangle) {
-      if (const double reach = direction_.dot(corner); reach > reach_) {
-        reach_ = reach;
-        vertex_ = corner;
-      }
+      const double reach = direction_.dot(corner);
+      if (reach < reach_ || (reach == reach_ && !isBefore(corner, vertex_))) continue;
+      reach_ = reach;
+      vertex_ = corner;
     }
+  }
+
+  /// Of equally far vertices, the first by coordinates: the answer depends on the mesh alone.
+  static bool isBefore(const Vec3& a, const Vec3& b) {
+    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
   }
 
   double reachOf(const Obb& box) const {

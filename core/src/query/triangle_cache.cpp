@@ -109,8 +109,8 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   const double of_core = reach + convex.radius();
   if (!(of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
-    last_at_ = convex_in_tree;
     gather(tree, convex, convex_in_tree, reach, reserve);
+    last_at_ = convex_in_tree;
     if (reserve == 0.0) return found_;
   }
   last_at_ = convex_in_tree;

@@ -47,7 +47,7 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   static constexpr int kDefaultDepth = 4;
 
   /// `depth`: the depth of the clusters that represent a shape; the root's box has depth 0. Deeper clusters
-  /// are tighter, but cost more for bodies that are close (core/src/contact/clusters_near.h).
+  /// are tighter, but cost more for bodies that are close.
   explicit ClusteredOctreeBroadphase(int depth = kDefaultDepth);
   ~ClusteredOctreeBroadphase() override;
   ClusteredOctreeBroadphase(const ClusteredOctreeBroadphase&) = delete;

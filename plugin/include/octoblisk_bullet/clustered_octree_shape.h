@@ -111,6 +111,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// In the shape's frame, with scaling applied.
   const MassProperties& massProperties() const { return *mass_properties_; }
+
+  /// For the library's own algorithms.
   const detail::FarVertices& farVertices() const { return *far_vertices_; }
 
   /// Calls back once for every triangle that meets the box, in the shape's frame, and for some others nearby.
