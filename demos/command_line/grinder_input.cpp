@@ -130,7 +130,7 @@ void leaveDownstream(GrindingPathOptions& options) {
 
 void requireUnitsFit(const GrinderFiles& files, const TriangleMesh& blisk, const ToolAssembly& tool) {
   constexpr double kGreatestRatio = 25.0;
-  if (!files.units.empty()) return;
+  if (files.units == "mm") return;  // the user accepts the sizes as they are
   const ToolPart& part = largestPart(tool);
   requireSizesFit(files.bliskName(), sizeOf(blisk), part.name, sizeOf(part.tree->mesh()), kGreatestRatio,
                   "--tool-units");

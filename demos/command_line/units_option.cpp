@@ -58,7 +58,11 @@ void requireSizesFit(const std::string& blisk_file, double blisk_size, const std
   const LengthUnit unit = unitBySize(is_blisk_small ? blisk_size : part_size);
   const std::string sizes = blisk_file + ": the blisk is " + shortText(blisk_size) + " mm across, the " +
                             part_name + " is " + shortText(part_size) +
-                            " mm: one of them is probably not in mm. ";
+                            " mm: one of them probably has another unit. ";
+  if (unit.millimetres == 1.0) {
+    throw std::runtime_error(sizes + "Correct --units or " + part_option +
+                             "; --units mm accepts the sizes as they are");
+  }
   const std::string factor = " (a factor of " + shortText(unit.millimetres) + ")";
   throw std::runtime_error(sizes +
                            (is_blisk_small

@@ -68,7 +68,7 @@ int makePath(PathRequest request) {
   }
   const TriangleMesh mesh =
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
-  if (request.units.empty()) requireWheelFits(name, sizeOf(mesh), 2.0 * request.options.wheel_radius);
+  if (request.units != "mm") requireWheelFits(name, sizeOf(mesh), 2.0 * request.options.wheel_radius);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   if (request.blade > found.blades.count) {
     throw std::invalid_argument("--blade " + std::to_string(request.blade) + ": " + name + " has " +

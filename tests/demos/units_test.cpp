@@ -49,7 +49,7 @@ TEST_F(Units, sizesThatDoNotFitAreRefusedBeforeAnythingIsComputed) {
     const std::string file = std::string(unit) + ".ply";
     const std::string expected = file + ": the blisk is " + size +
                                  " mm across, the belt is 347.3 mm: one of them " +
-                                 "is probably not in mm. --units " + unit + " (a factor of " + factor +
+                                 "probably has another unit. --units " + unit + " (a factor of " + factor +
                                  ") would make the blisk 707.7 mm; --units mm accepts the sizes as they are";
     expectRefusal(run("grind --blisk " + file + kGrind), expected);
     expectRefusal(run("access --blisk " + file + " --out run"), expected);
@@ -58,9 +58,15 @@ TEST_F(Units, sizesThatDoNotFitAreRefusedBeforeAnythingIsComputed) {
   }
   expectRefusal(
       run("path --blisk m.ply --out path.csv"),
-      "m.ply: the blisk is 0.7077 mm across, the contact wheel is 19 mm: one of them is probably not in mm. "
+      "m.ply: the blisk is 0.7077 mm across, the contact wheel is 19 mm: one of them probably has another unit. "
       "--units m (a "
       "factor of 1000)");
+  // A mesh in mm that is read as if it were in m.
+  for (const char* command : {"grind --units m --blisk mm.ply --poses-only --no-pictures --no-report --out run",
+                              "path --units m --blisk mm.ply --out path.csv"}) {
+    expectRefusal(run(command), "mm.ply: the blisk is 7.077e+05 mm across, ");
+    EXPECT_THAT(run(command).error, HasSubstr("--units mm accepts the sizes as they are"));
+  }
 }
 
 TEST_F(Units, givenOrFoundTheyGiveTheVerdictsOfMillimetres) {
@@ -94,7 +100,7 @@ TEST_F(Units, ofTheToolAreGivenOrFound) {
   toInches(folder_.path() / "belt.ply", folder_.path() / "belt_in.ply");
   expectRefusal(
       run("grind --belt belt_in.ply" + tables + "run"),
-      "the blisk: the blisk is 707.7 mm across, the belt is 13.68 mm: one of them is probably not in mm. "
+      "the blisk: the blisk is 707.7 mm across, the belt is 13.68 mm: one of them probably has another unit. "
       "--tool-units in (a factor of 25.4) would make the belt 347.3 mm");
   for (const auto& [mm, in] : {std::pair("--belt belt.ply", "--belt belt_in.ply"),
                                std::pair("--tool tool/tool.json", "--tool inches/tool.json")}) {
