@@ -6,7 +6,7 @@ namespace octoblisk::detail {
 
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
-  // The class is final; a dynamic_cast costs as much as the rest of a question.
+  // The class is final; a dynamic_cast costs as much as the rest of a query.
   if (typeid(shape) != typeid(ClusteredOctreeShape)) return nullptr;
   return static_cast<const ClusteredOctreeShape*>(&shape);
 }

@@ -25,7 +25,7 @@ struct MovingBody {
   Motion in_world;
 };
 
-/// A body's shape, or a child of its compound, of any depth.
+/// A body's shape, or a child of its compound at any depth.
 struct BodyPart {
   const btCollisionShape* shape;
   const ClusteredOctreeShape* clusters;  ///< null if the part is convex
@@ -33,7 +33,7 @@ struct BodyPart {
   Motion in_world;
 
   Hold hold() const { return clusters ? Hold(clusters->tree()) : Hold(*convex); }
-  /// The thickness beyond what is swept: that of convex shapes is a part of these.
+  /// The margin that the sweep does not contain. The sweep of a convex shape contains its margin.
   double margin() const { return clusters ? double(clusters->getMargin()) : 0.0; }
 };
 

@@ -11,19 +11,19 @@
 
 namespace octoblisk::detail {
 
-/// The core of a convex shape: its corners where it is the hull of a few points; the feet on which it may
+/// The core of a convex shape: its corners, if it is the hull of a few points, and the points on which it may
 /// stand.
 class CoreCorners {
  public:
-  /// As the shape is now; returns whether it has been scaled, or given points, since the last time. Allocates
-  /// nothing where it has not.
+  /// Reads the shape; returns whether it was scaled, or got other points, since the last call. If not,
+  /// allocates nothing.
   bool update(const btConvexShape& shape);
 
   std::span<const Vec3> points() const { return points_; }
-  /// The mean of the points; without any, the shape's origin.
+  /// The mean of the points; the shape's origin if it has none.
   const Vec3& middle() const { return middle_; }
   HullFaces faces() const { return faces_.view(); }
-  /// The corners; points on the rims of cylinders and cones; none of other shapes.
+  /// The corners, or points on the rims of cylinders and cones; empty for other shapes.
   std::span<const Vec3> feet() const { return feet_; }
 
  private:
@@ -32,8 +32,8 @@ class CoreCorners {
   HullFaceList faces_;
 };
 
-/// A convex shape of Bullet's as one of ours: both are a core and a margin round it. The corners are those of
-/// the shape as it is now.
+/// A convex shape of Bullet as a Convex: both are a core and a margin around it. The corners must be up to
+/// date.
 class BulletConvex final : public Convex {
  public:
   BulletConvex(const btConvexShape& shape, const CoreCorners& core)

@@ -1,4 +1,4 @@
-// Our shape against a convex one.
+// Our shape against a convex shape.
 #pragma once
 
 #include "bullet_convex.h"

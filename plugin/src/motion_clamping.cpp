@@ -18,7 +18,7 @@ using namespace detail;
 
 namespace {
 
-/// Where Bullet took the body from: it moves back as it moved.
+/// The pose from which Bullet moved the body: the inverse of its motion.
 btTransform startOf(const btRigidBody& body, btScalar dt) {
   btTransform start;
   btTransformUtil::integrateTransform(body.getWorldTransform(), -body.getLinearVelocity(),
@@ -36,7 +36,7 @@ double farthestFromOrigin(const btCollisionShape& shape) {
   return fromBullet(low).cwiseAbs().cwiseMax(fromBullet(high).cwiseAbs()).norm();
 }
 
-/// A box that holds the body all along its way, and what is as near to it as contacts are made.
+/// A box that contains the body on its whole motion, grown by the contact breaking threshold.
 Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves) {
   const btCollisionShape& shape = *object.getCollisionShape();
   Aabb box;
@@ -54,14 +54,14 @@ Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves)
   return {box.min.array() - reach, box.max.array() + reach};
 }
 
-/// The body, if Bullet has moved it by its velocities over the whole step; else null. Where Bullet's own
-/// clamping has put a body back, the start of its motion is unknown.
+/// The body, if Bullet has moved it by its velocities over the whole step; else null. If Bullet's own
+/// clamping has moved a body back, the start of its motion is unknown.
 btRigidBody* movedBody(btCollisionObject& object) {
   if (object.isStaticOrKinematicObject() || !object.isActive() || object.getHitFraction() < 1) return nullptr;
   return btRigidBody::upcast(&object);
 }
 
-/// Whether the world makes contacts of the two that push them apart.
+/// Whether the world makes contacts that push the two apart.
 bool collide(btCollisionWorld& world, btCollisionObject& first, btCollisionObject& second) {
   return world.getPairCache()->needsBroadphaseCollision(first.getBroadphaseHandle(),
                                                         second.getBroadphaseHandle()) &&
@@ -69,7 +69,7 @@ bool collide(btCollisionWorld& world, btCollisionObject& first, btCollisionObjec
          world.getDispatcher()->needsResponse(&first, &second);
 }
 
-/// The smaller of the two thresholds that are set; 0 where none is.
+/// The smaller of the thresholds that are set; 0 if none is.
 double motionThreshold(const btCollisionObject& first, const btCollisionObject& second) {
   const double of_first = double(first.getCcdMotionThreshold()),
                of_second = double(second.getCcdMotionThreshold());

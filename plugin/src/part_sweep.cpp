@@ -9,7 +9,7 @@ namespace octoblisk::detail {
 
 namespace {
 
-/// The lengths that enter the pose of a part along its way.
+/// The scale of the rounding errors of a part on its motion.
 double sizeOf(const BodyPart& part) {
   const Motion& motion = part.in_world;
   return part.hold().size() + motion.from().translation.norm() + motion.centerInB().norm() +

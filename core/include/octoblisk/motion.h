@@ -1,4 +1,4 @@
-// The way of a body from one pose to another, and how far any of its points gets on it.
+// The motion of a body from one pose to another, and bounds on the motion of its points.
 #pragma once
 
 #include <array>
@@ -17,49 +17,49 @@ class Hold {
   Hold(const ClusteredOctree& tree);
   Hold(const Convex& convex);
 
-  /// No point of the body, so turned, is farther than this from the line along `axis`, of unit length,
-  /// through the body's `center`.
+  /// The greatest distance of a point of the rotated body from the line through the body's `center` along
+  /// `axis`, of unit length; never too small.
   double distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const;
 
-  /// No point of the body is farther than this from a point in its frame.
+  /// The greatest distance of a point of the body from a point in its frame; never too small.
   double distanceFromPoint(const Vec3& point) const;
 
-  /// No point of the body is farther than this from itself between the two poses.
+  /// The greatest displacement of a point of the body between the two poses; never too small.
   double displacement(const Pose& from, const Pose& to) const;
 
-  /// The lengths that set the rounding of what is measured from the body, but for those of poses.
+  /// The scale of the rounding errors of distances from the body, without those of its pose.
   double size() const { return center_.norm() + radius_; }
 
  private:
   std::array<Vec3, 8> corners_;  // of the box
-  double beyond_ = 0.0;          // how far the body reaches beyond the box at most
+  double beyond_ = 0.0;          // the most by which the body exceeds the box
   Vec3 center_;                  // of the ball
   double radius_;
 };
 
-/// A motion of B in A's frame, at constant speeds over fractions 0 … 1: one point of B, the centre, goes
-/// straight, while B turns about an axis of fixed direction through it. A centre on the axis of a screw gives
-/// that screw.
+/// A motion of B in A's frame at constant speeds, over fractions 0 … 1. One point of B, the centre, moves
+/// along a straight line while B rotates about an axis of fixed direction through it. If the centre is on the
+/// axis of a screw, the motion is that screw.
 class Motion {
  public:
-  /// From one pose to another by the shorter turn; of half a turn, by either way. `center_in_b` is the point
-  /// of B that goes straight.
+  /// From one pose to another by the smaller rotation; at half a turn, by either rotation. `center_in_b` is
+  /// the point of B that moves along a straight line.
   Motion(const Pose& from, const Pose& to, const Vec3& center_in_b = Vec3::Zero());
 
-  /// A turn about the axis through `center_in_a` along `turn`, whose length is the angle in radians, of any
-  /// number of revolutions; the axis itself is shifted by `advance` meanwhile.
+  /// A rotation about the axis through `center_in_a` along `turn`, whose length is the angle in radians, with
+  /// any number of revolutions. Meanwhile the axis shifts by `advance`.
   static Motion about(const Pose& from, const Vec3& center_in_a, const Vec3& turn,
                       const Vec3& advance = Vec3::Zero());
 
-  /// The pose at a fraction of the way: at 0 the first pose itself, at 1 the last to rounding.
+  /// The pose at a fraction: exactly the first pose at 0, the last pose up to rounding at 1.
   Pose at(double fraction) const;
 
   /// The motion of a part of B. The pose of the part in B must be orthonormal to double precision.
   Motion ofPart(const Pose& part_in_b) const;
 
-  /// A length in mesh units that bounds the way of each point of B, along its path, over the whole motion;
-  /// over a part of it, the same part of this. |v| + |ω| r for the centre's way v and the greatest
-  /// distance r from the axis, where the way along the axis and that across are at right angles.
+  /// Bounds the length of the path of any point of B, in mesh units. A fraction of the motion has the same
+  /// fraction of the bound. It is |v| + |ω| r for the displacement v of the centre and the greatest distance
+  /// r from the axis; the components of v along and across the axis are combined at right angles.
   double lengthBound(const Hold& b) const;
 
   const Pose& from() const { return from_; }
@@ -78,15 +78,18 @@ class Motion {
   double angle_ = 0.0;
 };
 
-/// A length in mesh units for two bodies that move at once: over a part of the motions, the distance of a
-/// point of A and one of B, and so that of the bodies, changes by no more than the same part of this. What
-/// the two motions have in common does not count, as long as one frame can follow it. The least of three
-/// bounds on the speed of the two points to each other, for centres' ways v, turns ω, greatest distances r
-/// from the axes, R from the centres and the arm c from B's centre to A's:
-/// - in a frame that keeps its axes and goes along with A's centre: |ω_A| r_A + the lengthBound of B's way
-///   less A's, and the same with A and B changed;
-/// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with c at the start or the end, whichever
-///   gives more, as it changes linearly;
+/// For two bodies that move at the same time, a bound in mesh units: over a fraction of the motions, the
+/// distance between a point of A and a point of B, and so the distance between the bodies, changes by at most
+/// the same fraction of it. Motion that both bodies share does not count if one frame can follow it. The
+/// bound is the least of three bounds on the relative speed of the two points. They use the centres'
+/// displacements v, the rotations ω, the greatest distances r from the axes and R from the centres, and the
+/// vector c from B's centre to A's:
+/// - in a frame that moves with A's centre without rotating: |ω_A| r_A + the lengthBound of B with A's
+/// displacement
+///   subtracted; and the same with A and B exchanged;
+/// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with the greater of c at the start and c at
+/// the end,
+///   because c changes linearly;
 /// - in B's own frame, likewise.
 double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& b, const Motion& b_in_world);
 

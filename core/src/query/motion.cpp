@@ -14,7 +14,7 @@ using namespace detail;
 
 namespace {
 
-/// The part of the radius by which a box in single precision may be off.
+/// The error of a box in single precision, as a fraction of its radius.
 constexpr double kBoxRounding = 1e-6;
 
 /// The turn about a unit axis (O. Rodrigues, 1840).
@@ -29,8 +29,8 @@ Mat3 rotationAbout(const Vec3& axis, double angle) {
   return rotation;
 }
 
-/// How long the way of a body's points is where it turns as in the motion and its centre goes as far as the
-/// advance: |advance along the axis, and across it + angle · radius|.
+/// Bounds the path length of a body's points if it rotates as in the motion and its centre moves by the
+/// advance: |advance along the axis, advance across the axis + angle · radius|.
 double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) {
   const double radius = hold.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
   const double along = advance.dot(motion.axis()), across = (advance - along * motion.axis()).norm();
@@ -118,8 +118,8 @@ Hold::Hold(const Convex& convex) {
   radius_ += beyond_;
 }
 
-// All distances are convex functions of the point, so that none in the box exceeds the corners' largest; and
-// they grow by no more than the way from the box.
+// All distances are convex functions of the point, so the corners of the box have the greatest. Outside the
+// box, they grow by at most the distance from the box.
 
 double Hold::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
   const auto fromAxis = [&](const Vec3& point) { return (rotation * (point - center)).cross(axis).norm(); };

@@ -11,12 +11,12 @@ using namespace detail;
 
 namespace {
 
-/// How much too large a distance to the body may be told, beyond what is rounded anyway.
+/// The most by which a computed distance to the body may be too large, apart from rounding.
 double errorOf(const ClusteredOctree&) { return 0.0; }
 double errorOf(const Convex& body) { return 2.0 * body.precision() * Hold(body).size(); }
 
-/// Conservative advancement. `length`: how much the distance may change over all of the motion; `size`: of
-/// the scene; `b_in_a_at`: the pose at a fraction.
+/// Conservative advancement. `length` bounds the change of the distance over the whole motion. `size` is that
+/// of the scene. `b_in_a_at` gives the pose at a fraction.
 template <typename Body, typename PoseAt>
 std::optional<TimeOfImpact> advance(const ClusteredOctree& a, const Body& b, double length, double size,
                                     double tolerance, const SweepOptions& options, const PoseAt& b_in_a_at) {
@@ -26,7 +26,7 @@ std::optional<TimeOfImpact> advance(const ClusteredOctree& a, const Body& b, dou
   const double told = (1.0 + options.slack) * reached;
   TimeOfImpact impact;
   for (int step = 1;; ++step) {
-    // What is farther cannot come within reach in the rest of the motion, or be told before `until`.
+    // Triangles farther away cannot come within reach in the rest of the motion, or before `until`.
     const double farthest = std::min(reached + length * (1.0 - impact.fraction),
                                      told + length * (options.until - impact.fraction));
     impact.clearance =

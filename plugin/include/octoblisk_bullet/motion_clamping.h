@@ -1,5 +1,4 @@
-// Keeps fast bodies from getting through concave ones, and these through others, within a step of a Bullet
-// world.
+// Keeps fast bodies from passing through concave ones, and concave bodies through others, within a step.
 #pragma once
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
@@ -12,38 +11,38 @@ class btRigidBody;
 
 namespace octoblisk {
 
-/// What Bullet's own motion clamping does for convex bodies by an embedded sphere, done by the meshes: a body
-/// that would come upon another within a step is put back to where it comes near it, and keeps its velocity.
-/// There the next step's detection makes contacts, and the solver bounces or stops it. An action, as it is
-/// called right after a world has moved its bodies by what the solver made of their velocities: added before
-/// other actions that move bodies or change velocities. `setCcdMotionThreshold` of a body takes half its
-/// thickness, in world units. docs/limits.md has an example.
+/// Bullet's own motion clamping uses a sphere embedded in a convex body. This one uses the exact shapes: a
+/// body that would reach another within a step is moved back to where it comes near it, and keeps its
+/// velocity. There, the next step's detection makes contacts, and the solver bounces or stops the body. It is
+/// an action, because a world calls actions right after it has moved its bodies. Add it before other actions
+/// that move bodies or change velocities. Set `setCcdMotionThreshold` of a body to half its thickness, in
+/// world units. docs/limits.md has an example.
 ///
-/// The parts of a body are its shape, or the children of its compound, that are ClusteredOctreeShape or
-/// convex. The clamping looks at pairs of bodies that their filters let collide, if one or both have a motion
-/// threshold (default: 0, none). Of such a pair it compares every two parts, one or both of which are
-/// ClusteredOctreeShape, if their motion to each other in the step (relativeLengthBound) exceeds the smaller
-/// threshold that is set. Two parts farther apart than the default tolerance of timeOfImpact at the step's
-/// start do not come nearer than that within the step, however thin and fast they are. Two parts that are
-/// nearer go on by no more than the threshold: their contacts are the solver's to keep, and by half the
-/// thickness at a time the next contacts still push them back out of the side from which they came.
+/// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
+/// convex. The clamping considers pairs of bodies whose filters let them collide, if at least one has a
+/// motion threshold (default: 0, none). It compares two parts of such a pair if at least one is a
+/// ClusteredOctreeShape and their relative motion in the step (relativeLengthBound) exceeds the smaller
+/// threshold that is set. If two parts are farther apart at the step's start than the default tolerance of
+/// timeOfImpact, they come no nearer than that within the step, however thin and fast they are. If they are
+/// nearer, they move on by at most the threshold. The solver keeps their contacts, and since they advance by
+/// at most half the thickness, the next contacts push them back out of the side from which they came.
 ///
-/// A motion threshold of a convex body also turns on Bullet's own clamping of it, which comes first. A body
-/// that Bullet has put back stays there, as if it had not moved in the step, and nothing is proved of it. To
-/// clamp by the meshes instead, set the world's `getDispatchInfo().m_useContinuous` to false, or set the
-/// threshold of the other body alone.
+/// A motion threshold of a convex body also turns on Bullet's own clamping, which runs first. A body that
+/// Bullet has moved back stays there, as if it had not moved in the step, and nothing is proved about it. To
+/// clamp by the exact shapes instead, set the world's `getDispatchInfo().m_useContinuous` to false, or set
+/// only the other body's threshold.
 ///
-/// What is lost: the rest of the step. A body put back has been slower than its velocity says, once for each
-/// impact, and all along while it slides, rolls or spins in contact by more than the threshold a step. The
-/// dynamic bodies whose ways in the step come near each other share one fraction, so that none moves into
-/// where another should have gone. Two bodies without a part of our shape do not share one for each other.
+/// Cost: a clamped body loses the rest of the step. It is slower than its velocity says, once for each
+/// impact, and as long as it slides, rolls or spins in contact by more than the threshold per step. Dynamic
+/// bodies whose paths in the step come near each other share one fraction, so that none moves into a place
+/// that another should have left. Two bodies that both lack a part of our shape do not share a fraction.
 ///
-/// What is not seen: two convex bodies or parts, which are Bullet's to clamp; parts of all other shapes,
-/// which are neither stopped nor stopped at; kinematic bodies and links of multibodies, which are stopped at
-/// where they are at the end of the step; what the solver's split impulses shift.
+/// Limits: two convex bodies or parts are left to Bullet. Parts of other shapes neither stop nor are stopped.
+/// Kinematic bodies and links of multibodies count where they are at the end of the step. Displacements by
+/// the solver's split impulses are not seen.
 class MotionClamping final : public btActionInterface {
  public:
-  /// A body that was put back in the last step, and how much of the step it has moved.
+  /// A body that was moved back in the last step, and the fraction of the step that it moved.
   struct Clamped {
     const btRigidBody* body = nullptr;
     btScalar fraction = 1;
@@ -52,19 +51,19 @@ class MotionClamping final : public btActionInterface {
   void updateAction(btCollisionWorld* world, btScalar dt) override;
   void debugDraw(btIDebugDraw*) override {}
 
-  /// In the last step, in the world's order of bodies.
+  /// Those of the last step, in the world's order of bodies.
   const std::vector<Clamped>& clamped() const { return clamped_; }
 
  private:
-  /// A body with a part that is looked at, and what it did in the step.
+  /// A body with a part that is compared, and its motion in the step.
   struct Mover {
     btCollisionObject* object;
     bool ours;           // has a part of our shape
-    btRigidBody* moved;  // null where Bullet did not move it
+    btRigidBody* moved;  // null if Bullet did not move it
     Motion motion;
     Aabb swept;
     std::size_t island;  // the index of a mover in it, or its own
-    double fraction;     // of its island, where it is the first
+    double fraction;     // of its island, if it is the first
   };
 
   void collect(btCollisionWorld& world, btScalar dt);
@@ -73,7 +72,7 @@ class MotionClamping final : public btActionInterface {
   double freeFraction(const Mover& first, const Mover& second, double until) const;
 
   std::vector<Mover> movers_;
-  std::vector<std::size_t> by_start_;  // movers by the least x of their ways
+  std::vector<std::size_t> by_start_;  // movers by the least x of their swept boxes
   std::vector<Clamped> clamped_;
 };
 

@@ -13,11 +13,11 @@ class btCollisionShape;
 
 namespace octoblisk {
 
-/// Lengths are in world units, points in the world as the bodies are at the fraction.
+/// Lengths are in world units. Points are in the world, with the bodies at the fraction.
 struct StepImpact {
-  btScalar fraction = 0;  ///< of the step: the bodies are proved apart before it
-  btScalar distance = 0;  ///< margins taken off: at most 0 where the bodies touch at the start
-  btVector3 point_on_a = btVector3(0, 0, 0);  ///< on A's surface: without its margin, if it is of triangles
+  btScalar fraction = 0;                      ///< of the step: the bodies are proved apart before it
+  btScalar distance = 0;                      ///< without margins; at most 0 if the bodies touch at the start
+  btVector3 point_on_a = btVector3(0, 0, 0);  ///< on A's surface; for triangles, without the margin
   btVector3 point_on_b = btVector3(0, 0, 0);
   TriangleId triangle_a;  ///< {-1, -1}: the part is convex
   TriangleId triangle_b;
@@ -26,19 +26,19 @@ struct StepImpact {
   bool converged = true;  ///< as TimeOfImpact's
 };
 
-/// The fraction of a step of length `dt` (> 0) at which A and B first come as near as `tolerance`, margins
-/// taken off; none where they stay farther apart. Both move as Bullet would move them by the velocities that
-/// they have (step_motion.h), which is what the step does where no contact, force or constraint changes them.
-/// Nothing, however thin, is passed through: octoblisk/sweep.h, of two moving bodies, has the proof. Nobody
-/// needs to be in a world; nothing is changed.
+/// The fraction of a step of length `dt` (> 0) at which A and B first come within `tolerance`, after
+/// subtracting their margins; none if they stay farther apart. Both move as Bullet would move them by their
+/// current velocities (step_motion.h). The step does the same unless a contact, force or constraint changes
+/// the velocities. However thin a body is, nothing passes through it: octoblisk/sweep.h explains the proof.
+/// The bodies need not be in a world, and nothing changes.
 ///
-/// The parts of a body are its shape, or the children of its compound, that are ClusteredOctreeShape or
+/// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
 /// convex. Every part of A is compared with every part of B, except two convex parts. Parts of other shapes
-/// are not seen.
+/// are ignored.
 ///
-/// The tolerance is raised to some units in the last place of the scene's size, and of the default, or any
-/// below 0, is half the distance within which contacts of the two parts are created.
-/// Throws std::invalid_argument where there are no two parts to compare.
+/// The tolerance is raised to a few units in the last place of the scene's size. The default, used for any
+/// value below 0, is half the distance within which a step creates contacts of the two parts. Throws
+/// std::invalid_argument if a body has no shape, or if no two parts can be compared.
 std::optional<StepImpact> timeOfImpact(const btCollisionObject& a, const btCollisionObject& b, btScalar dt,
                                        btScalar tolerance = -1, const SweepOptions& options = {});
 
