@@ -62,7 +62,7 @@ TEST_F(CheckParts, partsOfOtherMeshesPosesOrOptionsAreRefusedByName) {
     const Outcome outcome = run(std::string("merge first ") + name + " --out merged.csv");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.error, std::string("octoblisk: ") + name +
-                                 ": belongs to another study than first: other " + what + "\n");
+                                 ": belongs to another study than first: it has other " + what + "\n");
     EXPECT_FALSE(exists("merged.csv"));
   }
   EXPECT_LE(run("merge second first --out merged.csv").exit_code, 1)
@@ -149,19 +149,19 @@ TEST_F(CheckParts, accessPartsOfRightChecksumsAndWrongWordsAreRefused) {
     EXPECT_EQ(content("points.csv"), "of an earlier run");
   };
   folder_.write("points.csv", "of an earlier run");
-  const std::string no_map = " not from an accessibility map: ";
+  const std::string no_map = "not from an accessibility map: ";
   Study other = study;
   other.options = "none";
-  expect_refused(other, row + '\n', right, "options" + no_map + "'none'");
+  expect_refused(other, row + '\n', right, "options that are " + no_map + "'none'");
   other = study;
   other.columns = "a,b\x1b";
-  expect_refused(other, row + '\n', right, "columns" + no_map + "'a,b?'");
-  expect_refused(study, row + '\n', "1 180 1 x", "a tally" + no_map + "'1 180 1 x'");
-  expect_refused(study, row + '\n', "1 0 1\t1 \x1b[2J", "a tally" + no_map + "'1 0 1?1 ?[2J'");
-  expect_refused(study, "0,x\n", right, "a row" + no_map + "'0,x'");
+  expect_refused(other, row + '\n', right, "columns that are " + no_map + "'a,b?'");
+  expect_refused(study, row + '\n', "1 180 1 x", "a tally that is " + no_map + "'1 180 1 x'");
+  expect_refused(study, row + '\n', "1 0 1\t1 \x1b[2J", "a tally that is " + no_map + "'1 0 1?1 ?[2J'");
+  expect_refused(study, "0,x\n", right, "a row that is " + no_map + "'0,x'");
   std::string word = row;
   word.replace(word.find(",5,"), 3, ",x,");
-  expect_refused(study, word + '\n', right, "a row" + no_map + "'" + word + "'");
+  expect_refused(study, word + '\n', right, "a row that is " + no_map + "'" + word + "'");
   expect_refused(study, row, right, "an incomplete row: '" + row + "'");
   expect_refused(study, row + '\n' + row + '\n', right, "2 rows for 1 points");
   expect_refused(study, "", right, "0 rows for 1 points");
@@ -198,7 +198,7 @@ TEST_F(CheckParts, ctrlCLeavesWhatWasAnsweredToBeResumed) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped; stopped.csv.partial holds "));
+  EXPECT_THAT(content("stderr.txt"), StartsWith("octoblisk: stopped: stopped.csv.partial has "));
   EXPECT_THAT(content("stderr.txt"), HasSubstr(" of 4000 answers; continue with --resume\n"));
   EXPECT_FALSE(exists("stopped.csv"));
   const Outcome refused = run(arguments + "stopped.csv");
