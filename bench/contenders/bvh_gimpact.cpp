@@ -1,4 +1,4 @@
-// Bullet's solution for two concave meshes, one of which moves: btBvhTriangleMeshShape for the blisk, a
+// Bullet's solution for a moving and a static concave mesh: btBvhTriangleMeshShape for the blisk, a
 // GImpact mesh for the belt. All margins are 0.
 #include "bullet_world.h"
 #include "contender.h"

@@ -16,7 +16,7 @@ class Page {
  public:
   virtual ~Page() = default;
   virtual void heading(int level, const std::string& text) = 0;
-  /// Paragraphs, with an empty line between two, and items, each of which begins with "- ".
+  /// Paragraphs, separated by an empty line, and items. Each item begins with "- ".
   virtual void prose(const std::string& text) = 0;
   virtual void usage(const std::string& call) = 0;
   virtual void option(const std::string& head, const std::string& text) = 0;

@@ -17,7 +17,7 @@ std::vector<Part> bladesAmong(std::vector<Part> parts);
 struct BladeCut {
   double low = 0.0, high = std::numeric_limits<double>::infinity();
   std::size_t count = 0;
-  int run = 0;  ///< number of successive cuts of which it is the lowest
+  int run = 0;  ///< number of successive cuts; this cut is the lowest
 };
 
 /// The cut whose count of blades holds over the widest range of radii; count 0 if none holds over 5 % of

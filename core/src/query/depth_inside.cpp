@@ -59,7 +59,7 @@ bool DepthQuery::findCopy() {
   return true;
 }
 
-/// Finds a pair that meets. If there is none, each flat triangle of B lies wholly on one side of A's surface,
+/// Finds a pair that meets. If no pair meets, each flat triangle of B lies wholly on one side of A's surface,
 /// like B's other triangles.
 void DepthQuery::findTouch() {
   if (!crossings_.empty()) {

@@ -12,7 +12,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kInLine = 1e-9;  // sine below which two axes count as parallel; mm for the wrist on axis 1
 constexpr double kRounding = 1e-12;
 
-/// Moves each joint by whole turns to the value nearest to another within its limits; false if there is none.
+/// Moves each joint by whole turns to the value within its limits that is nearest to another. Returns false
+/// if no value is within the limits.
 bool turnWithinLimits(const SixAxisArm& arm, const Joints& near, Joints& joints) {
   for (Eigen::Index i = 0; i < joints.size(); ++i) {
     const double least = arm.least[i], greatest = arm.greatest[i];
