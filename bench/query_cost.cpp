@@ -4,6 +4,7 @@
 #include <optional>
 
 // This file counts and is not timed, so the instruction set of the whole build is enough.
+#include "geometry/ray_triangle.h"
 #include "query/collide_walk-inl.h"
 #include "query/distance_walk-inl.h"
 #include "query/ray_walk-inl.h"
@@ -35,10 +36,12 @@ QueryCost costOfNearest(const Tree& a, const Tree& b, const Pose& b_in_a) {
 QueryCost costOfWay(const Tree& tree, const Ray& ray, const LocalRay& local) {
   QueryCost cost;
   double closest = ray.t_max;
-  const auto shorten = [&closest](const RayCrossing& crossing) {
-    return closest = std::min(closest, crossing.t);
+  const auto shorten = [&](std::uint32_t triangle) {
+    const auto found = crossing(ray.origin, ray.direction, tree.mesh().triangle(triangle));
+    if (found) closest = std::min(closest, found->t);
+    return closest;
   };
-  RayDescent(tree, ray, local, shorten, cost).run();
+  RayDescent(tree, local, shorten, cost).run();
   return cost;
 }
 

@@ -116,10 +116,9 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b) {
   return contact;
 }
 
-/// Keeps the tree of a body's shape, if it has one, and returns whether the tree has changed. Keeping the
-/// tree alive prevents a new tree from getting its address.
-bool keepTree(const btCollisionObjectWrapper& body, std::shared_ptr<const ClusteredOctree>& kept) {
-  const auto* shape = dynamic_cast<const ClusteredOctreeShape*>(body.m_shape);
+/// Keeps the tree of a shape, if any, and returns whether the tree has changed. Keeping the tree alive
+/// prevents a new tree from getting its address.
+bool keepTree(const ClusteredOctreeShape* shape, std::shared_ptr<const ClusteredOctree>& kept) {
   if ((shape ? &shape->tree() : nullptr) == kept.get()) return false;
   kept = shape ? shape->sharedTree() : nullptr;
   return true;
@@ -175,7 +174,8 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
-  const bool mesh_has_changed = keepTree(mesh, tree_), other_has_changed = keepTree(other, tree_of_other_);
+  const bool mesh_has_changed = keepTree(&shape, tree_),
+             other_has_changed = keepTree(meshOfOther(other), tree_of_other_);
   const bool was_solid = std::exchange(is_solid_, shape.isSolid());
   if (is_solid_ != was_solid) other_in_mesh_.reset();
   if (mesh_has_changed || other_has_changed) {
@@ -187,7 +187,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   // contactTest and similar functions use derived results.
   const bool is_step = typeid(*result) == typeid(btManifoldResult);
   const double near = mesh_margin + other_margin + double(result->m_closestPointDistanceThreshold);
-  if (auto* const all = dynamic_cast<AllContacts*>(result)) {
+  if (auto* const all = is_step ? nullptr : dynamic_cast<AllContacts*>(result)) {
     findContacts(mesh, other, breaking + near, contacts_);
     all->take(*mesh.getCollisionObject(), contacts_);
     return;

@@ -81,6 +81,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// its tree. Called first.
   virtual bool readOther(const btCollisionObjectWrapper& other) = 0;
 
+  /// The other body's shape, if it is of this type, too.
+  virtual const ClusteredOctreeShape* meshOfOther(const btCollisionObjectWrapper&) const { return nullptr; }
+
   /// How far the other body extends beyond the surface of those contacts.
   virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
 

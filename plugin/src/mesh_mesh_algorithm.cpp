@@ -63,6 +63,10 @@ bool MeshMeshAlgorithm::readOther(const btCollisionObjectWrapper& other) {
   return other_is_solid_ == was_solid;
 }
 
+const ClusteredOctreeShape* MeshMeshAlgorithm::meshOfOther(const btCollisionObjectWrapper& other) const {
+  return static_cast<const ClusteredOctreeShape*>(other.getCollisionShape());
+}
+
 double MeshMeshAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {
   return double(other.getCollisionShape()->getMargin());
 }

@@ -19,6 +19,7 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   bool readOther(const btCollisionObjectWrapper& other) override;
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
+  const ClusteredOctreeShape* meshOfOther(const btCollisionObjectWrapper& other) const override;
   double marginOfOther(const btCollisionObjectWrapper& other) const override;
   std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
                                                 const Contact& contact) const override;

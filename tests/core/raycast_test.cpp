@@ -334,23 +334,20 @@ TEST(Raycast, aVisitorEndsTheSearchWhereItLikes) {
   allHits(tree, ray, all);
   ASSERT_EQ(all.size(), 4u);
 
-  struct {
-    std::vector<double> seen;
-    double wanted;
-  } visited{{}, all[1].t};  // the two behind are beyond the limit
-  const detail::CrossingVisitor visitor = [](void* context, const detail::RayCrossing& crossing) {
-    auto& [seen, wanted] = *static_cast<decltype(visited)*>(context);
-    seen.push_back(crossing.t);
-    return wanted;
+  std::vector<std::uint32_t> seen;
+  const auto visitUntil = [&](double wanted) {
+    seen.clear();
+    detail::forEachCandidate(detail::treeOf(tree), ray, 0.0, [&](std::uint32_t triangle) {
+      seen.push_back(triangle);
+      return wanted;
+    });
   };
-  detail::walkRay(detail::treeOf(tree), ray, visitor, &visited);
-  std::ranges::sort(visited.seen);
-  EXPECT_TRUE(std::ranges::includes(visited.seen, std::vector{all[0].t, all[1].t}));
-  EXPECT_LE(visited.seen.size(), 3u);  // all of them but the first are within the limit
+  visitUntil(all[1].t);  // the two behind are beyond the limit
+  for (int hit : {0, 1}) EXPECT_TRUE(std::ranges::count(seen, all[std::size_t(hit)].triangle)) << hit;
+  EXPECT_LE(seen.size(), 3u);  // only the first may be beyond the limit
 
-  visited = {{}, -1.0};
-  detail::walkRay(detail::treeOf(tree), ray, visitor, &visited);
-  EXPECT_EQ(visited.seen.size(), 1u);
+  visitUntil(-1.0);
+  EXPECT_EQ(seen.size(), 1u);
 }
 
 TEST(Raycast, raysThatAreNoneMeetNothing) {

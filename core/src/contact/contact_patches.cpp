@@ -89,6 +89,7 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   while (!order_.empty() && patches_.size() < kMaxPatches) {
     const Vec3& deepest_normal = contacts[order_.front()].normal;
     members_.clear();
+    members_.reserve(order_.size());
     std::erase_if(order_, [&](std::uint32_t i) {
       const bool belongs = contacts[i].normal.dot(deepest_normal) >= kSameDirection;
       if (belongs) members_.push_back(i);

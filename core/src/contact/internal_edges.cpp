@@ -19,6 +19,7 @@ bool areSmooth(const Vec3& normal_a, const Vec3& normal_b) {
 void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh) {
   if (contacts.size() < 2) return;
   places_.clear();
+  places_.reserve(contacts.size());
   for (const Contact& contact : contacts) {
     const Triangle triangle = mesh.triangle(contact.triangle_a);
     const Vec3 normal = scaledNormal(triangle);
@@ -28,6 +29,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   if (std::ranges::none_of(places_, &Place::isAskew)) return;
 
   corners_.clear();
+  corners_.reserve(contacts.size());
   order_.resize(contacts.size());
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     corners_.add(places_[c].triangle, c);

@@ -17,6 +17,7 @@ inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
 class SharedCorners {
  public:
   void clear() { corners_.clear(); }
+  void reserve(std::size_t triangles) { corners_.reserve(3 * triangles); }
   bool empty() const { return corners_.empty(); }
 
   /// `index` identifies the triangle.
@@ -25,13 +26,21 @@ class SharedCorners {
   }
 
   /// Call this after the last add.
-  void sort() { std::ranges::sort(corners_, {}, &Corner::key); }
+  void sort() {
+    if (!areFew()) std::ranges::sort(corners_, {}, &Corner::key);
+  }
 
   /// Calls visit(index) for each triangle that has a corner at the position, and for few others, until a call
   /// returns true.
   template <typename Visit>
   void forEachAt(const Vec3& position, Visit&& visit) const {
     const double key = keyOf(position);
+    if (areFew()) {
+      for (const Corner& corner : corners_) {
+        if (corner.key == key && visit(corner.index)) return;
+      }
+      return;
+    }
     for (auto corner = std::ranges::lower_bound(corners_, key, {}, &Corner::key);
          corner != corners_.end() && corner->key == key; ++corner) {
       if (visit(corner->index)) return;
@@ -43,6 +52,9 @@ class SharedCorners {
     double key;
     std::uint32_t index;
   };
+
+  /// Sorting few corners takes longer than looking at all of them.
+  bool areFew() const { return corners_.size() <= 48; }
 
   /// Equal for equal positions, almost never for different ones.
   static double keyOf(const Vec3& position) {

@@ -164,25 +164,33 @@ class Polytope {
   /// vertex. Also replaces faces whose plane contains the vertex, because one of their edges in line with it
   /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
-    std::array<bool, kMaxFaces> seen{};
+    std::array<bool, kMaxFaces> replaced;
+    std::array<int, kMaxFaces> seeing;  // the faces that see the vertex and are not yet connected to the rim
+    int seeing_count = 0, replaced_count = 0;
+    const double coplanar = kCoplanar * size_;
+    for (int f = 0; f < face_count_; ++f) {
+      const PolytopeFace& face = faces_[static_cast<std::size_t>(f)];
+      replaced[static_cast<std::size_t>(f)] = false;
+      if (f == seen_face || face.normal.dot(vertex.difference) >= face.distance - coplanar)
+        seeing[static_cast<std::size_t>(seeing_count++)] = f;
+    }
     Rim rim;
     const auto take = [&](int f) {
-      seen[static_cast<std::size_t>(f)] = true;
+      replaced[static_cast<std::size_t>(f)] = true;
+      ++replaced_count;
       rim.take(faces_[static_cast<std::size_t>(f)]);
     };
     take(seen_face);
     for (bool spreads = true; spreads;) {
       spreads = false;
-      for (int f = 0; f < face_count_; ++f) {
-        const PolytopeFace& face = faces_[static_cast<std::size_t>(f)];
-        const bool sees = face.normal.dot(vertex.difference) >= face.distance - kCoplanar * size_;
-        if (seen[static_cast<std::size_t>(f)] || !sees || !rim.touches(face)) continue;
-        take(f);
+      for (int s = 0; s < seeing_count; ++s) {
+        const auto f = static_cast<std::size_t>(seeing[static_cast<std::size_t>(s)]);
+        if (replaced[f] || !rim.touches(faces_[f])) continue;
+        take(static_cast<int>(f));
         spreads = true;
       }
     }
-    const auto seen_count = static_cast<int>(std::ranges::count(seen, true));
-    if (face_count_ - seen_count + rim.count > kMaxFaces || rim.count < 3) return false;
+    if (face_count_ - replaced_count + rim.count > kMaxFaces || rim.count < 3) return false;
     vertices_[static_cast<std::size_t>(count_)] = vertex;
     std::array<PolytopeFace, kMaxFaces> added;
     for (int e = 0; e < rim.count; ++e) {
@@ -194,7 +202,7 @@ class Polytope {
     ++count_;
     auto end = faces_.begin();
     for (int f = 0; f < face_count_; ++f) {
-      if (!seen[static_cast<std::size_t>(f)]) *end++ = faces_[static_cast<std::size_t>(f)];
+      if (!replaced[static_cast<std::size_t>(f)]) *end++ = faces_[static_cast<std::size_t>(f)];
     }
     end = std::copy_n(added.begin(), rim.count, end);
     face_count_ = static_cast<int>(end - faces_.begin());

@@ -1,14 +1,12 @@
 #include "octoblisk/containment.h"
 
-#include <algorithm>
-#include <optional>
+#include <limits>
 
 #include "base/rounding.h"
-#include "geometry/frame_along.h"
 #include "geometry/half_line_crossing.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/triangles_in_box.h"
 #include "query/locate_in_closed.h"
+#include "query/ray_walk.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -21,23 +19,6 @@ namespace {
 double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
   return kSingleRounding * tree.radius() +
          kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
-}
-
-/// The part of the half-line from a point along +x of frame A that lies in the sphere around a tree, as a box
-/// without width in the tree's frame.
-std::optional<Obb> clipToSphere(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
-  const Vec3 direction = tree_in_a.rotation.row(0).transpose();
-  const Vec3 start = tree_in_a.rotation.transpose() * (point - tree_in_a.translation) - tree.origin();
-  const double reach = tree.radius() + roundingOf(tree, point, tree_in_a);
-  const double nearest = -start.dot(direction);
-  const Vec3 middle = start + nearest * direction;
-  const double begin = std::max(0.0, nearest - reach), end = nearest + reach;
-  if (end < begin || middle.norm() > reach) return std::nullopt;
-  Obb line;
-  line.center = tree.origin() + middle + (0.5 * (begin + end) - nearest) * direction;
-  line.axes = frameAlong(direction);
-  line.half_extents = {0.5 * (end - begin), 0.0, 0.0};
-  return line;
 }
 
 /// The numbers of parts of one surface inside and outside the other solid.
@@ -57,15 +38,17 @@ PartCount countParts(const Surface& of, const Pose& of_in_a, const Surface& in, 
 }  // namespace
 
 PointLocation detail::locateInClosed(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a) {
+  constexpr double kAll = std::numeric_limits<double>::infinity(), kStop = -1.0;
   bool odd = false, on_surface = false;
-  if (const std::optional<Obb> line = clipToSphere(treeOf(tree), point, tree_in_a)) {
-    forEachTriangleIn(tree, *line, roundingOf(treeOf(tree), point, tree_in_a), [&](std::uint32_t triangle) {
-      const Crossing crossing = halfLineCrossing(point, tree_in_a * tree.mesh().triangle(triangle));
-      odd ^= crossing == Crossing::crossed;
-      on_surface |= crossing == Crossing::on_triangle;
-      return on_surface;
-    });
-  }
+  // The half-line from the point along +x of frame A.
+  const Ray ray{.origin = tree_in_a.inverse() * point, .direction = tree_in_a.rotation.row(0).transpose()};
+  forEachCandidate(
+      treeOf(tree), ray, roundingOf(treeOf(tree), point, tree_in_a), [&](std::uint32_t triangle) {
+        const Crossing crossing = halfLineCrossing(point, tree_in_a * tree.mesh().triangle(triangle));
+        odd ^= crossing == Crossing::crossed;
+        on_surface |= crossing == Crossing::on_triangle;
+        return on_surface ? kStop : kAll;
+      });
   if (on_surface) return PointLocation::on_surface;
   return odd ? PointLocation::inside : PointLocation::outside;
 }

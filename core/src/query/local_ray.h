@@ -29,8 +29,8 @@ struct LocalRay {
   float reachOf(double t) const { return static_cast<float>(std::min(scale * (t - start), 1e30)) + slack; }
 };
 
-/// None if the ray misses the sphere around the tree.
-inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray) {
+/// None if the ray misses the sphere around the tree. `rounding`: the error of the ray's own points.
+inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray, double rounding = 0.0) {
   const double largest = ray.direction.cwiseAbs().maxCoeff();
   if (!ray.origin.allFinite() || !ray.direction.allFinite() || !(ray.t_max >= 0.0)) return std::nullopt;
   if (!(largest >= Ray::kMinDirection && largest <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
@@ -38,7 +38,8 @@ inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray) {
   const double distance = origin.cwiseAbs().maxCoeff();
   if (!(ray.origin.cwiseAbs().maxCoeff() <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
 
-  const double slack = 2.0 * (kSingleRounding * tree.radius() + kDoubleRounding * distance) + 0x1p-120;
+  const double slack =
+      2.0 * (kSingleRounding * tree.radius() + kDoubleRounding * distance) + rounding + 0x1p-120;
   const double radius = tree.radius() + slack;
   const double nearest = -origin.dot(ray.direction) / ray.direction.squaredNorm();  // to the middle
   if (!((origin + nearest * ray.direction).squaredNorm() <= radius * radius)) return std::nullopt;

@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "geometry/ray_triangle.h"
 #include "query/local_ray.h"
 #include "query/ray_walk.h"
 #include "query/tally.h"
@@ -51,19 +50,14 @@ class RayTask {
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls `visit` for the triangles that a ray crosses, entering boxes by ascending t. `visit` returns the
-/// greatest t still of interest, or a negative number to stop. The tally counts the tests (tally.h).
+/// Calls `visit` for the triangles that a ray may cross, entering boxes by ascending t. `visit` tests the
+/// triangle exactly and returns the greatest t still of interest, or a negative number to stop. The tally
+/// counts the tests (tally.h).
 template <typename Visit, typename Tally>
 class RayDescent {
  public:
-  RayDescent(const Tree& tree, const Ray& ray, const LocalRay& local, Visit visit, Tally& tally)
-      : tree_(tree),
-        ray_(ray),
-        local_(local),
-        visit_(visit),
-        tally_(tally),
-        t_limit_(ray.t_max),
-        limit_(local.length) {}
+  RayDescent(const Tree& tree, const LocalRay& local, Visit visit, Tally& tally)
+      : tree_(tree), local_(local), visit_(visit), tally_(tally), limit_(local.length) {}
 
   void run() {
     Slot here = Tree::kRoot;
@@ -154,26 +148,18 @@ class RayDescent {
         mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;
     for (; crossed != 0; crossed &= crossed - 1) {
       tally_.exactTest();
-      const std::uint32_t triangle = triangles[static_cast<std::size_t>(std::countr_zero(crossed))];
-      const auto found = crossing(ray_.origin, ray_.direction, tree_.mesh().triangle(triangle));
-      if (!found || found->t > t_limit_ || (found->back_face && ray_.cull_back_faces)) continue;
-      const double wanted = visit_({found->t, triangle, found->back_face});
+      const double wanted = visit_(triangles[static_cast<std::size_t>(std::countr_zero(crossed))]);
       if (wanted < 0.0) return false;
-      if (wanted < t_limit_) {
-        t_limit_ = wanted;
-        limit_ = std::min(limit_, local_.reachOf(wanted));
-      }
+      limit_ = std::min(limit_, local_.reachOf(wanted));
     }
     return true;
   }
 
   const Tree& tree_;
-  const Ray& ray_;
   const LocalRay& local_;
   const Visit visit_;
   Tally& tally_;
-  double t_limit_;
-  float limit_;  ///< of t_limit_ and of the sphere around the tree
+  float limit_;  // the reach still of interest
   std::size_t count_ = 0;
   std::array<RayTask, (kLanes - 1) * Tree::kMaxDepth> tasks_;
 };

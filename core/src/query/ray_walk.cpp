@@ -9,10 +9,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-void walk(const Tree& tree, const Ray& ray, const LocalRay& local, CrossingVisitor visitor, void* context) {
-  const auto visit = [visitor, context](const RayCrossing& crossing) { return visitor(context, crossing); };
+void walk(const Tree& tree, const LocalRay& local, CandidateVisitor visitor, void* context) {
+  const auto visit = [visitor, context](std::uint32_t triangle) { return visitor(context, triangle); };
   NoTally nothing;
-  RayDescent(tree, ray, local, visit, nothing).run();
+  RayDescent(tree, local, visit, nothing).run();
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -23,9 +23,9 @@ namespace octoblisk::detail {
 
 HWY_EXPORT(walk);
 
-void walkRay(const Tree& tree, const Ray& ray, CrossingVisitor visitor, void* context) {
-  const std::optional<LocalRay> local = clipped(tree, ray);
-  if (local) HWY_DYNAMIC_DISPATCH(walk)(tree, ray, *local, visitor, context);
+void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context) {
+  const std::optional<LocalRay> local = clipped(tree, ray, rounding);
+  if (local) HWY_DYNAMIC_DISPATCH(walk)(tree, *local, visitor, context);
 }
 
 }  // namespace octoblisk::detail

@@ -1,24 +1,27 @@
 // The descent of a ray through a tree, boxes and triangles eight at a time.
 #pragma once
 
-#include <limits>
+#include <cstdint>
 
 #include "octoblisk/raycast.h"
 
 namespace octoblisk::detail {
 
-/// A hit with the data that the descent knows.
-struct RayCrossing {
-  double t = std::numeric_limits<double>::infinity();
-  std::uint32_t triangle = kNoTriangle;
-  bool back_face = false;
-};
+/// Receives a triangle that a ray may cross or touch. Returns the greatest t still of interest, or a negative
+/// number to stop.
+using CandidateVisitor = double (*)(void* context, std::uint32_t triangle);
 
-/// Receives a crossing and returns the greatest t still of interest, or a negative number to stop.
-using CrossingVisitor = double (*)(void* context, const RayCrossing& crossing);
+/// Calls the visitor for every triangle that the ray crosses or touches, and for few others, entering boxes
+/// by ascending t, as long as t is of interest. `rounding`: the error of the ray's own points.
+void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context);
 
-/// Calls the visitor for every triangle that the ray crosses, entering boxes by ascending t, as long as t is
-/// of interest.
-void walkRay(const Tree& tree, const Ray& ray, CrossingVisitor visitor, void* context);
+/// walkRay for any callable.
+template <typename Visit>
+void forEachCandidate(const Tree& tree, const Ray& ray, double rounding, Visit visit) {
+  walkRay(
+      tree, ray, rounding,
+      [](void* function, std::uint32_t triangle) { return (*static_cast<Visit*>(function))(triangle); },
+      &visit);
+}
 
 }  // namespace octoblisk::detail

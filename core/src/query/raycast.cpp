@@ -1,8 +1,10 @@
 #include "octoblisk/raycast.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
+#include "geometry/ray_triangle.h"
 #include "query/ray_walk.h"
 #include "tree/tree.h"
 
@@ -11,6 +13,12 @@ namespace octoblisk {
 using namespace detail;
 
 namespace {
+
+struct RayCrossing {
+  double t = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle = kNoTriangle;
+  bool back_face = false;
+};
 
 RayHit hitOf(const TriangleMesh& mesh, const Ray& ray, const RayCrossing& crossing) {
   RayHit hit;
@@ -22,13 +30,16 @@ RayHit hitOf(const TriangleMesh& mesh, const Ray& ray, const RayCrossing& crossi
   return hit;
 }
 
-/// walkRay for any callable.
+/// Calls `visit` for the crossings of a ray as long as t is of interest. It returns the greatest t still of
+/// interest, or a negative number to stop.
 template <typename Visit>
 void forEachCrossing(const ClusteredOctree& tree, const Ray& ray, Visit visit) {
-  walkRay(
-      treeOf(tree), ray,
-      [](void* function, const RayCrossing& crossing) { return (*static_cast<Visit*>(function))(crossing); },
-      &visit);
+  double limit = ray.t_max;
+  forEachCandidate(treeOf(tree), ray, 0.0, [&](std::uint32_t triangle) {
+    const auto found = crossing(ray.origin, ray.direction, tree.mesh().triangle(triangle));
+    if (!found || found->t > limit || (found->back_face && ray.cull_back_faces)) return limit;
+    return limit = std::min(limit, visit(RayCrossing{found->t, triangle, found->back_face}));
+  });
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) cons
 void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                            double reach, double reserve) {
   found_.clear();
+  found_.reserve(4 * kLanes);
   forEachTriangleNear(tree, convex, convex_in_tree, reach + reserve, [this](std::uint32_t triangle) {
     found_.push_back(triangle);
     return false;
