@@ -55,6 +55,42 @@ TEST(SurfaceContacts, aBoxOverOrInAFlatFloorIsPushedUpAlone) {
   EXPECT_GT(askew, kCases / 2);  // otherwise there is nothing to remove
 }
 
+/// Equal boxes on each other, hardly shifted and turned: their edges nearly coincide.
+TEST(SurfaceContacts, aBoxOnAnEqualOneIsHeldAtItsFourCorners) {
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.5, 0.5, 0.25}));
+  std::mt19937_64 random(96);
+  int tilted = 0;
+  constexpr int kCases = 300;
+  for (int i = 0; i < kCases; ++i) {
+    const auto angle = [&] { return uniform(random, -0.004, 0.004); };
+    const Pose pose{(Eigen::AngleAxisd(angle(), Vec3::UnitX()) * Eigen::AngleAxisd(angle(), Vec3::UnitY()) *
+                     Eigen::AngleAxisd(angle(), Vec3::UnitZ()))
+                        .toRotationMatrix(),
+                    Vec3{uniform(random, -1e-3, 1e-3), uniform(random, -1e-3, 1e-3), 0.52}};
+    const Found found(box, box, pose, 0.03);
+    const auto tiltTo = [](const Contact& c, const Vec3& facing) { return c.normal.cross(facing).norm(); };
+    // A contact of a horizontal face, tilted by less than the two faces may be.
+    const auto isTilted = [&](const Contact& c) {
+      const bool of_top = std::abs(scaledNormal(box.mesh().triangle(c.triangle_a)).normalized().z()) > 0.5,
+                 of_bottom = std::abs(scaledNormal(box.mesh().triangle(c.triangle_b)).normalized().z()) > 0.5;
+      const double to_top = tiltTo(c, Vec3::UnitZ()), to_bottom = tiltTo(c, pose.rotation.col(2));
+      return ((of_top && to_top < 9e-3) || (of_bottom && to_bottom < 9e-3)) &&
+             std::min(to_top, to_bottom) > 2e-3;
+    };
+    tilted += std::ranges::any_of(found.all, isTilted);
+    EXPECT_TRUE(std::ranges::none_of(found.kept, isTilted)) << "case " << i;
+    ASSERT_EQ(testing::deepest(found.kept), testing::deepest(found.all));
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) {
+        EXPECT_TRUE(std::ranges::any_of(
+            found.kept, [&](const Contact& c) { return (c.point_on_a - Vec3(x, y, 0.25)).norm() < 0.01; }))
+            << "case " << i << ", corner " << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_GT(tilted, kCases / 2);
+}
+
 TEST(SurfaceContacts, nothingWithinTheOtherBodyHoldsItThere) {
   std::mt19937_64 random(98);
   const auto mesh = testing::bumpySphere(random, 1.0, 0.2, 24);

@@ -8,6 +8,7 @@
 #include "gallery/concave_pile.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
+#include "shapes/bodies.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -75,6 +76,35 @@ TEST(ConcaveDynamics, coarseCubesStackWithoutAMargin) {
       const Vec3 place = fromBullet(stack[i]->getWorldTransform().getOrigin());
       EXPECT_NEAR(place.z(), 2.0 * double(i + 1), 0.02) << i << (on_bvh ? " on BVH" : "");
       EXPECT_LT((place - Vec3(i % 2 ? 0.0 : 0.2, 0.1, place.z())).norm(), 0.02) << i;
+    }
+  }
+}
+
+/// Bodies whose edges coincide, with the default margin. They may not sleep.
+TEST(ConcaveDynamics, equalBodiesStackEdgeOverEdge) {
+  constexpr double kHalfHeight = 0.25;
+  for (const auto& mesh :
+       {testing::boxMesh({0.5, 0.5, kHalfHeight}), shapes::cylinder(0.5, kHalfHeight, 64)}) {
+    ClusteredOctreeShape body(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    ClusteredOctreeShape floor = shapeOver(testing::waveSheet(1.5, 0.0, 24));
+    std::mt19937_64 random(4);
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, 0));
+    const double margin = double(body.getMargin());
+    std::vector<btRigidBody*> stack;
+    for (int i = 0; i < 5; ++i) {
+      const auto shift = [&] { return testing::uniform(random, -1e-4, 1e-4); };
+      const double height = (2 * i + 1) * (kHalfHeight + margin);
+      stack.push_back(&world.add(body, 1, at(shift(), shift(), height)));
+      stack.back()->setActivationState(DISABLE_DEACTIVATION);
+    }
+    world.step(10 * 60, 1.0 / 60.0);
+    for (int i = 0; i < 5; ++i) {
+      const btRigidBody& placed = *stack[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(double(placed.getWorldTransform().getOrigin().z()), (2 * i + 1) * (kHalfHeight + margin),
+                  0.02)
+          << i;
+      EXPECT_LT(double(placed.getLinearVelocity().length()), 0.05) << i;
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "contact/surface_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -11,6 +12,9 @@
 
 namespace octoblisk::detail {
 namespace {
+
+/// The sine of the largest angle between two faces that lie on each other: 0.6°.
+constexpr double kNearlyParallel = 0.01;
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
   while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
@@ -50,6 +54,7 @@ bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
 
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
+  alignWithFaces(contacts);
   removeLongWays(contacts);
   join(contacts);
   markPast(contacts);
@@ -59,6 +64,25 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
                [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
   keepDeepest(contacts);
   dropRemoved(contacts);
+}
+
+/// Where two faces are nearly parallel, the contacts of their edges and corners have normals that are
+/// slightly tilted, at random. These are contacts of the faces: they get the normal of the face that is
+/// closest to theirs. The distance stays.
+void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
+  const double nearly_along = std::sqrt(1.0 - kNearlyParallel * kNearlyParallel);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Contact& contact = contacts[c];
+    const Vec3 of_a = scaledNormal(pairs_[c].a), of_b = scaledNormal(pairs_[c].b);
+    if (isSquare(of_a, contact.normal) || isSquare(of_b, contact.normal)) continue;
+    const double along_a = of_a.dot(contact.normal) / of_a.norm(),
+                 along_b = of_b.dot(contact.normal) / of_b.norm();
+    const bool to_a = !(std::abs(along_a) < std::abs(along_b));
+    const double along = to_a ? along_a : along_b;
+    if (!(std::abs(along) > nearly_along)) continue;
+    contact.normal = std::copysign(1.0, along) * (to_a ? of_a : of_b).normalized();
+    contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
+  }
 }
 
 void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
@@ -218,7 +242,7 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
       if (o == c || !is_nearer) return false;
       const Triangle& shares = ownOf(o);
       if (!hasCorner(shares, own[first]) || !hasCorner(shares, own[second])) return false;
-      if (!leansOver(shares, own[first], own[second], towards)) return false;
+      if (!leansOver(shares, own[first], own[second], towards, kNearlyParallel)) return false;
       removed_[c] = Removed::inner;
       return true;
     });

@@ -20,10 +20,13 @@ namespace octoblisk::detail {
 ///   They would hold the bodies inside each other.
 /// - Contacts that push at an angle from an edge or corner beyond which the surface continues, nearer or
 ///   deeper. The bodies would bump against internal edges of flat surfaces.
+/// - Contacts of edges and corners between two faces that lie on each other. The smallest shift of the bodies
+///   tilts their normals, each in its own direction.
 class SurfaceContacts {
  public:
-  /// Removes such contacts from the contacts of A and B and keeps the order. Of the contacts that do not push
-  /// the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
+  /// Gives contacts between faces that lie on each other the normal of a face; their distances stay. Removes
+  /// the other such contacts from the contacts of A and B and keeps the order. Of the contacts that do not
+  /// push the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
   /// outward. A contact whose triangles are apart stays, whichever way they face, if it is connected to no
   /// contact whose triangles meet: thin sheets have two sides. `triangle_a(contact)` and
   /// `triangle_b(contact)` return the triangles in the frame of the contacts. Shared corners must be equal to
@@ -50,6 +53,7 @@ class SurfaceContacts {
   using Members = std::span<const std::uint32_t>;
 
   void filter(std::vector<Contact>& contacts);
+  void alignWithFaces(std::vector<Contact>& contacts) const;
   void reset(std::size_t contacts);
   void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);

@@ -37,14 +37,14 @@ inline bool isSquare(const Vec3& normal, const Vec3& direction) {
 }
 
 /// Whether a direction from an edge or a corner (both ends equal) leans over a triangle that has this edge or
-/// corner.
-inline bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
-  constexpr double kLean = 1e-3;
+/// corner, by an angle with at least this sine.
+inline bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction,
+                      double least_sine = 1e-3) {
   const Vec3 edge = to - from;
   for (const Vec3& corner : triangle) {
     Vec3 inward = corner - from;
     if (edge.squaredNorm() > 0.0) inward -= edge * (edge.dot(inward) / edge.squaredNorm());
-    if (direction.dot(inward) > kLean * inward.norm()) return true;
+    if (direction.dot(inward) > least_sine * inward.norm()) return true;
   }
   return false;
 }
