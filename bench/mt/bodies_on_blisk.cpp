@@ -86,10 +86,10 @@ BodiesOnBlisk::BodiesOnBlisk(WorldKind world, ShapeKind shapes, int bodies,
                         a_profile};
   std::mt19937_64 random(1);
   for (int k = 0; k < bodies; ++k) {
-    // Spread evenly over the ring of blades, in layers.
+    // Layers over the ring of blades, spread evenly by a sequence of low discrepancy.
     constexpr int kLayer = 250;
-    const double radius = std::sqrt(shapes::uniform(random, 140.0 * 140.0, 225.0 * 225.0)),
-                 angle = 2.0 * std::numbers::pi * 0.618 * k;
+    const double radius = std::sqrt(std::lerp(140.0 * 140.0, 225.0 * 225.0, std::fmod(0.569840 * k, 1.0))),
+                 angle = 2.0 * std::numbers::pi * 0.754877 * k;
     const Vec3 place(radius * std::cos(angle), radius * std::sin(angle), 108.0 + 15.0 * (k / kLayer));
     btRigidBody& body = add(moving_, kinds[static_cast<std::size_t>(k) % std::size(kinds)], 1,
                             toBullet(Pose{shapes::randomRotation(random), place}));

@@ -20,7 +20,7 @@
 namespace octoblisk::bench {
 namespace {
 
-constexpr int kBodies = 1000, kBlocks = 20, kBlockSteps = 24, kPasses = 5;
+constexpr int kBodies = 1000, kBlocks = 10, kBlockSteps = 24, kPasses = 3;
 constexpr int kSteps = kBlocks * kBlockSteps;
 
 struct Contender {

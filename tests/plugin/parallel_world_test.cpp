@@ -79,7 +79,7 @@ class ParallelWorld : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(ParallelWorld, hasTheContactsOfThePlainWorld) {
-  constexpr int kSteps = 60, kExchanges = 20;
+  constexpr int kSteps = 40, kExchanges = 20;
   btBoxShape box(btVector3(4, 4, 4));
   const auto plain = makeWorld(WorldKind::plain, GetParam().has_clusters),
              parallel = makeWorld(WorldKind::parallel, GetParam().has_clusters);
@@ -111,7 +111,7 @@ TEST_P(ParallelWorld, losesNoBody) {
   scene->world().addAction(&clamping);
   scene->world().getDispatchInfo().m_useContinuous = false;
   for (const auto& body : scene->moving()) body->setCcdMotionThreshold(2);
-  for (int step = 0; step < 60; ++step) scene->step();
+  for (int step = 0; step < 40; ++step) scene->step();
   EXPECT_EQ(scene->lost(), 0);
   scene->world().removeAction(&clamping);
 }
