@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -27,17 +28,16 @@ constexpr double kFloor = -30.0, kWall = 242.0;  // mm
 }  // namespace
 
 void useThreads(int threads) {
-  static std::unique_ptr<btITaskScheduler> scheduler;
-  if (scheduler && scheduler->getNumThreads() == threads) return;
-  // A new scheduler, because setNumThreads of one whose threads are awake is a race, and leaves them numbers
-  // beyond those for which a dispatcher has room.
-  btSetTaskScheduler(nullptr);
-  scheduler.reset();
+  // One scheduler for each number, and none is ever deleted. To change the number of a scheduler is a race,
+  // and leaves threads with numbers for which a dispatcher has no room. To delete one whose threads are awake
+  // writes to memory that is not its own (btThreadSupportPosix::waitForResponse).
+  static std::map<int, btITaskScheduler*> schedulers;
+  btITaskScheduler*& scheduler = schedulers[threads];
   processors = threads;
-  scheduler.reset(btCreateDefaultTaskScheduler());
+  if (!scheduler) scheduler = btCreateDefaultTaskScheduler();
   if (!scheduler) throw std::runtime_error("this Bullet was built without BT_THREADSAFE");
   if (scheduler->getNumThreads() != threads) throw std::runtime_error("Bullet's scheduler has other threads");
-  btSetTaskScheduler(scheduler.get());
+  btSetTaskScheduler(scheduler);
 }
 
 BodiesOnBlisk::BodiesOnBlisk(WorldKind world, ShapeKind shapes, int bodies,
