@@ -58,6 +58,9 @@ function(octoblisk_bullet_physics target precision)
   if(precision STREQUAL float64)
     target_compile_definitions(${target} INTERFACE BT_USE_DOUBLE_PRECISION)
   endif()
+  if(BULLET2_MULTITHREADING)  # Bullet's own option; its headers differ with it
+    target_compile_definitions(${target} INTERFACE BT_THREADSAFE=1)
+  endif()
 endfunction()
 
 octoblisk_bullet_physics(OctoBlisk::bullet_physics single)
