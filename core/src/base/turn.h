@@ -24,7 +24,7 @@ struct SineCosineF {
 /// Sine and cosine of an angle in [0, π/2], in radians; at most one unit in the last place off.
 SineCosineF sineCosine(float angle);
 
-/// The angle in [0, π] of the point (x, y), for y >= 0; at most one unit in the last place off.
+/// The angle in [0, π] of the point (x, y), for y >= 0; at most two units in the last place off.
 float angleOf(float y, float x);
 
 }  // namespace octoblisk::detail
