@@ -57,7 +57,9 @@ class ScratchFolder {
 inline void requireClear(const std::exception& refusal, const std::filesystem::path& file) {
   const std::string_view message = refusal.what();
   if (!message.starts_with(file.string())) fail("a refusal that names no file", message);
-  const auto is_control = [](char letter) { return (letter >= 0 && letter < ' ') || letter == 0x7f; };
+  const auto is_control = [](char letter) {
+    return static_cast<unsigned char>(letter) < ' ' || letter == 0x7f;
+  };
   if (std::ranges::any_of(message, is_control)) fail("a refusal of more than one line", message);
 }
 

@@ -8,6 +8,39 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/turn.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// A type of its own, so that this instance of Eigen's solver is the project's alone.
+using Covariance = Eigen::Matrix<float, 3, 3, Eigen::DontAlign>;
+using CovarianceSolver = Eigen::SelfAdjointEigenSolver<Covariance>;
+
+}  // namespace
+}  // namespace octoblisk::detail
+
+/// Eigen's computation of the eigenvalues from the characteristic equation x³ - c2·x² + c1·x - c0 = 0,
+/// without the C library's sines (base/turn.h).
+template <>
+inline void
+Eigen::internal::direct_selfadjoint_eigenvalues<octoblisk::detail::CovarianceSolver, 3, false>::computeRoots(
+    const octoblisk::detail::Covariance& m, VectorType& roots) {
+  const float c0 = m(0, 0) * m(1, 1) * m(2, 2) + 2.0f * m(1, 0) * m(2, 0) * m(2, 1) -
+                   m(0, 0) * m(2, 1) * m(2, 1) - m(1, 1) * m(2, 0) * m(2, 0) - m(2, 2) * m(1, 0) * m(1, 0);
+  const float c1 = m(0, 0) * m(1, 1) - m(1, 0) * m(1, 0) + m(0, 0) * m(2, 2) - m(2, 0) * m(2, 0) +
+                   m(1, 1) * m(2, 2) - m(2, 1) * m(2, 1);
+  const float c2 = m(0, 0) + m(1, 1) + m(2, 2);
+  const float third = 1.0f / 3.0f, c2_third = c2 * third;
+  const float a_third = std::max((c2 * c2_third - c1) * third, 0.0f);
+  const float half_b = 0.5f * (c0 + c2_third * (2.0f * c2_third * c2_third - c1));
+  const float q = std::max(a_third * a_third * a_third - half_b * half_b, 0.0f);
+  const float rho = std::sqrt(a_third), root3 = std::sqrt(3.0f);
+  const auto [sine, cosine] =
+      octoblisk::detail::sineCosine(octoblisk::detail::angleOf(std::sqrt(q), half_b) * third);
+  roots << c2_third - rho * (cosine + root3 * sine), c2_third - rho * (cosine - root3 * sine),
+      c2_third + 2.0f * rho * cosine;
+}
 
 namespace octoblisk::detail {
 namespace {
@@ -58,7 +91,7 @@ void project(const VertexSample& points, const Eigen::Matrix3f& axes, VertexSamp
 
 Eigen::Matrix3f principalFrame(const VertexSample& centred) {
   const Eigen::Matrix3f covariance = covarianceOf(centred);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  CovarianceSolver solver;
   solver.computeDirect(covariance);
   const Eigen::Vector3f longest = solver.eigenvectors().col(2);
   // computeDirect is not orthonormal to the last bit, but the boxes' separation test requires it.
@@ -70,20 +103,16 @@ Eigen::Matrix3f principalFrame(const VertexSample& centred) {
   return axes.allFinite() ? axes : Eigen::Matrix3f::Identity();
 }
 
-struct Turn {
-  float cosine = 1.0f, sine = 0.0f;
-};
-
 /// The turn of the axes u, v about their normal that minimises the area of the points' box.
-Turn leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u, const Eigen::Ref<const Eigen::ArrayXf>& v,
-                   float slack) {
+SineCosineF leastAreaTurn(const Eigen::Ref<const Eigen::ArrayXf>& u,
+                          const Eigen::Ref<const Eigen::ArrayXf>& v, float slack) {
   constexpr int kAngles = 12;
   constexpr float kWorthwhile = 0.999f;  // a turn must gain at least this much
-  Turn best;
+  SineCosineF best;
   float least = std::numeric_limits<float>::infinity();
   for (int i = 0; i < kAngles; ++i) {
     const float angle = std::numbers::pi_v<float> / 2.0f * static_cast<float>(i) / kAngles;
-    const Turn turn{std::cos(angle), std::sin(angle)};
+    const SineCosineF turn = sineCosine(angle);
     const auto along_u = turn.cosine * u + turn.sine * v;
     const auto along_v = turn.cosine * v - turn.sine * u;
     const float width = along_u.maxCoeff() - along_u.minCoeff() + slack;
@@ -167,7 +196,7 @@ BoxF fitBox(const VertexSample& points, float slack) {
   int thinnest = 0;
   extent.minCoeff(&thinnest);
   const int u = (thinnest + 1) % 3, v = (thinnest + 2) % 3;
-  const Turn turn = leastAreaTurn(local.col(u), local.col(v), slack);
+  const SineCosineF turn = leastAreaTurn(local.col(u), local.col(v), slack);
   const Eigen::Vector3f axis_u = box.axes.col(u), axis_v = box.axes.col(v);
   box.axes.col(u) = turn.cosine * axis_u + turn.sine * axis_v;
   box.axes.col(v) = turn.cosine * axis_v - turn.sine * axis_u;

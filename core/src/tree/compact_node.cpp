@@ -30,7 +30,8 @@ CompactRotation compactRotation(const Eigen::Matrix3f& axes) {
   return best;
 }
 
-Eigen::Matrix3f decoded(const CompactRotation& rotation) {
+// With HWY_ATTR, axesOf can be inlined: on ARM64 Highway compiles it for more than the other code.
+HWY_ATTR Eigen::Matrix3f decoded(const CompactRotation& rotation) {
   float q[4], axes[3][3];
   for (std::size_t k = 0; k < 4; ++k) q[k] = rotation[k];
   HWY_NAMESPACE::axesOf(q, axes);
