@@ -122,7 +122,7 @@ TEST_F(CheckRanks, aLostRankIsMadeGoodByResuming) {
   }
 }
 
-TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
+TEST_F(CheckRanks, badInputIsReportedOnceAndLeavesNoFile) {
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = runRanks(3, arguments);
     EXPECT_EQ(outcome.exit_code, 2);

@@ -37,8 +37,8 @@ TEST_F(CheckParts, shardsMergeToTheFileAndTheWordsOfThePlainRun) {
       EXPECT_EQ(withoutTimes(merged.out), withoutTimes(plain.out));
     }
   }
-  const std::string told = run(check_ + "--out plain.csv").out;
-  const int colliding = std::stoi(told.substr(told.find(": ") + 2));
+  const std::string summary = run(check_ + "--out plain.csv").out;
+  const int colliding = std::stoi(summary.substr(summary.find(": ") + 2));
   EXPECT_GT(colliding, 0.3 * kPoses);
   EXPECT_LT(colliding, 0.7 * kPoses);
 }
