@@ -167,7 +167,7 @@ Image divisionPicture(const Tree& tree) {
   frames[0].picture.camera = frame(mesh.vertices(), kSideways, Vec3::UnitX());
   frames[1].caption = "its 8 children, drawn apart: 4 per side";
   frames[1].picture.camera = frame(apart.points(), kSideways, Vec3::UnitX());
-  frames[2].caption = "one dot per triangle: position across, normal up";
+  frames[2].caption = "one dot per triangle; the normal is up";
   frames[2].picture.camera = frame(dots.points(), {-0.4, 1.0, -0.5}, Vec3::UnitZ());
   return contactSheet(
       frames, "A node's triangles are divided by position and normal",
