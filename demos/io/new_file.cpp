@@ -85,7 +85,7 @@ void refuseToWrite(const std::filesystem::path& file, int error) {
   std::string message = target.string() + ": cannot be written";
   const std::filesystem::path folder = behindLinks(file).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    message += ": there is no folder " + folder.string();
+    message += ": the folder " + folder.string() + " does not exist: create it";
   } else if (error != 0) {
     message += std::string(": ") + std::strerror(error);
   }

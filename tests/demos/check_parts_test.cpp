@@ -77,7 +77,7 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
-                  "missing/out.csv: cannot be written: there is no folder missing\n");
+                  "missing/out.csv: cannot be written: the folder missing does not exist: create it\n");
     expectRefused(check_.substr(6) + options + "--out .", ".: is a folder");
     expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: is also");
   }

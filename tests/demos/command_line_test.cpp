@@ -85,7 +85,7 @@ TEST_F(CommandLine, printsItsVersion) {
 
 TEST_F(CommandLine, aFileThatCannotBeMadeIsNamedOnce) {
   EXPECT_EQ(run("make arm --out nowhere/arm.stl").error,
-            "octoblisk: nowhere/arm.stl: cannot be written: there is no folder nowhere\n");
+            "octoblisk: nowhere/arm.stl: cannot be written: the folder nowhere does not exist: create it\n");
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST_F(Output, goesThroughLinks) {
   EXPECT_GT(std::filesystem::file_size(file("elsewhere/new.stl")), 84u);
   const Outcome lost = run("path --out lost.csv");
   EXPECT_EQ(lost.exit_code, 2);
-  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written: there is no folder "));
+  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written: the folder "));
   // The table of a study too.
   writePoses(file("poses.csv"), std::vector<Pose>{at(0, 0, 0)});
   writeMesh(file("a.obj"), block({5, 5, 5}, 2));

@@ -327,7 +327,8 @@ TEST_F(PathCommand, writesAWholeFileOrNone) {
   EXPECT_EQ(run("--blade 25 --out path.csv").exit_code, 2);
   EXPECT_EQ(contentOf(file("path.csv")), "as it was");
   const Outcome refused = run("--step-over 40 --out missing/path.csv");
-  EXPECT_EQ(refused.error, "octoblisk: missing/path.csv: cannot be written: there is no folder missing\n");
+  EXPECT_EQ(refused.error,
+            "octoblisk: missing/path.csv: cannot be written: the folder missing does not exist: create it\n");
   EXPECT_EQ(run("--step-over 40 --out /dev/null").exit_code, 0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null")) << "not a file that took its place";
 }
