@@ -167,12 +167,12 @@ Image divisionPicture(const Tree& tree) {
   frames[0].picture.camera = frame(mesh.vertices(), kSideways, Vec3::UnitX());
   frames[1].caption = "its 8 children, drawn apart: 4 per side";
   frames[1].picture.camera = frame(apart.points(), kSideways, Vec3::UnitX());
-  frames[2].caption = "one dot per triangle: by place, up by normal";
+  frames[2].caption = "one dot per triangle; the normal is up";
   frames[2].picture.camera = frame(dots.points(), {-0.4, 1.0, -0.5}, Vec3::UnitZ());
   return contactSheet(
-      frames, "A node's triangles are divided by place and normal",
-      "One colour for each child. Where the blade is thin, its two sides are near in place and "
-      "far apart by normal",
+      frames, "A node's triangles are divided by position and normal",
+      "One colour for each child. Where the blade is thin, its two sides are close together, but "
+      "their normals point in opposite directions",
       3, kFrameWidth, kFrameHeight);
 }
 
@@ -251,9 +251,10 @@ Image walkPicture(const ClusteredOctree& blisk_octree, const ClusteredOctree& be
                                            {palette::kBlue, "boxes of the blisk", LegendSymbol::line},
                                            {palette::kVermilion, "boxes of the belt", LegendSymbol::line}};
   frames.front().picture.annotation.legend = legend;
-  return contactSheet(frames, "Down two trees at one pose",
-                      "The boxes that overlap one of the other body; each step opens the larger of two", 3,
-                      kFrameWidth, kFrameHeight);
+  return contactSheet(
+      frames, "Traversal of two trees at one pose",
+      "Only boxes that overlap a box of the other body; each step opens the larger box of a pair", 3,
+      kFrameWidth, kFrameHeight);
 }
 
 void makePictures(const std::filesystem::path& folder) {

@@ -20,7 +20,7 @@ std::vector<FreeRange> rangesOf(std::span<const PoseState> states, std::size_t l
     while (tilt + 1 < count && is_free(tilt + 1)) ++tilt;
     ranges.push_back({lead, options.tilt(first), options.tilt(tilt)});
   }
-  const bool joins = ranges.size() > 1 && options.goesRound() && is_free(0) && is_free(count - 1);
+  const bool joins = ranges.size() > 1 && options.isFullTurn() && is_free(0) && is_free(count - 1);
   if (joins) {
     ranges.back().tilt_to = ranges.front().tilt_to + 360.0;
     ranges.erase(ranges.begin());
@@ -73,7 +73,7 @@ SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& opti
 
 }  // namespace
 
-bool AccessOptions::goesRound() const { return std::abs(tilts * tilt_step - 360.0) < 1e-9; }
+bool AccessOptions::isFullTurn() const { return std::abs(tilts * tilt_step - 360.0) < 1e-9; }
 
 std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
                                  const AccessOptions& options,

@@ -25,7 +25,7 @@ struct AccessOptions {
 
   double tilt(int index) const { return tilt_from + index * tilt_step; }
   /// True if the first tilt follows the last one in the circle.
-  bool goesRound() const;
+  bool isFullTurn() const;
 };
 
 /// A run of consecutive free tilts, both ends included; the last may be beyond a full turn.
@@ -38,7 +38,7 @@ struct FreeRange {
 
 /// How often a part is blocked by a blade, whatever the reason; the first reason found is kept.
 struct ObstacleCount {
-  Hindrance obstacle;
+  Obstruction obstacle;
   std::size_t times = 0;
 };
 

@@ -42,8 +42,8 @@ double halfSpacing(std::span<const AccessRow> sites) {
   for (const AccessRow& site : sites) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const AccessRow& other : sites) {
-      const double way = std::hypot(site.arc - other.arc, site.height - other.height);
-      if (way > kSamePlace) nearest = std::min(nearest, way);
+      const double distance = std::hypot(site.arc - other.arc, site.height - other.height);
+      if (distance > kSamePlace) nearest = std::min(nearest, distance);
     }
     if (!std::isfinite(nearest)) continue;
     sum += nearest;

@@ -10,7 +10,7 @@
 
 namespace octoblisk::demos {
 
-std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts, const BodyNames& names) {
+std::string describe(const Obstruction& obstacle, std::span<const ToolPart> parts, const BodyNames& names) {
   const std::string& part = parts[obstacle.part].name;
   const std::string body = names.nameOf(obstacle.blade);
   if (obstacle.is_inside) return part + " wholly inside";
@@ -65,7 +65,7 @@ AccessSummary accessSummaryOfTally(const std::string& tally) {
   return summary;
 }
 
-std::string inWords(const AccessSummary& summary, const AccessQuestion& question) {
+std::string summaryText(const AccessSummary& summary, const AccessQuestion& question) {
   const auto numberOf = [](std::size_t count, const std::string& one) {
     return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
   };
@@ -82,7 +82,7 @@ std::string inWords(const AccessSummary& summary, const AccessQuestion& question
   return text.str();
 }
 
-std::string reachInWords(std::span<const AccessRow> rows) {
+std::string reachText(std::span<const AccessRow> rows) {
   double all = 0.0, free = 0.0;
   double lowest_free = std::numeric_limits<double>::infinity(), highest_free = -lowest_free;
   double highest_below = -lowest_free, lowest_above = lowest_free;

@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 
 /// "belt on blade 2", "arm on hub or shroud", "belt too deep in blade 1", "arm wholly inside".
-std::string describe(const Hindrance& obstacle, std::span<const ToolPart> parts, const BodyNames& names);
+std::string describe(const Obstruction& obstacle, std::span<const ToolPart> parts, const BodyNames& names);
 
 /// Counts over the points of a map.
 struct AccessSummary {
@@ -30,10 +30,10 @@ std::string tallyOf(const AccessSummary& summary);
 AccessSummary accessSummaryOfTally(const std::string& tally);
 
 /// Lines with line ends.
-std::string inWords(const AccessSummary& summary, const AccessQuestion& question);
+std::string summaryText(const AccessSummary& summary, const AccessQuestion& question);
 
 /// "Can be ground: 67 % of the area around the points; none up to 12.5 mm above the root". The points of a
 /// path have no area, so each counts once.
-std::string reachInWords(std::span<const AccessRow> rows);
+std::string reachText(std::span<const AccessRow> rows);
 
 }  // namespace octoblisk::demos

@@ -123,7 +123,7 @@ std::string rowOfSite(std::size_t index, const ContactSite& site, const SiteAcce
   if (access.obstacles.empty()) {
     stream << ",,";
   } else {
-    const Hindrance& most = access.obstacles.front().obstacle;
+    const Obstruction& most = access.obstacles.front().obstacle;
     stream << ',' << parts[most.part].name << ',' << names.cellOf(most.blade);
   }
   stream << ',' << site.half_width << ',' << site.half_height << ',';
@@ -149,7 +149,8 @@ std::vector<AccessRow> readAccessTable(const std::filesystem::path& file) {
   std::string line;
   std::size_t number = 1;
   if (!std::getline(stream, line) || line != kAccessColumns) {
-    throw std::runtime_error(atLine(file, number, "this is not the header of an accessibility map"));
+    throw std::runtime_error(atLine(
+        file, number, "this is not the header of an accessibility map; give points.csv of octoblisk access"));
   }
   std::vector<AccessRow> rows;
   while (std::getline(stream, line)) {

@@ -192,7 +192,8 @@ std::vector<ContactSite> sitesOnBlade(const TriangleMesh& blisk, const BladesFou
       sites.push_back(site);
     }
   }
-  require(!sites.empty(), "blade " + std::to_string(options.blade) + " has no closed section on the grid");
+  require(!sites.empty(), "blade " + std::to_string(options.blade) +
+                              " has no closed section on the grid: change the fractions of the span");
   return sites;
 }
 

@@ -58,9 +58,9 @@ BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const s
                                "; if it is a blisk, give its axis with --axis");
     }
   }
-  const BliskAxis told = axisOf(axis);
+  const BliskAxis given = axisOf(axis);
   try {
-    return findBlisk(mesh, told);
+    return findBlisk(mesh, given);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(mesh_name + ": " + error.what());
   }

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "command_line/complain.h"
 #include "command_line/help_formatter.h"
 #include "command_line/manual.h"
+#include "command_line/print_message.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/subcommand_names.h"
 #include "study/launch.h"
@@ -85,13 +85,13 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   } catch (const CLI::Success& help_or_version) {
     exit_code = app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    complain(messageOf(error) + "; see " + commandAskedFor(app) + " --help");
+    printMessage(messageOf(error) + "; see " + commandAskedFor(app) + " --help");
     exit_code = 2;
   } catch (const Stopped& stopped) {
-    complain(stopped.what());
+    printMessage(stopped.what());
     exit_code = stopped.exitCode();
   } catch (const std::exception& error) {
-    complain(error.what());
+    printMessage(error.what());
     exit_code = 2;
   }
   return is_first ? exit_code : 0;

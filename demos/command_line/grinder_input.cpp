@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "command_line/axis_option.h"
-#include "command_line/complain.h"
 #include "command_line/option_checks.h"
+#include "command_line/print_message.h"
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
 #include "grinding/tool_file.h"
@@ -28,11 +28,11 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kMostBladesOfBlisk = 10'000;
-constexpr double kMostMargin = 100.0;  // mm
+constexpr int kMaxBladesOfBlisk = 10'000;
+constexpr double kMaxMargin = 100.0;  // mm
 
-void tellNotes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) complain("warning: " + note);
+void printWarnings(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) printMessage("warning: " + note);
 }
 
 const ToolPart& largestPart(const ToolAssembly& tool) {
@@ -67,7 +67,7 @@ ToolAssembly toolOfFiles(const GrinderFiles& files) {
   ToolAssembly tool = !files.tool.empty()   ? toolOf(files.tool, files.max_depth)
                       : !files.belt.empty() ? beltAlone(files.belt, files.max_depth)
                                             : builtInTool(files.max_depth);
-  tellNotes(tool.notes);
+  printWarnings(tool.notes);
   readInMillimetres(files, tool);
   return tool;
 }
@@ -156,7 +156,7 @@ void requireBladesThere(const GrinderFiles& files, const GrinderInput& input) {
 TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string& units) {
   std::vector<std::string> notes;
   TriangleMesh mesh = readOutward(file, notes);
-  tellNotes(notes);
+  printWarnings(notes);
   return inMillimetres(std::move(mesh), units, file);
 }
 
@@ -204,7 +204,7 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
                   "Number of the blade to be ground. Default: 1, or with --path the blade that the belt "
                   "touches at most poses")
       ->type_name("N")
-      ->check(wholeNumberFrom(1, kMostBladesOfBlisk));
+      ->check(wholeNumberFrom(1, kMaxBladesOfBlisk));
   command
       .add_option("--max-depth", files.max_depth,
                   "Greatest depth to which the belt may be pressed into the ground blade: the depth of the "
@@ -226,7 +226,7 @@ void addMarginOption(CLI::App& command, double& margin) {
           "--margin", margin,
           "Clearance that all parts must keep, except the belt from the ground blade; 0: they must not touch")
       ->type_name("MM")
-      ->check(numberFrom(0.0, kMostMargin))
+      ->check(numberFrom(0.0, kMaxMargin))
       ->capture_default_str();
 }
 
@@ -262,7 +262,7 @@ GrinderInput readGrinder(const GrinderFiles& files_asked, Ranks& ranks) {
     input.fixtures = fixturesOf(files);
   });
   input.blisk =
-      std::make_shared<const ClusteredOctree>(treeOnceANode(ranks, [&] { return bliskOfFiles(files); }));
+      std::make_shared<const ClusteredOctree>(treeOncePerNode(ranks, [&] { return bliskOfFiles(files); }));
   ranks.together([&] {
     requireUnitsFit(files, input.blisk->mesh(), input.tool);
     findBladesOf(files, input.blisk->mesh(), input);
@@ -351,7 +351,7 @@ void requireMarginFits(const GrinderInput& input, const std::string& option, dou
                               " for a blisk of " + shortText(sizeOf(input.blisk->mesh())) + " mm");
 }
 
-void warnOf(const std::string& of, const std::string& what) { complain("warning: " + of + ": " + what); }
+void warnOf(const std::string& of, const std::string& what) { printMessage("warning: " + of + ": " + what); }
 
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {

@@ -11,7 +11,9 @@ namespace octoblisk::demos {
 inline void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder.string() + ": cannot create the folder: " + error.message());
+  if (error)
+    throw std::runtime_error(folder.string() + ": cannot create the folder: " + error.message() +
+                             ": choose another --out");
 }
 
 }  // namespace octoblisk::demos

@@ -25,12 +25,12 @@ void addPartitionOption(CLI::App& command, BuildOptions& options) {
   const auto read = [&options](const std::string& text) {
     options.partition = text == "clustered" ? PartitionKind::clustering : PartitionKind::paper;
     if (text == "clustered") return;
-    constexpr int kMostFnop = 999'999;
+    constexpr int kMaxFnop = 999'999;
     const bool is_read = text.starts_with("paper") && [&, rest = text.substr(5)]() mutable {
       options.clusters = 0;
       return rest.empty() ||
              (takeNumber(rest, 8, options.clusters) &&
-              (rest.empty() || (takeNumber(rest, kMostFnop, options.leaf_capacity) && rest.empty())));
+              (rest.empty() || (takeNumber(rest, kMaxFnop, options.leaf_capacity) && rest.empty())));
     }();
     if (!is_read) {
       throw CLI::ValidationError("--partition",

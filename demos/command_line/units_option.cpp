@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "command_line/complain.h"
 #include "command_line/option_checks.h"
+#include "command_line/print_message.h"
 #include "io/number_text.h"
 
 namespace octoblisk::demos {
@@ -36,8 +36,8 @@ void addUnitsOption(CLI::App& command, std::string& units, const std::string& he
 std::string unitsFor(const std::string& units, double size, const std::filesystem::path& file) {
   if (units != "auto") return units;
   const LengthUnit unit = unitBySize(size);
-  complain("note: " + file.string() + ": read in " + unit.name +
-           ", because its bounding box has a diagonal of " + shortText(size));
+  printMessage("note: " + file.string() + ": read in " + unit.name +
+               ", because its bounding box has a diagonal of " + shortText(size));
   return unit.name;
 }
 
@@ -51,10 +51,10 @@ TriangleMesh inMillimetres(TriangleMesh mesh, const std::string& units, const st
 
 void requireSizesFit(const std::string& blisk_file, double blisk_size, const std::string& part_name,
                      double part_size, double greatest_ratio, const std::string& part_option) {
-  constexpr double kLeastRatio = 0.1;
+  constexpr double kMinRatio = 0.1;
   const double ratio = blisk_size / part_size;
-  if (ratio >= kLeastRatio && ratio <= greatest_ratio) return;
-  const bool is_blisk_small = ratio < kLeastRatio;
+  if (ratio >= kMinRatio && ratio <= greatest_ratio) return;
+  const bool is_blisk_small = ratio < kMinRatio;
   const LengthUnit unit = unitBySize(is_blisk_small ? blisk_size : part_size);
   const std::string sizes = blisk_file + ": the blisk is " + shortText(blisk_size) + " mm across, the " +
                             part_name + " is " + shortText(part_size) +

@@ -27,7 +27,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::int64_t kMostRows = 10'000;
+constexpr std::int64_t kMaxRows = 10'000;
 
 /// Writes the report only if this process answered every point: shards, ranks and resumed runs lack answers.
 void writeReport(AccessTask& task, const GrinderFiles& files) {
@@ -41,7 +41,7 @@ void writeReport(AccessTask& task, const GrinderFiles& files) {
   writeReplayFiles(accessReplay(map, task.input.blisk, task.input.blades, files.bliskName()), files.out,
                    shown);
   shown.finish();
-  std::cout << tellReplayFiles(files.out);
+  std::cout << replayFilesText(files.out);
 }
 
 /// Returns the exit code; 0 on all ranks but the first.
@@ -69,7 +69,7 @@ int access(AccessRequest request) {
                [&](ItemRange items) { return answerSites(task, items); });
   if (!ranks.isFirst()) return 0;
   const int exit_code =
-      tellAccess(outcome.tallies, task.question, isStandardOutput(target.out) ? std::cerr : std::cout);
+      printAccess(outcome.tallies, task.question, isStandardOutput(target.out) ? std::cerr : std::cout);
   if (!target.shard) {
     finishAccess(target.out, task.question, !request.no_picture);
     if (request.report) writeReport(task, files);
@@ -116,12 +116,12 @@ void addAccessCommand(CLI::App& app, int& exit_code) {
       ->group(grid_group);
   command.add_option("--rows", grid.rows, "Number of points over the blade's height")
       ->type_name("N")
-      ->check(wholeNumberFrom(1, kMostRows))
+      ->check(wholeNumberFrom(1, kMaxRows))
       ->capture_default_str()
       ->group(grid_group);
   command.add_option("--columns", grid.columns, "Number of points along a section")
       ->type_name("N")
-      ->check(wholeNumberFrom(1, kMostRows))
+      ->check(wholeNumberFrom(1, kMaxRows))
       ->capture_default_str()
       ->group(grid_group);
   command.add_option("--span-from", grid.span_from, "Lowest row, as a fraction of the height: root 0, tip 1")

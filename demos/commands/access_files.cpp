@@ -17,15 +17,15 @@ void finishAccess(const std::filesystem::path& points, const AccessQuestion& que
   writeRanges(rows, files.add(out / "ranges.csv"));
   if (picture) writePng(accessPicture(rows, question), files.add(out / "map.png").string());
   files.finish();
-  std::cout << reachInWords(rows) << '\n';
+  std::cout << reachText(rows) << '\n';
   std::cout << "Tables: " << points.string() << ", " << (out / "ranges.csv").string() << '\n';
   if (picture) std::cout << "Picture: " << (out / "map.png").string() << '\n';
 }
 
-int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words) {
+int printAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words) {
   AccessSummary summary;
   for (const std::string& tally : tallies) summary.add(accessSummaryOfTally(tally));
-  words << inWords(summary, question);
+  words << summaryText(summary, question);
   return summary.nowhere_free > 0 ? 1 : 0;
 }
 

@@ -18,6 +18,6 @@ inline constexpr const char* kAccessName = "access";
 void finishAccess(const std::filesystem::path& points, const AccessQuestion& question, bool picture);
 
 /// Prints the summary of a study's tallies and returns the exit code.
-int tellAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words);
+int printAccess(std::span<const std::string> tallies, const AccessQuestion& question, std::ostream& words);
 
 }  // namespace octoblisk::demos

@@ -16,14 +16,14 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kMostAngles = 3600;
+constexpr int kMaxAngles = 3600;
 
 int stepsOf(const std::string& name, double from, double to, double step) {
   if (to < from) throw std::invalid_argument("--" + name + "-to: must not be below --" + name + "-from");
   const double steps = std::floor((to - from) / step + 1e-9) + 1.0;
-  if (steps > kMostAngles) {
+  if (steps > kMaxAngles) {
     throw std::invalid_argument("--" + name + "-step: too small: it makes more than " +
-                                std::to_string(kMostAngles) + " steps");
+                                std::to_string(kMaxAngles) + " steps");
   }
   return static_cast<int>(steps);
 }

@@ -72,8 +72,8 @@ void writeBlades(const BliskFound& found, const BliskAnatomy& anatomy, BladeSide
   writeFile(file, stream.str());
 }
 
-void tell(const BladesRequest& request, const BliskFound& found, const BliskAnatomy& anatomy,
-          BladeSide convex_side) {
+void print(const BladesRequest& request, const BliskFound& found, const BliskAnatomy& anatomy,
+           BladeSide convex_side) {
   const BladesFound& blades = found.blades;
   const auto of_hub = std::ranges::count(anatomy.sides.blade_of_triangle, 0);
   std::cout << blades.count << " blades about the axis " << textOf(found.axis.direction) << " through "
@@ -95,7 +95,7 @@ void tell(const BladesRequest& request, const BliskFound& found, const BliskAnat
             << " side: " << narrow->channel_width << " to " << wide->channel_width << " mm at mid height\n";
 }
 
-int findAndTell(const BladesRequest& request) {
+int findAndPrint(const BladesRequest& request) {
   const std::string name = request.blisk.empty() ? "the built-in blisk" : request.blisk;
   const TriangleMesh mesh =
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
@@ -112,7 +112,7 @@ int findAndTell(const BladesRequest& request) {
     writePngWatched(bladePicture(blisk, found, anatomy, convex_side), files.add(out / "blades.png").string());
   }
   files.finish();
-  tell(request, found, anatomy, convex_side);
+  print(request, found, anatomy, convex_side);
   std::cout << "Table: " << (out / "blades.csv").string() << '\n';
   if (!request.no_picture) std::cout << "Picture: " << (out / "blades.png").string() << '\n';
   return 0;
@@ -136,7 +136,7 @@ void addBladesCommand(CLI::App& app, int& exit_code) {
       ->required()
       ->check(notEmpty());
   command.add_flag("--no-picture", request->no_picture, "Do not write the picture");
-  command.callback([request, &exit_code] { exit_code = findAndTell(*request); });
+  command.callback([request, &exit_code] { exit_code = findAndPrint(*request); });
 }
 
 }  // namespace octoblisk::demos

@@ -39,7 +39,7 @@ struct CheckRequest {
 };
 
 ClusteredOctree treeOfFile(Ranks& ranks, const std::string& file, const CheckRequest& request) {
-  return treeOnceANode(
+  return treeOncePerNode(
       ranks, [&] { return inMillimetres(readMesh(file), request.units, file); }, request.tree);
 }
 
@@ -126,7 +126,7 @@ int check(CheckRequest request) {
   Ranks ranks;
   PoseCheckOptions& options = request.options;
   if (options.threads == 0) options.threads = ranks.threadsEach();
-  const SharedPoses moving_in_fixed = posesOnceANode(ranks, request.poses);
+  const SharedPoses moving_in_fixed = posesOncePerNode(ranks, request.poses);
   const ClusteredOctree fixed = treeOfFile(ranks, request.fixed, request);
   const ClusteredOctree moving = treeOfFile(ranks, request.moving, request);
   std::unique_ptr<PoseCheck> poses_check;
@@ -137,9 +137,9 @@ int check(CheckRequest request) {
       [&](ItemRange items) { return answerPoses(*poses_check, moving_in_fixed.poses, items, options); });
   if (!ranks.isFirst()) return 0;
   const CheckSummary summary = summaryOfTallies(outcome.tallies);
-  const std::optional a_pose = outcome.time / static_cast<double>(outcome.answered);
+  const std::optional time_per_pose = outcome.time / static_cast<double>(outcome.answered);
   std::ostream& words = isStandardOutput(request.target.out) ? std::cerr : std::cout;
-  tell(words, summary, options, outcome.answered > 0 ? a_pose : std::nullopt);
+  print(words, summary, options, outcome.answered > 0 ? time_per_pose : std::nullopt);
   return summary.isClean() ? 0 : 1;
 }
 
@@ -192,7 +192,8 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
   command.add_flag(
       "--continuous", options.continuous,
       "Add the column fraction: the fraction of the motion from the previous pose that is proved to keep the "
-      "tolerance; 1 for the whole motion, empty at the first pose. A motion is straight and turns evenly");
+      "tolerance; 1 for the whole motion, empty at the first pose. A motion is straight and rotates at a "
+      "constant rate");
   command
       .add_option("--tolerance", options.tolerance,
                   "Accuracy of depths, and the distance that motions must keep, in mesh units. Motions that "

@@ -12,8 +12,8 @@ namespace octoblisk::demos {
 namespace {
 
 const std::string kClearanceWord = "clearance", kDepthWord = "depth", kSignedWord = "signed",
-                  kContinuousWord = "continuous", kToleranceWord = "tolerance", kLeastWord = "least",
-                  kGreatestWord = "greatest", kLeastSignedWord = "least-signed";
+                  kContinuousWord = "continuous", kToleranceWord = "tolerance", kMinWord = "least",
+                  kGreatestWord = "greatest", kMinSignedWord = "least-signed";
 
 void keepLess(std::optional<Extreme>& kept, const std::optional<Extreme>& later) {
   if (later && (!kept || later->value < kept->value)) kept = later;
@@ -60,9 +60,9 @@ std::string tallyOf(const CheckSummary& summary) {
     if (!extreme) return;
     line += ' ' + name + ' ' + exactText(extreme->value) + ' ' + std::to_string(extreme->pose);
   };
-  append(kLeastWord, summary.least_clearance);
+  append(kMinWord, summary.least_clearance);
   append(kGreatestWord, summary.greatest_depth);
-  append(kLeastSignedWord, summary.least_signed);
+  append(kMinSignedWord, summary.least_signed);
   return line;
 }
 
@@ -74,10 +74,10 @@ CheckSummary summaryOfTally(const std::string& tally) {
   bool is_right = !words.fail();
   for (std::string name; is_right && words >> name;) {
     Extreme extreme;
-    std::optional<Extreme>* kept = name == kLeastWord         ? &summary.least_clearance
-                                   : name == kGreatestWord    ? &summary.greatest_depth
-                                   : name == kLeastSignedWord ? &summary.least_signed
-                                                              : nullptr;
+    std::optional<Extreme>* kept = name == kMinWord         ? &summary.least_clearance
+                                   : name == kGreatestWord  ? &summary.greatest_depth
+                                   : name == kMinSignedWord ? &summary.least_signed
+                                                            : nullptr;
     is_right = kept && words >> extreme.value >> extreme.pose;
     if (is_right) *kept = extreme;
   }
@@ -119,14 +119,14 @@ PoseCheckOptions optionsOfLine(const std::string& line) {
   return options;
 }
 
-void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
-          std::optional<std::chrono::duration<double, std::micro>> a_pose) {
+void print(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
+           std::optional<std::chrono::duration<double, std::micro>> time_per_pose) {
   stream << countedText(summary.poses, "pose", "poses") << ": " << summary.colliding << " colliding, ";
   if (options.depth || options.signed_distance)
     stream << summary.inside << " with one mesh wholly inside the other, ";
   stream << summary.poses - summary.colliding - summary.inside << " clear";
-  if (a_pose) {
-    stream << "; " << std::fixed << std::setprecision(2) << a_pose->count() << " us per pose"
+  if (time_per_pose) {
+    stream << "; " << std::fixed << std::setprecision(2) << time_per_pose->count() << " us per pose"
            << std::defaultfloat << std::setprecision(6);
   }
   stream << '\n';

@@ -49,8 +49,8 @@ CheckSummary summaryOfTallies(std::span<const std::string> tallies);
 std::string optionsLine(const PoseCheckOptions& options);
 PoseCheckOptions optionsOfLine(const std::string& line);
 
-/// `a_pose` is the time per pose, if known.
-void tell(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
-          std::optional<std::chrono::duration<double, std::micro>> a_pose);
+/// `time_per_pose` is the time per pose, if known.
+void print(std::ostream& stream, const CheckSummary& summary, const PoseCheckOptions& options,
+           std::optional<std::chrono::duration<double, std::micro>> time_per_pose);
 
 }  // namespace octoblisk::demos

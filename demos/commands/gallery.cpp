@@ -32,7 +32,9 @@ std::string sceneNames() {
 void showAsked(const GalleryRequest& request) {
   std::error_code error;
   std::filesystem::create_directories(request.out, error);
-  if (error) throw std::runtime_error(request.out + ": cannot create the folder: " + error.message());
+  if (error)
+    throw std::runtime_error(request.out + ": cannot create the folder: " + error.message() +
+                             ": choose another --out");
   bool is_known = false;
   for (const gallery::Exhibit& exhibit : gallery::exhibits()) {
     if (request.scene != "all" && request.scene != exhibit.name) continue;

@@ -35,7 +35,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kMostFrames = 9'999;
+constexpr int kMaxFrames = 9'999;
 
 struct GrindRequest {
   GrinderFiles files;
@@ -60,15 +60,15 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   }
 }
 
-void tell(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
+void print(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
-  std::cout << inWords(run);
+  std::cout << summaryText(run);
   if (run.rules.ground_blade != 0 && run.rules.grinding_part != kNoPart) {
-    std::cout << inWords(coverage, run.rules.ground_blade) << '\n';
+    std::cout << summaryText(coverage, run.rules.ground_blade) << '\n';
   }
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
-  if (request.report) std::cout << tellReplayFiles(out);
+  if (request.report) std::cout << replayFilesText(out);
   if (request.frames > 0) {
     std::cout << "Frames: " << (out / "frames").string() << ", " << (out / "contact_sheet.png").string()
               << '\n';
@@ -105,9 +105,9 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   WholeFiles files;
   if (!std::filesystem::equivalent(request.files.path, out / "path.csv", ignored)) {
     const bool has_feeds =
-        std::ranges::any_of(path.moves, [](const ToolMove& move) { return move.feed > 0.0; });
+        std::ranges::any_of(path.motions, [](const ToolMotion& motion) { return motion.feed > 0.0; });
     if (has_feeds) {
-      writeMoves(files.add(out / "path.csv"), path.moves);
+      writeMotions(files.add(out / "path.csv"), path.motions);
     } else {
       writePoses(files.add(out / "path.csv"), path.poses());
     }
@@ -134,7 +134,7 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
 PathFile pathOf(const GrinderFiles& files, const GrinderInput& input) {
   if (!files.path.empty()) return readPath(files.path, *input.blisk);
   PathFile path;
-  for (const Pose& pose : builtInPath(files, input)) path.moves.push_back({pose});
+  for (const Pose& pose : builtInPath(files, input)) path.motions.push_back({pose});
   return path;
 }
 
@@ -185,7 +185,7 @@ int grind(const GrindRequest& request) {
   warnOfParts(files, run);
   const std::optional<Coverage> coverage = coverageOrWarning(run, files);
   writeAll(run, coverage, path, request);
-  tell(run, coverage, request);
+  print(run, coverage, request);
   if (run.isPartial()) {
     throw TerminalWatch::stopped("stopped: " + files.out + " has the finished poses, marked as partial");
   }
@@ -211,7 +211,7 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                   "Clearance below which a near miss is reported, for pairs without a margin in the tool "
                   "file; above 0, at most 5")
       ->type_name("MM")
-      ->check(numberFrom(0.0, kMostNearMiss, true))
+      ->check(numberFrom(0.0, kMaxNearMiss, true))
       ->capture_default_str();
   command
       .add_flag("--continuous,!--poses-only", request->continuous,
@@ -223,7 +223,7 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                   "other way. contacts.csv then has the surface velocity at each contact of the belt. A tool "
                   "file may give each part's speed")
       ->type_name("M/S")
-      ->check(numberFrom(-kMostBeltSpeed, kMostBeltSpeed));
+      ->check(numberFrom(-kMaxBeltSpeed, kMaxBeltSpeed));
   SpindleOptions& spindle = request->spindle_options;
   const std::string forces = "Forces (the defaults are assumed values)";
   CLI::Option* const has_spindle =
@@ -254,7 +254,7 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
                   "Number of poses, evenly spaced over the path, to picture in OUT/frames and together in "
                   "contact_sheet.png")
       ->type_name("N")
-      ->check(wholeNumberFrom(0, kMostFrames))
+      ->check(wholeNumberFrom(0, kMaxFrames))
       ->capture_default_str();
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }

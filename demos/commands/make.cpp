@@ -24,7 +24,7 @@
 namespace octoblisk::demos {
 namespace {
 
-void writeAndTell(const std::string& file, const TriangleMesh& mesh) {
+void writeAndReport(const std::string& file, const TriangleMesh& mesh) {
   writeMesh(file, mesh);
   const Vec3 size = 2.0 * mesh.bounds().halfExtents();
   std::cout << file << ": " << mesh.triangleCount() << " triangles, " << std::setprecision(6) << size.x()
@@ -66,7 +66,7 @@ void makeBliskFile(const BliskRequest& request) {
       from_files ? readBladeSections(request.sections) : makeBladeSections(request.blade);
   const RadiusProfile hub = from_files ? readHubProfile(request.hub_profile)
                                        : cylinderProfile(request.blade.hub_radius, 0.5 * request.length);
-  writeAndTell(request.out, makeBlisk(sections, hub, request.blisk).mesh);
+  writeAndReport(request.out, makeBlisk(sections, hub, request.blisk).mesh);
 }
 
 void addBlisk(CLI::App& make) {
@@ -189,7 +189,7 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
   const auto request = std::make_shared<GrinderRequest>();
   addOut(command, request->out);
   addSizes(command, request->belt);
-  command.callback([request, makePart] { writeAndTell(request->out, makePart(request->belt)); });
+  command.callback([request, makePart] { writeAndReport(request->out, makePart(request->belt)); });
 }
 
 /// Writes all parts and the tool file for 'octoblisk grind --tool'.

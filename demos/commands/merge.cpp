@@ -25,16 +25,16 @@ struct MergeRequest {
 };
 
 /// Prints the summary of the study's own subcommand and returns its exit code.
-int tellStudy(const MergedStudy& merged, const std::filesystem::path& out) {
+int printStudy(const MergedStudy& merged, const std::filesystem::path& out) {
   std::ostream& words = isStandardOutput(out) ? std::cerr : std::cout;
   if (merged.study.name == kCheckName) {
     const CheckSummary summary = summaryOfTallies(merged.tallies);
-    tell(words, summary, optionsOfLine(merged.study.options), std::nullopt);
+    print(words, summary, optionsOfLine(merged.study.options), std::nullopt);
     return summary.isClean() ? 0 : 1;
   }
   if (merged.study.name == kAccessName) {
     const AccessQuestion question = questionOfLine(merged.study.options);
-    const int exit_code = tellAccess(merged.tallies, question, words);
+    const int exit_code = printAccess(merged.tallies, question, words);
     if (!isDevice(out)) finishAccess(out, question, true);
     return exit_code;
   }
@@ -57,7 +57,7 @@ void addMergeCommand(CLI::App& app, int& exit_code) {
       ->check(notEmpty());
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
-    exit_code = tellStudy(mergeParts(parts, request->out, checkPart), request->out);
+    exit_code = printStudy(mergeParts(parts, request->out, checkPart), request->out);
   });
 }
 

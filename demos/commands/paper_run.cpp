@@ -64,8 +64,11 @@ class OutFolder {
   explicit OutFolder(const std::string& path) : path_(path) {
     std::error_code error;
     is_new_ = std::filesystem::create_directories(path_, error);
-    if (error) throw std::runtime_error(path + ": cannot create the folder: " + error.message());
-    if (::access(path_.c_str(), W_OK) != 0) throw std::runtime_error(path + ": the folder is not writable");
+    if (error)
+      throw std::runtime_error(path + ": cannot create the folder: " + error.message() +
+                               ": choose another --out");
+    if (::access(path_.c_str(), W_OK) != 0)
+      throw std::runtime_error(path + ": the folder is not writable: choose another --out");
   }
   ~OutFolder() {
     std::error_code not_empty;

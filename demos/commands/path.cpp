@@ -20,7 +20,7 @@
 #include "models/blisk_axis.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
-#include "toolpath/cl_moves.h"
+#include "toolpath/cl_motions.h"
 #include "toolpath/pose_file.h"
 #include "toolpath/surface_path.h"
 
@@ -85,19 +85,19 @@ int makePath(PathRequest request) {
   SurfacePath path = makeSurfacePath(BladeContours(blisk, anatomy.sides, request.blade), options, &seat);
 
   const Pose blisk_in_mesh = found.mesh_in_blisk.inverse();
-  for (ToolMove& move : path.moves) move.tool_in_blisk = blisk_in_mesh * move.tool_in_blisk;
+  for (ToolMotion& motion : path.motions) motion.tool_in_blisk = blisk_in_mesh * motion.tool_in_blisk;
   WholeFiles whole;
   const std::filesystem::path written = whole.add(request.out);
   if (request.format == "apt") {
-    writeClFile(written, path.moves);
+    writeClFile(written, path.motions);
   } else {
-    writeMoves(written, path.moves);
+    writeMotions(written, path.motions);
   }
   whole.finish();
-  const int passes = *std::ranges::max_element(path.pass_of_move) + 1;
+  const int passes = *std::ranges::max_element(path.pass_of_motion) + 1;
   const bool is_edge = request.side == "leading";
   std::ostream& words = isStandardOutput(request.out) ? std::cerr : std::cout;
-  words << request.out << ": " << path.moves.size() << " poses, " << passes << ' ' << request.pattern
+  words << request.out << ": " << path.motions.size() << " poses, " << passes << ' ' << request.pattern
         << (passes == 1 ? " pass " : " passes ") << (is_edge ? "around the leading edge" : "on the ")
         << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
         << found.blades.count << ", at most " << options.step_over << " mm apart, from "

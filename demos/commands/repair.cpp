@@ -42,7 +42,7 @@ struct RepairRequest {
   bool report = true;
 };
 
-void tellChanges(const PathRepair& repair) {
+void printChanges(const PathRepair& repair) {
   double tilt = 0.0, slide = 0.0, retract = 0.0;
   for (const PoseRepair& pose : repair.poses) {
     tilt = std::max(tilt, std::abs(pose.change.tilt));
@@ -54,7 +54,7 @@ void tellChanges(const PathRepair& repair) {
             << retract << " mm\n";
 }
 
-void tellContact(const PathRepair& repair) {
+void printContact(const PathRepair& repair) {
   if (repair.contactsLost() == 0) return;
   std::cout << "Lost contact with the ground blade: " << repair.contactsLost() << " of " << repair.working()
             << " working poses: " << describeLost(repair) << '\n';
@@ -78,7 +78,7 @@ struct RepairFiles {
   std::filesystem::path path, changes;
 };
 
-void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, const RepairFiles& files) {
+void printRepair(const PathRepair& repair, const GrinderInput& input, int blade, const RepairFiles& files) {
   std::cout << repair.poses.size() << (repair.poses.size() == 1 ? " pose, " : " poses, ");
   if (blade == 0) {
     std::cout << "no blade ground";
@@ -86,10 +86,10 @@ void tellRepair(const PathRepair& repair, const GrinderInput& input, int blade, 
     std::cout << "ground blade " << blade << " of " << input.blades.count;
   }
   std::cout << ": " << repair.interferedBefore() << " interfered; left: " << repair.posesLeft()
-            << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.movesLeft()
-            << (repair.movesLeft() == 1 ? " motion" : " motions") << " between free poses\n";
-  if (repair.changed() > 0) tellChanges(repair);
-  tellContact(repair);
+            << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.motionsLeft()
+            << (repair.motionsLeft() == 1 ? " motion" : " motions") << " between free poses\n";
+  if (repair.changed() > 0) printChanges(repair);
+  printContact(repair);
   constexpr std::size_t kMost = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
   for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
@@ -114,7 +114,7 @@ void requireBridged(const ChangeLimits& limits) {
 /// The run that octoblisk grind would make of the path.
 GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
                   const std::vector<Pose>& path, TerminalWatch& terminal) {
-  constexpr double kLeastNearMiss = 0.5;  // mm
+  constexpr double kMinNearMiss = 0.5;  // mm
   GrindingJob job;
   job.blisk = input.blisk;
   job.mesh_in_blisk = input.mesh_in_blisk;
@@ -123,7 +123,7 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
   job.fixtures = input.fixtures;
   job.rules = input.tool.rules;
   job.rules.ground_blade = rules.ground_blade;
-  job.rules.near_miss = std::clamp(rules.near_miss, kLeastNearMiss, kMostNearMiss);
+  job.rules.near_miss = std::clamp(rules.near_miss, kMinNearMiss, kMaxNearMiss);
   job.path = path;
   job.threads = files.threads;
   GrindingRun run = runGrinding(job, terminal.watch());
@@ -167,7 +167,7 @@ void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, con
   if (coverage) replay.side = coverageOnBlade(*coverage);
   writeReplayFiles(replay, files.out, shown);
   shown.finish();
-  std::cout << tellReplayFiles(files.out);
+  std::cout << replayFilesText(files.out);
 }
 
 int repair(const RepairRequest& request) {
@@ -207,8 +207,8 @@ int repair(const RepairRequest& request) {
              whole.add(std::filesystem::path(files.out) / "coverage.png").string());
   }
   whole.finish();
-  tellRepair(repaired, input, *blade, written);
-  if (*blade != 0) std::cout << inWords(coverage, *blade) << '\n';
+  printRepair(repaired, input, *blade, written);
+  if (*blade != 0) std::cout << summaryText(coverage, *blade) << '\n';
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: the poses repaired so far are in " + written.path.string());
   }

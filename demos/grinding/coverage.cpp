@@ -27,10 +27,10 @@ namespace {
 
 /// The size of the grid's cells, mm: a lightly pressed pass grinds a line about a millimetre wide.
 constexpr double kCellHeight = 0.5, kCellWidth = 1.0;
-constexpr int kMostLines = 300;
+constexpr int kMaxLines = 300;
 
 int linesOver(double length, double step) {
-  return std::clamp(static_cast<int>(std::lround(length / step)), 1, kMostLines);
+  return std::clamp(static_cast<int>(std::lround(length / step)), 1, kMaxLines);
 }
 
 double lengthOf(const std::vector<Vec3>& line) {
@@ -61,7 +61,7 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
   std::vector<Place> places;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     if (p > 0) {
-      const Motion motion = moveBetween(poses[p - 1], poses[p]);
+      const Motion motion = motionBetween(poses[p - 1], poses[p]);
       const double length = motion.advance().norm() + motion.angle() * kNearGrinding;
       const int steps = static_cast<int>(std::ceil(length / kCoverageStep));
       for (int k = 1; k < steps; ++k) {
@@ -280,14 +280,14 @@ std::optional<Coverage> coverageOf(const GrindingRun& run, int threads) {
                     threads);
 }
 
-std::string groundInWords(const Coverage& coverage) {
+std::string groundText(const Coverage& coverage) {
   std::ostringstream text;
   text << "Ground: " << std::round(100.0 * coverage.groundShare()) << " % of the " << coverage.side
        << " side of blade " << coverage.blade;
   return text.str();
 }
 
-std::string leftInWords(const Coverage& coverage) {
+std::string leftText(const Coverage& coverage) {
   const auto rows = coverage.reachedRows(), columns = coverage.reachedColumns();
   std::vector<std::string> left;
   const auto add = [&](const std::string& what, std::size_t line, std::size_t count, const char* of) {
@@ -317,10 +317,10 @@ std::string leftInWords(const Coverage& coverage) {
   return text.str();
 }
 
-std::string inWords(const std::optional<Coverage>& coverage, int blade) {
+std::string summaryText(const std::optional<Coverage>& coverage, int blade) {
   if (!coverage) return "Ground: no part of blade " + std::to_string(blade);
-  const std::string left = leftInWords(*coverage);
-  return groundInWords(*coverage) + (left.empty() ? "" : "; ") + left;
+  const std::string left = leftText(*coverage);
+  return groundText(*coverage) + (left.empty() ? "" : "; ") + left;
 }
 
 }  // namespace octoblisk::demos

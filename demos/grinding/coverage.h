@@ -76,12 +76,12 @@ std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads
 std::optional<Coverage> coverageOf(const GrindingRun& run, int threads = 0);
 
 /// "Ground: 62 % of the convex side of blade 1".
-std::string groundInWords(const Coverage& coverage);
+std::string groundText(const Coverage& coverage);
 
 /// "not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
-std::string leftInWords(const Coverage& coverage);
+std::string leftText(const Coverage& coverage);
 
 /// Both in one line. Without a coverage, the line says that the path grinds no part of the blade.
-std::string inWords(const std::optional<Coverage>& coverage, int blade);
+std::string summaryText(const std::optional<Coverage>& coverage, int blade);
 
 }  // namespace octoblisk::demos

@@ -13,21 +13,21 @@ namespace {
 
 constexpr std::array kShells = {16.0, 60.0};  // mm: a contact wheel, the belt about it; the rest
 constexpr double kKeptOff = 1e-5;             // mm
-constexpr int kMostDistances = 200;           // of a shell
+constexpr int kMaxDistances = 200;            // of a shell
 
 /// Whether a shell of the part keeps off the blisk from one fraction to another. Each distance proves the
 /// fractions on both sides of its own.
-bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& move, double begin,
+bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& motion, double begin,
               double end, const Vec3& lift) {
-  const double length = move.lengthBound(shell);
+  const double length = motion.lengthBound(shell);
   // The path length that the next distance must prove, on either side.
   double reach = 0.5 * (end - begin) * length;
   TrianglePair hint;
-  for (int asked = 0; asked < kMostDistances; ++asked) {
+  for (int asked = 0; asked < kMaxDistances; ++asked) {
     const double left = std::max(0.0, 0.5 * (end - begin) * length);
     reach = std::min(reach, left);
     const double middle = length > 0.0 ? begin + reach / length : begin;
-    Pose pose = move.at(middle);
+    Pose pose = motion.at(middle);
     pose.translation += lift;
     const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kKeptOff, .hint = hint});
     if (found.found()) {
@@ -62,12 +62,12 @@ DepthProof::DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& par
   }
 }
 
-bool DepthProof::holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const {
+bool DepthProof::holds(const Motion& motion, double begin, double end, const Vec3& up, double limit) const {
   const Vec3 lift = limit * up;
   for (const Shell& shell : shells_) {
-    if (!keepsOff(blisk_.surface().tree(), *shell, move, begin, end, lift)) return false;
+    if (!keepsOff(blisk_.surface().tree(), *shell, motion, begin, end, lift)) return false;
   }
-  Pose lifted = move.at(begin);  // the surfaces do not meet, so what holds here holds on the whole motion
+  Pose lifted = motion.at(begin);  // the surfaces do not meet, so what holds here holds on the whole motion
   lifted.translation += lift;
   return !mayBeNested(blisk_, part_, lifted);
 }

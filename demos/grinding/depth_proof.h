@@ -21,7 +21,7 @@ class DepthProof {
   /// `up` (of unit length, in the blisk's frame), keeps off the blisk during the whole motion (lift.h),
   /// because its distance at sampled fractions exceeds the path of every point to the next sample. False if
   /// this is not proved.
-  bool holds(const Motion& move, double begin, double end, const Vec3& up, double limit) const;
+  bool holds(const Motion& motion, double begin, double end, const Vec3& up, double limit) const;
 
  private:
   /// The part's triangles at about the same distance from its origin: a turn moves the nearer ones less.

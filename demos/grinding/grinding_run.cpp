@@ -77,25 +77,25 @@ class Grinding {
     const std::span<PoseReport> poses = std::span(run_.poses).subspan(begin);
     findContacts(begin, poses);
     {
-      const TimeAdded watch(run_.depth_seconds_a_pose);
+      const TimeAdded watch(run_.depth_seconds_per_pose);
       judge_.measureDepths(poses);
     }
     judge_.setVerdicts(poses);
     if (!spindles_.empty()) findLoads(begin, poses);
     {
-      const TimeAdded watch(run_.clearance_seconds_a_pose);
+      const TimeAdded watch(run_.clearance_seconds_per_pose);
       judge_.measureClearances(poses, begin > 0 ? &job_.path[begin - 1] : nullptr,
                                end < job_.path.size() ? &job_.path[end] : nullptr);
     }
     if (job_.continuous) {
-      const TimeAdded watch(run_.move_seconds_a_pose);
-      judge_.checkMoves(std::span(run_.poses).subspan(begin > 0 ? begin - 1 : 0));
+      const TimeAdded watch(run_.motion_seconds_per_pose);
+      judge_.checkMotions(std::span(run_.poses).subspan(begin > 0 ? begin - 1 : 0));
     }
   }
 
  private:
   void findContacts(std::size_t begin, std::span<PoseReport> poses) {
-    const TimeAdded watch(run_.contact_seconds_a_pose);
+    const TimeAdded watch(run_.contact_seconds_per_pose);
     parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
       PoseReport& report = poses[i];
       report.tool_in_blisk = job_.path[begin + i];
@@ -141,28 +141,28 @@ std::size_t GrindingRun::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(poses, verdict, &PoseReport::verdict));
 }
 
-std::size_t GrindingRun::count(MoveReport::Outcome outcome) const {
+std::size_t GrindingRun::count(MotionReport::Outcome outcome) const {
   return static_cast<std::size_t>(std::ranges::count_if(
-      poses, [&](const PoseReport& pose) { return pose.move && pose.move->outcome == outcome; }));
+      poses, [&](const PoseReport& pose) { return pose.motion && pose.motion->outcome == outcome; }));
 }
 
-std::size_t GrindingRun::moveCount() const { return continuous && !poses.empty() ? poses.size() - 1 : 0; }
+std::size_t GrindingRun::motionCount() const { return continuous && !poses.empty() ? poses.size() - 1 : 0; }
 
 std::size_t GrindingRun::depthsProved() const {
   return static_cast<std::size_t>(std::ranges::count_if(
-      poses, [](const PoseReport& pose) { return pose.move && pose.move->depth_proved; }));
+      poses, [](const PoseReport& pose) { return pose.motion && pose.motion->depth_proved; }));
 }
 
 double GrindingRun::depthBound() const {
   double bound = 0.0;
   for (const PoseReport& pose : poses) {
-    if (pose.move) bound = std::max(bound, pose.move->depth_bound);
+    if (pose.motion) bound = std::max(bound, pose.motion->depth_bound);
   }
   return bound;
 }
 
 bool GrindingRun::interferes() const {
-  using Outcome = MoveReport::Outcome;
+  using Outcome = MotionReport::Outcome;
   return count(Verdict::interference) + count(Verdict::unknown) + count(Outcome::hit) +
              count(Outcome::too_deep) + count(Outcome::not_proved) >
          0;
@@ -193,11 +193,11 @@ GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch) {
   for (std::size_t begin = 0; begin < job.path.size() && !watch.isStopped(); begin += stretch) {
     const std::size_t end = std::min(job.path.size(), begin + stretch);
     grinding.doPoses(begin, end);
-    watch.tell("poses", end);
+    watch.report("poses", end);
   }
   const double poses = std::max<double>(1.0, static_cast<double>(run.poses.size()));
-  for (double* const seconds : {&run.contact_seconds_a_pose, &run.depth_seconds_a_pose,
-                                &run.clearance_seconds_a_pose, &run.move_seconds_a_pose}) {
+  for (double* const seconds : {&run.contact_seconds_per_pose, &run.depth_seconds_per_pose,
+                                &run.clearance_seconds_per_pose, &run.motion_seconds_per_pose}) {
     *seconds /= poses;
   }
   return run;

@@ -34,10 +34,10 @@ struct GrindingRun {
   std::vector<std::optional<SpindleLoad>> loads;  ///< then per pose, caused by the grinding part
   double tree_seconds = 0.0;                      ///< time to build the blisk's tree; 0: unknown
   /// Means over all threads, in seconds per pose.
-  double contact_seconds_a_pose = 0.0;    ///< Bullet's detection of near parts and their contacts
-  double depth_seconds_a_pose = 0.0;      ///< the parts' depths
-  double clearance_seconds_a_pose = 0.0;  ///< the clearances from obstacles
-  double move_seconds_a_pose = 0.0;       ///< the motions between poses
+  double contact_seconds_per_pose = 0.0;    ///< Bullet's detection of near parts and their contacts
+  double depth_seconds_per_pose = 0.0;      ///< the parts' depths
+  double clearance_seconds_per_pose = 0.0;  ///< the clearances from obstacles
+  double motion_seconds_per_pose = 0.0;     ///< the motions between poses
 
   /// "forward" or "backward" (blade_side.h) for a triangle of a blade; empty for hub, shroud and fixtures.
   std::string sideOf(std::uint32_t triangle, int body) const;
@@ -45,9 +45,9 @@ struct GrindingRun {
   std::string faceOf(std::uint32_t triangle, int body) const;
   BodyNames names() const { return BodyNames(blade_count, fixtures); }
   bool isPartial() const { return poses.size() < path_poses; }
-  std::size_t count(Verdict verdict) const;              ///< number of poses
-  std::size_t count(MoveReport::Outcome outcome) const;  ///< number of motions
-  std::size_t moveCount() const;                         ///< number of checked motions
+  std::size_t count(Verdict verdict) const;                ///< number of poses
+  std::size_t count(MotionReport::Outcome outcome) const;  ///< number of motions
+  std::size_t motionCount() const;                         ///< number of checked motions
   std::size_t depthsProved()
       const;                  ///< number of motions on which no part is proved to exceed its depth limit
   double depthBound() const;  ///< mm: an upper bound of the depth on all motions

@@ -25,7 +25,7 @@ std::optional<int> bladeTouchedMost(const ClusteredOctree& blisk, const Clustere
       touchingPairs(blisk, belt, path[begin + i], pairs);
       for (const TrianglePair& pair : pairs) touched[begin + i].insert(blade_of_triangle[pair.a]);
     });
-    watch.tell("which blade is ground", end);
+    watch.report("which blade is ground", end);
   }
   std::map<int, int> poses_of_blade;
   for (const std::set<int>& blades : touched) {

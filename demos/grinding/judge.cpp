@@ -15,9 +15,9 @@ using namespace detail;
 
 namespace {
 
-// The memory is reset after this many poses, so the answers do not depend on the number of threads.
-constexpr std::size_t kPosesOfTrail = 64;
-constexpr double kMarginOfMoves = 0.5;  // fraction of the poses' margin
+// The cache is reset after this many poses, so the answers do not depend on the number of threads.
+constexpr std::size_t kPosesPerCache = 64;
+constexpr double kMarginOfMotions = 0.5;  // fraction of the poses' margin
 
 std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {
   std::vector<double> limits;
@@ -36,8 +36,8 @@ bool isSame(const Pose& a, const Pose& b) {
 
 }  // namespace
 
-struct Judge::Trail {
-  explicit Trail(const Judge& judge) : touched(judge.parts_.size()), deep_corners(judge.parts_.size()) {
+struct Judge::PoseCache {
+  explicit PoseCache(const Judge& judge) : touched(judge.parts_.size()), deep_corners(judge.parts_.size()) {
     for (std::size_t part = 0; part < judge.parts_.size(); ++part) {
       const ClusteredOctree& tree = *judge.parts_[part].tree;
       const Obstacle* const obstacle = judge.obstacles_.of(part);
@@ -62,7 +62,7 @@ Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart>
       threads_(threadCount(threads)),
       obstacles_(blisk_, blade_of_triangle, parts_.size(), rules_, fixtures),
       depths_(blisk_, parts_, depthLimits(rules_, parts_.size()), threads, fixtures),
-      moves_(blisk_, parts_, rules_, obstacles_, depths_, threads) {}
+      motion_check_(blisk_, parts_, rules_, obstacles_, depths_, threads) {}
 
 Judge::~Judge() = default;
 
@@ -86,68 +86,68 @@ void Judge::measureClearances(std::span<PoseReport> poses, const Pose* before, c
   demos::measureClearances(obstacles_, parts_, poses, before, after, threads_);
 }
 
-void Judge::checkMoves(std::span<PoseReport> poses) {
+void Judge::checkMotions(std::span<PoseReport> poses) {
   std::vector<std::size_t> led_to;
   for (std::size_t i = 1; i < poses.size(); ++i) led_to.push_back(i);
-  std::vector<MoveReport> found = moves_.check(poses, led_to, kMoveTolerance);
-  for (std::size_t m = 0; m < found.size(); ++m) poses[led_to[m]].move = std::move(found[m]);
+  std::vector<MotionReport> found = motion_check_.check(poses, led_to, kMotionTolerance);
+  for (std::size_t m = 0; m < found.size(); ++m) poses[led_to[m]].motion = std::move(found[m]);
 }
 
 std::vector<PoseState> Judge::statesOf(std::span<const Pose> tool_in_blisk) {
   std::vector<PoseState> states(tool_in_blisk.size());
-  const std::size_t trails = (states.size() + kPosesOfTrail - 1) / kPosesOfTrail;
-  parallelFor(trails, threads_, [&](std::size_t index, std::size_t thread) {
-    Trail trail(*this);
-    const std::size_t end = std::min(states.size(), (index + 1) * kPosesOfTrail);
-    for (std::size_t i = index * kPosesOfTrail; i < end; ++i) {
-      states[i] = stateAt(tool_in_blisk[i], trail, thread);
+  const std::size_t runs = (states.size() + kPosesPerCache - 1) / kPosesPerCache;
+  parallelFor(runs, threads_, [&](std::size_t index, std::size_t thread) {
+    PoseCache cache(*this);
+    const std::size_t end = std::min(states.size(), (index + 1) * kPosesPerCache);
+    for (std::size_t i = index * kPosesPerCache; i < end; ++i) {
+      states[i] = stateAt(tool_in_blisk[i], cache, thread);
     }
   });
   return states;
 }
 
-PoseState Judge::stateAt(const Pose& pose, Trail& trail, std::size_t thread) {
+PoseState Judge::stateAt(const Pose& pose, PoseCache& cache, std::size_t thread) {
   PoseState state;
   // The part that was blocked at the last pose is likely to be blocked again.
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const std::size_t part = (trail.last_hit + k) % parts_.size();
-    state.obstacle = hitBy(part, pose, trail);
+    const std::size_t part = (cache.last_hit + k) % parts_.size();
+    state.obstacle = hitBy(part, pose, cache);
     if (!state.obstacle) continue;
-    trail.last_hit = part;
+    cache.last_hit = part;
     return state;
   }
   std::vector<std::pair<std::size_t, TrianglePair>> touches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
-    const auto pair = trail.touched[part] ? trail.touched[part]->collide(pose) : std::nullopt;
+    const auto pair = cache.touched[part] ? cache.touched[part]->collide(pose) : std::nullopt;
     if (pair) {
       touches.emplace_back(part, *pair);
     }
     if ((!pair && isInside(part, pose)) || depths_.isInFixture(part, pose)) {
-      state.obstacle = Hindrance{part, 0, false, true};
+      state.obstacle = Obstruction{part, 0, false, true};
       return state;
     }
   }
   for (const auto& [part, pair] : touches) {
     state.grinds = true;
-    if (!depths_.isBeyond(part, pose, pair, trail.deep_corners[part], thread)) continue;
-    state.obstacle = Hindrance{part, bladeOfTriangle()[pair.a], true, false};
+    if (!depths_.isBeyond(part, pose, pair, cache.deep_corners[part], thread)) continue;
+    state.obstacle = Obstruction{part, bladeOfTriangle()[pair.a], true, false};
     return state;
   }
   return state;
 }
 
 /// A forbidden touch of the part, or a clearance below the margin.
-std::optional<Hindrance> Judge::hitBy(std::size_t part, const Pose& pose, Trail& trail) const {
-  if (!trail.forbidden[part]) return std::nullopt;
+std::optional<Obstruction> Judge::hitBy(std::size_t part, const Pose& pose, PoseCache& cache) const {
+  if (!cache.forbidden[part]) return std::nullopt;
   std::uint32_t triangle = kNoTriangle;
   if (rules_.near_miss > 0.0) {
-    const Clearance clearance = trail.forbidden[part]->distance(pose, {.upper_bound = rules_.near_miss});
+    const Clearance clearance = cache.forbidden[part]->distance(pose, {.upper_bound = rules_.near_miss});
     if (clearance.found()) triangle = clearance.triangle_a;
-  } else if (const auto pair = trail.forbidden[part]->collide(pose)) {
+  } else if (const auto pair = cache.forbidden[part]->collide(pose)) {
     triangle = pair->a;
   }
   if (triangle == kNoTriangle) return std::nullopt;
-  return Hindrance{part, bladeOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
+  return Obstruction{part, bladeOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
 }
 
 /// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse, or
@@ -156,28 +156,29 @@ bool Judge::isInside(std::size_t part, const Pose& pose) const {
   return mayBeNested(depths_.blisk(), depths_.partSurface(part), pose);
 }
 
-std::vector<std::optional<Hindrance>> Judge::obstaclesOf(std::span<const Move> moves) {
+std::vector<std::optional<Obstruction>> Judge::obstaclesOf(std::span<const MotionEnds> motions) {
   std::vector<std::size_t> led_to;
-  const std::vector<PoseReport> ends = endsOf(moves, led_to);
-  const double clearance = std::max(kMarginOfMoves * rules_.near_miss, kMoveTolerance);
-  std::vector<std::optional<Hindrance>> obstacles;
-  for (const MoveReport& move : moves_.check(ends, led_to, clearance)) {
-    using Outcome = MoveReport::Outcome;
+  const std::vector<PoseReport> ends = endsOf(motions, led_to);
+  const double clearance = std::max(kMarginOfMotions * rules_.near_miss, kMotionTolerance);
+  std::vector<std::optional<Obstruction>> obstacles;
+  for (const MotionReport& motion : motion_check_.check(ends, led_to, clearance)) {
+    using Outcome = MotionReport::Outcome;
     obstacles.push_back(std::nullopt);
-    if (move.outcome == Outcome::free) continue;
-    obstacles.back() = Hindrance{move.at.part, move.at.blade, move.outcome == Outcome::too_deep, false};
+    if (motion.outcome == Outcome::free) continue;
+    obstacles.back() =
+        Obstruction{motion.at.part, motion.at.blade, motion.outcome == Outcome::too_deep, false};
   }
   return obstacles;
 }
 
-/// The end poses of motions, with the data that MoveCheck needs. A shared end of consecutive motions is one
+/// The end poses of motions, with the data that MotionCheck needs. A shared end of consecutive motions is one
 /// pose.
-std::vector<PoseReport> Judge::endsOf(std::span<const Move> moves, std::vector<std::size_t>& led_to) {
+std::vector<PoseReport> Judge::endsOf(std::span<const MotionEnds> motions, std::vector<std::size_t>& led_to) {
   std::vector<PoseReport> ends;
   const auto add = [&](const Pose& pose) { ends.emplace_back().tool_in_blisk = pose; };
-  for (const Move& move : moves) {
-    if (ends.empty() || !isSame(ends.back().tool_in_blisk, move.from)) add(move.from);
-    add(move.to);
+  for (const MotionEnds& motion : motions) {
+    if (ends.empty() || !isSame(ends.back().tool_in_blisk, motion.from)) add(motion.from);
+    add(motion.to);
     led_to.push_back(ends.size() - 1);
   }
   std::vector<std::size_t> parts;

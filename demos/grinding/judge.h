@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "grinding/obstacles.h"
 #include "grinding/part_depths.h"
 #include "grinding/verdict.h"
@@ -16,7 +16,7 @@
 namespace octoblisk::demos {
 
 /// The obstacle that blocks a pose or a motion.
-struct Hindrance {
+struct Obstruction {
   std::size_t part = 0;    ///< the tool's part
   int blade = 0;           ///< 0: hub or shroud; above the number of blades: a fixture (BodyNames)
   bool too_deep = false;   ///< the part is too deep in a blade that it may touch
@@ -24,12 +24,12 @@ struct Hindrance {
 };
 
 struct PoseState {
-  std::optional<Hindrance> obstacle;  ///< empty: the pose is free
-  bool grinds = false;                ///< a part touches what it may touch, and nothing else
+  std::optional<Obstruction> obstacle;  ///< empty: the pose is free
+  bool grinds = false;                  ///< a part touches what it may touch, and nothing else
 };
 
-/// A straight motion of the tool's origin; the tool turns evenly.
-struct Move {
+/// The two poses of a motion: the tool's origin moves straight, the tool rotates at a constant rate.
+struct MotionEnds {
   Pose from, to;
 };
 
@@ -60,26 +60,26 @@ class Judge {
   void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
   /// Sets `move` of all poses but the first: the motion from the previous pose. The poses must have all of
   /// the above.
-  void checkMoves(std::span<PoseReport> poses);
+  void checkMotions(std::span<PoseReport> poses);
 
-  /// Tells which poses are free: their verdict is clear or intended contact under rules whose near_miss, the
-  /// tool's margin, is the same for all pairs. Each pose ends at its first hit; this is fastest if successive
-  /// poses are near each other. If several obstacles block a pose, the one named may depend on the poses
-  /// before.
+  /// Determines which poses are free: their verdict is clear or intended contact under rules whose near_miss,
+  /// the tool's margin, is the same for all pairs. Each pose ends at its first hit; this is fastest if
+  /// successive poses are near each other. If several obstacles block a pose, the one named may depend on the
+  /// poses before.
   std::vector<PoseState> statesOf(std::span<const Pose> tool_in_blisk);
 
   /// For each motion between free poses, the first obstacle that blocks it, if any. A motion is free if the
-  /// tool keeps half of the margin, and at least kMoveTolerance, from everything that it must not touch, and
-  /// MoveCheck finds no part deeper than allowed.
-  std::vector<std::optional<Hindrance>> obstaclesOf(std::span<const Move> moves);
+  /// tool keeps half of the margin, and at least kMotionTolerance, from everything that it must not touch,
+  /// and MotionCheck finds no part deeper than allowed.
+  std::vector<std::optional<Obstruction>> obstaclesOf(std::span<const MotionEnds> motions);
 
  private:
-  struct Trail;  // the memory from pose to pose
+  struct PoseCache;  // what the previous poses touched
 
-  PoseState stateAt(const Pose& pose, Trail& trail, std::size_t thread);
-  std::optional<Hindrance> hitBy(std::size_t part, const Pose& pose, Trail& trail) const;
+  PoseState stateAt(const Pose& pose, PoseCache& cache, std::size_t thread);
+  std::optional<Obstruction> hitBy(std::size_t part, const Pose& pose, PoseCache& cache) const;
   bool isInside(std::size_t part, const Pose& pose) const;
-  std::vector<PoseReport> endsOf(std::span<const Move> moves, std::vector<std::size_t>& led_to);
+  std::vector<PoseReport> endsOf(std::span<const MotionEnds> motions, std::vector<std::size_t>& led_to);
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
@@ -87,7 +87,7 @@ class Judge {
   int threads_;
   Obstacles obstacles_;
   PartDepths depths_;
-  MoveCheck moves_;
+  MotionCheck motion_check_;
 };
 
 }  // namespace octoblisk::demos

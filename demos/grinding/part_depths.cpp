@@ -17,15 +17,15 @@ using namespace detail;
 namespace {
 
 constexpr double kPartOfLimit = 0.01;
-constexpr double kLeastTolerance = 1e-4;  // mm
-constexpr double kFiner = 0.1;            // factor, if the limit is between the bounds
-constexpr double kCoarse = 0.5;           // fraction of the limit, for a first measurement
+constexpr double kMinTolerance = 1e-4;  // mm
+constexpr double kFiner = 0.1;          // factor, if the limit is between the bounds
+constexpr double kCoarse = 0.5;         // fraction of the limit, for a first measurement
 
 /// Measures more closely as long as the limit is between the bounds.
 template <typename SurfaceOfA>
 GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
                    double limit) {
-  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
+  const double tolerance = std::max(kPartOfLimit * limit, kMinTolerance);
   const GougeDepth found = query.deepest(a, b, b_in_a, tolerance);
   if (found.depth > limit || found.upper_bound <= limit) return found;
   return query.deepest(a, b, b_in_a, kFiner * tolerance);
@@ -108,7 +108,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   const double limit = limits_[part];
   if (!blisk_boundary_.has(touch.a)) return true;
   if (staysWithin(part, tool_in_blisk, touch.a)) return false;
-  const double tolerance = std::max(kPartOfLimit * limit, kLeastTolerance);
+  const double tolerance = std::max(kPartOfLimit * limit, kMinTolerance);
   const double beyond = limit + tolerance;
   if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
   if (const auto corner = cornerBeyond(part, tool_in_blisk, touch.b, beyond)) {
@@ -117,7 +117,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   }
   DepthQuery& query = queries_[thread];
   const octoblisk::Surface& surface = part_surfaces_[part];
-  const double coarse = std::max(kCoarse * limit, kLeastTolerance);
+  const double coarse = std::max(kCoarse * limit, kMinTolerance);
   const GougeDepth guess = query.deepest(blisk_boundary_, surface, tool_in_blisk, coarse);
   if (guess.depth > beyond || !guess.is_known) return true;
   if (guess.upper_bound > limit) {
@@ -142,7 +142,7 @@ double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, st
 /// known.
 std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
                                                       std::uint32_t touching_triangle, double depth) const {
-  constexpr int kMostSteps = 32;
+  constexpr int kMaxSteps = 32;
   const octoblisk::Surface& surface = part_surfaces_[part];
   double deepest = -1.0;
   std::uint32_t at = 0;
@@ -159,7 +159,7 @@ std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Po
     return risen;
   };
   bool risen = rises(touching_triangle);
-  for (int step = 0; risen && deepest <= depth && step < kMostSteps; ++step) {
+  for (int step = 0; risen && deepest <= depth && step < kMaxSteps; ++step) {
     risen = std::ranges::any_of(surface.star(at), rises);
   }
   return deepest > depth ? std::optional(at) : std::nullopt;

@@ -15,7 +15,7 @@ namespace {
 
 /// Clearances are measured up to this multiple of a motion's path length, so that they can prove the motion
 /// free; the excess over 1 covers rounding.
-constexpr double kOfMove = 1.001;
+constexpr double kOfMotion = 1.001;
 
 /// Measures one pose after another, each starting from the last.
 class ClearanceQuery {
@@ -33,16 +33,17 @@ class ClearanceQuery {
   /// The neighbours are the poses before and after; the pose itself if it has none.
   void ask(const Pose& before, PoseReport& pose, const Pose& after) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    const Motion there = moveBetween(before, pose.tool_in_blisk), on = moveBetween(pose.tool_in_blisk, after);
+    const Motion there = motionBetween(before, pose.tool_in_blisk),
+                 on = motionBetween(pose.tool_in_blisk, after);
     pose.part_clearances.assign(parts_.size(), kFar);
     pose.clearance.reset();
     double least = kFar;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       if (!queries_[part]) continue;
       const ClusteredOctree& tree = *parts_[part].tree;
-      const double of_moves = kOfMove * std::max(there.lengthBound(tree), on.lengthBound(tree));
+      const double of_motions = kOfMotion * std::max(there.lengthBound(tree), on.lengthBound(tree));
       Clearance found =
-          queries_[part]->distance(pose.tool_in_blisk, {.upper_bound = std::max(least, of_moves)});
+          queries_[part]->distance(pose.tool_in_blisk, {.upper_bound = std::max(least, of_motions)});
       pose.part_clearances[part] = found.distance;
       if (!found.found() || found.distance >= least) continue;
       least = found.distance;
@@ -59,7 +60,7 @@ class ClearanceQuery {
 
 }  // namespace
 
-Motion moveBetween(const Pose& from, const Pose& to) { return Motion(from, to); }
+Motion motionBetween(const Pose& from, const Pose& to) { return Motion(from, to); }
 
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
                        std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads) {

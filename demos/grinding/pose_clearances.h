@@ -9,8 +9,9 @@
 
 namespace octoblisk::demos {
 
-/// The motion from one pose to another: the tool's origin moves straight, and the tool turns evenly about it.
-Motion moveBetween(const Pose& from, const Pose& to);
+/// The motion from one pose to another: the tool's origin moves straight, and the tool rotates about it at a
+/// constant rate.
+Motion motionBetween(const Pose& from, const Pose& to);
 
 /// Sets `clearance` of the poses, and as many `part_clearances` as the motions to and from them need. Poses
 /// are measured in parallel; the answers do not depend on the number of threads. The neighbours are the poses

@@ -13,7 +13,7 @@ struct RunWatch {
   std::function<void(const std::string& task, std::size_t done)> progress = {};
   std::function<bool()> stop = {};  ///< true to skip the rest
 
-  void tell(const std::string& task, std::size_t done) const {
+  void report(const std::string& task, std::size_t done) const {
     if (progress) progress(task, done);
   }
   bool isStopped() const { return stop && stop(); }

@@ -30,7 +30,9 @@ constexpr int kSpindleIterations = 200;
 
 double massOfSolid(const TriangleMesh& blisk, double density) {
   const double volume = std::abs(enclosedVolume(blisk));
-  if (!(volume > 0.0)) throw std::invalid_argument("the blisk encloses no volume, so it has no mass");
+  if (!(volume > 0.0))
+    throw std::invalid_argument(
+        "the blisk encloses no volume, so it has no mass: --spindle needs a closed mesh");
   return density * volume;
 }
 

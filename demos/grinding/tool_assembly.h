@@ -23,7 +23,7 @@ ToolAssembly builtInTool(double max_depth);
 ToolAssembly beltAlone(const std::filesystem::path& belt, double max_depth);
 
 /// The tool of a tool file (tool_file.h); `max_depth` (mm) is for parts that have none of their own. The
-/// grinding part is that of the first row of "allowed" for "ground"; kNoPart if there is none. Throws as
+/// grinding part is the part in the first row of "allowed" for "ground"; kNoPart if no row has it. Throws as
 /// readToolFile, and std::runtime_error naming the tool file and the key of a mesh that cannot be read.
 ToolAssembly toolOf(const std::filesystem::path& tool_file, double max_depth);
 

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostBladeNumber = 10'000;
+constexpr int kMaxBladeNumber = 10'000;
 const std::string kAny = "any";
 
 /// A value of the file, and its name in messages.
@@ -43,7 +43,7 @@ class Item {
   }
   Item at(const std::string& key) const {
     if (const auto found = find(key)) return *found;
-    refuse("the key \"" + key + "\" is missing");
+    refuse("the key \"" + key + "\" is missing: add it");
   }
 
   void requireObject(std::initializer_list<std::string_view> known) const {
@@ -85,7 +85,7 @@ class Item {
 std::string nameOfPart(const Item& item) {
   const std::string name = item.text();
   if (!isTableName(name)) item.refuse(kTableNameRule);
-  if (name == kAny) item.refuse("this name is reserved: it means every part");
+  if (name == kAny) item.refuse("this name is reserved for \"every part\": choose another");
   return name;
 }
 
@@ -99,10 +99,11 @@ ToolFilePart partOf(const Item& item, const std::filesystem::path& folder) {
   if (std::ranges::any_of(name, is_control)) mesh.refuse("a file name must not contain control characters");
   part.mesh = folder / name;
   std::error_code ignored;
-  if (!std::filesystem::exists(part.mesh, ignored)) mesh.refuse(part.mesh.string() + ": no such file");
+  if (!std::filesystem::exists(part.mesh, ignored))
+    mesh.refuse(part.mesh.string() + ": no such file: name it relative to the tool's file");
   if (const auto depth = item.find("max_depth_mm")) part.max_depth = depth->number(0.0, kMaxLength);
   if (const auto speed = item.find("belt_speed_m_s")) {
-    part.belt_speed = speed->number(-kMostBeltSpeed, kMostBeltSpeed);
+    part.belt_speed = speed->number(-kMaxBeltSpeed, kMaxBeltSpeed);
   }
   return part;
 }
@@ -123,7 +124,7 @@ BladeChoice bladeOf(const Item& item) {
     if (name == "hub") return {Kind::hub, 0};
     if (name == "ground") return {Kind::ground, 0};
   } else if (item.json().is_number_integer()) {
-    return {Kind::number, static_cast<int>(item.number(1, kMostBladeNumber))};
+    return {Kind::number, static_cast<int>(item.number(1, kMaxBladeNumber))};
   }
   item.refuse("must be a blade number from 1, \"ground\", \"hub\" or \"any\"");
 }
@@ -151,7 +152,7 @@ Json parse(const std::filesystem::path& file) {
                        '\n');
     throw std::runtime_error(file.string() + ":" + std::to_string(line) + ": not valid JSON");
   } catch (const Json::exception&) {
-    throw std::runtime_error(file.string() + ": a number is too large");
+    throw std::runtime_error(file.string() + ": a number is too large for a 64-bit float");
   }
 }
 
@@ -195,7 +196,7 @@ ToolFile readToolFile(const std::filesystem::path& file) {
     for (const Item& row : margins->list()) {
       row.requireObject({"part", "blade", "near_miss_mm"});
       tool.margins.push_back({partNumber(row.at("part"), tool.parts), bladeOf(row.at("blade")),
-                              row.at("near_miss_mm").number(0.0, kMostNearMiss)});
+                              row.at("near_miss_mm").number(0.0, kMaxNearMiss)});
     }
   }
   return tool;

@@ -12,10 +12,10 @@
 namespace octoblisk::demos {
 
 /// The greatest near-miss distance, mm: the number of triangle pairs within it grows with its square.
-inline constexpr double kMostNearMiss = 5.0;
+inline constexpr double kMaxNearMiss = 5.0;
 
 /// The greatest speed of a belt, m/s.
-inline constexpr double kMostBeltSpeed = 1000.0;
+inline constexpr double kMaxBeltSpeed = 1000.0;
 
 struct ToolFilePart {
   std::string name;

@@ -56,7 +56,7 @@ struct PartClearance {
 };
 
 /// The findings on the motion from the previous pose, apart from those at the two poses.
-struct MoveReport {
+struct MotionReport {
   enum class Outcome {
     free,      ///< no forbidden touch
     hit,       ///< a forbidden touch that neither of the two poses has
@@ -66,7 +66,7 @@ struct MoveReport {
     not_proved,
   };
   Outcome outcome = Outcome::free;
-  double fraction = 1.0;  ///< of the motion, straight and turning evenly, that is free
+  double fraction = 1.0;  ///< of the motion that is free
   PartClearance at;       ///< at that fraction; for a part that is too deep, its depth as a negative distance
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.
   double depth_bound = 0.0;
@@ -87,7 +87,7 @@ struct PoseReport {
   std::optional<PartClearance> clearance;  ///< the least of all parts; none if nothing is forbidden
   /// Per part, a lower bound of its clearance, as great as the motions need. May be empty.
   std::vector<double> part_clearances;
-  std::optional<MoveReport> move;  ///< from the previous pose
+  std::optional<MotionReport> motion;  ///< from the previous pose
 };
 
 /// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or around it, is

@@ -37,7 +37,8 @@ double finiteNumber(std::string_view text, const std::filesystem::path& file, st
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value);
   if (two_signs || error != std::errc{} || stop != end || !std::isfinite(value)) {
-    throw std::runtime_error(atLine(file, line, inQuotes(text) + " is not a finite number"));
+    throw std::runtime_error(
+        atLine(file, line, inQuotes(text) + " is not a finite number: correct the cell"));
   }
   return value;
 }

@@ -14,7 +14,7 @@ inline std::ifstream openForReading(const std::filesystem::path& file) {
   std::error_code error;  // ignored: if the file cannot be examined, opening it reports the cause
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
-  if (std::filesystem::is_directory(status)) refuse("is a folder, not a file");
+  if (std::filesystem::is_directory(status)) refuse("is a folder: give the name of a file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse("cannot be opened for reading");
   return stream;

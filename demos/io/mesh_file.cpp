@@ -58,7 +58,7 @@ std::string readBytes(const std::filesystem::path& file) {
   } else {  // a device or a pipe has no size
     bytes.assign(std::istreambuf_iterator<char>(stream), {});
   }
-  if (bytes.empty()) throw std::runtime_error(file.string() + ": the file is empty");
+  if (bytes.empty()) throw std::runtime_error(file.string() + ": the file is empty: export the mesh again");
   return bytes;
 }
 

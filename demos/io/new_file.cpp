@@ -62,10 +62,10 @@ void requireNotRead(const std::string& out, const std::vector<std::filesystem::p
 }
 
 std::filesystem::path behindLinks(const std::filesystem::path& file) {
-  constexpr int kMostLinks = 40;
+  constexpr int kMaxLinks = 40;
   std::filesystem::path place = file;
   std::error_code error;
-  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(place, error); ++i) {
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(place, error); ++i) {
     const std::filesystem::path next = std::filesystem::read_symlink(place, error);
     if (error) break;
     place = next.is_absolute() ? next : place.parent_path() / next;
@@ -78,14 +78,14 @@ std::filesystem::path unfinishedName(const std::filesystem::path& file) {
 }
 
 void refuseToWrite(const std::filesystem::path& file, int error) {
-  std::filesystem::path told = file;
+  std::filesystem::path target = file;
   if (isUnfinished(file)) {
-    told = file.parent_path() / file.filename().string().substr(kUnfinished.size());
+    target = file.parent_path() / file.filename().string().substr(kUnfinished.size());
   }
-  std::string message = told.string() + ": cannot be written";
+  std::string message = target.string() + ": cannot be written";
   const std::filesystem::path folder = behindLinks(file).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    message += ": there is no folder " + folder.string();
+    message += ": the folder " + folder.string() + " does not exist: create it";
   } else if (error != 0) {
     message += std::string(": ") + std::strerror(error);
   }
@@ -102,7 +102,7 @@ void requireOnDisk(const std::filesystem::path& file) {
 
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(file_), written_(file_) {
   if (std::filesystem::is_directory(file_)) {
-    throw std::runtime_error(file_.string() + ": is a folder, not a file");
+    throw std::runtime_error(file_.string() + ": is a folder: give the name of a file");
   }
   if (!isDevice(file_) && !isUnfinished(file_)) {
     place_ = behindLinks(file_);

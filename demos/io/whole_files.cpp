@@ -19,7 +19,7 @@ std::filesystem::path WholeFiles::add(const std::filesystem::path& file) {
   const std::filesystem::path place = behindLinks(file);
   const std::filesystem::path folder = place.has_parent_path() ? place.parent_path() : ".";
   if (std::filesystem::is_directory(file)) {
-    throw std::runtime_error(file.string() + ": is a folder, not a file");
+    throw std::runtime_error(file.string() + ": is a folder: give the name of a file");
   }
   if (!std::filesystem::is_directory(folder)) refuseToWrite(file, 0);
   files_.push_back(file);

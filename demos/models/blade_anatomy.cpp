@@ -110,8 +110,8 @@ BliskAnatomy findAnatomy(const TriangleMesh& blisk, const BladesFound& found) {
     blade.channel_width = gapBetween(at_mid_height[k].forward, next.backward);
     camber += blade.camber / found.count;
   }
-  constexpr double kLeastCamber = 0.003;
-  if (std::abs(camber) >= kLeastCamber) {
+  constexpr double kMinCamber = 0.003;
+  if (std::abs(camber) >= kMinCamber) {
     anatomy.convex_side = camber > 0.0 ? BladeSide::forward : BladeSide::backward;
   }
   return anatomy;

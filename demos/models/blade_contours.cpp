@@ -128,8 +128,8 @@ void BladeContours::solveHeights() {
   std::stable_sort(longest.begin(), longest.end(),
                    [](const auto& a, const auto& b) { return a.second.length > b.second.length; });
   const auto refusal = "blade " + std::to_string(blade_) + ": its sides do not end in a root and a tip";
-  constexpr double kLeastPart = 0.5;  // of the greater border's length
-  require(longest.size() >= 2 && longest[1].second.length > kLeastPart * longest[0].second.length, refusal);
+  constexpr double kMinPart = 0.5;  // of the greater border's length
+  require(longest.size() >= 2 && longest[1].second.length > kMinPart * longest[0].second.length, refusal);
   const auto meanRadius = [&](int k) { return longest[k].second.moment / longest[k].second.length; };
   const int tip = meanRadius(0) > meanRadius(1) ? 0 : 1;
 
@@ -222,7 +222,7 @@ BladeContour BladeContours::at(double height) const {
   }
   if (longest.size() < 3) {
     throw std::invalid_argument("blade " + std::to_string(blade_) + ": no closed line runs around it at " +
-                                std::to_string(height) + " of its height");
+                                std::to_string(height) + " of its height: check the mesh for holes there");
   }
   return cutAtEdges(std::move(longest));
 }

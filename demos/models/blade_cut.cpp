@@ -10,7 +10,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kLowCuts = 100;
 constexpr int kHighCuts = 32;
-constexpr int kLeastRun = 5;  ///< successive cuts that must show the same blades
+constexpr int kMinRun = 5;  ///< successive cuts that must show the same blades
 constexpr int kRefinements = 16;
 
 /// The count that most low cuts agree on, at the lowest of them.
@@ -86,11 +86,11 @@ BladeCut findBladeCut(const WeldedSurface& surface) {
   for (int k = kLowCuts - 1; k >= 0; --k) falling_cuts.push_back(least + k * low_step);
 
   BladeCut best = widestCut(surface, falling_cuts, kInfinity);
-  for (int k = kHighCuts - 1; k > 0 && best.run < kLeastRun; --k) {
+  for (int k = kHighCuts - 1; k > 0 && best.run < kMinRun; --k) {
     const BladeCut below_shroud = widestCut(surface, falling_cuts, least + k * high_step);
     if (below_shroud.run > best.run) best = below_shroud;
   }
-  if (best.run < kLeastRun) return {};
+  if (best.run < kMinRun) return {};
   return refine(surface, best, low_step, high_step);
 }
 

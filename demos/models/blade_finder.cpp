@@ -132,8 +132,8 @@ BladesFound findBlades(const TriangleMesh& mesh) {
   }
   const bool has_hub = found.root_radius > 0.0;
   if (!has_hub) found.root_radius = cut.low;
-  constexpr double kLeastSlenderness = 3.0;
-  if (!(slenderness(mesh, found) >= kLeastSlenderness)) {
+  constexpr double kMinSlenderness = 3.0;
+  if (!(slenderness(mesh, found) >= kMinSlenderness)) {
     BladesFound none;
     none.blade_of_triangle.assign(mesh.triangleCount(), 0);
     return none;

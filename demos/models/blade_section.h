@@ -31,7 +31,7 @@ class BladeCutter {
   BladeCutter(const TriangleMesh& blisk, const BladesFound& blades, int blade);
 
   /// The longest closed curve at a radius. Its points lie on the mesh's edges, and so on the cylinder except
-  /// for the sag of an edge. Throws std::invalid_argument if there is none.
+  /// for the sag of an edge. Throws std::invalid_argument if the section is not closed.
   BladeSection at(double radius) const;
 
  private:

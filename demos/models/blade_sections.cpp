@@ -187,7 +187,8 @@ BladeSections makeBladeSections(const BladeParameters& p) {
 
 BladeSections readBladeSections(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder)) {
-    throw std::runtime_error(folder.string() + ": no such folder of sections");
+    throw std::runtime_error(folder.string() +
+                             ": no such folder; --sections needs a folder with one CSV file per section");
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -132,19 +132,21 @@ double crossing(const MonotoneCurve& line, const RadiusProfile& surface, double 
 
 double hubCrossing(const MonotoneCurve& line, const RadiusProfile& hub) {
   if (!(heightOver(hub, line.at(1.0)) > 0.0)) {
-    throw std::invalid_argument("the blade's tip lies below the hub surface");
+    throw std::invalid_argument(
+        "the blade's tip lies below the hub surface: correct the sections or the hub profile");
   }
   if (heightOver(hub, line.at(-kMaxExtension)) > 0.0) {
     throw std::invalid_argument("the blade's first section lies " +
                                 std::to_string(heightOver(hub, line.at(0.0))) +
-                                " mm outside the hub surface; the blade does not reach it");
+                                " mm outside the hub surface: add a section below the hub surface");
   }
   return crossing(line, hub, -kMaxExtension, 1.0);
 }
 
 double shroudCrossing(const MonotoneCurve& line, const RadiusProfile& shroud, double root) {
   if (heightOver(shroud, line.at(root)) >= 0.0 || heightOver(shroud, line.at(1.0 + kMaxExtension)) <= 0.0) {
-    throw std::invalid_argument("the blade does not reach the shroud's inner surface");
+    throw std::invalid_argument(
+        "the blade does not reach the shroud's inner surface: add a section beyond it");
   }
   return crossing(line, shroud, root, 1.0 + kMaxExtension);
 }

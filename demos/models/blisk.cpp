@@ -34,8 +34,8 @@ struct Resolution {
         passage_cells(cellsOf(passage, edge, 2)) {}
 
   static int cellsOf(double length, double edge, int least) {
-    constexpr double kMostCells = 1e8;  // more than any mesh has, but convertible to an integer
-    return static_cast<int>(std::lround(std::clamp<double>(length / edge, least, kMostCells)));
+    constexpr double kMaxCells = 1e8;  // more than any mesh has, but convertible to an integer
+    return static_cast<int>(std::lround(std::clamp<double>(length / edge, least, kMaxCells)));
   }
 
   double trianglesInSector(const std::vector<Ring>& rings) const {
@@ -119,12 +119,14 @@ void requireClearPassages(const BladeGrid& blade, double pitch, bool shrouded) {
       next_after.angle += pitch;
       const std::string place = " near radius " + mm(forward.radius) + ", z " + mm(forward.z);
       if (!UnrolledCell{backward, forward, forward_after, backward_after}.isSimple()) {
-        throw std::invalid_argument("the blade's sides cross" + place);
+        throw std::invalid_argument("the blade's sides cross" + place + ": make the blade thicker there");
       }
       const UnrolledCell passage{forward, next, next_after, forward_after};
-      if (!passage.isSimple()) throw std::invalid_argument("adjacent blades touch" + place);
+      if (!passage.isSimple())
+        throw std::invalid_argument("adjacent blades touch" + place + ": use fewer or thinner blades");
       if (on_ring && !passage.isConvex()) {
-        throw std::invalid_argument("the blades leave no regular passage" + place);
+        throw std::invalid_argument("the blades leave no regular passage" + place +
+                                    ": use fewer or thinner blades");
       }
     }
   }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kGreatestError = 0.005;  // of the tip radius
 // Two would not do: any ring consists of two equal halves about its diameter.
-constexpr int kLeastBlades = 3;
+constexpr int kMinBlades = 3;
 
 struct SurfaceMoments {
   double area = 0.0;
@@ -150,7 +150,7 @@ BliskFound findBlisk(const TriangleMesh& mesh) {
   for (BliskAxis axis : principalAxes(mesh)) {
     axis.direction = upright(axis.direction);
     std::optional<BliskFound> found = repeatingAbout(mesh, axis);
-    const bool is_enough = found && found->blades.count >= kLeastBlades;
+    const bool is_enough = found && found->blades.count >= kMinBlades;
     if (!is_enough) continue;
     if (const auto finer = axisOfBlades(mesh, found->blades)) {
       std::optional<BliskFound> again = repeatingAbout(mesh, *finer);
@@ -173,7 +173,7 @@ BliskFound findBlisk(const TriangleMesh& mesh) {
 
 BliskFound findBlisk(const TriangleMesh& mesh, const BliskAxis& axis) {
   std::optional<BliskFound> found = repeatingAbout(mesh, axis);
-  if (!found) throw std::invalid_argument("no blades were found about the given axis");
+  if (!found) throw std::invalid_argument("no blades were found about the given axis: check --axis");
   found->axis.direction.normalize();
   return *found;
 }

@@ -13,8 +13,8 @@ constexpr double kFaceCoarseness = 2.5;
 
 int MeridianLeg::cells(double spacing) const {
   const double length = std::hypot(z_end - z_start, radius_end - radius_start);
-  constexpr double kMostCells = 1e8;  // more than any mesh has, but convertible to an integer
-  return static_cast<int>(std::lround(std::clamp(length / (coarseness * spacing), 1.0, kMostCells)));
+  constexpr double kMaxCells = 1e8;  // more than any mesh has, but convertible to an integer
+  return static_cast<int>(std::lround(std::clamp(length / (coarseness * spacing), 1.0, kMaxCells)));
 }
 
 CylindricalPoint MeridianLeg::at(double fraction, double angle) const {

@@ -13,7 +13,7 @@ using namespace detail;
 
 namespace {
 
-constexpr std::size_t kMostClusters = 8;
+constexpr std::size_t kMaxClusters = 8;
 
 BliskRange rangeOf(std::size_t k, std::span<const Points> clouds) {
   BliskRange range{.k = k, .boxes = clouds.size()};
@@ -47,11 +47,11 @@ BliskRanges findBliskRanges(std::span<const Points> parts, const KMeansOptions& 
   BliskRanges ranges;
   const Points whole = joined(parts);
   ranges.whole = rangeOf(1, std::span(&whole, 1));
-  for (std::size_t k = 2; k <= kMostClusters; ++k) {
+  for (std::size_t k = 2; k <= kMaxClusters; ++k) {
     of_k.k = k;
     ranges.at_once.push_back(rangeOf(k, clustersOf(whole, of_k)));
   }
-  for (std::size_t k = 1; k <= kMostClusters; ++k) {
+  for (std::size_t k = 1; k <= kMaxClusters; ++k) {
     of_k.k = k;
     ranges.by_parts.push_back(rangeOf(k, clustersOfParts(parts, of_k)));
   }

@@ -144,7 +144,7 @@ std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh&
       {.title = "Figure 4: cells of the traditional octree",
        .paragraphs =
            {"Cubes along the axes. Cells without points are not drawn, although the paper counts them."}},
-      {.title = "Figure 5: traditional beside improved",
+      {.title = "Figure 5: traditional and improved",
        .paragraphs =
            {"The same blade at FNOP 10, from the same viewpoint; the volumes are those of the drawn cells."}},
       {.title = "Figure 8: clusters of the blade",

@@ -18,8 +18,8 @@ void addRow(Table& table, const std::string& name,
   for (std::size_t column = 0; column < kFnops; ++column) table.rows.back().push_back(text(column));
 }
 
-Table oneRowAMethod(std::string name, std::string caption,
-                    const std::function<std::string(std::size_t method, std::size_t column)>& text) {
+Table oneRowPerMethod(std::string name, std::string caption,
+                      const std::function<std::string(std::size_t method, std::size_t column)>& text) {
   Table table = fnopTable(std::move(name), std::move(caption));
   for (std::size_t method = 0; method < kMethods; ++method) {
     addRow(table, nameOfMethod(method), [&](std::size_t column) { return text(method, column); });

@@ -18,8 +18,8 @@ void addRow(Table& table, const std::string& name,
             const std::function<std::string(std::size_t column)>& text);
 
 /// A table with one row per method, named after it.
-Table oneRowAMethod(std::string name, std::string caption,
-                    const std::function<std::string(std::size_t method, std::size_t column)>& text);
+Table oneRowPerMethod(std::string name, std::string caption,
+                      const std::function<std::string(std::size_t method, std::size_t column)>& text);
 
 /// "-3.2 %": the mean over the improved cells of their change compared with the traditional cell of the same
 /// FNOP, which may come from another table.

@@ -74,7 +74,7 @@ TableCell bestAgainstTraditional(const MethodTable<Number>& table) {
 
 /// k of the improved method's row with the least number in a column; the least k of equal ones.
 template <typename Number>
-std::size_t kOfLeast(const MethodTable<Number>& table, std::size_t column) {
+std::size_t bestK(const MethodTable<Number>& table, std::size_t column) {
   std::size_t best = 1;
   for (std::size_t method = 2; method < kMethods; ++method) {
     if (table[method][column] < table[best][column]) best = method;

@@ -39,7 +39,7 @@ Table nodesTable(const MethodTable<std::size_t>& nodes) {
 Table kOptTable(const MethodTable<std::size_t>& nodes, const MethodTable<double>& volumes) {
   Table table = fnopTable("table1_k_opt", "k_opt (step 5) by two criteria (erratum 5)");
   const auto add = [&](const std::string& name, const auto& numbers) {
-    addRow(table, name, [&](std::size_t column) { return std::to_string(kOfLeast(numbers, column)); });
+    addRow(table, name, [&](std::size_t column) { return std::to_string(bestK(numbers, column)); });
   };
   add("fewest nodes, cubes along the axes", nodes);
   add("least leaf volume, principal frames", volumes);
@@ -146,13 +146,13 @@ std::string alarmsVerdict(const SplitResult& result) {
 }
 
 Table volumeTable(std::string name, const std::string& cells_are, const MethodTable<double>& volumes) {
-  return oneRowAMethod(std::move(name), "Volume of the leaf cells with points, " + cells_are + " (10³ mm³)",
-                       [&](std::size_t m, std::size_t c) { return fixedText(1e-3 * volumes[m][c], 1); });
+  return oneRowPerMethod(std::move(name), "Volume of the leaf cells with points, " + cells_are + " (10³ mm³)",
+                         [&](std::size_t m, std::size_t c) { return fixedText(1e-3 * volumes[m][c], 1); });
 }
 
 Table alarmsTable(std::string name, const std::string& cells_are, const MethodTable<SplitCell>& cells,
                   double clear) {
-  return oneRowAMethod(
+  return oneRowPerMethod(
       std::move(name),
       "False positives: share of the " + fixedText(clear, 0) + " clear poses called colliding, " + cells_are,
       [&](std::size_t m, std::size_t c) {
@@ -186,8 +186,8 @@ Section nodesSection(const SplitRun& run) {
                                  volumesVerdict(volumes, volumes_principal), alarmsVerdict(result)}};
   section.tables.push_back(nodesTable(nodes));
   section.tables.push_back(
-      oneRowAMethod("table1_nodes_principal", "TNON with boxes in principal frames, each cluster its own",
-                    [&](std::size_t m, std::size_t c) { return std::to_string(nodes_principal[m][c]); }));
+      oneRowPerMethod("table1_nodes_principal", "TNON with boxes in principal frames, each cluster its own",
+                      [&](std::size_t m, std::size_t c) { return std::to_string(nodes_principal[m][c]); }));
   section.tables.push_back(seedsTable("table1_seeds", "Nodes", run, &SplitCell::nodes));
   section.tables.push_back(kOptTable(nodes, volumes_principal));
   section.tables.push_back(volumeTable("table1_volume", cubes, volumes));

@@ -31,9 +31,9 @@ std::vector<Points> partClouds(const PaperModel& model, std::size_t count, std::
   detail::parallelFor(clouds.size(), detail::threadCount(0), [&](std::size_t index, std::size_t) {
     const std::size_t i = clouds.size() - 1 - index;
     const TriangleMesh mesh = partOf(*model.mesh, part, i < blades ? static_cast<int>(i) + 1 : 0);
-    constexpr double kMostOfHub = 4.0;
+    constexpr double kMaxOfHub = 4.0;
     const double share =
-        i < blades ? 1.0 : std::min(kMostOfHub, surfaceArea(mesh) / surfaceArea(*model.blade));
+        i < blades ? 1.0 : std::min(kMaxOfHub, surfaceArea(mesh) / surfaceArea(*model.blade));
     clouds[i] =
         evenPoints(mesh, static_cast<std::size_t>(std::ceil(share * static_cast<double>(count))), seed);
   });

@@ -81,7 +81,7 @@ Section splitTimesSection(const SplitRun& run) {
                          " in the paper (erratum 11); with the time of k-means it is " +
                          changeText(cubes[0][fnop2], with_clustering) + " here."},
       .tables = {timesTable(cubes), seedsTable("table2_seeds", "Split time", run, &SplitCell::split_ms),
-                 oneRowAMethod(
+                 oneRowPerMethod(
                      "table2_times_principal",
                      "Split time with boxes in principal frames, including the time to find the frames (ms)",
                      [&](std::size_t m, std::size_t c) { return fixedText(principal[m][c], 3); }),

@@ -39,7 +39,7 @@ Picture bladePicture(const TriangleMesh& blisk, const BliskFound& found, const B
                          {.color = palette::kInk, .width = 3.0f, .hidden_opacity = 0.3f});
 
   picture.annotation.title = std::to_string(found.blades.count) + " blades";
-  picture.annotation.subtitle = "Numbered from the ball at the tip of blade 1 towards greater angles";
+  picture.annotation.subtitle = "Blades are numbered by angle, starting at the ball on the tip of blade 1";
   picture.annotation.length_unit = "mm";
   picture.annotation.legend = {{palette::kSand, "convex side"},
                                {palette::kSky, "concave side"},

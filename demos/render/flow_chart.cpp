@@ -77,7 +77,7 @@ void draw(const FlowBox& box, std::ostream& svg) {
   }
 }
 
-/// Down to half-way before the other box, across, and down to the box.
+/// Down to halfway before the other box, across, and down to the box.
 void draw(const FlowArrow& arrow, const FlowChart& chart, std::ostream& svg) {
   const BoxPlace from = placeOf(chart.boxes[arrow.from]), to = placeOf(chart.boxes[arrow.to]);
   const double turn = to.top() - 0.5 * kGap;

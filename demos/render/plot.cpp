@@ -122,12 +122,14 @@ std::string wordsIn(int file) {
 Answer runGnuplot(std::string_view script) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(errno));
+    throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
+                             std::strerror(errno));
   }
   FileDescriptor ours(ends[0]), its(ends[1]);
   const FileDescriptor words(::memfd_create("gnuplot", MFD_CLOEXEC));
   if (words.number() < 0) {
-    throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(errno));
+    throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
+                             std::strerror(errno));
   }
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
@@ -140,7 +142,8 @@ Answer runGnuplot(std::string_view script) {
   ::posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT) throw std::runtime_error(kMissing);
   if (failure != 0)
-    throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(failure));
+    throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
+                             std::strerror(failure));
   its.close();
 
   Answer answer;

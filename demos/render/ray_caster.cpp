@@ -86,7 +86,7 @@ RayCaster::RayCaster(const Scene& scene, const View& view, float pixels_per_poin
       rounding_distance_(roundingDistanceOf(scene, view)),
       // One thread, so that the tree, and with it every tie between triangles, is always the same.
       device_(rtcNewDevice("threads=1,set_affinity=0")) {
-  if (!device_) throw std::runtime_error("Embree could not be started");
+  if (!device_) throw std::runtime_error("Embree could not be started; give --no-pictures or --no-picture");
   solids_.reset(rtcNewScene(device_.get()));
   marks_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(solids_.get(), RTC_SCENE_FLAG_ROBUST);

@@ -25,8 +25,8 @@ constexpr int kSkyRays = 5;           // per pattern
 constexpr float kSkyReach = 0.18f;    // of the scene's half diagonal
 constexpr float kSkyOnLamps = 0.45f;  // how much the lamps fade too where the sky is hidden
 
-constexpr int kMostLayers = 32;  // transparent surfaces one behind another
-constexpr float kLeastTransmittance = 1.0f / 256.0f;
+constexpr int kMaxLayers = 32;  // transparent surfaces one behind another
+constexpr float kMinTransmittance = 1.0f / 256.0f;
 constexpr float kCreaseCosine = 0.82f;  // normals that differ by more make a crease, about 35°
 constexpr float kJumpInPixels = 1.6f;   // a step of this height makes a silhouette
 constexpr float kColorStep = 0.02f;     // linear
@@ -56,7 +56,7 @@ Sample Sampler::trace(float column, float row) const {
   const auto mark = caster_.nearestMark(ray);
   Sample sample;
   float from = 0.0f;
-  for (int layer = 0; layer < kMostLayers && sample.transmittance > kLeastTransmittance; ++layer) {
+  for (int layer = 0; layer < kMaxLayers && sample.transmittance > kMinTransmittance; ++layer) {
     const auto hit = caster_.nearestSolid(ray, from);
     if (!hit) break;
     const bool before_mark = !mark || hit->distance < mark->distance;

@@ -17,7 +17,7 @@ constexpr double kRetractCost = 20.0;  // per mm
 constexpr double kStepPart = 0.25;     // fraction of these, for a change from pose to pose
 
 /// 0 and multiples of the spacing in both directions.
-std::vector<double> bothWays(double most, double spacing) {
+std::vector<double> bothSigns(double most, double spacing) {
   const auto steps = static_cast<int>(std::floor(most / spacing + kGridRounding));
   std::vector<double> values;
   for (int k = -steps; k <= steps; ++k) values.push_back(k * spacing);
@@ -70,11 +70,11 @@ ChangeGrid::ChangeGrid(const ChangeLimits& limits) : limits_(limits) {
                           (limits.retract / limits.retract_per_pose + 1.0);
   const std::string too_many =
       "there are too many combinations of changes: widen a spacing or narrow a range";
-  require(expected < static_cast<double>(kMostNodes), too_many);
-  tilts_ = bothWays(limits.tilt, limits.tilt_grid);
-  slides_ = bothWays(limits.slide, limits.slide_grid);
+  require(expected < static_cast<double>(kMaxNodes), too_many);
+  tilts_ = bothSigns(limits.tilt, limits.tilt_grid);
+  slides_ = bothSigns(limits.slide, limits.slide_grid);
   retracts_ = wideningSteps(limits.retract, limits.retract_grid, limits.retract_per_pose);
-  require(size() <= kMostNodes, too_many);
+  require(size() <= kMaxNodes, too_many);
   no_change_ = node(tilts_.size() / 2, slides_.size() / 2, 0);
 }
 

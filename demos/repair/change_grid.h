@@ -46,7 +46,7 @@ inline constexpr double kGridRounding = 1e-9;
 class ChangeGrid {
  public:
   /// The greatest number of nodes.
-  static constexpr std::size_t kMostNodes = 0xffff;
+  static constexpr std::size_t kMaxNodes = 0xffff;
 
   /// Throws std::invalid_argument with a one-line message that names a limit out of range: a length or angle
   /// that is negative or not finite, a spacing not above 0 or above the change from pose to pose, too many

@@ -17,11 +17,11 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostAtOnce = 256;  // changes per pose
-constexpr std::size_t kMostTriesAMove = 32;
+constexpr std::size_t kMaxAtOnce = 256;  // changes per pose
+constexpr std::size_t kMaxTriesPerMotion = 32;
 constexpr std::size_t kTriesBeforeRetracting = 2;
 constexpr std::size_t kTriesToKeepContact = 16;  // more tries, to keep a contact
-constexpr std::size_t kMostDoublings = 4;
+constexpr std::size_t kMaxDoublings = 4;
 
 /// The search for one path, with the known states of its nodes and steps.
 class Repairer {
@@ -58,11 +58,11 @@ class Repairer {
       is_stopped_ = watch.isStopped();
       if (is_stopped_) return route;
       if (judgePoses(route)) {
-        watch.tell(kTask, settled(route));
+        watch.report(kTask, settled(route));
         continue;
       }
-      if (judgeMoves(route)) continue;
-      watch.tell(kTask, path_.size());
+      if (judgeMotions(route)) continue;
+      watch.report(kTask, path_.size());
       return route;
     }
   }
@@ -73,8 +73,8 @@ class Repairer {
     const Change change = grid_.change(node);
     return change.isNone() ? path_[index] : changedPose(path_[index], off_surface_[index], change);
   }
-  bool isFreeMove(std::size_t pose, const std::vector<std::uint32_t>& route) const {
-    return free_moves_.contains({pose, route[pose - 1], route[pose]});
+  bool isFreeMotion(std::size_t pose, const std::vector<std::uint32_t>& route) const {
+    return free_motions_.contains({pose, route[pose - 1], route[pose]});
   }
   const ChangeGrid& grid() const { return grid_; }
   std::size_t asked(std::size_t pose) const {
@@ -134,28 +134,28 @@ class Repairer {
       }
       if (node != route[p]) continue;
       any_worse = true;
-      at_once_[p] = std::min(2 * at_once_[p], kMostAtOnce);
+      at_once_[p] = std::min(2 * at_once_[p], kMaxAtOnce);
     }
     return any_worse;
   }
 
   /// The same for the motions between free poses.
-  bool judgeMoves(const std::vector<std::uint32_t>& route) {
+  bool judgeMotions(const std::vector<std::uint32_t>& route) {
     std::vector<std::size_t> asked;
-    std::vector<Move> moves;
+    std::vector<MotionEnds> motions;
     for (std::size_t p = 1; p < route.size(); ++p) {
       if (hasGivenUp(p)) continue;
       if (!isFree(p - 1, route[p - 1]) || !isFree(p, route[p])) continue;
-      if (isFreeMove(p, route)) continue;
+      if (isFreeMotion(p, route)) continue;
       asked.push_back(p);
-      moves.push_back({pose(p - 1, route[p - 1]), pose(p, route[p])});
+      motions.push_back({pose(p - 1, route[p - 1]), pose(p, route[p])});
     }
-    const auto found = judge_.obstaclesOf(moves);
+    const auto found = judge_.obstaclesOf(motions);
     bool any_blocked = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const std::size_t p = asked[k];
       if (!found[k]) {
-        free_moves_.insert({p, route[p - 1], route[p]});
+        free_motions_.insert({p, route[p - 1], route[p]});
         continue;
       }
       any_blocked = true;
@@ -163,18 +163,18 @@ class Repairer {
       ++tries_[p];
       const std::size_t patience = patienceFor(p);
       if (hasGivenUp(p)) {
-        giveUpMove(p);
+        giveUpOnMotion(p);
       } else if (tries_[p] > patience && (tries_[p] - patience) % kTriesBeforeRetracting == 0) {
-        retractMove(p, route, (tries_[p] - patience) / kTriesBeforeRetracting);
+        retractMotion(p, route, (tries_[p] - patience) / kTriesBeforeRetracting);
       }
     }
     return any_blocked;
   }
 
   /// Retracts both ends of a motion that is blocked again and again, each time by twice as many steps.
-  void retractMove(std::size_t pose, const std::vector<std::uint32_t>& route, std::size_t times) {
+  void retractMotion(std::size_t pose, const std::vector<std::uint32_t>& route, std::size_t times) {
     const std::size_t retracts = grid_.retracts().size();
-    const std::size_t more = std::size_t{1} << std::min(times - 1, kMostDoublings);
+    const std::size_t more = std::size_t{1} << std::min(times - 1, kMaxDoublings);
     for (const std::size_t end : {pose - 1, pose}) {
       least_retract_[end] =
           std::min(retracts - 1, std::max(least_retract_[end], route[end] % retracts + more));
@@ -186,9 +186,9 @@ class Repairer {
   std::size_t patienceFor(std::size_t pose) const {
     return keeps_contact_[pose - 1] || keeps_contact_[pose] ? kTriesToKeepContact : 0;
   }
-  bool hasGivenUp(std::size_t pose) const { return tries_[pose] > kMostTriesAMove + patienceFor(pose); }
+  bool hasGivenUp(std::size_t pose) const { return tries_[pose] > kMaxTriesPerMotion + patienceFor(pose); }
 
-  void giveUpMove(std::size_t pose) {
+  void giveUpOnMotion(std::size_t pose) {
     search_.unblockSteps(pose);
     for (const std::size_t end : {pose - 1, pose}) {
       least_retract_[end] = 0;
@@ -208,7 +208,7 @@ class Repairer {
   std::vector<std::size_t> at_once_;        // per pose: number of nodes to judge together
   std::vector<std::size_t> tries_;          // per pose: number of blocked motions to it
   std::vector<std::size_t> least_retract_;  // per pose: indices of the grid's retractions
-  std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_moves_;  // pose, from, to
+  std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> free_motions_;  // pose, from, to
   bool is_stopped_ = false;
 };
 
@@ -245,9 +245,9 @@ std::size_t PathRepair::posesLeft() const {
       std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.after.obstacle.has_value(); }));
 }
 
-std::size_t PathRepair::movesLeft() const {
+std::size_t PathRepair::motionsLeft() const {
   return static_cast<std::size_t>(
-      std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.move.has_value(); }));
+      std::ranges::count_if(poses, [](const PoseRepair& pose) { return pose.motion.has_value(); }));
 }
 
 std::size_t PathRepair::changed() const {
@@ -288,18 +288,18 @@ PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const 
     repair.poses.back().works = works[p];
   }
   const std::vector<PoseState> before = judge.statesOf(path), after = judge.statesOf(repair.path);
-  std::vector<Move> moves;
-  std::vector<std::size_t> move_to;
+  std::vector<MotionEnds> motions;
+  std::vector<std::size_t> motion_to;
   for (std::size_t p = 0; p < path.size(); ++p) {
     repair.poses[p].before = before[p];
     repair.poses[p].after = after[p];
     if (p == 0 || repair.is_partial || after[p - 1].obstacle || after[p].obstacle) continue;
-    if (repairer.isFreeMove(p, route)) continue;
-    moves.push_back({repair.path[p - 1], repair.path[p]});
-    move_to.push_back(p);
+    if (repairer.isFreeMotion(p, route)) continue;
+    motions.push_back({repair.path[p - 1], repair.path[p]});
+    motion_to.push_back(p);
   }
-  const auto blocking = judge.obstaclesOf(moves);
-  for (std::size_t k = 0; k < moves.size(); ++k) repair.poses[move_to[k]].move = blocking[k];
+  const auto blocking = judge.obstaclesOf(motions);
+  for (std::size_t k = 0; k < motions.size(); ++k) repair.poses[motion_to[k]].motion = blocking[k];
   return repair;
 }
 

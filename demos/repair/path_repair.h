@@ -14,10 +14,10 @@ namespace octoblisk::demos {
 
 struct PoseRepair {
   Change change;
-  PoseState before, after;        ///< of the original and of the repaired pose
-  std::optional<Hindrance> move;  ///< blocks the motion from the previous pose
-  bool works = false;             ///< the grinding part touches the ground blade in the original pose
-  std::size_t asked = 0;          ///< number of judged changes
+  PoseState before, after;            ///< of the original and of the repaired pose
+  std::optional<Obstruction> motion;  ///< blocks the motion from the previous pose
+  bool works = false;                 ///< the grinding part touches the ground blade in the original pose
+  std::size_t asked = 0;              ///< number of judged changes
 };
 
 struct PathRepair {
@@ -26,10 +26,10 @@ struct PathRepair {
   bool is_partial = false;        ///< stopped: more might be repaired, and the last motions were not checked
 
   std::size_t interferedBefore() const;
-  std::size_t posesLeft() const;  ///< poses of the repaired path that are not free
-  std::size_t movesLeft() const;  ///< motions between free poses that are not free
+  std::size_t posesLeft() const;    ///< poses of the repaired path that are not free
+  std::size_t motionsLeft() const;  ///< motions between free poses that are not free
   std::size_t changed() const;
-  bool isFree() const { return !is_partial && posesLeft() + movesLeft() == 0; }
+  bool isFree() const { return !is_partial && posesLeft() + motionsLeft() == 0; }
   std::size_t working() const;
   /// Whether a working pose is free and no longer touches the blade.
   bool hasLostContact(std::size_t pose) const;
@@ -45,9 +45,9 @@ struct PathRepair {
 /// farther than would be cheapest; after a few dozen tries the obstacle is left.
 ///
 /// The answer does not depend on the number of threads. `off_surface` is the unit direction of the lift, per
-/// pose. The watch is told how many poses have a change that holds so far; if stopped, the best route so far
-/// is taken. Throws std::invalid_argument for an empty path, a wrong number of directions, or a limit out of
-/// range.
+/// pose. The watch gets the number of poses that have a valid change so far; if stopped, the best route so
+/// far is taken. Throws std::invalid_argument for an empty path, a wrong number of directions, or a limit out
+/// of range.
 PathRepair repairPath(Judge& judge, std::span<const Pose> path, std::span<const Vec3> off_surface,
                       const ChangeLimits& limits, bool keep_contact = true, const RunWatch& watch = {});
 

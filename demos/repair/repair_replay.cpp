@@ -13,9 +13,9 @@ std::string countOfPoses(std::size_t count) {
 
 void addChanges(const PathRepair& repair, ReplayTrack& track) {
   constexpr std::size_t kChartOfChanges = 1;
-  ReplaySeries tilt{.chart = kChartOfChanges, .name = "tilt", .unit = "°", .told = true};
-  ReplaySeries slide{.chart = kChartOfChanges, .name = "slide", .unit = "mm", .told = true};
-  ReplaySeries retract{.chart = kChartOfChanges, .name = "retraction", .unit = "mm", .told = true};
+  ReplaySeries tilt{.chart = kChartOfChanges, .name = "tilt", .unit = "°", .in_status = true};
+  ReplaySeries slide{.chart = kChartOfChanges, .name = "slide", .unit = "mm", .in_status = true};
+  ReplaySeries retract{.chart = kChartOfChanges, .name = "retraction", .unit = "mm", .in_status = true};
   for (const PoseRepair& pose : repair.poses) {
     tilt.values.push_back(pose.change.tilt);
     slide.values.push_back(pose.change.slide);
@@ -34,10 +34,10 @@ std::string titleOf(const PathRepair& repair) {
                 : "Repaired: " + countOfPoses(repair.interferedBefore()) + " interfered, none does now") +
            lost;
   }
-  const std::size_t moves = repair.movesLeft();
+  const std::size_t motions = repair.motionsLeft();
   return "Left interfering: " + countOfPoses(repair.posesLeft()) +
-         (moves == 0 ? std::string()
-                     : " and " + std::to_string(moves) + (moves == 1 ? " motion" : " motions"));
+         (motions == 0 ? std::string()
+                       : " and " + std::to_string(motions) + (motions == 1 ? " motion" : " motions"));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const G
       {"poses changed", repair.changed(), Tone::clear},
       {"poses left interfering", repair.posesLeft(), Tone::interference},
       {"working poses that lost contact", repair.contactsLost(), Tone::interference},
-      {"motions left between free poses", repair.movesLeft(), Tone::interference},
+      {"motions left between free poses", repair.motionsLeft(), Tone::interference},
   };
   replay.charts.push_back({.title = "Changes to the path", .unit = "degrees, mm"});
   ReplayTrack repaired = std::move(replay.tracks.front());

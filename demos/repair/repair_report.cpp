@@ -15,7 +15,7 @@ std::string stateText(const PoseState& state) {
   return state.grinds ? "grinds" : "free";
 }
 
-std::string obstacleText(const std::optional<Hindrance>& obstacle, std::span<const ToolPart> parts,
+std::string obstacleText(const std::optional<Obstruction>& obstacle, std::span<const ToolPart> parts,
                          const BodyNames& names) {
   return obstacle ? describe(*obstacle, parts, names) : std::string();
 }
@@ -56,20 +56,20 @@ void writeChanges(const PathRepair& repair, std::span<const ToolPart> parts, con
     stream << p << ',' << stateText(pose.before) << ',' << obstacleText(pose.before.obstacle, parts, names)
            << ',' << pose.change.tilt << ',' << pose.change.slide << ',' << pose.change.retract << ','
            << stateText(pose.after) << ',' << obstacleText(pose.after.obstacle, parts, names) << ','
-           << obstacleText(pose.move, parts, names) << ',' << contactText(repair, p) << '\n';
+           << obstacleText(pose.motion, parts, names) << ',' << contactText(repair, p) << '\n';
   }
   writeFile(file, stream.str());
 }
 
 std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const ToolPart> parts,
                                       const BodyNames& names) {
-  std::vector<std::string> of_poses, of_moves, runs;
+  std::vector<std::string> of_poses, of_motions, runs;
   for (const PoseRepair& pose : repair.poses) {
     of_poses.push_back(obstacleText(pose.after.obstacle, parts, names));
-    of_moves.push_back(obstacleText(pose.move, parts, names));
+    of_motions.push_back(obstacleText(pose.motion, parts, names));
   }
   addRuns(of_poses, "pose", "poses", runs);
-  addRuns(of_moves, "motion to pose", "motions to poses", runs);
+  addRuns(of_motions, "motion to pose", "motions to poses", runs);
   return runs;
 }
 

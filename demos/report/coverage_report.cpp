@@ -95,9 +95,9 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
     }
     above += 2.0 * half_height;
   }
-  Annotation annotation{.title = groundInWords(coverage), .length_unit = "mm"};
+  Annotation annotation{.title = groundText(coverage), .length_unit = "mm"};
   std::ostringstream subtitle;
-  const std::string left = leftInWords(coverage);
+  const std::string left = leftText(coverage);
   if (!left.empty()) subtitle << left << "; ";
   subtitle << "horizontal: arc length from the leading edge, vertical: height above the root";
   annotation.subtitle = subtitle.str();

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "io/number_text.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_words.h"
@@ -17,12 +17,12 @@ namespace {
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// An index into Replay::verdicts.
-std::size_t verdictOfMove(MoveReport::Outcome outcome) {
+std::size_t verdictOfMotion(MotionReport::Outcome outcome) {
   constexpr std::size_t kAfterPoses = 4;
   switch (outcome) {
-    case MoveReport::Outcome::hit:
+    case MotionReport::Outcome::hit:
       return kAfterPoses;
-    case MoveReport::Outcome::too_deep:
+    case MotionReport::Outcome::too_deep:
       return kAfterPoses + 1;
     default:
       return kAfterPoses + 2;
@@ -55,11 +55,11 @@ ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
 
 void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFinding>& findings) {
   const PoseReport& pose = run.poses[p];
-  if (pose.move && pose.move->outcome != MoveReport::Outcome::free) {
-    const PartClearance& at = pose.move->at;
-    findings.push_back({static_cast<double>(p) - 1.0 + pose.move->fraction, verdictOfMove(pose.move->outcome),
-                        at.part, at.blade, run.faceOf(at.clearance.triangle_a, at.blade),
-                        0.0 - at.clearance.distance, p});
+  if (pose.motion && pose.motion->outcome != MotionReport::Outcome::free) {
+    const PartClearance& at = pose.motion->at;
+    findings.push_back({static_cast<double>(p) - 1.0 + pose.motion->fraction,
+                        verdictOfMotion(pose.motion->outcome), at.part, at.blade,
+                        run.faceOf(at.clearance.triangle_a, at.blade), 0.0 - at.clearance.distance, p});
   }
   if (pose.verdict < Verdict::near_miss) return;
   ReplayFinding finding{.at = static_cast<double>(p), .verdict = static_cast<std::size_t>(pose.verdict)};
@@ -78,13 +78,15 @@ std::string ofPoses(std::size_t count, std::size_t total) {
 
 std::string titleOf(const GrindingRun& run) {
   const std::size_t bad = run.count(Verdict::interference), unknown = run.count(Verdict::unknown);
-  const std::size_t moves = run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep);
-  const std::string also = moves == 0 ? std::string()
-                                      : (bad == 0 ? std::string() : std::string(" and ")) +
-                                            std::to_string(moves) + (moves == 1 ? " motion" : " motions");
+  const std::size_t motions =
+      run.count(MotionReport::Outcome::hit) + run.count(MotionReport::Outcome::too_deep);
+  const std::string also = motions == 0
+                               ? std::string()
+                               : (bad == 0 ? std::string() : std::string(" and ")) + std::to_string(motions) +
+                                     (motions == 1 ? " motion" : " motions");
   if (bad > 0) return "Interference at " + ofPoses(bad, run.poses.size()) + also;
   if (unknown > 0) return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + also;
-  if (moves > 0) return "Interference on " + also;
+  if (motions > 0) return "Interference on " + also;
   return "No interference at " + std::to_string(run.poses.size()) +
          (run.poses.size() == 1 ? " pose" : " poses");
 }
@@ -153,9 +155,9 @@ Table limitsTable(const GrindingRun& run) {
                                                     bladeChoiceText(row.blade)});
   }
   if (run.continuous) {
-    table.rows.push_back(
-        {"Motions", "proved to stay " + shortText(kMoveTolerance) + " mm away from all forbidden surfaces"});
-    table.rows.push_back({"Depth on motions", depthOnMoves(run)});
+    table.rows.push_back({"Motions", "proved to stay " + shortText(kMotionTolerance) +
+                                         " mm away from all forbidden surfaces"});
+    table.rows.push_back({"Depth on motions", depthOnMotions(run)});
   } else {
     table.rows.push_back({"Motions", "not checked, only poses"});
   }
@@ -238,10 +240,11 @@ Replay grindingReplay(const GrindingRun& run) {
     replay.counts.push_back({nameOf(verdict), run.count(verdict), replay.verdicts[v].tone});
   }
   if (run.continuous) {
-    replay.counts.push_back({"motions that hit, or too deep",
-                             run.count(MoveReport::Outcome::hit) + run.count(MoveReport::Outcome::too_deep),
-                             Tone::interference});
-    if (const std::size_t open = run.count(MoveReport::Outcome::not_proved); open > 0) {
+    replay.counts.push_back(
+        {"motions that hit, or too deep",
+         run.count(MotionReport::Outcome::hit) + run.count(MotionReport::Outcome::too_deep),
+         Tone::interference});
+    if (const std::size_t open = run.count(MotionReport::Outcome::not_proved); open > 0) {
       replay.counts.push_back({"motions not proved", open, Tone::open});
     }
   }
@@ -258,7 +261,7 @@ Replay grindingReplay(const GrindingRun& run) {
   replay.notes.push_back(
       "A negative depth is a clearance. Blades are numbered from 1 by angle; poses are counted from 0. "
       "Normals point from the part into the blisk and are drawn on the part's side. Between two poses the "
-      "contact wheel's centre moves straight and the tool turns evenly, here as in the check.");
+      "contact wheel's centre moves straight and the tool rotates at a constant rate, here as in the check.");
   return replay;
 }
 

@@ -11,7 +11,7 @@
 
 #include "grinding/belt_loop.h"
 #include "grinding/blade_side.h"
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "io/new_file.h"
 #include "report/grinding_words.h"
 
@@ -32,15 +32,15 @@ std::string nameOf(DepthKind kind) {
   return {};
 }
 
-std::string nameOf(MoveReport::Outcome outcome) {
+std::string nameOf(MotionReport::Outcome outcome) {
   switch (outcome) {
-    case MoveReport::Outcome::free:
+    case MotionReport::Outcome::free:
       return "free";
-    case MoveReport::Outcome::hit:
+    case MotionReport::Outcome::hit:
       return "hit";
-    case MoveReport::Outcome::too_deep:
+    case MotionReport::Outcome::too_deep:
       return "too deep";
-    case MoveReport::Outcome::not_proved:
+    case MotionReport::Outcome::not_proved:
       return "not proved";
   }
   return {};
@@ -71,16 +71,16 @@ void writeClearance(const GrindingRun& run, const PoseReport& pose, std::ostream
   }
 }
 
-void writeMove(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
-  if (!pose.move) {
+void writeMotion(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  if (!pose.motion) {
     stream << ",,,,";
     return;
   }
-  stream << nameOf(pose.move->outcome) << ',' << pose.move->fraction << ',';
-  if (pose.move->outcome == MoveReport::Outcome::free) {
+  stream << nameOf(pose.motion->outcome) << ',' << pose.motion->fraction << ',';
+  if (pose.motion->outcome == MotionReport::Outcome::free) {
     stream << ",,";
   } else {
-    stream << run.parts[pose.move->at.part].name << ',' << run.names().cellOf(pose.move->at.blade) << ',';
+    stream << run.parts[pose.motion->at.part].name << ',' << run.names().cellOf(pose.motion->at.blade) << ',';
   }
 }
 
@@ -93,9 +93,9 @@ void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& str
 }
 
 /// The upper bound of the depth on the motion.
-void writeDepthOfMove(const PoseReport& pose, std::ostream& stream) {
+void writeDepthOfMotion(const PoseReport& pose, std::ostream& stream) {
   stream << ',';
-  if (pose.move) stream << pose.move->depth_bound;
+  if (pose.motion) stream << pose.motion->depth_bound;
 }
 
 /// The loops of the parts that run as belts; null for the others.
@@ -144,9 +144,9 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
     stream << p << ',' << nameOf(pose.verdict) << ',';
     writeTouch(run, pose, stream);
     writeClearance(run, pose, stream);
-    writeMove(run, pose, stream);
+    writeMotion(run, pose, stream);
     writeFace(run, pose, stream);
-    writeDepthOfMove(pose, stream);
+    writeDepthOfMotion(pose, stream);
     stream << '\n';
   }
   writeFile(file, stream.str());
@@ -263,16 +263,16 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
   const int blade = run.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
-  nlohmann::ordered_json moves;  // null if they were not checked
+  nlohmann::ordered_json motions;  // null if they were not checked
   if (run.continuous) {
-    moves = {{"total", run.moveCount()},
-             {"free", run.count(MoveReport::Outcome::free)},
-             {"hit", run.count(MoveReport::Outcome::hit)},
-             {"too_deep", run.count(MoveReport::Outcome::too_deep)},
-             {"not_proved", run.count(MoveReport::Outcome::not_proved)},
-             {"proved_to_mm", kMoveTolerance},
-             {"depth_proved", run.depthsProved()},
-             {"depth_on_motions_at_most_mm", run.depthBound()}};
+    motions = {{"total", run.motionCount()},
+               {"free", run.count(MotionReport::Outcome::free)},
+               {"hit", run.count(MotionReport::Outcome::hit)},
+               {"too_deep", run.count(MotionReport::Outcome::too_deep)},
+               {"not_proved", run.count(MotionReport::Outcome::not_proved)},
+               {"proved_to_mm", kMotionTolerance},
+               {"depth_proved", run.depthsProved()},
+               {"depth_on_motions_at_most_mm", run.depthBound()}};
   }
   auto obstacles = nlohmann::ordered_json::array();
   for (const Fixture& fixture : run.fixtures) obstacles.push_back(fixture.name);
@@ -296,7 +296,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
         {"unknown", run.count(Verdict::unknown)},
         {"interference", run.count(Verdict::interference)}}},
       {"interfering_poses", ranges},
-      {"motions", moves},
+      {"motions", motions},
       {"forces", forcesOf(run)},
       {"coverage", coverageJson(coverage)},
       {"tree",
@@ -307,10 +307,10 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
         {"boxes_round_deepest_leaf", tree.depth},
         {"leaf_boxes_mm3", tree.leaf_volume}}},
       {"mean_us_a_pose",
-       {{"contacts", run.contact_seconds_a_pose * 1e6},
-        {"depths", run.depth_seconds_a_pose * 1e6},
-        {"clearances", run.clearance_seconds_a_pose * 1e6},
-        {"motions", run.move_seconds_a_pose * 1e6}}}};
+       {{"contacts", run.contact_seconds_per_pose * 1e6},
+        {"depths", run.depth_seconds_per_pose * 1e6},
+        {"clearances", run.clearance_seconds_per_pose * 1e6},
+        {"motions", run.motion_seconds_per_pose * 1e6}}}};
   std::ostringstream stream;
   stream << summary.dump(2) << '\n';
   writeFile(file, stream.str());

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 
@@ -25,8 +25,8 @@ std::string listOf(const std::vector<PoseRange>& ranges) {
   return text.str();
 }
 
-void tellMoves(const GrindingRun& run, std::ostream& text) {
-  using Outcome = MoveReport::Outcome;
+void writeMotionCounts(const GrindingRun& run, std::ostream& text) {
+  using Outcome = MotionReport::Outcome;
   const std::size_t hits = run.count(Outcome::hit), deep = run.count(Outcome::too_deep),
                     open = run.count(Outcome::not_proved);
   text << "Between the poses: ";
@@ -35,17 +35,17 @@ void tellMoves(const GrindingRun& run, std::ostream& text) {
     return;
   }
   text << "motions that hit a forbidden surface: " << hits << ", that are too deep: " << deep
-       << ", undecided within " << kMoveTolerance << " mm: " << open << '\n';
+       << ", undecided within " << kMotionTolerance << " mm: " << open << '\n';
   const auto first = std::ranges::find_if(
-      run.poses, [](const PoseReport& pose) { return pose.move && pose.move->outcome != Outcome::free; });
-  text << "First: after " << first->move->fraction << " of the motion to pose " << first - run.poses.begin()
-       << ", " << run.parts[first->move->at.part].name << " on " << run.names().nameOf(first->move->at.blade)
-       << '\n';
+      run.poses, [](const PoseReport& pose) { return pose.motion && pose.motion->outcome != Outcome::free; });
+  text << "First: after " << first->motion->fraction << " of the motion to pose " << first - run.poses.begin()
+       << ", " << run.parts[first->motion->at.part].name << " on "
+       << run.names().nameOf(first->motion->at.blade) << '\n';
 }
 
 }  // namespace
 
-std::string inWords(const GrindingRun& run) {
+std::string summaryText(const GrindingRun& run) {
   std::ostringstream text;
   const int blade = run.rules.ground_blade;
   const std::string blades = std::to_string(run.blade_count);
@@ -71,7 +71,7 @@ std::string inWords(const GrindingRun& run) {
   text << '\n';
   if (run.blisk->options().partition == PartitionKind::paper) {
     text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
-         << " s, contacts in " << run.contact_seconds_a_pose * 1e6 << " us per pose\n";
+         << " s, contacts in " << run.contact_seconds_per_pose * 1e6 << " us per pose\n";
   }
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict >= Verdict::unknown) {
@@ -80,17 +80,18 @@ std::string inWords(const GrindingRun& run) {
     text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
   if (run.continuous) {
-    tellMoves(run, text);
-    if (run.depthBound() > 0.0) text << "Depth between the poses: " << depthOnMoves(run) << '\n';
+    writeMotionCounts(run, text);
+    if (run.depthBound() > 0.0) text << "Depth between the poses: " << depthOnMotions(run) << '\n';
   }
   return text.str();
 }
 
-std::string depthOnMoves(const GrindingRun& run) {
-  const std::size_t moves = run.moveCount(), proved = run.depthsProved();
+std::string depthOnMotions(const GrindingRun& run) {
+  const std::size_t motions = run.motionCount(), proved = run.depthsProved();
   std::ostringstream text;
-  text << "proved within the limit on " << proved << " of " << moves << (moves == 1 ? " motion" : " motions");
-  if (proved == moves) return text.str();
+  text << "proved within the limit on " << proved << " of " << motions
+       << (motions == 1 ? " motion" : " motions");
+  if (proved == motions) return text.str();
   text << "; not proved on the others, but at most " << run.depthBound() << " mm";
   return text.str();
 }

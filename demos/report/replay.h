@@ -58,7 +58,7 @@ struct ReplayFinding {
   std::optional<int> blade{};
   std::string side{};             ///< as above
   std::optional<double> value{};  ///< in the table's last column
-  std::optional<std::size_t> move_to{};
+  std::optional<std::size_t> motion_to{};
 };
 
 /// Numbers over the path.
@@ -67,7 +67,7 @@ struct ReplaySeries {
   std::string name{};
   std::string unit{};
   std::vector<double> values{};  ///< one per pose; NaN: none
-  bool told = false;             ///< whether the status line shows it at poses where it is not 0
+  bool in_status = false;        ///< whether the status line shows it at poses where it is not 0
 };
 
 struct ReplayTrack {

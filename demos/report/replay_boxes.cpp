@@ -14,7 +14,7 @@ namespace {
 
 /// The approximate distance from the box to the nearest of the places; negative if one is inside the ball
 /// around the box.
-double wayTo(const Obb& box, std::span<const Vec3> places) {
+double distanceTo(const Obb& box, std::span<const Vec3> places) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& place : places) least = std::min(least, (place - box.center).squaredNorm());
   return std::sqrt(least) - box.half_extents.norm();
@@ -48,13 +48,14 @@ ReplayBoxes replayBoxesOf(const ClusteredOctree& octree, std::span<const Vec3> p
     if (depth > 0 && (level.size() > room || !is_whole)) {
       is_whole = false;
       const std::size_t share = std::min(level.size(), room / levels_left);
-      std::vector<std::pair<double, std::size_t>> ways;
-      for (std::size_t i = 0; i < level.size(); ++i) ways.emplace_back(wayTo(tree.box(level[i]), places), i);
-      std::ranges::nth_element(ways, ways.begin() + static_cast<std::ptrdiff_t>(share));
-      ways.resize(share);
-      std::ranges::sort(ways, {}, &std::pair<double, std::size_t>::second);
+      std::vector<std::pair<double, std::size_t>> distances;
+      for (std::size_t i = 0; i < level.size(); ++i)
+        distances.emplace_back(distanceTo(tree.box(level[i]), places), i);
+      std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(share));
+      distances.resize(share);
+      std::ranges::sort(distances, {}, &std::pair<double, std::size_t>::second);
       std::vector<Slot> kept;
-      for (const auto& [way, i] : ways) kept.push_back(level[i]);
+      for (const auto& [distance, i] : distances) kept.push_back(level[i]);
       level = std::move(kept);
     }
     if (is_whole) found.whole_to = depth;

@@ -13,7 +13,7 @@ void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder,
   writeVtk(replay, files.add(folder / "contacts.vtk"), files.add(folder / "path.vtk"));
 }
 
-std::string tellReplayFiles(const std::filesystem::path& folder) {
+std::string replayFilesText(const std::filesystem::path& folder) {
   return "Report: " + (folder / "report.html").string() + "; glTF: " + (folder / "run.glb").string() +
          "; for ParaView: " + (folder / "contacts.vtk").string() + ", " + (folder / "path.vtk").string() +
          "\n";

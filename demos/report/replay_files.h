@@ -16,6 +16,6 @@ inline constexpr const char* kReplayFiles[] = {"report.html", "run.glb", "contac
 void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder, WholeFiles& files);
 
 /// "Report: OUT/report.html; …": one line for the user.
-std::string tellReplayFiles(const std::filesystem::path& folder);
+std::string replayFilesText(const std::filesystem::path& folder);
 
 }  // namespace octoblisk::demos

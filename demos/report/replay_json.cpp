@@ -140,10 +140,10 @@ std::string thinningNote(const std::string& of, const DisplayMesh& drawn, const 
 /// The meshes, and a note for each simplified one.
 void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
                std::vector<std::string>& notes) {
-  const auto tellThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
+  const auto noteThinned = [&](const std::string& of, const DisplayMesh& drawn, const TriangleMesh& whole) {
     if (drawn.is_simplified) notes.push_back(thinningNote(of, drawn, whole));
   };
-  tellThinned("the blisk", meshes.blisk, replay.blisk->mesh());
+  noteThinned("the blisk", meshes.blisk, replay.blisk->mesh());
   PageJson groups = PageJson::array();
   for (const DisplayMesh::Group& group : meshes.blisk.groups) {
     groups.push_back({group.number, group.first, group.count});
@@ -152,7 +152,7 @@ void addMeshes(const Replay& replay, const ReplayMeshes& meshes, PageJson& run,
   PageJson parts = PageJson::array();
   for (std::size_t p = 0; p < replay.parts.size(); ++p) {
     const std::string& name = replay.parts[p].name;
-    tellThinned(name, meshes.parts[p], replay.parts[p].tree->mesh());
+    noteThinned(name, meshes.parts[p], replay.parts[p].tree->mesh());
     parts.push_back({{"name", name}, {"color", colorOfPart(name, p)}, {"mesh", meshJson(meshes.parts[p])}});
   }
   run["parts"] = parts;

@@ -71,19 +71,19 @@ PageJson nearestJson(const ReplayTrack& track) {
 PageJson contactsJson(const ReplayTrack& track, std::size_t most, std::size_t& left_out) {
   std::size_t total = 0;
   for (const ReplayPose& pose : track.poses) total += pose.contacts.size();
-  const std::size_t a_pose = total > most ? std::max<std::size_t>(1, most / track.poses.size())
-                                          : std::numeric_limits<std::size_t>::max();
+  const std::size_t per_pose = total > most ? std::max<std::size_t>(1, most / track.poses.size())
+                                            : std::numeric_limits<std::size_t>::max();
   std::vector<std::uint32_t> first = {0};
   std::vector<std::uint8_t> verdicts;
   std::vector<float> points, normals;
   for (const ReplayPose& pose : track.poses) {
     std::vector<ReplayContact> contacts = pose.contacts;
-    if (contacts.size() > a_pose) {
+    if (contacts.size() > per_pose) {
       std::ranges::stable_sort(contacts, [](const ReplayContact& a, const ReplayContact& b) {
         return std::pair(a.verdict, a.depth) > std::pair(b.verdict, b.depth);
       });
-      left_out += contacts.size() - a_pose;
-      contacts.resize(a_pose);
+      left_out += contacts.size() - per_pose;
+      contacts.resize(per_pose);
     }
     for (const ReplayContact& contact : contacts) {
       verdicts.push_back(static_cast<std::uint8_t>(contact.verdict));
@@ -106,7 +106,7 @@ PageJson findingsJson(const ReplayTrack& track) {
     rows.push_back({finding.at, finding.verdict,
                     finding.part ? static_cast<std::int64_t>(*finding.part) : std::int64_t{-1},
                     finding.blade.value_or(-1), numberOfSide(finding.side), value,
-                    finding.move_to ? static_cast<std::int64_t>(*finding.move_to) : std::int64_t{-1}});
+                    finding.motion_to ? static_cast<std::int64_t>(*finding.motion_to) : std::int64_t{-1}});
   }
   return rows;
 }
@@ -128,7 +128,7 @@ PageJson trackJson(const ReplayTrack& track, std::size_t most_contacts, std::siz
     series.push_back({{"chart", each.chart},
                       {"name", each.name},
                       {"unit", each.unit},
-                      {"told", each.told},
+                      {"in_status", each.in_status},
                       {"values", base64Of(values)}});
   }
   return {{"name", track.name},

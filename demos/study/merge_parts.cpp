@@ -52,7 +52,8 @@ PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
                      " some are missing, from " + std::to_string(missing.front().begin) +
                      ": finish it with --resume");
   }
-  if (file.part.sound_bytes != file.text().size()) refuse(file, "has extra bytes after its end");
+  if (file.part.sound_bytes != file.text().size())
+    refuse(file, "has extra bytes after its end: make the part again");
   return file;
 }
 
@@ -97,7 +98,7 @@ MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const st
   requireNotRead(out, parts);
   std::vector<PartFile> files;
   for (const std::filesystem::path& path : parts) files.push_back(openPart(path, check));
-  if (files.empty()) throw std::runtime_error(out + ": no parts are given");
+  if (files.empty()) throw std::runtime_error(out + ": no parts: name the files of all parts");
   requireSameStudy(files);
   std::ranges::stable_sort(files, {}, [](const PartFile& file) { return file.part.items.begin; });
   requireWhole(files);

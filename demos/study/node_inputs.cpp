@@ -90,27 +90,27 @@ ClusteredOctree unpackedTree(const SharedBytes& shared) {
 
 }  // namespace
 
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file,
-                              const BuildOptions& options) {
-  return treeOnceANode(
+ClusteredOctree treeOncePerNode(Ranks& ranks, const std::filesystem::path& mesh_file,
+                                const BuildOptions& options) {
+  return treeOncePerNode(
       ranks, [&] { return readMesh(mesh_file); }, options);
 }
 
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
-                              const BuildOptions& options) {
+ClusteredOctree treeOncePerNode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
+                                const BuildOptions& options) {
   if (ranks.count() == 1) return builtTree(make_mesh, options);
-  const SharedBytes shared = ranks.onceANode([&] { return packedTree(builtTree(make_mesh, options)); });
+  const SharedBytes shared = ranks.oncePerNode([&] { return packedTree(builtTree(make_mesh, options)); });
   std::optional<ClusteredOctree> tree;
   ranks.together([&] { tree = unpackedTree(shared); });
   return *std::move(tree);
 }
 
-SharedPoses posesOnceANode(Ranks& ranks, const std::filesystem::path& pose_file) {
+SharedPoses posesOncePerNode(Ranks& ranks, const std::filesystem::path& pose_file) {
   if (ranks.count() == 1) {
     const auto poses = std::make_shared<const std::vector<Pose>>(readPoses(pose_file));
     return {*poses, poses};
   }
-  const SharedBytes shared = ranks.onceANode([&] {
+  const SharedBytes shared = ranks.oncePerNode([&] {
     Packer packer;
     packer.add(std::span<const Pose>(readPoses(pose_file)));
     return packer.take();

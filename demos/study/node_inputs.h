@@ -15,11 +15,11 @@ namespace octoblisk::demos {
 
 /// The tree of a mesh file. It is built once per node and shared there if possible; each rank has a copy of
 /// the mesh. Throws as readMesh and ClusteredOctree::build do, on all ranks.
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::filesystem::path& mesh_file,
-                              const BuildOptions& options = {});
+ClusteredOctree treeOncePerNode(Ranks& ranks, const std::filesystem::path& mesh_file,
+                                const BuildOptions& options = {});
 /// The same for a mesh that is generated, or read and repaired, on one rank of each node.
-ClusteredOctree treeOnceANode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
-                              const BuildOptions& options = {});
+ClusteredOctree treeOncePerNode(Ranks& ranks, const std::function<TriangleMesh()>& make_mesh,
+                                const BuildOptions& options = {});
 
 /// Poses, and the owner of their memory.
 struct SharedPoses {
@@ -28,7 +28,7 @@ struct SharedPoses {
 };
 
 /// Throws as readPoses does, on all ranks.
-SharedPoses posesOnceANode(Ranks& ranks, const std::filesystem::path& pose_file);
+SharedPoses posesOncePerNode(Ranks& ranks, const std::filesystem::path& pose_file);
 
 /// Covers the bits of the coordinates, and the triangles in their order.
 std::uint64_t fingerprintOf(const TriangleMesh& mesh);

@@ -38,7 +38,7 @@ class Ranks {
 
   /// Calls `make` on one rank of each node. All ranks of the node then read the result, in the same memory if
   /// the system permits. Throws as together() does.
-  SharedBytes onceANode(const std::function<std::vector<std::byte>()>& make);
+  SharedBytes oncePerNode(const std::function<std::vector<std::byte>()>& make);
 
   /// Whether all ranks have the same number.
   bool haveAllTheSame(std::uint64_t number);

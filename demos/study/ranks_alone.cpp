@@ -28,7 +28,7 @@ int Ranks::countOnNode() const { return 1; }
 int Ranks::threadsEach() const { return threadCount(0); }
 void Ranks::together(const std::function<void()>& step) { step(); }
 
-SharedBytes Ranks::onceANode(const std::function<std::vector<std::byte>()>& make) {
+SharedBytes Ranks::oncePerNode(const std::function<std::vector<std::byte>()>& make) {
   return alignedCopy(make());
 }
 

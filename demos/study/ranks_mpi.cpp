@@ -90,7 +90,7 @@ void Ranks::together(const std::function<void()>& step) {
   throw std::runtime_error(message);
 }
 
-SharedBytes Ranks::onceANode(const std::function<std::vector<std::byte>()>& make) {
+SharedBytes Ranks::oncePerNode(const std::function<std::vector<std::byte>()>& make) {
   if (joined_->count == 1) return alignedCopy(make());
   const bool makes = joined_->rank_on_node == 0;
   const MPI_Comm node = joined_->node;

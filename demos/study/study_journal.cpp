@@ -43,7 +43,7 @@ StudyJournal::StudyJournal(Study study, ItemRange part, std::filesystem::path ou
       head_(headOf(study_, part)) {
   part_.study = study_;
   part_.items = part;
-  if (std::filesystem::is_directory(out_)) refuse(out_, "is a folder, not a file");
+  if (std::filesystem::is_directory(out_)) refuse(out_, "is a folder: give the name of a file");
   if (named_) out_ = behindLinks(out_);
   if (!named_ && resume_) refuse(out_, "is a device, which --resume cannot continue");
   open();
@@ -86,7 +86,7 @@ void StudyJournal::open() {
   const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   if (named_ && (is_locked || !isStillNamed(unfinished(), file_.get()))) {
     file_.reset();  // it belongs to the other run, so it is not removed
-    refuse(out_, "another run is writing it");
+    refuse(out_, "another run is writing it: wait for it, or choose another --out");
   }
 }
 
@@ -109,7 +109,8 @@ void StudyJournal::readBack() try {
     throw std::invalid_argument("belongs to another part: items " + std::to_string(found.items.begin) +
                                 " to " + std::to_string(found.items.end));
   }
-  if (!text.starts_with(head_)) throw std::invalid_argument("is damaged: its head has changed");
+  if (!text.starts_with(head_))
+    throw std::invalid_argument("is damaged: its head has changed: remove the file to start anew");
   part_ = std::move(found);
 } catch (const std::invalid_argument& error) {
   file_.reset();

@@ -79,7 +79,8 @@ bool AptText::next(AptStatement& statement) {
     if (goes_on) continue;
     if (!whole.empty()) break;
   }
-  if (goes_on) fail(statement.line, "the statement continues ($) beyond the end of the file");
+  if (goes_on)
+    fail(statement.line, "the statement continues ($) beyond the end of the file: the file is truncated");
   if (whole.empty()) return false;
   statement.last_line = line_;
 
@@ -90,7 +91,8 @@ bool AptText::next(AptStatement& statement) {
                              " is APT source, a definition or a label: give a CL file, the output of "
                              "the APT processor");
   }
-  if (!isWord(statement.word)) fail(statement.line, inQuotes(whole) + " is not an APT statement");
+  if (!isWord(statement.word))
+    fail(statement.line, inQuotes(whole) + " is not an APT statement: give a CL file in APT");
   if (slash == std::string::npos) return true;
   std::string_view rest = std::string_view(whole).substr(slash + 1);
   while (!rest.empty()) {

@@ -59,7 +59,8 @@ class ClReader {
     bool is_finished = false;
     while (text_.next(statement)) {
       if (is_finished)
-        text_.fail(statement.line, statement.word + " comes after FINI, the end of the program");
+        text_.fail(statement.line,
+                   statement.word + " comes after FINI, the end of the program: remove it, or FINI");
       is_finished = statement.word == "FINI";
       if (!is_finished) take(statement);
     }
@@ -127,7 +128,7 @@ class ClReader {
   Vec3 secondAxisAt(const AptStatement& statement, std::size_t first) const {
     const Vec3 axis = axisAt(statement, first);
     if (std::abs(axis.dot(tool_axis_)) > kAxisTolerance) {
-      text_.fail(statement.line, statement.word + ": the second axis is not perpendicular to the tool axis");
+      text_.fail(statement.line, statement.word + ": the second axis must be perpendicular to the tool axis");
     }
     return (axis - axis.dot(tool_axis_) * tool_axis_).normalized();
   }
@@ -152,20 +153,20 @@ class ClReader {
       text_.fail(statement.line,
                  "GODLTA has " + std::to_string(count) + " values; it needs dx,dy,dz and optionally i,j,k");
     }
-    if (result_.moves.empty()) text_.fail(statement.line, "GODLTA needs a point before it");
+    if (result_.motions.empty()) text_.fail(statement.line, "GODLTA needs a point before it");
     const Vec3 step = unit_ * vectorAt(statement, 0);
     if (count == 6) setToolAxis(statement, 3);
-    add(result_.moves.back().position + step, statement);
+    add(result_.motions.back().position + step, statement);
   }
 
   void add(const Vec3& position, const AptStatement& statement) {
     if (position.cwiseAbs().maxCoeff() > TriangleMesh::kMaxCoordinate) {
-      text_.fail(statement.line, statement.word + ": the point is more than 1e12 mm from the origin");
+      text_.fail(statement.line, statement.word + ": the point must be at most 1e12 mm from the origin");
     }
     const bool is_start = statement.word == "FROM";
     const double feed = is_rapid_ || is_start ? 0.0 : feed_;
     if (!is_start) is_rapid_ = false;
-    result_.moves.push_back(
+    result_.motions.push_back(
         {position, tool_axis_, second_axis_, feed, statement.line, statement.last_line, unit_});
   }
 
@@ -206,7 +207,7 @@ class ClReader {
         value = text_.number(statement, k);
       }
     }
-    if (!value) text_.fail(statement.line, "FEDRAT has no number");
+    if (!value) text_.fail(statement.line, "FEDRAT needs a number");
     const double unit = feed_unit_ == FeedUnit::mm ? 1.0 : feed_unit_ == FeedUnit::inch ? kMmPerInch : unit_;
     if (feed_is_per_turn_ && !turns_per_minute_) {
       text_.fail(statement.line, "FEDRAT per revolution needs a SPINDL in RPM before it");
@@ -259,7 +260,8 @@ class ClReader {
 
 ClFile readClFile(const std::filesystem::path& file) {
   ClFile result = ClReader(file).read();
-  if (result.moves.empty()) throw std::runtime_error(file.string() + ": no motions: the file has no GOTO");
+  if (result.motions.empty())
+    throw std::runtime_error(file.string() + ": no motions: the file needs at least one GOTO");
   return result;
 }
 

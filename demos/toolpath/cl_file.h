@@ -12,7 +12,7 @@
 namespace octoblisk::demos {
 
 /// One motion statement. Lengths in mm, whatever the file's units.
-struct ClMove {
+struct ClMotion {
   Vec3 position = Vec3::Zero();
   Vec3 tool_axis = Vec3::UnitZ();   ///< of length 1, from the tool's tip to its holder
   std::optional<Vec3> second_axis;  ///< of length 1, perpendicular to the tool axis: GOTO with nine numbers
@@ -28,7 +28,7 @@ struct ClSkipped {
 };
 
 struct ClFile {
-  std::vector<ClMove> moves;
+  std::vector<ClMotion> motions;
   std::vector<ClSkipped> unknown;  ///< words of unknown meaning, one entry per word
 };
 

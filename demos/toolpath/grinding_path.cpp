@@ -148,7 +148,7 @@ void requireUsable(const TriangleMesh& blisk, const BladesFound& blades, const G
   const auto require = [](bool holds, const std::string& message) {
     if (!holds) throw std::invalid_argument(message);
   };
-  require(blades.count > 0, "no blades were found on the mesh");
+  require(blades.count > 0, "no blades were found on the mesh: give a path with --path");
   require(options.blade >= 1 && options.blade <= blades.count,
           "there is no blade " + std::to_string(options.blade) + ": the blades are numbered 1 to " +
               std::to_string(blades.count));

@@ -107,17 +107,15 @@ GroundLine GroundRegion::line(double part) const {
   if (options_.region == PathRegion::leading_edge) return roundTheEdge(contour);
   const GroundLine whole(options_.region == PathRegion::forward ? contour.forward : contour.backward);
   require(2.0 * options_.edge_margin < whole.length(),
-          "the margins along the edges leave nothing of the side, which is " +
-              std::to_string(whole.length()) + " mm wide");
+          "--edge-margin is too large for the side, which is " + std::to_string(whole.length()) + " mm wide");
   return GroundLine(whole.cut(options_.edge_margin, whole.length() - options_.edge_margin));
 }
 
 GroundLine GroundRegion::roundTheEdge(const BladeContour& contour) const {
   const auto fromEdge = [&](const std::vector<ContourPoint>& half) {
     const GroundLine whole(half);
-    require(options_.edge_reach <= whole.length(),
-            "the reach around the leading edge exceeds the side, which is " + std::to_string(whole.length()) +
-                " mm wide");
+    require(options_.edge_reach <= whole.length(), "--edge-reach is too large for the side, which is " +
+                                                       std::to_string(whole.length()) + " mm wide");
     return whole.cut(0.0, options_.edge_reach);
   };
   std::vector<ContourPoint> points = fromEdge(contour.backward);

@@ -13,7 +13,7 @@
 
 #include "io/input_file.h"
 #include "io/new_file.h"
-#include "toolpath/cl_moves.h"
+#include "toolpath/cl_motions.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -88,7 +88,7 @@ std::string behindPose(const std::string& row) {
 
 std::vector<Pose> PathFile::poses() const {
   std::vector<Pose> found;
-  for (const ToolMove& move : moves) found.push_back(move.tool_in_blisk);
+  for (const ToolMotion& motion : motions) found.push_back(motion.tool_in_blisk);
   return found;
 }
 
@@ -102,15 +102,16 @@ bool isClFile(const std::filesystem::path& file) {
 PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& blisk) {
   PathFile path;
   if (!isClFile(file)) {
-    for (const auto& [move, line] : readMoveRows(file)) {
-      path.moves.push_back(move);
+    for (const auto& [motion, line] : readMotionRows(file)) {
+      path.motions.push_back(motion);
       path.lines.push_back({line, line});
     }
     return path;
   }
   ClFile read = readClFile(file);
-  path.moves = toolMovesOf(read, blisk);
-  for (const ClMove& move : read.moves) path.lines.push_back({move.line, move.last_line, move.unit});
+  path.motions = toolMotionsOf(read, blisk);
+  for (const ClMotion& motion : read.motions)
+    path.lines.push_back({motion.line, motion.last_line, motion.unit});
   path.unknown = std::move(read.unknown);
   return path;
 }
@@ -121,7 +122,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
   const std::vector<std::string> lines = linesOf(source);
   std::vector<bool> is_changed;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    is_changed.push_back(!isSame(poses[i], read.moves[i].tool_in_blisk, 0.0));
+    is_changed.push_back(!isSame(poses[i], read.motions[i].tool_in_blisk, 0.0));
   }
   for (bool is_settled = false; !is_settled;) {
     std::ostringstream stream;
@@ -146,7 +147,7 @@ void writeChangedPath(const PathFile& read, const std::filesystem::path& source,
     writeFile(target, stream.str());
     is_settled = true;
     if (!is_cl) continue;
-    const std::vector<ToolMove> again = toolMovesOf(readClFile(target), blisk);
+    const std::vector<ToolMotion> again = toolMotionsOf(readClFile(target), blisk);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       if (is_changed[i] || isSame(poses[i], again[i].tool_in_blisk, kSamePose)) continue;
       is_changed[i] = true;  // it depends on a changed motion

@@ -8,19 +8,19 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "toolpath/cl_file.h"
-#include "toolpath/tool_move.h"
+#include "toolpath/tool_motion.h"
 
 namespace octoblisk::demos {
 
 /// The lines of a motion in its file.
-struct MoveLines {
+struct MotionLines {
   std::size_t first = 0, last = 0;  ///< counted from 1
   double unit = 1.0;                ///< mm, of the lengths in these lines
 };
 
 struct PathFile {
-  std::vector<ToolMove> moves;
-  std::vector<MoveLines> lines;    ///< per motion
+  std::vector<ToolMotion> motions;
+  std::vector<MotionLines> lines;  ///< per motion
   std::vector<ClSkipped> unknown;  ///< ignored statements of a CL file, of unknown meaning
 
   std::vector<Pose> poses() const;
@@ -37,8 +37,8 @@ PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& 
 /// Writes the file read from `source` with new poses, one per old pose, in its format and with its feeds. The
 /// lines of unchanged motions stay as they are, and so do all lines between them. In a CL file a motion may
 /// depend on an earlier one, by GODLTA or an inherited tool axis; it is written out if that one has changed.
-/// Changed motions of a CL file have nine numbers (cl_moves.h). Throws std::runtime_error naming a file that
-/// cannot be read or written.
+/// Changed motions of a CL file have nine numbers (cl_motions.h). Throws std::runtime_error naming a file
+/// that cannot be read or written.
 void writeChangedPath(const PathFile& read, const std::filesystem::path& source, const ClusteredOctree& blisk,
                       std::span<const Pose> poses, const std::filesystem::path& target);
 

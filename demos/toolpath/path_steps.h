@@ -34,9 +34,9 @@ class RunningSum {
 /// The number of equal steps of at most 1 in a sum; at least one if it is above 0. Throws
 /// std::invalid_argument beyond 1,000,000.
 inline int stepsFor(double whole) {
-  constexpr double kMostSteps = 1e6;
+  constexpr double kMaxSteps = 1e6;
   constexpr double kRounding = 1e-9;
-  require(whole <= kMostSteps, "the path would have more than 1,000,000 passes, or poses per pass");
+  require(whole <= kMaxSteps, "the path would have more than 1,000,000 passes, or poses per pass");
   return static_cast<int>(std::ceil(whole - kRounding));
 }
 

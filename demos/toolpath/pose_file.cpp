@@ -24,7 +24,7 @@ Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
   const Vec3 translation(v[0], v[1], v[2]);
   const Quaternion quaternion(v[3], v[4], v[5], v[6]);  // w first
   if (translation.cwiseAbs().maxCoeff() > TriangleMesh::kMaxCoordinate) {
-    throw std::runtime_error(atLine(file, row.line, "the translation is more than 1e12 mesh units long"));
+    throw std::runtime_error(atLine(file, row.line, "the translation must be at most 1e12 mesh units long"));
   }
   const auto norm = static_cast<double>(quaternion.coeffs().stableNorm());
   if (!(std::abs(norm - 1.0) <= kNormTolerance)) {
@@ -37,7 +37,8 @@ Pose poseOf(const CsvRow& row, const std::filesystem::path& file) {
 
 std::vector<CsvRow> readRows(const std::filesystem::path& file) {
   std::vector<CsvRow> rows = readCsv(file, kHeader, kHeaderWithFeed);
-  if (rows.empty()) throw std::runtime_error(file.string() + ": there are no poses below the header");
+  if (rows.empty())
+    throw std::runtime_error(file.string() + ": no poses: add at least one row below the header");
   return rows;
 }
 
@@ -56,20 +57,20 @@ std::vector<Pose> readPoses(const std::filesystem::path& file) {
   return poses;
 }
 
-std::vector<MoveRow> readMoveRows(const std::filesystem::path& file) {
-  std::vector<MoveRow> moves;
+std::vector<MotionRow> readMotionRows(const std::filesystem::path& file) {
+  std::vector<MotionRow> motions;
   for (const CsvRow& row : readRows(file)) {
     const double feed = row.values.size() > 7 ? row.values[7] : 0.0;
-    if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed is negative"));
-    moves.push_back({{poseOf(row, file), feed}, row.line});
+    if (feed < 0.0) throw std::runtime_error(atLine(file, row.line, "the feed must be at least 0 mm/min"));
+    motions.push_back({{poseOf(row, file), feed}, row.line});
   }
-  return moves;
+  return motions;
 }
 
-std::vector<ToolMove> readMoves(const std::filesystem::path& file) {
-  std::vector<ToolMove> moves;
-  for (const MoveRow& row : readMoveRows(file)) moves.push_back(row.move);
-  return moves;
+std::vector<ToolMotion> readMotions(const std::filesystem::path& file) {
+  std::vector<ToolMotion> motions;
+  for (const MotionRow& row : readMotionRows(file)) motions.push_back(row.motion);
+  return motions;
 }
 
 void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) {
@@ -83,13 +84,13 @@ void writePoses(const std::filesystem::path& file, std::span<const Pose> poses) 
   writeFile(file, stream.str());
 }
 
-void writeMoves(const std::filesystem::path& file, std::span<const ToolMove> moves) {
+void writeMotions(const std::filesystem::path& file, std::span<const ToolMotion> motions) {
   std::ostringstream stream;
   stream.precision(std::numeric_limits<double>::max_digits10);
   stream << kHeaderWithFeed << '\n';
-  for (const ToolMove& move : moves) {
-    writePose(stream, move.tool_in_blisk);
-    stream << ',' << move.feed << '\n';
+  for (const ToolMotion& motion : motions) {
+    writePose(stream, motion.tool_in_blisk);
+    stream << ',' << motion.feed << '\n';
   }
   writeFile(file, stream.str());
 }

@@ -39,14 +39,14 @@ class Passes {
   explicit Passes(const SurfacePathOptions& options) : options_(options) {}
 
   void touch(const ContourPoint& point, int pass) {
-    path_.moves.push_back({poseTouching(point, options_), options_.feed});
-    path_.pass_of_move.push_back(pass);
+    path_.motions.push_back({poseTouching(point, options_), options_.feed});
+    path_.pass_of_motion.push_back(pass);
     normals_.push_back(point.normal);
   }
 
   void seat(const WheelSeat& seat) {
     parallelFor(normals_.size(), threadCount(0), [&](std::size_t i, std::size_t) {
-      Pose& pose = path_.moves[i].tool_in_blisk;
+      Pose& pose = path_.motions[i].tool_in_blisk;
       pose = seat.seated(pose, normals_[i], options_.depth);
     });
   }
@@ -57,13 +57,14 @@ class Passes {
     const int steps = stepsFor(options_.retract / options_.pose_step);
     const auto lift = [&](const Pose& pose, int k) {
       const double length = options_.retract * k / steps;
-      whole.moves.push_back({{pose.rotation, pose.translation + length * pose.rotation.col(0)}, 0.0});
-      whole.pass_of_move.push_back(-1);
+      whole.motions.push_back({{pose.rotation, pose.translation + length * pose.rotation.col(0)}, 0.0});
+      whole.pass_of_motion.push_back(-1);
     };
-    for (int k = steps; k > 0; --k) lift(path_.moves.front().tool_in_blisk, k);
-    whole.moves.insert(whole.moves.end(), path_.moves.begin(), path_.moves.end());
-    whole.pass_of_move.insert(whole.pass_of_move.end(), path_.pass_of_move.begin(), path_.pass_of_move.end());
-    for (int k = 1; k <= steps; ++k) lift(path_.moves.back().tool_in_blisk, k);
+    for (int k = steps; k > 0; --k) lift(path_.motions.front().tool_in_blisk, k);
+    whole.motions.insert(whole.motions.end(), path_.motions.begin(), path_.motions.end());
+    whole.pass_of_motion.insert(whole.pass_of_motion.end(), path_.pass_of_motion.begin(),
+                                path_.pass_of_motion.end());
+    for (int k = 1; k <= steps; ++k) lift(path_.motions.back().tool_in_blisk, k);
     return whole;
   }
 

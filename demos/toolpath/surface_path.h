@@ -7,7 +7,7 @@
 #include "models/blade_contours.h"
 #include "models/blade_surface.h"
 #include "toolpath/path_arm.h"
-#include "toolpath/tool_move.h"
+#include "toolpath/tool_motion.h"
 #include "toolpath/wheel_seat.h"
 
 namespace octoblisk::demos {
@@ -40,8 +40,8 @@ struct SurfacePathOptions {
 };
 
 struct SurfacePath {
-  std::vector<ToolMove> moves;
-  std::vector<int> pass_of_move;  ///< counted from 0; -1 for approach, links and retraction
+  std::vector<ToolMotion> motions;
+  std::vector<int> pass_of_motion;  ///< counted from 0; -1 for approach, links and retraction
 };
 
 /// Passes back and forth over the region at equal steps, as few as keep the step-over everywhere, with links

@@ -262,7 +262,7 @@ TEST(Sweep, aBodyInsideAHollowOneIsFreeUntilItMeetsTheWall) {
   expectBetween(*impact, (1.0 - (1.0 + kSlack) * kTolerance) / 4.0, (1.0 - kTolerance) / 4.0);
 }
 
-TEST(Sweep, usedUpStepsAreTold) {
+TEST(Sweep, usedUpStepsAreReported) {
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
   // A body that slides past at twice the tolerance is free, but the search advances only in small steps.
   const double height = 2.0 + 2.0 * kTolerance;

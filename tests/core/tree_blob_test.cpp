@@ -214,7 +214,7 @@ TEST(TreeBlob, refusesEveryFlippedByteAndEveryTruncation) {
   }
 }
 
-TEST(TreeBlob, tellsWhatIsWrong) {
+TEST(TreeBlob, saysWhatIsWrong) {
   const SharedMesh mesh = testing::torus(3, 1, 20, 10);
   const Blob blob = toBlob(ClusteredOctree::build(mesh));
   const auto expect = [&](const Blob& bad, const SharedMesh& of, const char* what) {

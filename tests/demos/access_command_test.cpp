@@ -92,7 +92,7 @@ TEST_F(AccessCommand, freeTiltsOfAGridAreThoseThatGrindDoesNotCallInterference) 
   EXPECT_FALSE(std::filesystem::exists(file("alone/map.png")));
 }
 
-TEST_F(AccessCommand, ofAPathTakesThePosesThatTouchAndTellsTiltsAgainstThem) {
+TEST_F(AccessCommand, ofAPathTakesThePosesThatTouchAndMeasuresTiltsFromThem) {
   ASSERT_LE(runOctoblisk(folder_.path(), "grind --no-pictures --out first").exit_code, 1);
   std::vector<Pose> path = readPoses(file("first/path.csv"));
   path = {path[0], path[100], path[140], path[432]};  // away, two working poses, away
@@ -143,8 +143,8 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
     expectRefusal(run(arguments), "octoblisk: --");
   }
   const std::string help = run("--help").out;
-  for (const char* told : {"points.csv", "ranges.csv", "--margin", "mm", "DEG"})
-    EXPECT_THAT(help, HasSubstr(told));
+  for (const char* word : {"points.csv", "ranges.csv", "--margin", "mm", "DEG"})
+    EXPECT_THAT(help, HasSubstr(word));
 }
 
 }  // namespace

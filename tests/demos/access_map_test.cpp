@@ -69,7 +69,7 @@ TEST(AccessMap, leadTurnsTheBarOutOfTheSlotsPlaneOrNot) {
               std::vector<int>(slot.walls.triangleCount(), 0), {.ground_blade = 0, .near_miss = 0.0});
   ContactSite site = siteAtOrigin();
   AccessOptions options{.tilt_from = -90.0, .tilt_step = 30.0, .tilts = 7, .leads = {-40.0, 0.0, 40.0}};
-  EXPECT_FALSE(options.goesRound());
+  EXPECT_FALSE(options.isFullTurn());
   auto found = accessOf(judge, {&site, 1}, options);
   EXPECT_EQ(found[0].free, 3u) << "tilt 0 alone";
   EXPECT_EQ(found[0].lead_from, -40.0);

@@ -120,7 +120,7 @@ TEST_P(Anatomy, findsTheAxisWhereverTheBliskLies) {
   }
 }
 
-TEST_P(Anatomy, tellsTheSidesAsTheyLie) {
+TEST_P(Anatomy, findsTheSidesAsTheyLie) {
   const BliskFound found = findBlisk(truth_.blisk.mesh);
   const BliskAnatomy anatomy = findAnatomy(truth_.blisk.mesh, found.blades);
   EXPECT_TRUE(anatomy.sides.faces_outward);
@@ -282,7 +282,7 @@ TEST(BliskAxis, refusesBladesThatDoNotRepeat) {
               HasSubstr("off"));
 }
 
-TEST(BliskAxis, takesTheAxisThatItIsTold) {
+TEST(BliskAxis, takesTheGivenAxis) {
   const RandomBlisk truth = randomBlisk(2, false);
   const Vec3 direction = -3.0 * truth.blisk_in_mesh.rotation.col(2);
   const BliskFound found = findBlisk(truth.mesh, {direction, truth.blisk_in_mesh * Vec3(0.0, 0.0, 77.0)});
@@ -309,7 +309,7 @@ TEST_F(BladesCommand, writesALineABladeAndAPicture) {
   EXPECT_TRUE(contentOf(folder_.path() / "found/blades.png").starts_with("\x89PNG"));
 }
 
-TEST_F(BladesCommand, refusesInOneLineWhatItCannotTell) {
+TEST_F(BladesCommand, refusesInOneLineWhatItCannotFind) {
   ASSERT_EQ(runOctoblisk(folder_.path(), "make arm --out arm.ply").exit_code, 0);
   ASSERT_EQ(runOctoblisk(folder_.path(),
                          "make blisk --triangles 15000 --camber-hub 0 --camber-tip 0 --out straight.ply")

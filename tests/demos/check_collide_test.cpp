@@ -129,7 +129,7 @@ std::vector<TrianglePair> pairsThatMeet(const TriangleMesh& fixed, const Triangl
 
 TEST_F(CheckCommand, saysWhatBruteForceSaysInEveryFormat) {
   constexpr int kPoses = 300;
-  constexpr double kLeastHits = 0.3, kMostHits = 0.7;
+  constexpr double kMinHits = 0.3, kMaxHits = 0.7;
   writePoses(folder_.path() / "poses.csv", posesRoundBlades(kPoses));
   const std::vector<Pose> poses = readPoses(folder_.path() / "poses.csv");
   makeMeshes(".stl");
@@ -138,8 +138,8 @@ TEST_F(CheckCommand, saysWhatBruteForceSaysInEveryFormat) {
   std::vector<std::vector<TrianglePair>> truth;
   for (const Pose& pose : poses) truth.push_back(pairsThatMeet(blisk, belt, pose));
   const auto hits = kPoses - std::ranges::count(truth, true, &std::vector<TrianglePair>::empty);
-  EXPECT_GE(hits, kLeastHits * kPoses);
-  EXPECT_LE(hits, kMostHits * kPoses);
+  EXPECT_GE(hits, kMinHits * kPoses);
+  EXPECT_LE(hits, kMaxHits * kPoses);
 
   for (const std::string extension : {".stl", ".ply", ".obj"}) {
     SCOPED_TRACE(extension);

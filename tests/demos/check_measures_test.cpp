@@ -32,7 +32,7 @@ void writeBoxes(const std::filesystem::path& folder) {
   }
 }
 
-TEST_F(CheckCommand, tellsClearanceDepthAndTheWayBetween) {
+TEST_F(CheckCommand, measuresClearanceDepthAndMotion) {
   writeBoxes(folder_.path());
   // Apart by 1, by 0.25, in by 0.3, wholly inside, then in one motion through the large one to the other
   // side.
@@ -102,7 +102,7 @@ TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
   EXPECT_EQ(contentOf(folder_.path() / "large.csv"), contentOf(folder_.path() / "mixed.csv"));
 }
 
-TEST_F(CheckCommand, tellsTheSignedDistanceAndItsDerivative) {
+TEST_F(CheckCommand, measuresTheSignedDistanceAndItsDerivative) {
   writeBoxes(folder_.path());
   // Above a corner region of the large box's top, rotated about z: apart by 0.25, in by 0.3, wholly inside.
   folder_.write("poses.csv", kPoseHeader + "0.2,0.1,1.75,1,0,0,0\n0.2,0.1,1.2,1,0,0,0\n0,0,0.45,1,0,0,0\n");

@@ -32,7 +32,7 @@ class CheckRanks : public CheckParts {
   }
 };
 
-/// The process of a rank, a descendant of another process; 0 if there is none.
+/// The process of a rank, a descendant of another process; 0 if not found.
 pid_t processOfRank(pid_t above, int rank) {
   const std::string task = "/proc/" + std::to_string(above);
   const std::string children = contentOf(task + "/task/" + std::to_string(above) + "/children");
@@ -122,7 +122,7 @@ TEST_F(CheckRanks, aLostRankIsMadeGoodByResuming) {
   }
 }
 
-TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
+TEST_F(CheckRanks, badInputIsReportedOnceAndLeavesNoFile) {
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const Outcome outcome = runRanks(3, arguments);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -137,7 +137,7 @@ TEST_F(CheckRanks, badInputIsToldOnceAndLeavesNoFile) {
   refused("check --fixed ring.obj --moving box.obj --poses no.csv --out out.csv",
           "octoblisk: no.csv: no such");
   refused(check_ + "--out missing/out.csv",
-          "octoblisk: missing/out.csv: cannot be written: there is no folder missing");
+          "octoblisk: missing/out.csv: cannot be written: the folder missing does not exist: create it");
   refused(check_ + "--out out.csv --shard 3/2", "octoblisk: --shard: '3/2' is not a part");
 }
 

@@ -61,9 +61,9 @@ class CheckParts : public CheckCommand {
   }
 
   /// A summary without its times.
-  static std::string withoutTimes(const std::string& told) {
-    const std::size_t time = told.find("; "), line_end = told.find('\n');
-    return time < line_end ? told.substr(0, time) + told.substr(line_end) : told;
+  static std::string withoutTimes(const std::string& summary) {
+    const std::size_t time = summary.find("; "), line_end = summary.find('\n');
+    return time < line_end ? summary.substr(0, time) + summary.substr(line_end) : summary;
   }
 
   const std::string check_ = "check --fixed ring.obj --moving box.obj --poses poses.csv ";

@@ -37,8 +37,8 @@ TEST_F(CheckParts, shardsMergeToTheFileAndTheWordsOfThePlainRun) {
       EXPECT_EQ(withoutTimes(merged.out), withoutTimes(plain.out));
     }
   }
-  const std::string told = run(check_ + "--out plain.csv").out;
-  const int colliding = std::stoi(told.substr(told.find(": ") + 2));
+  const std::string summary = run(check_ + "--out plain.csv").out;
+  const int colliding = std::stoi(summary.substr(summary.find(": ") + 2));
   EXPECT_GT(colliding, 0.3 * kPoses);
   EXPECT_LT(colliding, 0.7 * kPoses);
 }
@@ -77,7 +77,7 @@ TEST_F(CheckParts, badPartsAndTargetsAreRefusedByName) {
   }
   for (const std::string options : {"", "--shard 1/2 ", "--resume "}) {
     expectRefused(check_.substr(6) + options + "--out missing/out.csv",
-                  "missing/out.csv: cannot be written: there is no folder missing\n");
+                  "missing/out.csv: cannot be written: the folder missing does not exist: create it\n");
     expectRefused(check_.substr(6) + options + "--out .", ".: is a folder");
     expectRefused(check_.substr(6) + options + "--out ./poses.csv", "./poses.csv: is also");
   }

@@ -9,7 +9,7 @@
 
 #include "demos/scratch_folder.h"
 #include "models/blisk.h"
-#include "toolpath/cl_moves.h"
+#include "toolpath/cl_motions.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
@@ -28,40 +28,40 @@ class ClFiles : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-std::vector<ToolMove> randomMoves(int count) {
+std::vector<ToolMotion> randomMotions(int count) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
-  std::vector<ToolMove> moves;
+  std::vector<ToolMotion> motions;
   for (int k = 0; k < count; ++k) {
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
     const double feed = k % 3 == 0 ? 0.0 : 100.0 + 1.0 / 3.0 * (k / 5);
-    moves.push_back({{turn.toRotationMatrix(), {normal(random), 1e3 * normal(random), 1e-7 / 3.0}}, feed});
+    motions.push_back({{turn.toRotationMatrix(), {normal(random), 1e3 * normal(random), 1e-7 / 3.0}}, feed});
   }
-  return moves;
+  return motions;
 }
 
-void expectSame(const std::vector<ToolMove>& moves, const std::vector<ToolMove>& back) {
-  ASSERT_EQ(back.size(), moves.size());
-  for (std::size_t k = 0; k < moves.size(); ++k) {
-    EXPECT_EQ(back[k].feed, moves[k].feed) << k;
-    EXPECT_EQ(back[k].tool_in_blisk.translation, moves[k].tool_in_blisk.translation) << k;
-    EXPECT_LE((back[k].tool_in_blisk.rotation - moves[k].tool_in_blisk.rotation).cwiseAbs().maxCoeff(),
+void expectSame(const std::vector<ToolMotion>& motions, const std::vector<ToolMotion>& back) {
+  ASSERT_EQ(back.size(), motions.size());
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    EXPECT_EQ(back[k].feed, motions[k].feed) << k;
+    EXPECT_EQ(back[k].tool_in_blisk.translation, motions[k].tool_in_blisk.translation) << k;
+    EXPECT_LE((back[k].tool_in_blisk.rotation - motions[k].tool_in_blisk.rotation).cwiseAbs().maxCoeff(),
               1e-15);
   }
 }
 
 TEST_F(ClFiles, posesGoToAClFileAndBackAndToATableAndBack) {
-  const std::vector<ToolMove> moves = randomMoves(300);
+  const std::vector<ToolMotion> motions = randomMotions(300);
   const auto file = folder_.path() / "written.cl";
-  writeClFile(file, moves);
-  const std::vector<ToolMove> back = toolMovesOf(readClFile(file));
-  expectSame(moves, back);
+  writeClFile(file, motions);
+  const std::vector<ToolMotion> back = toolMotionsOf(readClFile(file));
+  expectSame(motions, back);
   writeClFile(folder_.path() / "again.cl", back);
-  expectSame(back, toolMovesOf(readClFile(folder_.path() / "again.cl")));
-  writeMoves(folder_.path() / "table.csv", moves);
-  expectSame(moves, readMoves(folder_.path() / "table.csv"));
-  EXPECT_EQ(readPoses(folder_.path() / "table.csv").size(), moves.size()) << "check reads it too";
+  expectSame(back, toolMotionsOf(readClFile(folder_.path() / "again.cl")));
+  writeMotions(folder_.path() / "table.csv", motions);
+  expectSame(motions, readMotions(folder_.path() / "table.csv"));
+  EXPECT_EQ(readPoses(folder_.path() / "table.csv").size(), motions.size()) << "check reads it too";
 }
 
 TEST_F(ClFiles, readsWhatRealFilesHold) {
@@ -90,8 +90,8 @@ TEST_F(ClFiles, readsWhatRealFilesHold) {
       "FEDRAT/0.1,MMPR\r\n"
       "GOTO/0,0,0,0,0,1.0004\r\n"
       "COOLNT/OFF\r\nCYCLE/OFF\r\nQUIRK/17\r\nQUIRK/18\r\nSPINDL/OFF\r\nEND\r\nFINI\r\n\r\n$$ the end\r\n");
-  ASSERT_EQ(file.moves.size(), 5u);
-  const auto& m = file.moves;
+  ASSERT_EQ(file.motions.size(), 5u);
+  const auto& m = file.motions;
   EXPECT_EQ(m[0].position, Vec3(0, 0, 100));
   EXPECT_EQ(m[0].tool_axis, Vec3(0, 0, 1));
   EXPECT_EQ(m[1].position, Vec3(1.5, -2.0, 2.5));
@@ -112,21 +112,21 @@ TEST_F(ClFiles, turnsInchesToMillimetres) {
   const ClFile file = read(
       "UNITS/INCHES\nFEDRAT/10,PERMIN\nGOTO/1,2,-0.5\nFEDRAT/20,MMPM\nGOTO/0,0,0\nUNITS/MM\n"
       "FEDRAT/2,IPM\nGOTO/1,2,3\nFEDRAT/30,PERMIN\nGODLTA/1,0,0\n");
-  EXPECT_TRUE(file.moves[0].position.isApprox(Vec3(25.4, 50.8, -12.7), 1e-15));
-  EXPECT_DOUBLE_EQ(file.moves[0].feed, 254.0);
-  EXPECT_DOUBLE_EQ(file.moves[1].feed, 20.0);
-  EXPECT_DOUBLE_EQ(file.moves[2].feed, 50.8);
-  EXPECT_EQ(file.moves[2].position, Vec3(1, 2, 3));
-  EXPECT_DOUBLE_EQ(file.moves[3].feed, 30.0);
+  EXPECT_TRUE(file.motions[0].position.isApprox(Vec3(25.4, 50.8, -12.7), 1e-15));
+  EXPECT_DOUBLE_EQ(file.motions[0].feed, 254.0);
+  EXPECT_DOUBLE_EQ(file.motions[1].feed, 20.0);
+  EXPECT_DOUBLE_EQ(file.motions[2].feed, 50.8);
+  EXPECT_EQ(file.motions[2].position, Vec3(1, 2, 3));
+  EXPECT_DOUBLE_EQ(file.motions[3].feed, 30.0);
 }
 
-TEST_F(ClFiles, rapidIsForOneMove) {
+TEST_F(ClFiles, rapidIsForOneMotion) {
   const ClFile file =
       read("FEDRAT/100\nGOTO/0,0,0\nRAPID\nGOTO/1,0,0\nGOTO/2,0,0\nRAPID\nFEDRAT/50\nGOTO/3,0,0\n");
-  EXPECT_EQ(file.moves[0].feed, 100.0);
-  EXPECT_EQ(file.moves[1].feed, 0.0);
-  EXPECT_EQ(file.moves[2].feed, 100.0);
-  EXPECT_EQ(file.moves[3].feed, 50.0);
+  EXPECT_EQ(file.motions[0].feed, 100.0);
+  EXPECT_EQ(file.motions[1].feed, 0.0);
+  EXPECT_EQ(file.motions[2].feed, 100.0);
+  EXPECT_EQ(file.motions[3].feed, 50.0);
 }
 
 TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
@@ -160,14 +160,14 @@ TEST_F(ClFiles, refusesWhatItCannotFollowAndSaysWhere) {
       {"GOTO/1,2,3,0,0,0", "length is 0.0"},
       {"GOTO/1,2,3,0,0,1.01", "within 0.001"},
       {"GOTO/1,2,3,1e300,1e300,0", "length"},
-      {"GOTO/1,2,3,0,0,1,0,0,1", "not perpendicular"},
-      {"GOTO/2e12,0,0", "more than 1e12"},
+      {"GOTO/1,2,3,0,0,1,0,0,1", "must be perpendicular"},
+      {"GOTO/2e12,0,0", "at most 1e12"},
       {"GODLTA/5", "1 values"},
       {"TLAXIS/0,0", "TLAXIS"},
       {"UNITS/FURLONGS", "UNITS"},
       {"UNITS", "UNITS"},
       {"MULTAX/MAYBE", "MULTAX"},
-      {"FEDRAT/MMPM", "no number"},
+      {"FEDRAT/MMPM", "needs a number"},
       {"FEDRAT/1,2", "FEDRAT"},
       {"FEDRAT/1,INVERS", "'INVERS'"},
       {"FEDRAT/-1", "above 0"},
@@ -230,15 +230,16 @@ TEST_F(ClFiles, sixNumbersAreCompletedByTheSurface) {
   // Over the hub's cylinder the wheel must lie along its axis or around it, perpendicular to the arm.
   const ClFile file = read(
       "GOTO/300,0,90,1,0,0\nGOTO/138,0,90,0,1,0\nGOTO/138,0,91,0,0.6,0.8\nGOTO/138,0,92,0.9998,0.02,0\n");
-  const std::vector<ToolMove> moves = toolMovesOf(file, tree);
-  ASSERT_EQ(moves.size(), 4u);
-  for (const ToolMove& move : moves) {
-    EXPECT_TRUE((move.tool_in_blisk.rotation.transpose() * move.tool_in_blisk.rotation).isIdentity(1e-12));
-    EXPECT_NEAR(move.tool_in_blisk.rotation.determinant(), 1.0, 1e-12);
+  const std::vector<ToolMotion> motions = toolMotionsOf(file, tree);
+  ASSERT_EQ(motions.size(), 4u);
+  for (const ToolMotion& motion : motions) {
+    EXPECT_TRUE(
+        (motion.tool_in_blisk.rotation.transpose() * motion.tool_in_blisk.rotation).isIdentity(1e-12));
+    EXPECT_NEAR(motion.tool_in_blisk.rotation.determinant(), 1.0, 1e-12);
   }
-  EXPECT_TRUE(moves[1].tool_in_blisk.rotation.col(2).cwiseAbs().isApprox(Vec3(0, 0, 1), 1e-2));
-  EXPECT_NEAR(moves[2].tool_in_blisk.rotation.col(2).x(), 0.0, 0.05) << "along the surface";
-  EXPECT_THAT(messageOf<std::invalid_argument>([&] { toolMovesOf(file); }), HasSubstr("line 1"));
+  EXPECT_TRUE(motions[1].tool_in_blisk.rotation.col(2).cwiseAbs().isApprox(Vec3(0, 0, 1), 1e-2));
+  EXPECT_NEAR(motions[2].tool_in_blisk.rotation.col(2).x(), 0.0, 0.05) << "along the surface";
+  EXPECT_THAT(messageOf<std::invalid_argument>([&] { toolMotionsOf(file); }), HasSubstr("line 1"));
 }
 
 TEST_F(ClFiles, aSecondAxisHoldsHoweverFarFromTheBlisk) {
@@ -246,12 +247,13 @@ TEST_F(ClFiles, aSecondAxisHoldsHoweverFarFromTheBlisk) {
       ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh));
   const ClFile file =
       read("GOTO/300,0,90,1,0,0,0,0.6,0.8\nGOTO/5000,0,90,1,0,0,0,0.8,0.6\nGOTO/9000,0,90,1,0,0\n");
-  const std::vector<ToolMove> moves = toolMovesOf(file, tree);
-  ASSERT_EQ(moves.size(), 3u);
-  EXPECT_TRUE(moves[0].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.6, 0.8), 1e-12));
-  EXPECT_TRUE(moves[1].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.8, 0.6), 1e-12));
-  for (const ToolMove& move : moves) {
-    EXPECT_TRUE((move.tool_in_blisk.rotation.transpose() * move.tool_in_blisk.rotation).isIdentity(1e-12));
+  const std::vector<ToolMotion> motions = toolMotionsOf(file, tree);
+  ASSERT_EQ(motions.size(), 3u);
+  EXPECT_TRUE(motions[0].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.6, 0.8), 1e-12));
+  EXPECT_TRUE(motions[1].tool_in_blisk.rotation.col(2).isApprox(Vec3(0, 0.8, 0.6), 1e-12));
+  for (const ToolMotion& motion : motions) {
+    EXPECT_TRUE(
+        (motion.tool_in_blisk.rotation.transpose() * motion.tool_in_blisk.rotation).isIdentity(1e-12));
   }
 }
 
@@ -265,8 +267,9 @@ TEST_F(ClFiles, anArmAlongTheLastSecondAxisStillMakesARotation) {
         std::vector<Vec3>{9.0 * side, 9.0 * other, -9.0 * (side + other)},
         std::vector<TriangleMesh::Indices>{{0, 1, 2}}));
     const ClFile file{{{0.1 * up, side, up, 0.0, 1}, {0.2 * up, up, std::nullopt, 0.0, 2}}, {}};
-    for (const ToolMove& move : toolMovesOf(file, tree)) {
-      EXPECT_TRUE((move.tool_in_blisk.rotation.transpose() * move.tool_in_blisk.rotation).isIdentity(1e-12));
+    for (const ToolMotion& motion : toolMotionsOf(file, tree)) {
+      EXPECT_TRUE(
+          (motion.tool_in_blisk.rotation.transpose() * motion.tool_in_blisk.rotation).isIdentity(1e-12));
     }
   }
 }

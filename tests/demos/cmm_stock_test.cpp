@@ -114,8 +114,8 @@ TEST(CmmStock, isSmoothSeededAndNowhereBeyondItsExtremes) {
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     for (std::size_t k = 0; k < grid.stations(); ++k) {
       const std::size_t next = (k + 1) % grid.stations();
-      const double way = (grid.at(row, next).flat - grid.at(row, k).flat).norm();
-      ASSERT_LT(std::abs(stock[grid.index(row, next)] - stock[grid.index(row, k)]), 0.006 * way + 1e-12);
+      const double length = (grid.at(row, next).flat - grid.at(row, k).flat).norm();
+      ASSERT_LT(std::abs(stock[grid.index(row, next)] - stock[grid.index(row, k)]), 0.006 * length + 1e-12);
     }
   }
 }

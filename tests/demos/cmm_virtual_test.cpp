@@ -77,7 +77,7 @@ TEST(VirtualCmm, noiseIsSeededAndHasItsDeviation) {
   EXPECT_NEAR(statistics.deviation, 0.0005, 0.00005);
 }
 
-TEST(VirtualCmm, tellsWhereTheBallMeetsNothing) {
+TEST(VirtualCmm, saysWhereTheBallMeetsNothing) {
   const SectionGrid grid = plate(40.0, 81, 0.5, 21);
   const ClusteredOctree part = treeOfGrid(grid, std::vector<double>(grid.size(), 0.0));
   const std::vector<NominalPoint> beside = {{Vec3(50.0, 5.0, 0.0), Vec3::UnitZ()}};

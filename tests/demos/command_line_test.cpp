@@ -56,7 +56,7 @@ TEST_F(CommandLine, sizesAreBoundedAndTheMessageIsShort) {
   make("blisk --triangles 20000 --shroud --shroud-thickness 3 --lean=-1 --out made.stl");
 }
 
-TEST_F(CommandLine, wrongOptionsAreToldInOneLine) {
+TEST_F(CommandLine, wrongOptionsAreReportedInOneLine) {
   expectRefusal(run(""), "a subcommand is required; see octoblisk --help");
   expectRefusal(run("grind"), "--out is required; see octoblisk grind --help");
   expectRefusal(run("make belt"), "--out is required; see octoblisk make belt --help");
@@ -77,7 +77,7 @@ TEST_F(CommandLine, helps) {
   EXPECT_THAT(run("grind --help").out, HasSubstr("--no-pictures  "));
 }
 
-TEST_F(CommandLine, tellsItsVersion) {
+TEST_F(CommandLine, printsItsVersion) {
   const Outcome outcome = run("--version");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, ::testing::MatchesRegex("octoblisk [0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -85,7 +85,7 @@ TEST_F(CommandLine, tellsItsVersion) {
 
 TEST_F(CommandLine, aFileThatCannotBeMadeIsNamedOnce) {
   EXPECT_EQ(run("make arm --out nowhere/arm.stl").error,
-            "octoblisk: nowhere/arm.stl: cannot be written: there is no folder nowhere\n");
+            "octoblisk: nowhere/arm.stl: cannot be written: the folder nowhere does not exist: create it\n");
 }
 
 }  // namespace

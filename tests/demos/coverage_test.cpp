@@ -72,10 +72,11 @@ TEST(Coverage, points_vs_bruteforce) {
     ASSERT_EQ(found[cell].pose, by_three[cell].pose);
     double deepest = -std::numeric_limits<double>::infinity();
     for (std::size_t p = 1; p < path.size(); ++p) {
-      const Motion way(path[p - 1], path[p]);
+      const Motion motion(path[p - 1], path[p]);
       constexpr int kPlaces = 40;
       for (int k = 0; k <= kPlaces; ++k) {
-        const Vec3 point = way.at(static_cast<double>(k) / kPlaces).inverse() * grid.middleOf(cell).position;
+        const Vec3 point =
+            motion.at(static_cast<double>(k) / kPlaces).inverse() * grid.middleOf(cell).position;
         const double distance = closestPoint(*belt, point).value().distance;
         deepest = std::max(deepest, locate(surface, point) == PointLocation::inside ? distance : -distance);
       }
@@ -115,8 +116,8 @@ Coverage coverageByHand(const std::function<double(double height, double chord)>
 TEST(Coverage, wordsByHand) {
   const Coverage all = coverageByHand([](double, double) { return 0.01; });
   EXPECT_DOUBLE_EQ(all.groundShare(), 1.0);
-  EXPECT_EQ(groundInWords(all), "Ground: 100 % of the convex side of blade 1");
-  EXPECT_EQ(leftInWords(all), "");
+  EXPECT_EQ(groundText(all), "Ground: 100 % of the convex side of blade 1");
+  EXPECT_EQ(leftText(all), "");
   constexpr double kFar = -std::numeric_limits<double>::infinity();
   const Coverage some = coverageByHand([](double height, double chord) {
     if (height < 0.3 || chord > 0.8) return kFar;
@@ -125,12 +126,12 @@ TEST(Coverage, wordsByHand) {
   EXPECT_LT(some.groundShare(), 0.6);
   EXPECT_GT(some.groundShare(), 0.3);
   EXPECT_DOUBLE_EQ(some.scallopHeight(), 0.02);
-  EXPECT_EQ(leftInWords(some),
+  EXPECT_EQ(leftText(some),
             "not reached: root below 0.3 of the height, trailing edge beyond 0.8 of the chord; left between "
             "passes: scallops up to 0.02 mm");
   const Coverage gap =
       coverageByHand([](double height, double) { return height > 0.4 && height < 0.6 ? kFar : 0.0; });
-  EXPECT_THAT(leftInWords(gap), HasSubstr("left between passes: more than 0.5 mm"));
+  EXPECT_THAT(leftText(gap), HasSubstr("left between passes: more than 0.5 mm"));
 }
 
 TEST(Coverage, ofARunIsOfTheSideThatTheBeltTouches) {

@@ -8,7 +8,7 @@
 
 #include "demos/block.h"
 #include "grinding/lift.h"
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "models/shared_tree.h"
 #include "octoblisk/depth.h"
 #include "shared/meshes.h"
@@ -30,17 +30,17 @@ TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
   const SolidBoundary wall_boundary(wall.surface);
   const DepthProof proof(wall_boundary, tool.surface);
   const auto isProved = [&](double depth_from, double depth_to) {
-    const Motion move(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
-    return proof.holds(move, 0.0, 1.0, Vec3::UnitX(), kMostDepth);
+    const Motion motion(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
+    return proof.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMostDepth);
   };
   EXPECT_TRUE(isProved(0.02, 0.02));
   EXPECT_TRUE(isProved(0.02, 0.08));
   EXPECT_TRUE(isProved(-5.0, 0.08));
   EXPECT_FALSE(isProved(0.02, 0.11));
-  const Motion move(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the motion
-  EXPECT_TRUE(proof.holds(move, 0.0, 0.8, Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(proof.holds(move, 0.0, 0.95, Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(proof.holds(move, 0.0, 0.8, -Vec3::UnitX(), kMostDepth)) << "the lift leads in";
+  const Motion motion(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the motion
+  EXPECT_TRUE(proof.holds(motion, 0.0, 0.8, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(motion, 0.0, 0.95, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(motion, 0.0, 0.8, -Vec3::UnitX(), kMostDepth)) << "the lift leads in";
 }
 
 TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
@@ -77,8 +77,8 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
   DepthQuery query;
   std::mt19937_64 random(83);
   int proved = 0, beyond = 0;
-  constexpr int kMoves = 300;
-  for (int i = 0; i < kMoves; ++i) {
+  constexpr int kMotions = 300;
+  for (int i = 0; i < kMotions; ++i) {
     // Onto the ring's outside, a little deeper or less.
     Pose from = testing::randomPose(random, 0.0), to = from;
     const double angle = testing::uniform(random, 0.0, 6.28);
@@ -94,11 +94,11 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
     seated(from);
     seated(to);
     to.translation += testing::uniform(random, -0.3, 0.3) * Vec3::UnitZ();
-    const Motion move(from, to);
-    const bool holds = proof.holds(move, 0.0, 1.0, up, kMostDepth);
+    const Motion motion(from, to);
+    const bool holds = proof.holds(motion, 0.0, 1.0, up, kMostDepth);
     double deepest = 0.0;
     for (int k = 0; k <= 20; ++k) {
-      const Pose pose = move.at(k / 20.0);
+      const Pose pose = motion.at(k / 20.0);
       deepest = std::max({deepest, query.deepest(ring.surface, tool.surface, pose, 1e-4).depth,
                           query.deepest(tool.surface, ring.surface, pose.inverse(), 1e-4).depth});
     }
@@ -108,8 +108,8 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
     proved += holds;
     beyond += deepest > kMostDepth;
   }
-  EXPECT_GT(proved, kMoves * 3 / 10);
-  EXPECT_GT(beyond, kMoves * 2 / 10);
+  EXPECT_GT(proved, kMotions * 3 / 10);
+  EXPECT_GT(beyond, kMotions * 2 / 10);
 }
 
 }  // namespace

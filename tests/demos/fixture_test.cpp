@@ -60,11 +60,11 @@ TEST(Fixture, isJudgedLikeTheRest_vs_collideOfEachPart) {
         least = std::min(least, apart);
         const bool meet = collide(fixture, tree, job.path[p]).has_value();
         touches |= meet;
-        bool is_told = false;
+        bool is_reported = false;
         for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-          is_told |= pose.contacts[c].part == part && pose.blades[c] == first + static_cast<int>(f);
+          is_reported |= pose.contacts[c].part == part && pose.blades[c] == first + static_cast<int>(f);
         }
-        EXPECT_EQ(is_told, apart <= 0.5) << p << " part " << part << " fixture " << f;
+        EXPECT_EQ(is_reported, apart <= 0.5) << p << " part " << part << " fixture " << f;
       }
     }
     ASSERT_EQ(states[p].obstacle.has_value(), states_without[p].obstacle.has_value() || touches) << p;
@@ -96,8 +96,8 @@ TEST(Fixture, nothingPassesThroughAThinOne) {
   Judge judge(treeOf(far_off), {{"bit", treeOf(block({1, 1, 1}, 1))}},
               std::vector<int>(far_off.triangleCount(), 1), {.grinding_part = kNoPart, .near_miss = 0.0}, 1,
               plate);
-  const std::vector<Move> moves = {{at(-5, 0, 0), at(5, 0, 0)}, {at(-5, 0, 0), at(-5, 9, 0)}};
-  const auto found = judge.obstaclesOf(moves);
+  const std::vector<MotionEnds> motions = {{at(-5, 0, 0), at(5, 0, 0)}, {at(-5, 0, 0), at(-5, 9, 0)}};
+  const auto found = judge.obstaclesOf(motions);
   ASSERT_TRUE(found[0]);
   EXPECT_EQ(found[0]->blade, 2);
   EXPECT_FALSE(found[1]);

@@ -28,7 +28,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-TEST_F(GrindCommand, aHoleElsewhereChangesNoDepthAndIsToldOf) {
+TEST_F(GrindCommand, aHoleElsewhereChangesNoDepthAndIsReported) {
   const TriangleMesh whole = block({50, 50, 20}, 8);
   std::vector<TriangleMesh::Indices> triangles;
   for (std::size_t t = 0; t < whole.triangleCount(); ++t) {
@@ -84,13 +84,13 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
   std::ostringstream axis;
   for (int k = 0; k < 3; ++k) axis << blisk_in_mesh.rotation(k, 2) << ',';
   axis << "300,-150,80";
-  const Outcome told =
-      run("--blisk moved.stl --path moved.csv --no-pictures --out told --axis " + axis.str());
-  ASSERT_LE(told.exit_code, 1) << told.error;
+  const Outcome given =
+      run("--blisk moved.stl --path moved.csv --no-pictures --out given --axis " + axis.str());
+  ASSERT_LE(given.exit_code, 1) << given.error;
 
   const auto about_z = readTable(file("z/poses.csv"));
   std::size_t alike = 0, interfering = 0, sides = 0;
-  for (const char* folder : {"found", "told"}) {
+  for (const char* folder : {"found", "given"}) {
     const auto table = readTable(file(folder + std::string("/poses.csv")));
     ASSERT_EQ(table.size(), about_z.size());
     for (std::size_t pose = 0; pose < table.size(); ++pose) {
@@ -105,7 +105,7 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
       EXPECT_EQ(table[pose].at("verdict"), about_z[pose].at("verdict")) << folder << ", pose " << pose;
       interfering += table[pose].at("verdict") == "interference";
       ++alike;
-      const bool has_side = std::string(folder) == "told" && table[pose].at("part") == "belt" &&
+      const bool has_side = std::string(folder) == "given" && table[pose].at("part") == "belt" &&
                             about_z[pose].at("part") == "belt" && !about_z[pose].at("side").empty() &&
                             table[pose].at("verdict") == "intended contact";
       if (!has_side) continue;
@@ -128,41 +128,41 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
 TEST_F(GrindCommand, aBliskThatFacesInwardGivesTheSameDepths) {
   writeMesh(file("outward.ply"), embeddedBlisk());
   writeMesh(file("inward.ply"), turned(embeddedBlisk()));
-  for (const char* way : {"outward", "inward"}) {
-    ASSERT_LE(run("--blisk " + std::string(way) + ".ply --no-pictures --out " + way).exit_code, 1);
+  for (const char* kind : {"outward", "inward"}) {
+    ASSERT_LE(run("--blisk " + std::string(kind) + ".ply --no-pictures --out " + kind).exit_code, 1);
   }
   const std::string outward = contentOf(file("outward/contacts.csv"));
   EXPECT_GT(outward.size(), 10'000u);
   EXPECT_EQ(outward, contentOf(file("inward/contacts.csv")));
 }
 
-TEST_F(GrindCommand, aBliskOfBothWindingsGivesTheSameTablesAndIsTold) {
+TEST_F(GrindCommand, aBliskOfBothWindingsGivesTheSameTablesAndAWarning) {
   const TriangleMesh blisk = embeddedBlisk();
   std::vector<TriangleMesh::Indices> mixed = blisk.triangles();
   for (std::size_t t = 0; t < mixed.size(); t += 2) std::swap(mixed[t][1], mixed[t][2]);
   writeMesh(file("sound.ply"), blisk);
   writeMesh(file("mixed.ply"), TriangleMesh(blisk.vertices(), std::move(mixed)));
-  for (const std::string way : {"sound", "mixed"}) {
+  for (const std::string kind : {"sound", "mixed"}) {
     const Outcome outcome =
-        run("--blisk " + way + ".ply --no-pictures --no-report --poses-only --out " + way);
+        run("--blisk " + kind + ".ply --no-pictures --no-report --poses-only --out " + kind);
     ASSERT_EQ(outcome.exit_code, 1);
     const Outcome blades =
-        runOctoblisk(folder_.path(), "blades --blisk " + way + ".ply --no-picture --out of_" + way);
+        runOctoblisk(folder_.path(), "blades --blisk " + kind + ".ply --no-picture --out of_" + kind);
     ASSERT_EQ(blades.exit_code, 0);
-    const bool is_told = outcome.error.find(
-                             "mixed.ply: 25056 of its 50112 triangles face the opposite way to "
-                             "their neighbours; they are reversed") != std::string::npos;
-    EXPECT_EQ(is_told, way == "mixed") << outcome.error;
+    const bool is_reported = outcome.error.find(
+                                 "mixed.ply: 25056 of its 50112 triangles face the opposite way to "
+                                 "their neighbours; they are reversed") != std::string::npos;
+    EXPECT_EQ(is_reported, kind == "mixed") << outcome.error;
     EXPECT_EQ(blades.error, outcome.error);
-    const std::string of_file = " --blisk " + way + ".ply";
-    const Outcome path = runOctoblisk(folder_.path(), "path" + of_file + " --out " + way + ".csv");
+    const std::string of_file = " --blisk " + kind + ".ply";
+    const Outcome path = runOctoblisk(folder_.path(), "path" + of_file + " --out " + kind + ".csv");
     EXPECT_EQ(path.error, outcome.error);
     const Outcome access = runOctoblisk(
         folder_.path(),
-        "access" + of_file + " --rows 2 --columns 3 --tilt-step 60 --no-report --no-picture --out " + way);
+        "access" + of_file + " --rows 2 --columns 3 --tilt-step 60 --no-report --no-picture --out " + kind);
     EXPECT_EQ(access.error, outcome.error);
     const Outcome repair =
-        runOctoblisk(folder_.path(), "repair" + of_file + " --path sound.csv --no-report --out of_" + way);
+        runOctoblisk(folder_.path(), "repair" + of_file + " --path sound.csv --no-report --out of_" + kind);
     EXPECT_EQ(repair.error, outcome.error);
   }
   EXPECT_EQ(contentOf(file("sound.csv")), contentOf(file("mixed.csv")));

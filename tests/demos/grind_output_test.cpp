@@ -88,10 +88,10 @@ TEST_F(GrindCommand, beltSpeedAndForcesAreInTheTables) {
   EXPECT_EQ(run("--stiffness 10 --out run").exit_code, 2) << "--stiffness needs --spindle";
 }
 
-TEST_F(GrindCommand, helpTellsWhatTheTablesMean) {
+TEST_F(GrindCommand, helpExplainsTheTables) {
   const std::string help = run("--help").out;
-  for (const char* told : {"poses.csv", "contacts.csv", "blade 0 is hub or shroud", "on purpose"}) {
-    EXPECT_THAT(help, HasSubstr(told));
+  for (const char* word : {"poses.csv", "contacts.csv", "blade 0 is hub or shroud", "on purpose"}) {
+    EXPECT_THAT(help, HasSubstr(word));
   }
 }
 

@@ -88,15 +88,15 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_FALSE(interfering.empty());
   EXPECT_EQ(interfering, of_contacts);
   EXPECT_EQ(interfering, of_summary);
-  double depth_on_moves = 0.0;
+  double depth_on_motions = 0.0;
   for (std::size_t pose = 1; pose < table.size(); ++pose) {
     const double bound = std::stod(table[pose].at("motion_depth_at_most_mm"));
     if (touching[pose - 1].contains("belt") && touching[pose].contains("belt")) {
       EXPECT_GT(bound, 0.0) << "pose " << pose;
     }
-    depth_on_moves = std::max(depth_on_moves, bound);
+    depth_on_motions = std::max(depth_on_motions, bound);
   }
-  EXPECT_NEAR(summary["motions"]["depth_on_motions_at_most_mm"], depth_on_moves, 1e-6);
+  EXPECT_NEAR(summary["motions"]["depth_on_motions_at_most_mm"], depth_on_motions, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
   double ground = 0.0, area = 0.0;
@@ -184,7 +184,7 @@ TEST_F(GrindCommand, theDepthOfATouchIsThatOfTheSolidsHoweverFineTheMeshes) {
   }
 }
 
-TEST_F(GrindCommand, aMoveThroughABladeIsInterferenceAtClearPoses) {
+TEST_F(GrindCommand, aMotionThroughABladeIsInterferenceAtClearPoses) {
   // In along the axis of a channel, and around the rim to the next channel: straight through the blades.
   folder_.write("jump.csv",
                 "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n0,300,0,0.7071067811865476,0,0,0.7071067811865476\n");

@@ -12,7 +12,7 @@
 
 #include "demos/block.h"
 #include "grinding/ground_blade.h"
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 #include "io/progress_bar.h"
 #include "models/shared_tree.h"
 #include "report/grinding_words.h"
@@ -22,7 +22,7 @@
 namespace octoblisk::demos {
 namespace {
 
-using MoveOutcome = MoveReport::Outcome;
+using MotionOutcome = MotionReport::Outcome;
 
 /// One part against a mesh that is blade `blade`; no blade is ground.
 GrindingJob jobOf(const TriangleMesh& blisk, int blade, const TriangleMesh& part, std::vector<Pose> path) {
@@ -38,21 +38,21 @@ GrindingJob jobOf(const TriangleMesh& blisk, int blade, const TriangleMesh& part
   return job;
 }
 
-TEST(GrindingRun, aMoveThroughAThinWallHitsItWhereItStands) {
+TEST(GrindingRun, aMotionThroughAThinWallHitsItWhereItStands) {
   constexpr double kWall = 0.01, kPart = 0.5, kFrom = -3.0, kTo = 3.0;
   const GrindingRun run = runGrinding(jobOf(block({kWall, 5, 5}, 2), 0, block({kPart, kPart, kPart}, 2),
                                             {at(-4, 0, 0), at(kFrom, 0, 0), at(kTo, 0.1, 0), at(4, 0, 0)}));
   ASSERT_EQ(run.poses.size(), 4u);
   EXPECT_EQ(run.count(Verdict::clear), 4u);
-  EXPECT_FALSE(run.poses[0].move.has_value());
-  EXPECT_EQ(run.poses[1].move->outcome, MoveOutcome::free);
-  EXPECT_EQ(run.poses[1].move->fraction, 1.0);
-  EXPECT_EQ(run.poses[3].move->outcome, MoveOutcome::free);
-  const MoveReport& hit = *run.poses[2].move;
-  EXPECT_EQ(hit.outcome, MoveOutcome::hit);
+  EXPECT_FALSE(run.poses[0].motion.has_value());
+  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::free);
+  EXPECT_EQ(run.poses[1].motion->fraction, 1.0);
+  EXPECT_EQ(run.poses[3].motion->outcome, MotionOutcome::free);
+  const MotionReport& hit = *run.poses[2].motion;
+  EXPECT_EQ(hit.outcome, MotionOutcome::hit);
   const double touches_at = (-kWall - kPart - kFrom) / (kTo - kFrom);
   EXPECT_LE(hit.fraction, touches_at);
-  EXPECT_GE(hit.fraction, touches_at - 1.2 * kMoveTolerance / (kTo - kFrom));
+  EXPECT_GE(hit.fraction, touches_at - 1.2 * kMotionTolerance / (kTo - kFrom));
   EXPECT_EQ(hit.at.blade, 0);
   EXPECT_NEAR(hit.at.clearance.point_on_a.x(), -kWall, 1e-9);
   EXPECT_TRUE(run.interferes());
@@ -72,18 +72,18 @@ TEST(GrindingRun, aTurnHitsWhereTheBarMeetsThePostsCorner) {
   // The corner (half, far - half) is as far from the bar's axis as the bar is thick.
   const double x = kHalf, y = kFar - kHalf;
   const double angle = std::acos(kHalf / std::hypot(x, y)) - std::atan2(x, y);
-  ASSERT_EQ(run.poses[1].move->outcome, MoveOutcome::hit);
-  EXPECT_NEAR(run.poses[1].move->fraction, angle / turn, 1e-3);
-  EXPECT_LE(run.poses[1].move->fraction, angle / turn);
+  ASSERT_EQ(run.poses[1].motion->outcome, MotionOutcome::hit);
+  EXPECT_NEAR(run.poses[1].motion->fraction, angle / turn, 1e-3);
+  EXPECT_LE(run.poses[1].motion->fraction, angle / turn);
 }
 
 TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
   GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-3, 0, 0), at(3, 0, 0)});
   job.rules.ground_blade = 1;
   const GrindingRun run = runGrinding(job);
-  EXPECT_EQ(run.poses[1].move->outcome, MoveOutcome::too_deep);
-  EXPECT_GT(run.poses[1].move->fraction, 0.25);
-  EXPECT_LT(run.poses[1].move->fraction, 0.75);
+  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::too_deep);
+  EXPECT_GT(run.poses[1].motion->fraction, 0.25);
+  EXPECT_LT(run.poses[1].motion->fraction, 0.75);
   EXPECT_TRUE(run.interferes());
   EXPECT_FALSE(run.poses[0].clearance.has_value()) << "nothing is forbidden";
 }
@@ -95,13 +95,13 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   GrindingJob job = jobOf(wall, 1, bit, path);
   job.rules.ground_blade = 1;
   const GrindingRun run = runGrinding(job);
-  EXPECT_TRUE(run.poses[1].move->depth_proved);
-  EXPECT_FALSE(run.poses[2].move->depth_proved) << "it ends too deep";
-  EXPECT_FALSE(run.poses[3].move->depth_proved) << "it begins too deep";
+  EXPECT_TRUE(run.poses[1].motion->depth_proved);
+  EXPECT_FALSE(run.poses[2].motion->depth_proved) << "it ends too deep";
+  EXPECT_FALSE(run.poses[3].motion->depth_proved) << "it begins too deep";
   EXPECT_EQ(run.depthsProved(), 1u);
-  EXPECT_EQ(run.moveCount(), 3u);
+  EXPECT_EQ(run.motionCount(), 3u);
   EXPECT_GE(run.depthBound(), 0.3);
-  EXPECT_THAT(inWords(run),
+  EXPECT_THAT(summaryText(run),
               ::testing::HasSubstr(
                   "proved within the limit on 1 of 3 motions; not proved on the others, but at most "));
 
@@ -114,12 +114,12 @@ TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
   EXPECT_LT(of_open.depthBound(), 3.0) << "the depths at the poses still count";
 }
 
-TEST(GrindingRun, aMoveThatIsNotProvedFreeCountsAsInterference) {
+TEST(GrindingRun, aMotionThatIsNotProvedFreeCountsAsInterference) {
   GrindingRun run;
   run.poses.resize(2);
-  run.poses[1].move = MoveReport{};
+  run.poses[1].motion = MotionReport{};
   EXPECT_FALSE(run.interferes());
-  run.poses[1].move->outcome = MoveOutcome::not_proved;
+  run.poses[1].motion->outcome = MotionOutcome::not_proved;
   EXPECT_TRUE(run.interferes());
 }
 
@@ -130,10 +130,10 @@ TEST(GrindingRun, aSlideAtTheIntendedDepthIsFree) {
   job.rules.ground_blade = 1;
   const GrindingRun run = runGrinding(job);
   EXPECT_EQ(run.count(Verdict::intended_contact), 2u);
-  const MoveReport& move = *run.poses[1].move;
-  EXPECT_EQ(move.outcome, MoveOutcome::free);
-  EXPECT_GE(move.depth_bound, kDepth - 1e-3);
-  EXPECT_LE(move.depth_bound, kDepth + 0.5 * kDepthStep + 1e-3);
+  const MotionReport& motion = *run.poses[1].motion;
+  EXPECT_EQ(motion.outcome, MotionOutcome::free);
+  EXPECT_GE(motion.depth_bound, kDepth - 1e-3);
+  EXPECT_LE(motion.depth_bound, kDepth + 0.5 * kDepthStep + 1e-3);
   EXPECT_FALSE(run.interferes());
 }
 
@@ -168,10 +168,10 @@ TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
     ASSERT_EQ(one.part_clearances, other.part_clearances);
     ASSERT_EQ(one.clearance->clearance.point_on_a, other.clearance->clearance.point_on_a);
     if (i == 0) continue;
-    ASSERT_EQ(one.move->outcome, other.move->outcome);
-    ASSERT_EQ(one.move->fraction, other.move->fraction);
-    ASSERT_EQ(one.move->depth_bound, other.move->depth_bound);
-    hit += one.move->outcome == MoveOutcome::hit;
+    ASSERT_EQ(one.motion->outcome, other.motion->outcome);
+    ASSERT_EQ(one.motion->fraction, other.motion->fraction);
+    ASSERT_EQ(one.motion->depth_bound, other.motion->depth_bound);
+    hit += one.motion->outcome == MotionOutcome::hit;
   }
   EXPECT_GT(hit, 10u);
 }
@@ -204,9 +204,9 @@ TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
   int hit = 0, free = 0;
   for (std::size_t i = 1; i < run.poses.size(); ++i) {
     const auto touchesSomewhere = [&](double up_to) {
-      const Motion way(job.path[i - 1], job.path[i]);
+      const Motion motion(job.path[i - 1], job.path[i]);
       for (int k = 0; k <= 150; ++k) {
-        const Pose pose = way.at(up_to * k / 150.0);
+        const Pose pose = motion.at(up_to * k / 150.0);
         for (const ToolPart& part : job.parts) {
           if (distance(blisk, *part.tree, pose).distance == 0.0) return true;
         }
@@ -215,11 +215,11 @@ TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
     };
     const bool ends_touch = run.poses[i - 1].clearance->clearance.distance == 0.0 ||
                             run.poses[i].clearance->clearance.distance == 0.0;
-    const MoveReport& move = *run.poses[i].move;
+    const MotionReport& motion = *run.poses[i].motion;
     if (ends_touch) continue;
-    (move.outcome == MoveOutcome::free ? free : hit) += 1;
-    ASSERT_NE(move.outcome == MoveOutcome::free && touchesSomewhere(1.0), true) << "pose " << i;
-    ASSERT_FALSE(touchesSomewhere(move.fraction)) << "pose " << i;
+    (motion.outcome == MotionOutcome::free ? free : hit) += 1;
+    ASSERT_NE(motion.outcome == MotionOutcome::free && touchesSomewhere(1.0), true) << "pose " << i;
+    ASSERT_FALSE(touchesSomewhere(motion.fraction)) << "pose " << i;
   }
   EXPECT_GT(hit, (hit + free) * 3 / 10);
   EXPECT_GT(free, 3);

@@ -212,27 +212,27 @@ TEST(Judge, judgesMovesForRepairAsForGrind) {
   job.rules.near_miss = 0.0;
   Judge judge(blisk, job.parts, blades.blade_of_triangle, job.rules);
   const std::vector<PoseState> states = judge.statesOf(job.path);
-  std::vector<Move> moves;
+  std::vector<MotionEnds> motions;
   std::vector<std::size_t> led_to;
   for (std::size_t i = 0; i < job.path.size(); ++i) {
     EXPECT_EQ(!states[i].obstacle, run.poses[i].verdict != Verdict::interference) << "pose " << i;
     if (i == 0 || states[i - 1].obstacle || states[i].obstacle) continue;
-    moves.push_back({job.path[i - 1], job.path[i]});
+    motions.push_back({job.path[i - 1], job.path[i]});
     led_to.push_back(i);
   }
-  const auto obstacles = judge.obstaclesOf(moves);
+  const auto obstacles = judge.obstaclesOf(motions);
   std::size_t blocked = 0;
-  for (std::size_t m = 0; m < moves.size(); ++m) {
-    const MoveReport& move = *run.poses[led_to[m]].move;
-    ASSERT_EQ(obstacles[m].has_value(), move.outcome != MoveReport::Outcome::free) << "to " << led_to[m];
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const MotionReport& motion = *run.poses[led_to[m]].motion;
+    ASSERT_EQ(obstacles[m].has_value(), motion.outcome != MotionReport::Outcome::free) << "to " << led_to[m];
     if (!obstacles[m]) continue;
     ++blocked;
-    EXPECT_EQ(obstacles[m]->part, move.at.part);
-    EXPECT_EQ(obstacles[m]->blade, move.at.blade);
-    EXPECT_EQ(obstacles[m]->too_deep, move.outcome == MoveReport::Outcome::too_deep);
+    EXPECT_EQ(obstacles[m]->part, motion.at.part);
+    EXPECT_EQ(obstacles[m]->blade, motion.at.blade);
+    EXPECT_EQ(obstacles[m]->too_deep, motion.outcome == MotionReport::Outcome::too_deep);
   }
   EXPECT_GT(blocked, 2u);
-  EXPECT_GT(moves.size(), 3 * blocked);
+  EXPECT_GT(motions.size(), 3 * blocked);
 }
 
 TEST(Judge, findsARidgeBetweenPosesHalfAMillimetreApart) {
@@ -244,15 +244,15 @@ TEST(Judge, findsARidgeBetweenPosesHalfAMillimetreApart) {
   const std::vector<int> blades(ridge.triangleCount(), 1);
   const std::vector<ToolPart> pin = {{"pin", treeOf(block({0.02, 0.02, 0.5}, 1))}};
   Judge judge(treeOf(ridge), pin, blades, {.max_depth = 0.05, .near_miss = 0.0});
-  const Move over{at(-1, 0.01, 1.48), at(1, 0.01, 1.48)}, beside{at(-2, 0.01, 1.48), at(0, 0.01, 1.48)};
+  const MotionEnds over{at(-1, 0.01, 1.48), at(1, 0.01, 1.48)}, beside{at(-2, 0.01, 1.48), at(0, 0.01, 1.48)};
   std::vector<Pose> between;
   for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) between.push_back(at(x, 0.01, 1.48));
   for (const PoseState& state : judge.statesOf(between)) {
     EXPECT_FALSE(state.obstacle);
     EXPECT_TRUE(state.grinds);
   }
-  const std::vector<Move> moves = {over, beside};
-  const auto found = judge.obstaclesOf(moves);
+  const std::vector<MotionEnds> motions = {over, beside};
+  const auto found = judge.obstaclesOf(motions);
   ASSERT_TRUE(found[0]);
   EXPECT_TRUE(found[0]->too_deep);
   EXPECT_FALSE(found[1]);
@@ -262,7 +262,7 @@ TEST(Judge, findsARidgeBetweenPosesHalfAMillimetreApart) {
   std::erase_if(open, [&](const TriangleMesh::Indices& t) { return vertices[t[0]].x() == -3.0; });
   Judge of_open(treeOf(TriangleMesh(vertices, open)), {{"bar", treeOf(block({0.2, 0.5, 0.5}, 1))}},
                 std::vector<int>(open.size(), 1), judge.rules());
-  const std::vector<Move> of_bar = {over, {at(-2, 0.01, 1.48), at(-0.5, 0.01, 1.48)}};
+  const std::vector<MotionEnds> of_bar = {over, {at(-2, 0.01, 1.48), at(-0.5, 0.01, 1.48)}};
   const auto found_of_open = of_open.obstaclesOf(of_bar);
   ASSERT_TRUE(found_of_open[0]);
   EXPECT_TRUE(found_of_open[0]->too_deep);

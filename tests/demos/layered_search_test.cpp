@@ -46,15 +46,15 @@ struct Scene {
             grid.tiltStepCost(a.tilt - b.tilt) + grid.slideStepCost(a.slide - b.slide) +
                 grid.retractStepCost(a.retract - b.retract)};
   }
-  Price ofWay(const std::vector<std::uint32_t>& way) const {
+  Price ofRoute(const std::vector<std::uint32_t>& route) const {
     Price sum;
     const auto add = [&](const Price& price) {
       sum.blocked += price.blocked;
       sum.cost += price.cost;
     };
-    for (std::size_t p = 0; p < way.size(); ++p) {
-      add(ofNode(p, way[p]));
-      if (p > 0) add(ofStep(p, way[p - 1], way[p]));
+    for (std::size_t p = 0; p < route.size(); ++p) {
+      add(ofNode(p, route[p]));
+      if (p > 0) add(ofStep(p, route[p - 1], route[p]));
     }
     return sum;
   }
@@ -106,14 +106,15 @@ TEST(LayeredSearch, isTheBestOfAllPairsOfNodes) {
     }
     // The nodes on the first few routes are blocked as well.
     for (int k = 0; k < 5; ++k) {
-      const auto way = search.cheapest();
+      const auto route = search.cheapest();
       const std::size_t p = 1 + random() % (scene.poses - 1);
-      scene.blocked_steps.insert({p, way[p - 1], way[p]});
-      search.blockStep(p, way[p - 1], way[p]);
+      scene.blocked_steps.insert({p, route[p - 1], route[p]});
+      search.blockStep(p, route[p - 1], route[p]);
     }
-    const auto way = search.cheapest();
-    for (std::size_t p = 1; p < way.size(); ++p) ASSERT_TRUE(scene.within(way[p - 1], way[p])) << "too far";
-    const Price found = scene.ofWay(way), best = scene.best();
+    const auto route = search.cheapest();
+    for (std::size_t p = 1; p < route.size(); ++p)
+      ASSERT_TRUE(scene.within(route[p - 1], route[p])) << "too far";
+    const Price found = scene.ofRoute(route), best = scene.best();
     EXPECT_EQ(found.blocked, best.blocked) << "scene " << s;
     EXPECT_NEAR(found.cost, best.cost, 1e-5) << "scene " << s;
     with_blocked += best.blocked > 0;

@@ -288,7 +288,7 @@ TEST(BeltGrinder, beltIsThePapersCloud) {
   EXPECT_EQ(belt.triangleCount(), 38'998u);
   EXPECT_TRUE(isWatertight(belt));
   EXPECT_EQ(eulerCharacteristic(belt), 0);
-  // Width · thickness · the length of the line half-way through the belt.
+  // Width · thickness · the length of the line halfway through the belt.
   const double slope = std::asin(22.0 / 300.0);
   const double length = 2.0 * 300.0 * std::cos(slope) + 8.75 * (std::numbers::pi - 2.0 * slope) +
                         30.75 * (std::numbers::pi + 2.0 * slope);

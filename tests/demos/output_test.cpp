@@ -42,7 +42,7 @@ class Output : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Output, whereThereIsNoRoomTheOldFileStaysAndTheCauseIsTold) {
+TEST_F(Output, aFullDiskKeepsTheOldFileAndIsReported) {
   struct Case {
     std::string arguments;
     std::vector<std::string> outputs;
@@ -102,8 +102,8 @@ class NoRoom : public Output {
     writePoses(file("path.csv"), path);
   }
 
-  void expectTold(const std::string& arguments, const std::string& out,
-                  const std::vector<std::string>& outputs) {
+  void expectMessage(const std::string& arguments, const std::string& out,
+                     const std::vector<std::string>& outputs) {
     for (const std::string& output : outputs) {
       std::filesystem::remove_all(file(out));
       const std::filesystem::path full = out + "/" + output;
@@ -134,55 +134,55 @@ TEST_F(NoRoom, forTablesAndReportOfGrind) {
   std::vector<std::string> outputs = {"poses.csv",  "contacts.csv", "coverage.csv",
                                       "forces.csv", "summary.json", "path.csv"};
   outputs.insert(outputs.end(), report_.begin(), report_.end());
-  expectTold("grind --path path.csv --ground-blade 1 --spindle --poses-only --no-pictures --out o", "o",
-             outputs);
+  expectMessage("grind --path path.csv --ground-blade 1 --spindle --poses-only --no-pictures --out o", "o",
+                outputs);
 }
 
 TEST_F(NoRoom, forPicturesOfGrind) {
-  expectTold("grind --path path.csv --ground-blade 1 --poses-only --no-report --frames 1 --out o", "o",
-             {"overview.png", "closeup.png", "coverage.png", "contact_sheet.png", "frames/0000.png",
-              "poses.csv", "contacts.csv", "coverage.csv", "summary.json", "path.csv"});
+  expectMessage("grind --path path.csv --ground-blade 1 --poses-only --no-report --frames 1 --out o", "o",
+                {"overview.png", "closeup.png", "coverage.png", "contact_sheet.png", "frames/0000.png",
+                 "poses.csv", "contacts.csv", "coverage.csv", "summary.json", "path.csv"});
 }
 
 TEST_F(NoRoom, forRepair) {
   std::vector<std::string> outputs = {"path.csv", "changes.csv", "coverage.csv", "coverage.png"};
   outputs.insert(outputs.end(), report_.begin(), report_.end());
-  expectTold("repair --path path.csv --ground-blade 1 --out o", "o", outputs);
+  expectMessage("repair --path path.csv --ground-blade 1 --out o", "o", outputs);
 }
 
 TEST_F(NoRoom, forAccessAndItsParts) {
   std::vector<std::string> outputs = {"points.csv", "ranges.csv", "map.png"};
   const std::string access = "access --rows 2 --columns 3 --tilt-step 60 ";
   ASSERT_LE(run(access + "--shard 1/1 --out part").exit_code, 1);
-  expectTold("merge part --out o/points.csv", "o", outputs);
+  expectMessage("merge part --out o/points.csv", "o", outputs);
   outputs.insert(outputs.end(), report_.begin(), report_.end());
-  expectTold(access + "--out o", "o", outputs);
-  expectTold(access + "--shard 1/1 --out o/part", "o", {"part"});
+  expectMessage(access + "--out o", "o", outputs);
+  expectMessage(access + "--shard 1/1 --out o/part", "o", {"part"});
 }
 
 TEST_F(NoRoom, forCheckAndItsParts) {
   writeMesh(file("a.obj"), block({5, 5, 5}, 2));
   const std::string check = "check --fixed a.obj --moving a.obj --poses path.csv ";
   ASSERT_LE(run(check + "--shard 1/1 --out part").exit_code, 1);
-  expectTold(check + "--out o/table.csv", "o", {"table.csv"});
-  expectTold(check + "--shard 1/1 --out o/part", "o", {"part"});
-  expectTold("merge part --out o/table.csv", "o", {"table.csv"});
+  expectMessage(check + "--out o/table.csv", "o", {"table.csv"});
+  expectMessage(check + "--shard 1/1 --out o/part", "o", {"part"});
+  expectMessage("merge part --out o/table.csv", "o", {"table.csv"});
 }
 
 TEST_F(NoRoom, forMeshesPathsBladesAndScenes) {
   for (const std::string mesh : {"blisk.stl", "blisk.obj", "blisk.ply"}) {
-    expectTold("make blisk --triangles 10000 --out o/" + mesh, "o", {mesh});
+    expectMessage("make blisk --triangles 10000 --out o/" + mesh, "o", {mesh});
   }
   for (const std::string part : {"belt", "contact-wheel", "drive-wheel", "arm"}) {
-    expectTold("make " + part + " --out o/part.stl", "o", {"part.stl"});
+    expectMessage("make " + part + " --out o/part.stl", "o", {"part.stl"});
   }
-  expectTold("make grinder --out o", "o",
-             {"belt_contact_side.ply", "belt_back.ply", "contact_wheel.ply", "drive_wheel.ply", "arm.ply",
-              "tool.json"});
-  expectTold("path --out o/path.csv", "o", {"path.csv"});
-  expectTold("path --format apt --out o/path.cl", "o", {"path.cl"});
-  expectTold("blades --out o", "o", {"blades.csv", "blades.png"});
-  expectTold("gallery hello-shape --out o", "o", {"hello-shape.csv", "hello-shape.png"});
+  expectMessage("make grinder --out o", "o",
+                {"belt_contact_side.ply", "belt_back.ply", "contact_wheel.ply", "drive_wheel.ply", "arm.ply",
+                 "tool.json"});
+  expectMessage("path --out o/path.csv", "o", {"path.csv"});
+  expectMessage("path --format apt --out o/path.cl", "o", {"path.cl"});
+  expectMessage("blades --out o", "o", {"blades.csv", "blades.png"});
+  expectMessage("gallery hello-shape --out o", "o", {"hello-shape.csv", "hello-shape.png"});
 }
 
 TEST_F(Output, goesThroughLinks) {
@@ -199,7 +199,7 @@ TEST_F(Output, goesThroughLinks) {
   EXPECT_GT(std::filesystem::file_size(file("elsewhere/new.stl")), 84u);
   const Outcome lost = run("path --out lost.csv");
   EXPECT_EQ(lost.exit_code, 2);
-  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written: there is no folder "));
+  EXPECT_THAT(lost.error, HasSubstr("lost.csv: cannot be written: the folder "));
   // The table of a study too.
   writePoses(file("poses.csv"), std::vector<Pose>{at(0, 0, 0)});
   writeMesh(file("a.obj"), block({5, 5, 5}, 2));

@@ -88,7 +88,7 @@ TEST_F(PaperCommand, whatFailsLeavesNoFolder) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() / "kept"));
 }
 
-TEST_F(PaperCommand, badInputIsToldInOneLine) {
+TEST_F(PaperCommand, badInputIsReportedInOneLine) {
   folder_.write("text.stl", "no mesh at all");
   folder_.write("file", "");
   const std::pair<std::string, std::string> cases[] = {

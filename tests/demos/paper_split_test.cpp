@@ -152,10 +152,10 @@ TEST(SplitExperiment, kOptIsThatOfTheCore) {
     const KOpt expected =
         optimalK(small.cloud,
                  {.criterion = KCriterion::least_leaf_volume, .leaf_capacity = fnopOf(column), .seed = 5});
-    EXPECT_EQ(kOfLeast(volumes, column), expected.k);
+    EXPECT_EQ(bestK(volumes, column), expected.k);
     for (std::size_t k = 2; k <= 8; ++k) {
       EXPECT_NEAR(volumes[methodOfClusters(k)][column], expected.cost[k - 2], 1e-9 * expected.cost[k - 2]);
-      EXPECT_LE(nodes[methodOfClusters(kOfLeast(nodes, column))][column], nodes[methodOfClusters(k)][column]);
+      EXPECT_LE(nodes[methodOfClusters(bestK(nodes, column))][column], nodes[methodOfClusters(k)][column]);
     }
   }
 }

@@ -92,8 +92,8 @@ TEST(MethodTables, theLeastOfAColumn) {
   table[0][4] = 1;  // the traditional method must not be chosen
   table[methodOfClusters(5)][4] = 3;
   table[methodOfClusters(7)][4] = 3;
-  EXPECT_EQ(kOfLeast(table, 4), 5u) << "the least of equal k";
-  EXPECT_EQ(kOfLeast(table, 0), 2u);
+  EXPECT_EQ(bestK(table, 4), 5u) << "the least of equal k";
+  EXPECT_EQ(bestK(table, 0), 2u);
   EXPECT_EQ(fnopOf(columnOfFnop(7)), 7u);
 }
 

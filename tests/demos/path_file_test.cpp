@@ -36,11 +36,11 @@ class PathFileTest : public ::testing::Test {
     const std::filesystem::path target = folder_.path() / ("changed" + file.extension().string());
     writeChangedPath(read, file, *blisk_, poses, target);
     const PathFile back = readPathFile(target, *blisk_);
-    EXPECT_EQ(back.moves.size(), read.moves.size());
-    for (std::size_t i = 0; i < std::min(read.moves.size(), back.moves.size()); ++i) {
-      EXPECT_LT((back.moves[i].tool_in_blisk.translation - poses[i].translation).norm(), 1e-9) << i;
-      EXPECT_LT((back.moves[i].tool_in_blisk.rotation - poses[i].rotation).norm(), 1e-8) << i;
-      EXPECT_EQ(back.moves[i].feed, read.moves[i].feed) << i;
+    EXPECT_EQ(back.motions.size(), read.motions.size());
+    for (std::size_t i = 0; i < std::min(read.motions.size(), back.motions.size()); ++i) {
+      EXPECT_LT((back.motions[i].tool_in_blisk.translation - poses[i].translation).norm(), 1e-9) << i;
+      EXPECT_LT((back.motions[i].tool_in_blisk.rotation - poses[i].rotation).norm(), 1e-8) << i;
+      EXPECT_EQ(back.motions[i].feed, read.motions[i].feed) << i;
     }
     const std::vector<std::string> written = linesOf(target);
     std::vector<bool> kept;
@@ -115,7 +115,7 @@ TEST_F(PathFileTest, ofAClFileKeepsAllThatIsNotChanged) {
   }
 }
 
-TEST_F(PathFileTest, aCommentBehindAChangedMoveStays) {
+TEST_F(PathFileTest, aCommentBehindAChangedMotionStays) {
   const auto file =
       folder_.write("path.cl", "GOTO/300,0,0,1,0,0,0,0,1 $$ first\nGOTO/290,0,0,1,0,0,0,0,1\nFINI\n");
   changed(file, {0});

@@ -52,7 +52,7 @@ TEST_F(PathRepairOver, aRidgeGoesOverItSmoothlyAndTouchesNothing) {
   ASSERT_EQ(repair.path.size(), path.size());
   EXPECT_TRUE(repair.isFree());
   EXPECT_EQ(repair.interferedBefore(), 9u) << "the bit is 2 wide, the ridge 6";
-  EXPECT_EQ(repair.posesLeft() + repair.movesLeft(), 0u);
+  EXPECT_EQ(repair.posesLeft() + repair.motionsLeft(), 0u);
   EXPECT_GT(repair.changed(), 9u) << "it also lifts and lowers the tool";
   EXPECT_LT(repair.changed(), 29u) << "no more than necessary";
   EXPECT_TRUE(describeLeft(repair, judge_->parts(), BodyNames(1)).empty());
@@ -109,7 +109,7 @@ TEST_F(PathRepairOver, aWallBetweenTwoFreePosesIsNotPassedThrough) {
   const ChangeLimits limits = {.tilt = 0, .slide = 0, .retract = 1, .retract_per_pose = 1};
   const PathRepair repair = repaired(wall, path, limits);
   EXPECT_EQ(repair.posesLeft(), 0u);
-  EXPECT_EQ(repair.movesLeft(), 1u);
+  EXPECT_EQ(repair.motionsLeft(), 1u);
   EXPECT_FALSE(repair.isFree());
   const auto left = describeLeft(repair, judge_->parts(), BodyNames(1));
   ASSERT_EQ(left.size(), 1u);

@@ -187,21 +187,21 @@ TEST(Picture, sameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.pixels, renderSmall(picture, 5).pixels);
 }
 
-TEST(Picture, tellsItsProgressAndIsTheSame) {
+TEST(Picture, reportsProgressWithoutChangingThePicture) {
   for (const unsigned threads : {1u, 3u}) {
-    std::vector<std::size_t> told;
+    std::vector<std::size_t> reported;
     std::size_t of = 0;
     const Image image =
         render(busyPicture(), kWidth, kHeight, threads, [&](std::size_t done, std::size_t bands) {
-          told.push_back(done);
+          reported.push_back(done);
           of = bands;
         });
     EXPECT_TRUE(image.pixels == renderSmall(busyPicture()).pixels);
-    EXPECT_TRUE(std::ranges::is_sorted(told));
+    EXPECT_TRUE(std::ranges::is_sorted(reported));
     if (threads > 1) continue;  // one of them is enough
     ASSERT_GT(of, 1u);
-    ASSERT_EQ(told.size(), of);
-    EXPECT_EQ(told.back(), of);
+    ASSERT_EQ(reported.size(), of);
+    EXPECT_EQ(reported.back(), of);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "demos/read_table.h"
 #include "demos/refusal.h"
 #include "demos/scratch_folder.h"
-#include "toolpath/cl_moves.h"
+#include "toolpath/cl_motions.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -76,20 +76,20 @@ TEST_F(RepairCommand, grindRepairGrindOfTheDefaultBliskEndsClean) {
 TEST_F(RepairCommand, aClFileComesBackAsAClFileWithItsFeeds) {
   ASSERT_EQ(run("grind --no-pictures --poses-only --out first").exit_code, 1);
   const std::vector<Pose> path = readPoses(file("first/path.csv"));
-  std::vector<ToolMove> moves;
-  for (std::size_t i = 222; i < 242; ++i) moves.push_back({path[i], i < 225 ? 0.0 : 1000.0});
-  writeClFile(file("op20.cls"), moves);
+  std::vector<ToolMotion> motions;
+  for (std::size_t i = 222; i < 242; ++i) motions.push_back({path[i], i < 225 ? 0.0 : 1000.0});
+  writeClFile(file("op20.cls"), motions);
   const Outcome repaired = run("repair --path op20.cls --no-report --out repaired");
   EXPECT_EQ(repaired.exit_code, 0) << repaired.out << repaired.error;
   EXPECT_THAT(repaired.out, HasSubstr("Path: repaired/path.cls, "));
   EXPECT_FALSE(std::filesystem::exists(file("repaired/path.csv")));
-  const std::vector<ToolMove> back = toolMovesOf(readClFile(file("repaired/path.cls")));
-  ASSERT_EQ(back.size(), moves.size());
+  const std::vector<ToolMotion> back = toolMotionsOf(readClFile(file("repaired/path.cls")));
+  ASSERT_EQ(back.size(), motions.size());
   std::size_t changed = 0;
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    EXPECT_EQ(back[i].feed, moves[i].feed);
-    changed += (back[i].tool_in_blisk.translation - moves[i].tool_in_blisk.translation).norm() > 1e-6 ||
-               (back[i].tool_in_blisk.rotation - moves[i].tool_in_blisk.rotation).norm() > 1e-6;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    EXPECT_EQ(back[i].feed, motions[i].feed);
+    changed += (back[i].tool_in_blisk.translation - motions[i].tool_in_blisk.translation).norm() > 1e-6 ||
+               (back[i].tool_in_blisk.rotation - motions[i].tool_in_blisk.rotation).norm() > 1e-6;
   }
   EXPECT_GE(changed, 4u);
   EXPECT_EQ(run("grind --path repaired/path.cls --ground-blade 1 --no-pictures --out after").exit_code, 0);

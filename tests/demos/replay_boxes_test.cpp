@@ -11,7 +11,7 @@
 namespace octoblisk::demos {
 namespace {
 
-TEST(ReplayBoxes, haveTheBoxesOfEachLevelAsTheTreeTells) {
+TEST(ReplayBoxes, haveTheBoxesOfEachLevelOfTheTree) {
   const auto tree =
       ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh));
   const std::vector<Vec3> places = {tree.mesh().vertices().front()};

@@ -172,7 +172,7 @@ TEST(InverseKinematics, whereAxes4And6AreInLine_joint4StaysAsItWas) {
   EXPECT_LT(apart(flangeAt(arm, found.joints), flangeAt(arm, joints)), 1e-5);
 }
 
-TEST(InverseKinematics, tellsWhyAPoseIsNotReached) {
+TEST(InverseKinematics, saysWhyAPoseIsNotReached) {
   SixAxisArm arm;
   Pose flange;
   flange.translation = {5000.0, 0.0, 500.0};

@@ -48,7 +48,7 @@ TEST(RobotCell, framesOfBullet_equalForwardKinematics) {
     }
     const Pose tool = cell.setup().blisk_in_base.inverse() * expected[5] * cell.setup().tool_in_flange;
     ASSERT_LT(apart(cell.toolInBlisk(), tool), 1e-8);
-    ASSERT_LT(apart(cell.toolInBlisk(Belief{joints, {}}), tool), 1e-8);
+    ASSERT_LT(apart(cell.toolInBlisk(StateEstimate{joints, {}}), tool), 1e-8);
   }
 }
 
@@ -153,11 +153,11 @@ TEST(RobotCell, detects_whatExactQueriesSay_whereTheToolIsThoughtToBe) {
         inverseKinematics(setup.arm, setup.blisk_in_base * tool_in_blisk * flange_in_tool, readyJoints());
     if (posture.reach != Reach::reached) continue;
     const Joints before = cell.joints();
-    const Belief belief{posture.joints, testing::randomPose(random, 1.0)};
-    const Pose believed = cell.toolInBlisk(belief);
-    ASSERT_LT(apart(believed, tool_in_blisk * belief.tool_error), 1e-5);
+    const StateEstimate estimate{posture.joints, testing::randomPose(random, 1.0)};
+    const Pose believed = cell.toolInBlisk(estimate);
+    ASSERT_LT(apart(believed, tool_in_blisk * estimate.tool_error), 1e-5);
     for (const double reach : {0.0, kReach}) {
-      const std::span<const CellContact> found = cell.detect(belief, reach);
+      const std::span<const CellContact> found = cell.detect(estimate, reach);
       for (std::size_t part = 0; part < setup.tool.size(); ++part) {
         double least = std::numeric_limits<double>::infinity();
         for (const CellContact& contact : found) {
@@ -202,7 +202,7 @@ TEST(RobotCell, detects_theArmsOwnLinks) {
     Joints joints = readyJoints();
     for (double& joint : joints) joint += testing::uniform(random, -0.15, 0.15);
     const std::array<Pose, 6> frames = linkFrames(setup.arm, joints);
-    const std::span<const CellContact> found = cell.detect(Belief{joints, {}}, 0.0);
+    const std::span<const CellContact> found = cell.detect(StateEstimate{joints, {}}, 0.0);
     for (std::size_t link = 0; link < 6; ++link) {
       const bool expected =
           collide(*setup.blisk, hulls[link], setup.blisk_in_base.inverse() * frames[link]).has_value();

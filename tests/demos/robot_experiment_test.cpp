@@ -72,7 +72,7 @@ RobotRunOptions quickOptions() {
   RobotRunOptions options;
   options.speed = 50.0;
   options.control_period = 0.03;
-  options.steps_a_tick = 10;
+  options.steps_per_tick = 10;
   return options;
 }
 
@@ -113,7 +113,7 @@ TEST(CellLayout, theDefaultPath_isReachedWithinLimits_withoutLeaps) {
   }
 }
 
-TEST(CellLayout, tellsHowFarTheArmGets_whereItCannotFollow) {
+TEST(CellLayout, saysHowFarTheArmGets_whereItCannotFollow) {
   StandOptions stand;
   stand.center.x() = 4000.0;
   const std::vector<Pose> path = coarsePathOf({});
@@ -236,7 +236,7 @@ TEST(RobotRun, refusesBladesOfAnotherMesh_andOptionsOutOfRange) {
   options.control_period = 0.0;
   EXPECT_THROW(runRobot(scene, layout, options), std::invalid_argument);
   options = {};
-  options.steps_a_tick = 0;
+  options.steps_per_tick = 0;
   EXPECT_THROW(runRobot(scene, layout, options), std::invalid_argument);
   RobotScene without_clouds = scene;
   without_clouds.clouds.clear();

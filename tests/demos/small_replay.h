@@ -41,7 +41,7 @@ inline Replay smallReplay(const std::string& name = "part") {
   }
   track.series = {{.name = "clearance", .unit = "mm", .values = {1.0, 0.0, std::nan("")}}};
   track.findings = {{.at = 1.0, .verdict = 1, .part = 0, .blade = 2, .side = "forward", .value = 0.25},
-                    {.at = 1.5, .verdict = 1, .move_to = 2}};
+                    {.at = 1.5, .verdict = 1, .motion_to = 2}};
   replay.tracks = {track};
   return replay;
 }

@@ -81,9 +81,9 @@ TEST(SpindleCell, aHeldDrumFeelsStiffnessTimesDepthAndFrictionTimesRadius) {
       EXPECT_NEAR(load.normal_force, force, 0.01 * force);
       EXPECT_NEAR(load.friction_force, friction, 0.01 * friction);
       EXPECT_NEAR(load.force.x(), -force, 0.01 * force) << "towards the axis";
-      const double way = speed > 0.0 ? 1.0 : -1.0;  // the face at -x runs towards +y
-      EXPECT_NEAR(load.force.y(), way * friction, 0.01 * friction);
-      EXPECT_NEAR(load.torque, way * friction * kRadius * 1e-3, 0.01 * friction * kRadius * 1e-3);
+      const double sign = speed > 0.0 ? 1.0 : -1.0;  // the face at -x runs towards +y
+      EXPECT_NEAR(load.force.y(), sign * friction, 0.01 * friction);
+      EXPECT_NEAR(load.torque, sign * friction * kRadius * 1e-3, 0.01 * friction * kRadius * 1e-3);
       EXPECT_NEAR(load.acceleration, 0.0, 1e-3);
     }
   }

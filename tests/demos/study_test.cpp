@@ -125,7 +125,7 @@ TEST_F(StudyFiles, shardsOfEachNumberHoldEachItemOnceInWholeGroups) {
   }
 }
 
-TEST_F(StudyFiles, aShardIsToldAsPartAndWhole) {
+TEST_F(StudyFiles, aShardIsReportedAsPartAndWhole) {
   EXPECT_EQ(parseShard("3/7").index, 3u);
   EXPECT_EQ(parseShard("3/7").count, 7u);
   for (const std::string wrong : {"", "3", "3/", "/7", "0/7", "8/7", "-1/7", "3/7x", "1/0", "3 / 7",
@@ -147,7 +147,8 @@ TEST_F(StudyFiles, mergeRefusesWhatIsNotTheWholeStudyAndNamesTheFile) {
   const std::vector<std::filesystem::path> halves = writeParts(2);
   EXPECT_THAT(refusalOf({parts[0], parts[1], halves[1]}), StartsWith("2_of_2: repeats items of "));
   EXPECT_EQ(refusalOf({parts[0], file("missing")}), "missing: no such file");
-  EXPECT_EQ(refusalOf({parts[0], folder_.path()}), folder_.path().string() + ": is a folder, not a file");
+  EXPECT_EQ(refusalOf({parts[0], folder_.path()}),
+            folder_.path().string() + ": is a folder: give the name of a file");
   EXPECT_THAT(refusalOf({folder_.write("table.csv", squaresTable(kItems))}),
               StartsWith("table.csv: is not a part of a study"));
   EXPECT_THAT(refusalOf({folder_.write("empty", "")}), StartsWith("empty: is not a part of a study"));
@@ -191,7 +192,8 @@ TEST_F(StudyFiles, mergeRefusesAPartCutOffOrChangedAtAnyByte) {
     ASSERT_THAT(refusalOf({parts[0], file("changed")}), StartsWith("changed: ")) << bytes;
   }
   folder_.write("longer", whole + "more");
-  EXPECT_EQ(refusalOf({parts[0], file("longer")}), "longer: has extra bytes after its end");
+  EXPECT_EQ(refusalOf({parts[0], file("longer")}),
+            "longer: has extra bytes after its end: make the part again");
 }
 
 TEST_F(StudyFiles, mergeNeverWritesOverAPart) {
@@ -292,7 +294,7 @@ TEST_F(StudyFiles, ofTwoRunsToOneFileTheSecondIsRefused) {
     if (refused.empty()) refused = messageOf<std::runtime_error>([&] { run({file("all.csv"), {}, true}); });
     return squaresOf(items);
   });
-  EXPECT_EQ(refused, file("all.csv: another run is writing it"));
+  EXPECT_EQ(refused, file("all.csv: another run is writing it: wait for it, or choose another --out"));
   EXPECT_EQ(content("all.csv"), squaresTable(kItems));
 }
 

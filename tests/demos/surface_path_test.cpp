@@ -19,7 +19,7 @@
 #include "models/radians.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/clustered_octree.h"
-#include "toolpath/cl_moves.h"
+#include "toolpath/cl_motions.h"
 #include "toolpath/path_file.h"
 #include "toolpath/pose_file.h"
 
@@ -64,9 +64,9 @@ Vec3 contactOf(const Pose& pose, const SurfacePathOptions& options) {
 
 std::map<int, std::vector<Vec3>> contactsByPass(const SurfacePath& path, const SurfacePathOptions& options) {
   std::map<int, std::vector<Vec3>> passes;
-  for (std::size_t k = 0; k < path.moves.size(); ++k) {
-    if (path.pass_of_move[k] < 0) continue;
-    passes[path.pass_of_move[k]].push_back(contactOf(path.moves[k].tool_in_blisk, options));
+  for (std::size_t k = 0; k < path.motions.size(); ++k) {
+    if (path.pass_of_motion[k] < 0) continue;
+    passes[path.pass_of_motion[k]].push_back(contactOf(path.motions[k].tool_in_blisk, options));
   }
   return passes;
 }
@@ -101,17 +101,17 @@ class SurfacePaths : public ::testing::TestWithParam<PathCase> {
 
 TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFor) {
   const SurfacePath path = makeSurfacePath(contours(), options());
-  ASSERT_EQ(path.moves.size(), path.pass_of_move.size());
+  ASSERT_EQ(path.motions.size(), path.pass_of_motion.size());
   const bool at_edge = options().region == leading_edge;
-  for (std::size_t k = 0; k < path.moves.size(); ++k) {
-    const Pose& pose = path.moves[k].tool_in_blisk;
+  for (std::size_t k = 0; k < path.motions.size(); ++k) {
+    const Pose& pose = path.motions[k].tool_in_blisk;
     ASSERT_TRUE((pose.rotation.transpose() * pose.rotation).isIdentity(1e-12));
     ASSERT_NEAR(pose.rotation.determinant(), 1.0, 1e-12);
-    if (path.moves[k].feed == 0.0) {
-      EXPECT_EQ(path.pass_of_move[k], -1);
+    if (path.motions[k].feed == 0.0) {
+      EXPECT_EQ(path.pass_of_motion[k], -1);
       continue;
     }
-    EXPECT_EQ(path.moves[k].feed, 750.0);
+    EXPECT_EQ(path.motions[k].feed, 750.0);
     const Vec3 contact = contactOf(pose, options());
     const auto closest = closestPoint(bladeTree(), contact).value();
     ASSERT_LT(closest.distance, 1e-6) << "on the blade";
@@ -156,7 +156,7 @@ TEST_P(SurfacePaths, passesKeepTheStepOverAndAreNoMoreThanNeeded) {
             (fine.region == leading_edge && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
 }
 
-TEST_P(SurfacePaths, stepsAreSmallAndPassesGoTheWayAskedFor) {
+TEST_P(SurfacePaths, stepsAreSmallAndPassesGoInTheGivenDirection) {
   const SurfacePath path = makeSurfacePath(contours(), options());
   const auto passes = contactsByPass(path, options());
   for (const auto& [pass, contacts] : passes) {
@@ -179,15 +179,15 @@ TEST_P(SurfacePaths, stepsAreSmallAndPassesGoTheWayAskedFor) {
       EXPECT_LE(from_edge, options().edge_reach + 0.5);
     }
   }
-  for (std::size_t k = 1; k < path.moves.size(); ++k) {
-    const Pose& from = path.moves[k - 1].tool_in_blisk;
-    const Pose& to = path.moves[k].tool_in_blisk;
+  for (std::size_t k = 1; k < path.motions.size(); ++k) {
+    const Pose& from = path.motions[k - 1].tool_in_blisk;
+    const Pose& to = path.motions[k].tool_in_blisk;
     EXPECT_LE((to.translation - from.translation).norm(), 2.0 * options().pose_step) << k;
     EXPECT_LE(Eigen::AngleAxisd(Mat3(from.rotation.transpose() * to.rotation)).angle(), radians(12.0)) << k;
   }
-  EXPECT_EQ(path.moves.front().feed, 0.0);
-  EXPECT_EQ(path.moves.back().feed, 0.0);
-  EXPECT_GT(closestPoint(bladeTree(), path.moves.front().tool_in_blisk.translation).value().distance, 9.5);
+  EXPECT_EQ(path.motions.front().feed, 0.0);
+  EXPECT_EQ(path.motions.back().feed, 0.0);
+  EXPECT_GT(closestPoint(bladeTree(), path.motions.front().tool_in_blisk.translation).value().distance, 9.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePaths,
@@ -211,7 +211,7 @@ TEST(SurfacePathChoices, areCheckedInOneLine) {
   EXPECT_THAT(refusal([](auto& o) { o.feed = -1.0; }), HasSubstr("feed"));
   EXPECT_THAT(refusal([](auto& o) { o.height_from = 1.1; }), HasSubstr("height"));
   EXPECT_THAT(refusal([](auto& o) { o.height_from = 0.98; }), HasSubstr("height"));
-  EXPECT_THAT(refusal([](auto& o) { o.edge_margin = 60.0; }), HasSubstr("margins"));
+  EXPECT_THAT(refusal([](auto& o) { o.edge_margin = 60.0; }), HasSubstr("--edge-margin"));
   EXPECT_THAT(refusal([](auto& o) { o.step_over = 1e-9; }), HasSubstr("1,000,000"));
   EXPECT_THAT(refusal([](auto& o) { o.pose_step = 1e-9; }), HasSubstr("1,000,000"));
 }
@@ -223,12 +223,12 @@ class PathCommand : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(PathCommand, writesTheSamePosesEitherWayAndGrindReadsBoth) {
+TEST_F(PathCommand, writesTheSamePosesInBothFormatsAndGrindReadsBoth) {
   const std::string common = "--blade 3 --side concave --step-over 30 --pose-step 10 --retract 20 ";
   ASSERT_EQ(run(common + "--out path.csv").exit_code, 0);
   ASSERT_EQ(run(common + "--format apt --out path.cl").exit_code, 0);
-  const std::vector<ToolMove> table = readMoves(file("path.csv"));
-  const std::vector<ToolMove> cl = toolMovesOf(readClFile(file("path.cl")));
+  const std::vector<ToolMotion> table = readMotions(file("path.csv"));
+  const std::vector<ToolMotion> cl = toolMotionsOf(readClFile(file("path.cl")));
   ASSERT_EQ(table.size(), cl.size());
   for (std::size_t k = 0; k < cl.size(); ++k) {
     EXPECT_EQ(table[k].feed, cl[k].feed);
@@ -267,14 +267,14 @@ TEST_F(PathCommand, noPoseGougesTheBladeThatItGrinds) {
 
 TEST_F(PathCommand, sixNumbersOfItsOwnPathGiveNearlyTheSamePoses) {
   ASSERT_EQ(run("--blade 3 --side convex --step-over 20 --lead 10 --retract 0 --out path.csv").exit_code, 0);
-  const std::vector<ToolMove> table = readMoves(file("path.csv"));
+  const std::vector<ToolMotion> table = readMotions(file("path.csv"));
   ClFile six;
-  for (const ToolMove& move : table) {
-    six.moves.push_back(
-        {move.tool_in_blisk.translation, move.tool_in_blisk.rotation.col(0), std::nullopt, 0.0, 1});
+  for (const ToolMotion& motion : table) {
+    six.motions.push_back(
+        {motion.tool_in_blisk.translation, motion.tool_in_blisk.rotation.col(0), std::nullopt, 0.0, 1});
   }
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(blisk().mesh));
-  const std::vector<ToolMove> completed = toolMovesOf(six, tree);
+  const std::vector<ToolMotion> completed = toolMotionsOf(six, tree);
   ASSERT_EQ(completed.size(), table.size());
   for (std::size_t k = 0; k < table.size(); ++k) {
     const double cosine =
@@ -295,10 +295,10 @@ TEST_F(PathCommand, followsABliskThatLiesAnywhere) {
       0);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(mesh));
   int working = 0;
-  for (const ToolMove& move : readMoves(file("path.csv"))) {
-    if (move.feed == 0.0) continue;
+  for (const ToolMotion& motion : readMotions(file("path.csv"))) {
+    if (motion.feed == 0.0) continue;
     ++working;
-    const Vec3 contact = contactOf(move.tool_in_blisk, {});
+    const Vec3 contact = contactOf(motion.tool_in_blisk, {});
     EXPECT_LT(closestPoint(tree, contact).value().distance, 0.1) << "up to the lift by the facets";
   }
   EXPECT_GT(working, 20);
@@ -312,10 +312,10 @@ TEST_F(PathCommand, ofAClosedBliskTheArmLeavesByTheNearerEndOfTheChannel) {
         0);
     const double away = side == std::string("leading") ? -1.0 : 1.0;  // along the axis
     int working = 0, out = 0;
-    for (const ToolMove& move : readMoves(file("path.csv"))) {
-      if (move.feed == 0.0) continue;
+    for (const ToolMotion& motion : readMotions(file("path.csv"))) {
+      if (motion.feed == 0.0) continue;
       ++working;
-      out += away * move.tool_in_blisk.rotation(2, 0) > 0.3;
+      out += away * motion.tool_in_blisk.rotation(2, 0) > 0.3;
     }
     EXPECT_GT(working, 50) << side;
     EXPECT_GT(out, working * 9 / 10) << side;
@@ -327,7 +327,8 @@ TEST_F(PathCommand, writesAWholeFileOrNone) {
   EXPECT_EQ(run("--blade 25 --out path.csv").exit_code, 2);
   EXPECT_EQ(contentOf(file("path.csv")), "as it was");
   const Outcome refused = run("--step-over 40 --out missing/path.csv");
-  EXPECT_EQ(refused.error, "octoblisk: missing/path.csv: cannot be written: there is no folder missing\n");
+  EXPECT_EQ(refused.error,
+            "octoblisk: missing/path.csv: cannot be written: the folder missing does not exist: create it\n");
   EXPECT_EQ(run("--step-over 40 --out /dev/null").exit_code, 0);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null")) << "not a file that took its place";
 }

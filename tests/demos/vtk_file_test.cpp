@@ -42,7 +42,7 @@ TEST(VtkFile, holdsContactsAndPath) {
   EXPECT_TRUE(std::isnan(bigEndianFloat(path, path.find(clearance) + clearance.size() + 8)));
 }
 
-TEST(VtkFile, tellsUnitsInWords) {
+TEST(VtkFile, writesUnitsInWords) {
   Replay replay = smallReplay("part");
   replay.verdicts.front().name = "free over 30°";
   replay.tracks.front().series.front().name = "tilt, after";

@@ -19,21 +19,22 @@ void requireRigid(const Pose& pose) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::ScratchFolder folder;
   const std::filesystem::path file = folder.write("poses.csv", fuzz::textOf(data, size));
-  std::vector<ToolMove> moves;
+  std::vector<ToolMotion> motions;
   try {
-    moves = readMoves(file);
+    motions = readMotions(file);
   } catch (const std::runtime_error& refusal) {
     fuzz::requireClear(refusal, file);
     return 0;
   }
   const std::filesystem::path copy = folder.path() / "written.csv";
-  writeMoves(copy, moves);
-  const std::vector<ToolMove> again = readMoves(copy);
-  if (again.size() != moves.size()) fuzz::fail("moves were lost");
-  for (std::size_t k = 0; k < moves.size(); ++k) {
-    const Pose &pose = moves[k].tool_in_blisk, &read = again[k].tool_in_blisk;
+  writeMotions(copy, motions);
+  const std::vector<ToolMotion> again = readMotions(copy);
+  if (again.size() != motions.size()) fuzz::fail("moves were lost");
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const Pose &pose = motions[k].tool_in_blisk, &read = again[k].tool_in_blisk;
     requireRigid(pose);
-    if (read.translation != pose.translation || again[k].feed != moves[k].feed) fuzz::fail("a move changed");
+    if (read.translation != pose.translation || again[k].feed != motions[k].feed)
+      fuzz::fail("a move changed");
     if (!((read.rotation - pose.rotation).cwiseAbs().maxCoeff() <= 2e-15)) fuzz::fail("a rotation changed");
   }
   return 0;

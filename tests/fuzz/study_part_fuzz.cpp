@@ -114,7 +114,7 @@ void requireReadable(const MergedStudy& merged, const std::filesystem::path& tab
   if (merged.study.name != kAccessName) return;
   AccessSummary summary;
   for (const std::string& tally : merged.tallies) summary.add(accessSummaryOfTally(tally));
-  for (const char letter : inWords(summary, questionOfLine(merged.study.options))) {
+  for (const char letter : summaryText(summary, questionOfLine(merged.study.options))) {
     if (letter != '\n' && (letter < ' ' || letter > '~')) fuzz::fail("bytes of a part reach the terminal");
   }
   if (readAccessTable(table).size() != merged.study.items) fuzz::fail("there are not as many rows as points");

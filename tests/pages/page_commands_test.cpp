@@ -125,13 +125,20 @@ TEST(Pages, theStoryEndsClean) {
   EXPECT_THAT(outcomes[3].out, HasSubstr(" 0 interference\n"));
 }
 
-/// Runs every step of the tutorial on the files of the previous steps, with a path of larger steps.
+/// Runs every step of the tutorial on the files of the previous steps, with a path of larger steps. The steps
+/// on Rotor 67, whose mesh is not in the repository, must be the same calls.
 TEST(Pages, theTutorialRuns) {
   const ScratchFolder folder;
   std::map<std::string, bool> is_clean;
+  std::set<std::string> calls;
   for (const CodeBlock& block : blocksOf(Kind::tutorial)) {
     SCOPED_TRACE(block.place());
     std::string call = block.text.substr(0, block.text.find('\n'));
+    if (call.find("rotor67.stl") != std::string::npos) {
+      EXPECT_TRUE(calls.contains(replaced(call, "rotor67.stl", "blisk.stl"))) << call;
+      continue;
+    }
+    calls.insert(call);
     const std::string command = found(call, "^octoblisk ([a-z]+)").at(0);
     const std::string out = found(call, "--out ([a-z.]+)").at(0);
     if (command == "path") call += " --step-over 20 --pose-step 8";

@@ -95,7 +95,7 @@ TEST(Pages, nameProgramsAndOptionsOfBenchmarks) {
   }
 }
 
-TEST(Pages, tellOfRowsAsTheyAre) {
+TEST(Pages, quoteRowsAsTheyAre) {
   int rows = 0;
   for (const CodeBlock& block : blocksOf(Kind::row)) {
     const std::vector<std::string> keys = found(block.text, "\"([a-z_]+)\"");

@@ -58,7 +58,7 @@ TEST(BadUse, tooManyPartsInAnInterface) {
             "the mesh has 1025 parts; Bullet numbers at most 1024");
 }
 
-TEST(BadUse, aMissingRegistrationIsTold) {
+TEST(BadUse, aMissingRegistrationIsReported) {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   EXPECT_FALSE(isRegistered(&dispatcher));

@@ -63,7 +63,7 @@ TEST(Broadphase, masksCountWithoutAFilter) {
   EXPECT_EQ(tight.pairs(), 1);
 }
 
-TEST(Broadphase, ghostsAreToldByTheirBoxes) {
+TEST(Broadphase, ghostsGetPairsByTheirBoxes) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   btSphereShape sphere(btScalar(0.5));
   btGhostPairCallback callback;

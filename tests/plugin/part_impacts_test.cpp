@@ -26,7 +26,7 @@ using testing::randomPoint;
 
 constexpr double kDt = 1.0 / 60.0;
 constexpr double kNear = 0.01;
-constexpr double kMostSlack = SweepOptions{}.slack;
+constexpr double kMaxSlack = SweepOptions{}.slack;
 /// By how much Bullet's GJK is off for bodies of about a unit.
 constexpr double kOracleError = 1e-3;
 
@@ -111,7 +111,7 @@ bool checkImpact(const btRigidBody& a, const btRigidBody& b) {
   if (!impact || !reversed) return false;
   const double here = distanceAt(a, b, double(impact->fraction));
   EXPECT_TRUE(impact->converged);
-  EXPECT_LT(here, (1.0 + kMostSlack) * kNear + kOracleError);
+  EXPECT_LT(here, (1.0 + kMaxSlack) * kNear + kOracleError);
   EXPECT_GT(here, kNear - kOracleError);
   EXPECT_NEAR(here, impact->distance, kOracleError);
   EXPECT_NEAR((impact->point_on_a - impact->point_on_b).length(), impact->distance, kOracleError);
@@ -238,7 +238,7 @@ TEST(ConvexImpact, ballOntoAPlate_vs_closedForm) {
   ASSERT_TRUE(impact);
   const double gap = 4.0 - 0.25 - 0.001 - 0.05, reached = kNear + 0.05;
   EXPECT_LE(impact->fraction, (gap - kNear) / 10.0 + 1e-5);
-  EXPECT_GE(impact->fraction, (gap - kNear - kMostSlack * reached) / 10.0 - 1e-5);
+  EXPECT_GE(impact->fraction, (gap - kNear - kMaxSlack * reached) / 10.0 - 1e-5);
   EXPECT_NEAR(impact->distance, gap - 10.0 * double(impact->fraction), 1e-5);
   EXPECT_NEAR(impact->point_on_a.z(), 3.0 - 0.25 - 9.0 * double(impact->fraction), 1e-5);
   EXPECT_NEAR(impact->point_on_b.z(), -0.999 + double(impact->fraction), 1e-5);

@@ -100,7 +100,7 @@ class DepthQuery {
   bool liesOn(TrianglePair pair);
   void noteBarrier(std::uint32_t triangle_b);
   bool isBarrier(std::uint32_t triangle_b) const;
-  bool hasOpenWay(std::uint32_t corner_of_b) const;
+  bool isReachable(std::uint32_t corner_of_b) const;
   void findInside();
   void spread(std::uint32_t from);
   void search();
@@ -117,7 +117,7 @@ class DepthQuery {
   void divide(const Part& part);
   Cut cutOf(const Part& part) const;
   double boundOf(const Part& part);
-  double boundByWayOut(const Part& part);
+  double boundByMovingOut(const Part& part);
   Vec3 outwards(std::uint32_t triangle_a) const;
   bool isOutside(const Triangle& triangle) const;
   void gatherExtremes(const Part& part);

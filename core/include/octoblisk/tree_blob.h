@@ -27,7 +27,7 @@ std::vector<std::byte> toBlob(const ClusteredOctree& tree);
 
 /// The tree of a blob, over the mesh that it was built for. Without an owner, the bytes are copied. With an
 /// owner, which must keep the bytes unchanged, they are used in place and must begin at a multiple of 64.
-/// Throws std::invalid_argument if the mesh is null or the blob is invalid; the message says what is wrong.
+/// Throws std::invalid_argument if the mesh is null or the blob is invalid; the message names the defect.
 ClusteredOctree fromBlob(std::span<const std::byte> blob, std::shared_ptr<const TriangleMesh> mesh,
                          std::shared_ptr<const void> owner = nullptr);
 

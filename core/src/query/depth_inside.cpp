@@ -40,7 +40,7 @@ void DepthQuery::findCrossings() {
   }
   for (const std::uint32_t triangle : marked_) {
     for (const std::uint32_t corner : b_->corners(triangle)) {
-      if (mark_[triangle] == Mark::crossing || hasOpenWay(corner)) addCorner(corner);
+      if (mark_[triangle] == Mark::crossing || isReachable(corner)) addCorner(corner);
     }
   }
 }
@@ -101,8 +101,8 @@ bool DepthQuery::isBarrier(std::uint32_t triangle) const {
   return mark_[triangle] == Mark::crossing || mark_[triangle] == Mark::flat;
 }
 
-/// Whether a triangle around the corner of B is not a barrier.
-bool DepthQuery::hasOpenWay(std::uint32_t corner) const {
+/// Whether a triangle around the corner of B is not a barrier: the search can get to the corner by it.
+bool DepthQuery::isReachable(std::uint32_t corner) const {
   return !std::ranges::all_of(b_->star(corner), [this](std::uint32_t t) { return isBarrier(t); });
 }
 

@@ -88,14 +88,14 @@ double DepthQuery::boundOf(const Part& part) {
   if (candidates_.size() >= 3 && count == 3 && bound > limit()) {
     bound = std::min(bound, levelMean(row(0), row(1), row(2)));
   }
-  if (bound > limit()) bound = std::min(bound, boundByWayOut(part));
+  if (bound > limit()) bound = std::min(bound, boundByMovingOut(part));
   return bound;
 }
 
 /// Moves the part by the limit, in the direction in which its deepest corner is nearest to A's surface. If
 /// the moved part is entirely outside A, each of its points has passed the surface, so none is deeper than
 /// the limit. A part that lies along many triangles of A therefore need not be divided at their edges.
-double DepthQuery::boundByWayOut(const Part& part) {
+double DepthQuery::boundByMovingOut(const Part& part) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   if (boundary_) return kUnbounded;  // the part may move through a hole
   Vec3 out = part.met_begin != part.met_end ? outwards(met_[part.met_begin]) : Vec3::Zero();

@@ -86,16 +86,16 @@ std::vector<std::size_t> stationsOf(std::size_t area, const std::vector<BladeStr
 /// At most `most` of them, spread evenly over their length.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& stations, const SectionGrid& grid,
                                 std::size_t row, int count) {
-  std::vector<double> way = {0.0};
+  std::vector<double> arc = {0.0};
   for (std::size_t k = 1; k < stations.size(); ++k) {
-    way.push_back(way.back() + (grid.at(row, stations[k]).flat - grid.at(row, stations[k - 1]).flat).norm());
+    arc.push_back(arc.back() + (grid.at(row, stations[k]).flat - grid.at(row, stations[k - 1]).flat).norm());
   }
   std::vector<std::size_t> chosen;
   for (int k = 0; k < count; ++k) {
-    const double wanted = way.back() * k / (count - 1);
-    const auto after = std::lower_bound(way.begin(), way.end(), wanted);
-    std::size_t nearest = static_cast<std::size_t>(std::min(after, way.end() - 1) - way.begin());
-    if (nearest > 0 && wanted - way[nearest - 1] < way[nearest] - wanted) --nearest;
+    const double wanted = arc.back() * k / (count - 1);
+    const auto after = std::lower_bound(arc.begin(), arc.end(), wanted);
+    std::size_t nearest = static_cast<std::size_t>(std::min(after, arc.end() - 1) - arc.begin());
+    if (nearest > 0 && wanted - arc[nearest - 1] < arc[nearest] - wanted) --nearest;
     if (chosen.empty() || chosen.back() != stations[nearest]) chosen.push_back(stations[nearest]);
   }
   return chosen;
@@ -143,7 +143,7 @@ const char* letterOf(BladeArea area) {
   return "";
 }
 
-double BladeStrip::partRound(std::size_t station) const {
+double BladeStrip::loopFraction(std::size_t station) const {
   const std::size_t middle = grid.rows() / 2;
   return grid.at(middle, station).arc / grid.length(middle);
 }

@@ -46,7 +46,7 @@ struct BladeStrip {
   std::array<std::vector<std::size_t>, kBladeAreas.size()> measured_stations{};  ///< wholly in their area
 
   /// The position of a station around the middle row's section, as a fraction 0..1.
-  double partRound(std::size_t station) const;
+  double loopFraction(std::size_t station) const;
 };
 
 /// Throws std::invalid_argument with a one-line message: what BladeCutter refuses, an option out of range, or

@@ -61,7 +61,7 @@ std::vector<double> measuredEverywhere(const CmmExperiment& experiment) {
   for (const std::size_t row : strip.measured_rows) {
     std::vector<std::pair<double, double>> known;  // position around the section, error
     for (const MeasuredPoint& point : experiment.points) {
-      if (point.row == row) known.emplace_back(strip.partRound(point.station), point.before);
+      if (point.row == row) known.emplace_back(strip.loopFraction(point.station), point.before);
     }
     const auto [first_part, first_error] = known.front();
     const auto [last_part, last_error] = known.back();
@@ -69,7 +69,7 @@ std::vector<double> measuredEverywhere(const CmmExperiment& experiment) {
     known.emplace_back(first_part + 1.0, first_error);
     std::vector<double> errors;
     for (std::size_t k = 0; k < grid.stations(); ++k) {
-      const double part = strip.partRound(k);
+      const double part = strip.loopFraction(k);
       std::size_t after = 1;
       while (after + 1 < known.size() && known[after].first < part) ++after;
       const auto& [from, error_from] = known[after - 1];

@@ -21,8 +21,8 @@ class ChordFrame {
         along_((strip.grid.at(row, strip.trailing_edge).flat - origin_).normalized()) {}
 
   Vec2 operator()(const Vec2& flat) const { return turned(flat - origin_); }
-  Vec2 turned(const Vec2& way) const {
-    return {along_.dot(way), along_.x() * way.y() - along_.y() * way.x()};
+  Vec2 turned(const Vec2& vector) const {
+    return {along_.dot(vector), along_.x() * vector.y() - along_.y() * vector.x()};
   }
 
  private:
@@ -72,17 +72,17 @@ Plot errorPlot(const CmmExperiment& experiment, BladeArea area) {
   const BladeStrip& strip = experiment.strip;
   const std::size_t row = middleRow(strip);
   struct Place {
-    double way;
+    double arc;
     const MeasuredPoint* point;
   };
   std::vector<Place> places;
   for (const MeasuredPoint& point : experiment.points) {
     if (point.row != row || point.area != area) continue;
-    double way = strip.grid.at(row, point.station).arc;
-    if (area == BladeArea::leading_edge && way > 0.5 * strip.grid.length(row)) way -= strip.grid.length(row);
-    places.push_back({way, &point});
+    double arc = strip.grid.at(row, point.station).arc;
+    if (area == BladeArea::leading_edge && arc > 0.5 * strip.grid.length(row)) arc -= strip.grid.length(row);
+    places.push_back({arc, &point});
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.way < b.way; });
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.arc < b.arc; });
   Plot plot{.title = areaName(area),
             .x_label = "along the section from the leading edge, mm",
             .y_label = "error, mm",
@@ -90,8 +90,8 @@ Plot errorPlot(const CmmExperiment& experiment, BladeArea area) {
   Series before{.name = "before", .x = {}, .y = {}};
   Series after{.name = "after", .x = {}, .y = {}};
   for (const Place& place : places) {
-    before.x.push_back(place.way);
-    after.x.push_back(place.way);
+    before.x.push_back(place.arc);
+    after.x.push_back(place.arc);
     before.y.push_back(place.point->before);
     after.y.push_back(place.point->after);
   }

@@ -91,7 +91,7 @@ std::vector<double> GrindingPass::removal(std::span<const double> dwells,
   return depths;
 }
 
-std::vector<double> GrindingPass::weighed(std::span<const double> values) const {
+std::vector<double> GrindingPass::weighted(std::span<const double> values) const {
   std::vector<double> sums;
   for (const Pose& pose : poses_) {
     double sum = 0.0;
@@ -113,7 +113,7 @@ std::vector<double> GrindingPass::plan(std::span<const double> wanted, int round
   }
   const auto weighedByArea = [&](std::vector<double> values) {
     for (std::size_t k = 0; k < values.size(); ++k) values[k] *= areas[k];
-    return weighed(values);
+    return weighted(values);
   };
   const std::vector<double> aimed = weighedByArea(depths);
   std::vector<double> dwells = dwellsOfFeed(std::sqrt(process_.least_feed * process_.greatest_feed));

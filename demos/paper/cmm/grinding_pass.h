@@ -82,7 +82,7 @@ class GrindingPass {
 
   void addPose(std::size_t row, std::size_t station);
   /// Hᵀ: for each pose, its removal at each point, weighted with the point's value.
-  std::vector<double> weighed(std::span<const double> values) const;
+  std::vector<double> weighted(std::span<const double> values) const;
 
   const SectionGrid& grid_;
   GrindingProcess process_;

@@ -34,7 +34,7 @@ class SectionGrid {
   bool closed() const { return closed_; }
   double height(std::size_t row) const { return heights_[row]; }
 
-  /// The lower and upper end of a row's cell, half-way to the neighbouring rows; its own height if it has no
+  /// The lower and upper end of a row's cell, halfway to the neighbouring rows; its own height if it has no
   /// neighbour there.
   double cellBottom(std::size_t row) const;
   double cellTop(std::size_t row) const;

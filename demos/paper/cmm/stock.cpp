@@ -27,7 +27,7 @@ std::vector<double> makeStock(const BladeStrip& strip, const StockOptions& optio
   std::vector<double> values;
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     for (std::size_t k = 0; k < grid.stations(); ++k) {
-      values.push_back(field.at(strip.partRound(k), grid.height(row)));
+      values.push_back(field.at(strip.loopFraction(k), grid.height(row)));
     }
   }
 

@@ -16,9 +16,9 @@ constexpr double kTouch = 1e-7;  // mm
 /// touches.
 std::optional<double> touchOf(const ClusteredOctree& part, const NominalPoint& point,
                               const CmmOptions& options) {
-  constexpr int kMostSteps = 10'000;  // needed only if the ball glances along a surface
+  constexpr int kMaxSteps = 10'000;  // needed only if the ball glances along a surface
   double above = options.approach;
-  for (int step = 0; step < kMostSteps && above >= -options.approach; ++step) {
+  for (int step = 0; step < kMaxSteps && above >= -options.approach; ++step) {
     const Vec3 center = point.position + (options.probe_radius + above) * point.normal;
     const auto closest = closestPoint(part, center);
     if (!closest) return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 /// Slices steeper than this against the wheel carry almost nothing; around a thin edge they face away.
-constexpr double kLeastCosine = 0.05;
+constexpr double kMinCosine = 0.05;
 
 /// A station, relative to the wheel.
 struct Reached {
@@ -54,7 +54,7 @@ void findContact(const SectionGrid& grid, std::size_t row, std::size_t station, 
       const SectionGrid::Point& point = grid.at(row, at);
       const double cosine = point.flat_normal.dot(normal);
       const double here = along(at);
-      if (cosine < kLeastCosine) return;
+      if (cosine < kMinCosine) return;
       const double one = 0.5 * (here + along(before));
       const double other = 0.5 * (here + along(next));
       const auto [from, to] = std::minmax({one, other});

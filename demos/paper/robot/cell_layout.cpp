@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeap = 0.5 * std::numbers::pi;
 
 /// How far along a path the arm gets with one branch.
-struct Way {
+struct Followed {
   std::size_t reached = 0;  ///< poses
   Reach why = Reach::reached;
   double margin = std::numeric_limits<double>::infinity();
@@ -24,22 +24,22 @@ double marginOf(const SixAxisArm& arm, const Joints& joints) {
   return std::min(of_limits, std::abs(joints[4]));
 }
 
-Way follow(const SixAxisArm& arm, const CellLayout& layout, const std::vector<Pose>& tool_in_blisk) {
+Followed follow(const SixAxisArm& arm, const CellLayout& layout, const std::vector<Pose>& tool_in_blisk) {
   const Pose flange_in_tool = layout.tool_in_flange.inverse();
-  Way way;
+  Followed followed;
   Joints last = layout.start;
   for (const Pose& pose : tool_in_blisk) {
     const Posture next = inverseKinematics(arm, layout.blisk_in_base * pose * flange_in_tool, last);
-    way.why = next.reach;
+    followed.why = next.reach;
     if (next.reach == Reach::reached && (next.joints - last).cwiseAbs().maxCoeff() > kLeap) {
-      way.why = Reach::beyond_limits;
+      followed.why = Reach::beyond_limits;
     }
-    if (way.why != Reach::reached) return way;
+    if (followed.why != Reach::reached) return followed;
     last = next.joints;
-    way.margin = std::min(way.margin, marginOf(arm, last));
-    ++way.reached;
+    followed.margin = std::min(followed.margin, marginOf(arm, last));
+    ++followed.reached;
   }
-  return way;
+  return followed;
 }
 
 }  // namespace
@@ -63,9 +63,9 @@ Pose bliskInBase(const StandOptions& stand, double turntable_angle, double middl
 
 std::size_t firstNotReached(const SixAxisArm& arm, const CellLayout& layout,
                             const std::vector<Pose>& tool_in_blisk, Reach& why) {
-  const Way way = follow(arm, layout, tool_in_blisk);
-  why = way.why;
-  return way.reached;
+  const Followed followed = follow(arm, layout, tool_in_blisk);
+  why = followed.why;
+  return followed.reached;
 }
 
 CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_blisk, const Aabb& bounds,
@@ -75,7 +75,7 @@ CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_
 
   CellLayout best;
   best.margin = -1.0;
-  Way farthest;
+  Followed farthest;
   farthest.why = Reach::too_far;
   for (int step = 0; step < stand.turntable_steps; ++step) {
     CellLayout layout;
@@ -87,11 +87,11 @@ CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_
     if (starts.count == 0 && farthest.reached == 0) farthest.why = starts.reach;
     for (int start = 0; start < starts.count; ++start) {
       layout.start = starts.joints[static_cast<std::size_t>(start)];
-      const Way way = follow(arm, layout, tool_in_blisk);
-      if (way.reached > farthest.reached) farthest = way;
-      if (way.reached < tool_in_blisk.size() || way.margin <= best.margin) continue;
+      const Followed followed = follow(arm, layout, tool_in_blisk);
+      if (followed.reached > farthest.reached) farthest = followed;
+      if (followed.reached < tool_in_blisk.size() || followed.margin <= best.margin) continue;
       best = layout;
-      best.margin = way.margin;
+      best.margin = followed.margin;
     }
   }
   if (best.margin < 0.0) {

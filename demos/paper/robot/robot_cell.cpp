@@ -160,14 +160,14 @@ Pose RobotCell::linkFrame(std::size_t link) const { return world_->arm().linkFra
 
 Pose RobotCell::toolInBlisk() const { return setup_.blisk_in_base.inverse() * world_->arm().toolInBase(); }
 
-Pose RobotCell::toolInBlisk(const Belief& belief) const {
-  return setup_.blisk_in_base.inverse() * flangeAt(setup_.arm, belief.joints) * setup_.tool_in_flange *
-         belief.tool_error;
+Pose RobotCell::toolInBlisk(const StateEstimate& estimate) const {
+  return setup_.blisk_in_base.inverse() * flangeAt(setup_.arm, estimate.joints) * setup_.tool_in_flange *
+         estimate.tool_error;
 }
 
-std::span<const CellContact> RobotCell::detect(const Belief& belief, double reach) {
+std::span<const CellContact> RobotCell::detect(const StateEstimate& estimate, double reach) {
   ArmMultiBody& arm = world_->arm();
-  arm.showBodies(setup_.arm, belief.joints, setup_.blisk_in_base * toolInBlisk(belief));
+  arm.showBodies(setup_.arm, estimate.joints, setup_.blisk_in_base * toolInBlisk(estimate));
   world_->contacts(reach, contacts_);
   arm.showBodies();
   return contacts_;

@@ -34,7 +34,7 @@ struct RobotCellSetup {
 };
 
 /// The believed state of the arm and its tool: the encoders' values, and the error of the tool.
-struct Belief {
+struct StateEstimate {
   Joints joints;
   Pose tool_error;  ///< in the tool's frame: the believed tool, relative to the tool that the joints give
 };
@@ -79,12 +79,12 @@ class RobotCell {
   Pose toolInBlisk() const;  ///< as Bullet has it
 
   /// The believed pose of the tool.
-  Pose toolInBlisk(const Belief& belief) const;
+  Pose toolInBlisk(const StateEstimate& estimate) const;
 
   /// Bullet's contacts of all moving bodies with the blisk, with all bodies at their believed poses: pairs
   /// from the broadphase, then the closest-points query for each, up to the distance `reach` (mm, >= 0). The
   /// arm itself does not move. The result is valid until the next call.
-  std::span<const CellContact> detect(const Belief& belief, double reach);
+  std::span<const CellContact> detect(const StateEstimate& estimate, double reach);
 
  private:
   class World;

@@ -24,7 +24,7 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
   require(scene.blades.blade_of_triangle.size() == scene.blisk->mesh().triangleCount(),
           "the blade numbers are not for this blisk");
   require(options.control_period > 0.0, "the control period must be above 0 s");
-  require(options.steps_a_tick > 0, "a tick needs at least one step of the world");
+  require(options.steps_per_tick > 0, "a tick needs at least one step of the world");
   require(options.margin >= 0.0, "the margin must be at least 0 mm");
   require(options.k_means.k > 0 && options.leaf_capacity > 0,
           "the numbers of clusters and of points per leaf must be above 0");
@@ -35,8 +35,8 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
 /// Sums the answers of a method over the ticks.
 class Tally {
  public:
-  Tally(RobotMethodResult& result, double period, bool tells_forbidden) : result_(result), period_(period) {
-    if (tells_forbidden) result_.forbidden.emplace();
+  Tally(RobotMethodResult& result, double period, bool counts_forbidden) : result_(result), period_(period) {
+    if (counts_forbidden) result_.forbidden.emplace();
   }
 
   void add(const RobotAnswer& answer, const Touches& truth) {
@@ -134,7 +134,7 @@ class RobotLoop {
       tick.time = static_cast<double>(k) * options_.control_period;
       const Pose wanted = path_.at(tick.time);
       moveTo(wanted);
-      if (k == ticks / 2) run_.joints_half_way = cell_.joints();
+      if (k == ticks / 2) run_.joints_halfway = cell_.joints();
       askAll(k, sense(wanted, tick), tick);
       run_.ticks.push_back(tick);
       if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(ticks));
@@ -156,27 +156,27 @@ class RobotLoop {
     if (run_.ticks.empty()) {
       cell_.place(next);
     } else {
-      cell_.drive(commanded_, next, options_.control_period, options_.steps_a_tick, encoder_error_);
+      cell_.drive(commanded_, next, options_.control_period, options_.steps_per_tick, encoder_error_);
     }
     commanded_ = next;
   }
 
   /// Measures the tool's pose, and records the errors of the arm and of the measurement.
-  Belief sense(const Pose& wanted, RobotTick& tick) {
+  StateEstimate sense(const Pose& wanted, RobotTick& tick) {
     const Joints joints = cell_.joints();
     const Pose tool_in_blisk = cell_.toolInBlisk();
     encoder_error_ = noise_.encoderError();
-    const Belief belief{joints + encoder_error_, noise_.toolError()};
+    const StateEstimate estimate{joints + encoder_error_, noise_.toolError()};
     tick.position_error = (tool_in_blisk.translation - wanted.translation).norm();
     tick.direction_error = angleBetween(tool_in_blisk.rotation, wanted.rotation);
-    tick.tool_in_blisk = cell_.toolInBlisk(belief);
+    tick.tool_in_blisk = cell_.toolInBlisk(estimate);
     tick.sensing_error = (tick.tool_in_blisk.translation - tool_in_blisk.translation).norm();
     run_.least_margin_to_limits = std::min(
         {run_.least_margin_to_limits, (joints - arm_.least).minCoeff(), (arm_.greatest - joints).minCoeff()});
-    return belief;
+    return estimate;
   }
 
-  void askAll(std::size_t k, const Belief& belief, RobotTick& tick) {
+  void askAll(std::size_t k, const StateEstimate& estimate, RobotTick& tick) {
     const Touches touches = truth_.of(cell_.toolInBlisk());
     tick.touch = touches.belt;
     tick.forbidden = touches.forbidden;
@@ -185,7 +185,7 @@ class RobotLoop {
       // Rotates, because the first method finds cold caches.
       const std::size_t m = (k + turn) % kRobotMethods;
       const auto method = static_cast<RobotMethod>(m);
-      const RobotAnswer answer = methods_.ask(method, belief);
+      const RobotAnswer answer = methods_.ask(method, estimate);
       tallies_[m].add(answer, touches);
       tick.seconds[m] = static_cast<float>(answer.taken.processor);
       tick.alarm[m] = answer.touch;

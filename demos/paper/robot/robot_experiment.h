@@ -60,7 +60,7 @@ struct RobotRun {
   RobotRunOptions options;
   CellLayout layout;
   double duration = 0.0;  ///< of the path, s
-  Joints joints_half_way = Joints::Zero();
+  Joints joints_halfway = Joints::Zero();
   std::vector<RobotTick> ticks;
   std::array<RobotMethodResult, kRobotMethods> methods;
   double mean_position_error = 0.0, worst_position_error = 0.0;  ///< mm

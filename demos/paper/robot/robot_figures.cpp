@@ -11,14 +11,14 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr std::size_t kMostStretches = 250;  // per line: more would blur
+constexpr std::size_t kMaxStretches = 250;  // per line: more would blur
 
 using ValueOf = std::function<double(const RobotTick&)>;
 
 /// The greatest value in each of a few hundred intervals of time.
 Series greatest(const RobotRun& run, const std::string& name, const ValueOf& value) {
   Series series{.name = name, .x = {}, .y = {}, .style = SeriesStyle::line};
-  const std::size_t stretch = run.ticks.size() / kMostStretches + 1;
+  const std::size_t stretch = run.ticks.size() / kMaxStretches + 1;
   for (std::size_t begin = 0; begin < run.ticks.size(); begin += stretch) {
     const std::size_t end = std::min(begin + stretch, run.ticks.size());
     double most = value(run.ticks[begin]);
@@ -61,7 +61,7 @@ Plot timePlot(const RobotRun& run) {
 
 Picture cellPicture(const RobotReport& report, const RobotScene& scene) {
   const RobotRun& run = report.runs.front();
-  const std::array<Pose, 6> frames = linkFrames(report.arm, run.joints_half_way);
+  const std::array<Pose, 6> frames = linkFrames(report.arm, run.joints_halfway);
   const std::array<LinkBody, 6> bodies = linkBodies(report.arm);
   Picture picture;
   const LinkBody pedestal{
@@ -78,7 +78,7 @@ Picture cellPicture(const RobotReport& report, const RobotScene& scene) {
   std::vector<Vec3> path;
   for (const Pose& pose : scene.path) path.push_back(run.layout.blisk_in_base * pose.translation);
   picture.scene.addPolyline(path, {.color = palette::kPurple, .width = 2.5f, .hidden_opacity = 0.3f});
-  picture.annotation = {.title = "The simulated cell, half-way along the path",
+  picture.annotation = {.title = "The simulated cell, halfway along the path",
                         .subtitle = "The colliding bodies; the blisk's stand is not drawn",
                         .legend = {{palette::kOrange, "arm"},
                                    {palette::kSky, "belt grinder"},
@@ -98,7 +98,7 @@ std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene
   writeSvg(timePlot(run), folder / "table4_times.svg");
   writePng(cellPicture(report, scene), (folder / "table4_cell.png").string());
   const std::string stretches = " of the first run: the greatest value in each of at most " +
-                                std::to_string(kMostStretches) + " intervals of time.";
+                                std::to_string(kMaxStretches) + " intervals of time.";
   return {{"table4_errors.svg",
            "Distance of the wheel's centre from its target (tracking) and of the measured centre from the "
            "true one (sensing)," +

@@ -9,7 +9,7 @@
 
 namespace octoblisk::demos {
 
-/// Draws into the folder two plots of the first run, and a picture of the cell half-way along it. Throws as
+/// Draws into the folder two plots of the first run, and a picture of the cell halfway along it. Throws as
 /// writeSvg and writePng.
 std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene& scene,
                                      const std::filesystem::path& folder);

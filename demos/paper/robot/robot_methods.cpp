@@ -53,40 +53,41 @@ double RobotMethods::range(RobotMethod method) const {
   }
 }
 
-RobotAnswer RobotMethods::ask(RobotMethod method, const Belief& belief) const {
+RobotAnswer RobotMethods::ask(RobotMethod method, const StateEstimate& estimate) const {
   switch (method) {
     case RobotMethod::traditional:
-      return askBoxes(octrees_.traditional, belief);
+      return askBoxes(octrees_.traditional, estimate);
     case RobotMethod::improved:
-      return askBoxes(octrees_.improved, belief);
+      return askBoxes(octrees_.improved, estimate);
     case RobotMethod::yes_or_no:
-      return askTriangles(belief);
+      return askTriangles(estimate);
     case RobotMethod::exact:
-      return askBullet(belief, 0.0);
+      return askBullet(estimate, 0.0);
     default:
-      return askBullet(belief, options_.margin);
+      return askBullet(estimate, options_.margin);
   }
 }
 
-RobotAnswer RobotMethods::askBoxes(const Segmentation& boxes, const Belief& belief) const {
+RobotAnswer RobotMethods::askBoxes(const Segmentation& boxes, const StateEstimate& estimate) const {
   const TickWatch watch;
   RobotAnswer answer;
-  answer.touch = leavesNear(boxes, cell_.toolInBlisk(belief) * belt_, SeparatingAxes::exact15).isColliding();
+  answer.touch =
+      leavesNear(boxes, cell_.toolInBlisk(estimate) * belt_, SeparatingAxes::exact15).isColliding();
   answer.taken = watch.taken();
   return answer;
 }
 
-RobotAnswer RobotMethods::askTriangles(const Belief& belief) const {
+RobotAnswer RobotMethods::askTriangles(const StateEstimate& estimate) const {
   const TickWatch watch;
   RobotAnswer answer;
-  answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(belief)).has_value();
+  answer.touch = collide(*scene_.blisk, *scene_.tool.front().tree, cell_.toolInBlisk(estimate)).has_value();
   answer.taken = watch.taken();
   return answer;
 }
 
-RobotAnswer RobotMethods::askBullet(const Belief& belief, double reach) const {
+RobotAnswer RobotMethods::askBullet(const StateEstimate& estimate, double reach) const {
   const TickWatch watch;
-  const std::span<const CellContact> contacts = cell_.detect(belief, reach);
+  const std::span<const CellContact> contacts = cell_.detect(estimate, reach);
   RobotAnswer answer;
   answer.taken = watch.taken();
   for (const CellContact& contact : contacts) {

@@ -44,12 +44,12 @@ class RobotMethods {
   /// The volume of the boxes to examine, mm³.
   double range(RobotMethod method) const;
 
-  RobotAnswer ask(RobotMethod method, const Belief& belief) const;
+  RobotAnswer ask(RobotMethod method, const StateEstimate& estimate) const;
 
  private:
-  RobotAnswer askBoxes(const Segmentation& boxes, const Belief& belief) const;
-  RobotAnswer askTriangles(const Belief& belief) const;
-  RobotAnswer askBullet(const Belief& belief, double reach) const;
+  RobotAnswer askBoxes(const Segmentation& boxes, const StateEstimate& estimate) const;
+  RobotAnswer askTriangles(const StateEstimate& estimate) const;
+  RobotAnswer askBullet(const StateEstimate& estimate, double reach) const;
 
   const RobotScene& scene_;
   const RobotRunOptions& options_;

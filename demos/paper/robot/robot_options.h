@@ -24,7 +24,7 @@ struct RobotRunOptions {
   double control_period = 0.004;  ///< s: that of ABB's Externally Guided Motion
   double speed = 20.0;            ///< of the contact wheel's centre along the path, mm/s; assumed
   double turn_rate = 0.5;         ///< greatest, rad/s; assumed
-  int steps_a_tick = 4;           ///< of the Bullet world
+  int steps_per_tick = 4;         ///< of the Bullet world
   double margin = 0.2;            ///< mm: the second exact method reports everything within this distance
   int ground_blade = 1;           ///< the blade that the belt may touch
   detail::KMeansOptions k_means;  ///< for each part, in the paper's method

@@ -75,12 +75,12 @@ Table alarmsTable(const RobotReport& report) {
     for (std::size_t m = 0; m < kRobotMethods; ++m) {
       const auto method = static_cast<RobotMethod>(m);
       const RobotTotals sum = totalsOf(runs, method);
-      const bool tells = runs.front().of(method).forbidden.has_value();
-      table.rows.push_back({path, nameOf(method, runs.front().options),
-                            partText(sum.touch.missed, sum.touching),
-                            partText(sum.touch.false_alarms, sum.ticks - sum.touching),
-                            tells ? partText(sum.wrong.missed, sum.forbidden) : "–",
-                            tells ? partText(sum.wrong.false_alarms, sum.ticks - sum.forbidden) : "–"});
+      const bool counts_forbidden = runs.front().of(method).forbidden.has_value();
+      table.rows.push_back(
+          {path, nameOf(method, runs.front().options), partText(sum.touch.missed, sum.touching),
+           partText(sum.touch.false_alarms, sum.ticks - sum.touching),
+           counts_forbidden ? partText(sum.wrong.missed, sum.forbidden) : "–",
+           counts_forbidden ? partText(sum.wrong.false_alarms, sum.ticks - sum.forbidden) : "–"});
     }
   };
   add_path("ground", report.runs);
@@ -137,7 +137,7 @@ Table assumptionsTable(const RobotReport& report) {
            "ABB's Externally Guided Motion reads and writes positions every 4 ms"},
           {"path speed; greatest turn rate",
            plain(options.speed) + " mm/s; " + fixedText(options.turn_rate, 1) + " rad/s", "assumed"},
-          {"steps of the Bullet world at each tick", std::to_string(options.steps_a_tick), "assumed"},
+          {"steps of the Bullet world at each tick", std::to_string(options.steps_per_tick), "assumed"},
           {"margin of the last method", fixedText(options.margin, 2) + " mm", "assumed"},
           {"octrees of the paper's methods: k per part, FNOP",
            std::to_string(options.k_means.k) + ", " + std::to_string(options.leaf_capacity),

@@ -7,7 +7,7 @@
 
 namespace octoblisk::demos {
 
-/// From pose to pose straight and turning evenly, at constant speed, without stops.
+/// Moves straight from pose to pose and rotates at a constant rate, at constant speed, without stops.
 class TimedPath {
  public:
   /// `speed` (mm/s) is that of the poses' origin; it is lower where the tool would turn faster than

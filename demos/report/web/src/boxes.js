@@ -46,8 +46,8 @@ export class Boxes {
       if (depth !== level && !(depths[i] & kLeaf && depth < level)) continue;
       if (place) {
         const reach = kNear + Math.hypot(halfExtents[3 * i], halfExtents[3 * i + 1], halfExtents[3 * i + 2]);
-        const way = Math.hypot(centers[3 * i] - place.x, centers[3 * i + 1] - place.y, centers[3 * i + 2] - place.z);
-        if (way > reach) continue;
+        const distance = Math.hypot(centers[3 * i] - place.x, centers[3 * i + 1] - place.y, centers[3 * i + 2] - place.z);
+        if (distance > reach) continue;
       }
       center.array.set(centers.subarray(3 * i, 3 * i + 3), 3 * shown);
       extent.array.set(halfExtents.subarray(3 * i, 3 * i + 3), 3 * shown);

@@ -194,9 +194,9 @@ function labelsOf(plot, splits) {
   const room = 13; // pixels
   const labels = splits.map(() => "");
   const zero = splits.indexOf(0);
-  for (const way of [1, -1]) {
+  for (const direction of [1, -1]) {
     let taken = null;
-    for (let i = zero; i >= 0 && i < splits.length; i += way) {
+    for (let i = zero; i >= 0 && i < splits.length; i += direction) {
       const place = plot.valToPos(splits[i], "y");
       if (taken !== null && Math.abs(place - taken) < room) continue;
       taken = place;

@@ -115,7 +115,7 @@ export function sentenceOf(run, track, index) {
     pieces.push(`clearance from forbidden surfaces ${millimetres(clearance[index])} mm, ${run.parts[clearancePart[index]].name} `
       + `from ${bladeText(run, clearanceBlade[index])}`);
   }
-  const changes = track.series.filter((series) => series.told && series.values[index] !== 0)
+  const changes = track.series.filter((series) => series.in_status && series.values[index] !== 0)
     .map((series) => `${series.name} ${Number(series.values[index].toFixed(3))} ${series.unit}`);
   if (changes.length) pieces.push(`changed by ${changes.join(", ")}`);
   return verdict + (pieces.length ? `: ${pieces.join("; ")}` : "");

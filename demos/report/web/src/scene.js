@@ -215,17 +215,17 @@ export class ReplayScene {
       origin.lerp(next, part);
       turn.slerp(nextTurn, part);
     }
-    const way = origin.clone().sub(this.pose.origin);
+    const shift = origin.clone().sub(this.pose.origin);
     this.pose = { origin, turn };
     this.tool.position.copy(origin);
     this.tool.quaternion.copy(turn);
     if (this.follow) {
       // Follows the tool while playing; when paused, turns to the problem.
       const aim = this.player.playing ? null : this.problem();
-      if (aim) way.copy(aim).sub(this.aim);
-      this.aim.add(way);
-      this.camera.position.add(way);
-      this.controls.target.add(way);
+      if (aim) shift.copy(aim).sub(this.aim);
+      this.aim.add(shift);
+      this.camera.position.add(shift);
+      this.controls.target.add(shift);
       this.controls.update();
     }
   }

@@ -6,7 +6,7 @@
 namespace octoblisk::demos {
 
 /// A pose that the tool moves to, and the feed of that motion.
-struct ToolMove {
+struct ToolMotion {
   Pose tool_in_blisk;
   double feed = 0.0;  ///< mm/min; 0: rapid, or not given
 };

@@ -1,4 +1,4 @@
-// Error messages of the command.
+// Prints the messages of the command.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace octoblisk::demos {
 
-/// Writes one line to standard error, even if the message quotes control bytes from the user's input.
-inline void complain(std::string message) {
+/// Writes one line to standard error: an error, a warning or a note. It stays one line even if the message
+/// quotes control bytes from the user's input.
+inline void printMessage(std::string message) {
   std::ranges::replace_if(
       message, [](unsigned char byte) { return byte < ' ' || byte == 127; }, '?');
   std::cerr << "octoblisk: " << message << '\n';

@@ -1,4 +1,4 @@
-#include "grinding/move_check.h"
+#include "grinding/motion_check.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,25 +27,25 @@ bool isInside(const PoseReport& pose, std::size_t part) {
 }
 
 /// Keeps the earlier of two findings on a motion.
-void keepFirst(MoveReport& move, const MoveReport& met) {
-  if (move.outcome != MoveReport::Outcome::free && move.fraction <= met.fraction) return;
-  move.outcome = met.outcome;
-  move.fraction = met.fraction;
-  move.at = met.at;
+void keepFirst(MotionReport& report, const MotionReport& found) {
+  if (report.outcome != MotionReport::Outcome::free && report.fraction <= found.fraction) return;
+  report.outcome = found.outcome;
+  report.fraction = found.fraction;
+  report.at = found.at;
 }
 
 }  // namespace
 
 /// The depth of a part somewhere on a motion, and the blisk's normal there; zero if it does not touch.
-struct MoveCheck::Touch {
+struct MotionCheck::Touch {
   double depth = 0.0;
   Vec3 normal = Vec3::Zero();
 };
 
 /// A section of a motion in which a part may touch.
-struct MoveCheck::Stretch {
-  Motion motion;               ///< the whole motion
-  MoveReport* move = nullptr;  ///< the findings so far
+struct MotionCheck::Stretch {
+  Motion motion;                   ///< the whole motion
+  MotionReport* report = nullptr;  ///< the findings so far
   std::size_t part = 0;
   double begin = 0.0, end = 1.0;  ///< fractions of the motion
   Touch at_begin = {}, at_end = {};
@@ -58,13 +58,14 @@ struct MoveCheck::Stretch {
   double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
 
   void leaveUnproved() const {
-    move->depth_proved = false;
-    move->depth_bound = std::max(move->depth_bound, depthBound());
+    report->depth_proved = false;
+    report->depth_bound = std::max(report->depth_bound, depthBound());
   }
 };
 
-MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
-                     const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads)
+MotionCheck::MotionCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
+                         const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths,
+                         int threads)
     : blisk_(std::move(blisk)),
       parts_(parts),
       rules_(rules),
@@ -80,7 +81,7 @@ MoveCheck::MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<con
   }
 }
 
-MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
+MotionCheck::FarPart MotionCheck::farPartOf(const TriangleMesh& part) {
   FarPart found;
   std::vector<TriangleMesh::Indices> far;
   for (std::size_t t = 0; t < part.triangleCount(); ++t) {
@@ -98,43 +99,43 @@ MoveCheck::FarPart MoveCheck::farPartOf(const TriangleMesh& part) {
 }
 
 /// The greatest path length of the part's points, except points that touch nothing during the whole motion.
-double MoveCheck::lengthOfTouch(std::size_t part, const Motion& motion) const {
+double MotionCheck::lengthOfTouch(std::size_t part, const Motion& motion) const {
   const FarPart& far = far_parts_[part];
   const double of_all = motion.lengthBound(*parts_[part].tree);
   const double of_near = motion.advance().norm() + motion.angle() * far.near_radius;
   if (!far.tree || of_near >= of_all || of_all <= kDepthStep) return of_all;
-  return sweep(*blisk_, *far.tree, motion, kMoveTolerance) ? of_all : of_near;
+  return sweep(*blisk_, *far.tree, motion, kMotionTolerance) ? of_all : of_near;
 }
 
-std::vector<MoveReport> MoveCheck::check(std::span<const PoseReport> poses,
-                                         std::span<const std::size_t> led_to, double clearance) {
-  std::vector<MoveReport> moves(led_to.size());
-  std::vector<std::vector<Stretch>> of_moves(led_to.size());
+std::vector<MotionReport> MotionCheck::check(std::span<const PoseReport> poses,
+                                             std::span<const std::size_t> led_to, double clearance) {
+  std::vector<MotionReport> reports(led_to.size());
+  std::vector<std::vector<Stretch>> of_motions(led_to.size());
   parallelFor(led_to.size(), threads_, [&](std::size_t m, std::size_t) {
     const PoseReport &from = poses[led_to[m] - 1], &to = poses[led_to[m]];
-    sweepMove(from, to, clearance, moves[m]);
-    of_moves[m] = stretchesOf(from, to, moves[m]);
+    sweepMotion(from, to, clearance, reports[m]);
+    of_motions[m] = stretchesOf(from, to, reports[m]);
   });
   std::vector<Stretch> open;
-  for (const std::vector<Stretch>& of_move : of_moves)
-    open.insert(open.end(), of_move.begin(), of_move.end());
+  for (const std::vector<Stretch>& of_motion : of_motions)
+    open.insert(open.end(), of_motion.begin(), of_motion.end());
   while (!open.empty()) {
     parallelFor(open.size(), threads_,
                 [&](std::size_t i, std::size_t) { open[i].is_proved = isProved(open[i]); });
     for (const Stretch& stretch : open) {
       if (!stretch.is_proved) continue;
-      double& bound = stretch.move->depth_bound;
+      double& bound = stretch.report->depth_bound;
       bound = std::max(bound, rules_.maxDepth(stretch.part));
     }
     std::erase_if(open, [](const Stretch& stretch) { return stretch.is_proved; });
     halve(open);
   }
-  return moves;
+  return reports;
 }
 
-void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double clearance,
-                          MoveReport& move) const {
-  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, double clearance,
+                              MotionReport& report) const {
+  const Motion motion = motionBetween(from.tool_in_blisk, to.tool_in_blisk);
   const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const Obstacle* const obstacle = obstacles_.of(part);
@@ -147,22 +148,22 @@ void MoveCheck::sweepMove(const PoseReport& from, const PoseReport& to, double c
     auto met = sweep(obstacle->tree(), *parts_[part].tree, motion, clearance);
     if (!met) continue;
     met->clearance.triangle_a = obstacle->triangleOfAll(met->clearance.triangle_a);
-    MoveReport report;
-    report.outcome = met->converged ? MoveReport::Outcome::hit : MoveReport::Outcome::not_proved;
-    report.fraction = met->fraction;
-    report.at = {part, obstacles_.bodyOfTriangle()[met->clearance.triangle_a], met->clearance};
-    keepFirst(move, report);
+    MotionReport found;
+    found.outcome = met->converged ? MotionReport::Outcome::hit : MotionReport::Outcome::not_proved;
+    found.fraction = met->fraction;
+    found.at = {part, obstacles_.bodyOfTriangle()[met->clearance.triangle_a], met->clearance};
+    keepFirst(report, found);
   }
 }
 
 /// The sections of the motion in which parts that may touch can do so.
-std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
-                                                       MoveReport& move) const {
-  const Motion motion = moveBetween(from.tool_in_blisk, to.tool_in_blisk);
+std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
+                                                           MotionReport& report) const {
+  const Motion motion = motionBetween(from.tool_in_blisk, to.tool_in_blisk);
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
-    Stretch stretch{.motion = motion, .move = &move, .part = part};
+    Stretch stretch{.motion = motion, .report = &report, .part = part};
     const PartDepth *const at_begin = depthOf(from, part), *const at_end = depthOf(to, part);
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
@@ -172,7 +173,7 @@ std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, c
       continue;
     }
     if (!at_begin) {
-      const auto met = sweep(*blisk_, *parts_[part].tree, motion, kMoveTolerance);
+      const auto met = sweep(*blisk_, *parts_[part].tree, motion, kMotionTolerance);
       if (!met) continue;
       stretch.begin = met->fraction;
     }
@@ -181,11 +182,11 @@ std::vector<MoveCheck::Stretch> MoveCheck::stretchesOf(const PoseReport& from, c
   return stretches;
 }
 
-MoveCheck::Touch MoveCheck::touchOf(const PartDepth& depth) const {
+MotionCheck::Touch MotionCheck::touchOf(const PartDepth& depth) const {
   return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
 }
 
-bool MoveCheck::isProved(const Stretch& stretch) const {
+bool MotionCheck::isProved(const Stretch& stretch) const {
   const std::optional<DepthProof>& proof = depth_proofs_[stretch.part];
   const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
   return proof && !up.isZero(1e-6) &&
@@ -193,34 +194,35 @@ bool MoveCheck::isProved(const Stretch& stretch) const {
                       rules_.maxDepth(stretch.part));
 }
 
-void MoveCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
-                            MoveReport& move) const {
-  MoveReport too_deep;
+void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
+                              MotionReport& report) const {
+  MotionReport too_deep;
   const bool is_proved = depth.is_known || depth.depth > rules_.maxDepth(part);
-  too_deep.outcome = is_proved ? MoveReport::Outcome::too_deep : MoveReport::Outcome::not_proved;
+  too_deep.outcome = is_proved ? MotionReport::Outcome::too_deep : MotionReport::Outcome::not_proved;
   too_deep.fraction = fraction;
   too_deep.at = {part, obstacles_.bodyOfTriangle()[depth.triangle_of_blisk], {}};
   too_deep.at.clearance.distance = -depth.depth;
   too_deep.at.clearance.point_on_a = depth.point_on_blisk;
   too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
-  keepFirst(move, too_deep);
+  keepFirst(report, too_deep);
 }
 
 /// Replaces sections by their halves, except those that are short enough or lie after a place that is too
 /// deep.
-void MoveCheck::halve(std::vector<Stretch>& unproved) {
+void MotionCheck::halve(std::vector<Stretch>& unproved) {
   constexpr double kHopeful = 0.9;     // fraction of the limit: beyond it a proof is unlikely
   constexpr double kShortest = 0.125;  // mm
-  constexpr double kLeastPart = 1.0 / 256;
+  constexpr double kMinPart = 1.0 / 256;
   std::vector<Stretch> long_ones;
   for (Stretch& stretch : unproved) {
     if (stretch.path_length == 0.0) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
     const bool hopeful =
         depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
-    const MoveReport& move = *stretch.move;
-    const bool is_behind = move.outcome == MoveReport::Outcome::too_deep && stretch.begin >= move.fraction;
+    const MotionReport& report = *stretch.report;
+    const bool is_behind =
+        report.outcome == MotionReport::Outcome::too_deep && stretch.begin >= report.fraction;
     if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep) &&
-        stretch.end - stretch.begin > kLeastPart) {
+        stretch.end - stretch.begin > kMinPart) {
       long_ones.push_back(std::move(stretch));
       continue;
     }
@@ -243,7 +245,7 @@ void MoveCheck::halve(std::vector<Stretch>& unproved) {
                                        found[i]->depth <= rules_.maxDepth(first.part));
     unproved.push_back(std::move(first));
     if (!is_free) {
-      noteTooDeep(second.part, middle, *found[i], *second.move);
+      noteTooDeep(second.part, middle, *found[i], *second.report);
       second.leaveUnproved();
     } else {
       unproved.push_back(std::move(second));

@@ -15,28 +15,28 @@
 namespace octoblisk::demos {
 
 /// The smallest clearance that a motion can be asked to keep, mm; grind asks for this one.
-inline constexpr double kMoveTolerance = 1e-3;
+inline constexpr double kMotionTolerance = 1e-3;
 
 /// If a part that may touch is not proved to stay within its depth limit (depth_proof.h), its depth is
 /// measured at places at most this far apart, mm, along the path of the points that may touch. Between two
-/// places it may be deeper than at both by half of that path length: MoveReport::depth_bound.
+/// places it may be deeper than at both by half of that path length: MotionReport::depth_bound.
 inline constexpr double kDepthStep = 0.5;
 
-class MoveCheck {
+class MotionCheck {
  public:
   /// All arguments must outlive it. `depths` must be for the same parts.
-  MoveCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
-            const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
+  MotionCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span<const ToolPart> parts,
+              const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
 
   /// Checks the motions to some poses (`led_to`, ascending, above 0), each from the previous pose. The poses
   /// need the depths of the parts that may touch; their clearances (pose_clearances.h) save work.
   /// Conservative advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses
-  /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMoveTolerance) is a
+  /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMotionTolerance) is a
   /// hit. The check also proves that the parts that may touch stay within their depth limits. If it cannot
   /// prove this for the whole motion, it measures the depth in the middle and checks each half. The answers
   /// do not depend on the number of threads.
-  std::vector<MoveReport> check(std::span<const PoseReport> poses, std::span<const std::size_t> led_to,
-                                double clearance);
+  std::vector<MotionReport> check(std::span<const PoseReport> poses, std::span<const std::size_t> led_to,
+                                  double clearance);
 
  private:
   struct Touch;
@@ -49,12 +49,13 @@ class MoveCheck {
 
   static FarPart farPartOf(const TriangleMesh& part);
   double lengthOfTouch(std::size_t part, const Motion& motion) const;
-  void sweepMove(const PoseReport& from, const PoseReport& to, double clearance, MoveReport& move) const;
-  std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MoveReport& move) const;
+  void sweepMotion(const PoseReport& from, const PoseReport& to, double clearance,
+                   MotionReport& report) const;
+  std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MotionReport& report) const;
   bool isProved(const Stretch& stretch) const;
   void halve(std::vector<Stretch>& unproved);
   Touch touchOf(const PartDepth& depth) const;
-  void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MoveReport& move) const;
+  void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MotionReport& report) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::span<const ToolPart> parts_;
