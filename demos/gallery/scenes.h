@@ -8,6 +8,7 @@ namespace octoblisk::gallery {
 std::unique_ptr<GalleryScene> makeHelloShape(const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeChainOfTori(int links, const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makePile(int bodies, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeTower(int cylinders, const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeClothBesideGimpact(const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeGearTrain(const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies, const BuildOptions& tree = {});

@@ -63,10 +63,12 @@ TEST(SurfaceContacts, aBoxOnAnEqualOneIsHeldAtItsFourCorners) {
   constexpr int kCases = 300;
   for (int i = 0; i < kCases; ++i) {
     const auto angle = [&] { return uniform(random, -0.004, 0.004); };
-    const Pose pose{(Eigen::AngleAxisd(angle(), Vec3::UnitX()) * Eigen::AngleAxisd(angle(), Vec3::UnitY()) *
-                     Eigen::AngleAxisd(angle(), Vec3::UnitZ()))
-                        .toRotationMatrix(),
-                    Vec3{uniform(random, -1e-3, 1e-3), uniform(random, -1e-3, 1e-3), 0.52}};
+    const Vec3 angles{angle(), angle(), angle()};
+    const Pose pose{
+        (Eigen::AngleAxisd(angles.x(), Vec3::UnitX()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+         Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()))
+            .toRotationMatrix(),
+        Vec3{uniform(random, -1e-3, 1e-3), uniform(random, -1e-3, 1e-3), 0.52}};
     const Found found(box, box, pose, 0.03);
     const auto tiltTo = [](const Contact& c, const Vec3& facing) { return c.normal.cross(facing).norm(); };
     // A contact of a horizontal face, tilted by less than the two faces may be.

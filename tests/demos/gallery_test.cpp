@@ -49,6 +49,14 @@ TEST(Gallery, theChainHolds) {
   EXPECT_GT(number(*scene, "least_pitch_m"), 0.5);
 }
 
+TEST(Gallery, theTowerStands) {
+  const auto scene = makeTower(5);
+  const double top = number(*scene, "top_m");
+  run(*scene, 20 * 60);
+  EXPECT_NEAR(number(*scene, "top_m"), top, 0.02);
+  EXPECT_LT(number(*scene, "creep_mm"), 250.0);  // half the radius
+}
+
 TEST(Gallery, gearsTurnByTheirTeeth) {
   const auto scene = makeGearTrain();
   run(*scene, 60);

@@ -54,7 +54,10 @@ class SharedCorners {
   };
 
   /// Sorting few corners takes longer than looking at all of them.
-  bool areFew() const { return corners_.size() <= 48; }
+  bool areFew() const {
+    constexpr std::size_t kFew = 48;
+    return corners_.size() <= kFew;
+  }
 
   /// Equal for equal positions, almost never for different ones.
   static double keyOf(const Vec3& position) {

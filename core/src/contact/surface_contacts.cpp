@@ -13,8 +13,8 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The sine of the largest angle between two faces that lie on each other: 0.6°.
-constexpr double kNearlyParallel = 0.01;
+/// The sine of a tilt of a contact's normal that means nothing: 0.6°.
+constexpr double kSlightTilt = 0.01;
 
 std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
   while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
@@ -54,10 +54,10 @@ bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
 
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.size() < 2) return;
-  alignWithFaces(contacts);
   removeLongWays(contacts);
   join(contacts);
   markPast(contacts);
+  alignWithFaces(contacts);
   forEachOfOne(&Contact::triangle_b, contacts, by_b_,
                [&](Members opposite_one) { markInner(contacts, opposite_one, true); });
   forEachOfOne(&Contact::triangle_a, contacts, by_a_,
@@ -66,22 +66,23 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   dropRemoved(contacts);
 }
 
-/// Where two faces are nearly parallel, the contacts of their edges and corners have normals that are
-/// slightly tilted, at random. These are contacts of the faces: they get the normal of the face that is
-/// closest to theirs. The distance stays.
+/// Contacts of edges and corners between nearly parallel faces have slightly tilted normals. A normal within
+/// this tilt of the perpendicular to one of the two faces becomes that perpendicular.
 void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
-  const double nearly_along = std::sqrt(1.0 - kNearlyParallel * kNearlyParallel);
+  constexpr double kAlong = 1.0 - 0.5 * kSlightTilt * kSlightTilt;  // the cosine
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Contact& contact = contacts[c];
+    Vec3& normal = contacts[c].normal;
     const Vec3 of_a = scaledNormal(pairs_[c].a), of_b = scaledNormal(pairs_[c].b);
-    if (isSquare(of_a, contact.normal) || isSquare(of_b, contact.normal)) continue;
-    const double along_a = of_a.dot(contact.normal) / of_a.norm(),
-                 along_b = of_b.dot(contact.normal) / of_b.norm();
-    const bool to_a = !(std::abs(along_a) < std::abs(along_b));
-    const double along = to_a ? along_a : along_b;
-    if (!(std::abs(along) > nearly_along)) continue;
-    contact.normal = std::copysign(1.0, along) * (to_a ? of_a : of_b).normalized();
-    contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
+    if (isSquare(of_a, normal) || isSquare(of_b, normal)) continue;
+    const auto cosineTo = [&](const Vec3& facing) {
+      const double length = facing.norm();
+      return length > 0.0 ? facing.dot(normal) / length : 0.0;
+    };
+    const double along_a = cosineTo(of_a), along_b = cosineTo(of_b);
+    const bool is_a_closer = std::abs(along_a) >= std::abs(along_b);
+    const double along = is_a_closer ? along_a : along_b;
+    if (std::abs(along) > kAlong)
+      normal = std::copysign(1.0, along) * (is_a_closer ? of_a : of_b).normalized();
   }
 }
 
@@ -242,7 +243,7 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
       if (o == c || !is_nearer) return false;
       const Triangle& shares = ownOf(o);
       if (!hasCorner(shares, own[first]) || !hasCorner(shares, own[second])) return false;
-      if (!leansOver(shares, own[first], own[second], towards, kNearlyParallel)) return false;
+      if (!leansOver(shares, own[first], own[second], towards, kSlightTilt)) return false;
       removed_[c] = Removed::inner;
       return true;
     });

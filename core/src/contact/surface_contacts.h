@@ -24,8 +24,8 @@ namespace octoblisk::detail {
 ///   tilts their normals, each in its own direction.
 class SurfaceContacts {
  public:
-  /// Gives contacts between faces that lie on each other the normal of a face; their distances stay. Removes
-  /// the other such contacts from the contacts of A and B and keeps the order. Of the contacts that do not
+  /// Makes normals that are slightly tilted perpendicular to a face; distances and points stay. Removes the
+  /// other kinds from the contacts of A and B and keeps the order. Of the contacts that do not
   /// push the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
   /// outward. A contact whose triangles are apart stays, whichever way they face, if it is connected to no
   /// contact whose triangles meet: thin sheets have two sides. `triangle_a(contact)` and

@@ -165,28 +165,28 @@ class Polytope {
   /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
     std::array<bool, kMaxFaces> replaced;
-    std::array<int, kMaxFaces> seeing;  // the faces that see the vertex and are not yet connected to the rim
-    int seeing_count = 0, replaced_count = 0;
+    std::array<std::size_t, kMaxFaces> seeing;  // the faces that see the vertex
+    std::size_t seeing_count = 0;
+    int replaced_count = 0;
     const double coplanar = kCoplanar * size_;
-    for (int f = 0; f < face_count_; ++f) {
-      const PolytopeFace& face = faces_[static_cast<std::size_t>(f)];
-      replaced[static_cast<std::size_t>(f)] = false;
-      if (f == seen_face || face.normal.dot(vertex.difference) >= face.distance - coplanar)
-        seeing[static_cast<std::size_t>(seeing_count++)] = f;
+    for (std::size_t f = 0; f < static_cast<std::size_t>(face_count_); ++f) {
+      const PolytopeFace& face = faces_[f];
+      replaced[f] = false;
+      if (face.normal.dot(vertex.difference) >= face.distance - coplanar) seeing[seeing_count++] = f;
     }
     Rim rim;
-    const auto take = [&](int f) {
-      replaced[static_cast<std::size_t>(f)] = true;
+    const auto take = [&](std::size_t f) {
+      replaced[f] = true;
       ++replaced_count;
-      rim.take(faces_[static_cast<std::size_t>(f)]);
+      rim.take(faces_[f]);
     };
-    take(seen_face);
+    take(static_cast<std::size_t>(seen_face));
     for (bool spreads = true; spreads;) {
       spreads = false;
-      for (int s = 0; s < seeing_count; ++s) {
-        const auto f = static_cast<std::size_t>(seeing[static_cast<std::size_t>(s)]);
+      for (std::size_t s = 0; s < seeing_count; ++s) {
+        const std::size_t f = seeing[s];
         if (replaced[f] || !rim.touches(faces_[f])) continue;
-        take(static_cast<int>(f));
+        take(f);
         spreads = true;
       }
     }

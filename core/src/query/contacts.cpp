@@ -109,10 +109,8 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
 
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               TriangleCache& near, std::vector<Contact>& found) {
-  const std::span<const std::uint32_t> triangles = near.find(a, b, b_in_a, threshold);
-  found.reserve(triangles.size());
   findConvexContacts(a, b, b_in_a, threshold, found, [&](auto&& visit) {
-    for (const std::uint32_t triangle : triangles) visit(triangle);
+    for (const std::uint32_t triangle : near.find(a, b, b_in_a, threshold)) visit(triangle);
   });
 }
 

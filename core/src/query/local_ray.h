@@ -36,7 +36,7 @@ inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray, double 
   if (!(largest >= Ray::kMinDirection && largest <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
   const Vec3 origin = ray.origin - tree.origin();
   const double distance = origin.cwiseAbs().maxCoeff();
-  if (!(ray.origin.cwiseAbs().maxCoeff() <= TriangleMesh::kMaxCoordinate)) return std::nullopt;
+  if (!(ray.origin.cwiseAbs().maxCoeff() <= TriangleMesh::kMaxCoordinate + rounding)) return std::nullopt;
 
   const double slack =
       2.0 * (kSingleRounding * tree.radius() + kDoubleRounding * distance) + rounding + 0x1p-120;
@@ -52,7 +52,7 @@ inline std::optional<LocalRay> clipped(const Tree& tree, const Ray& ray, double 
     local.origin[static_cast<std::size_t>(i)] = static_cast<float>(origin[i] + start * ray.direction[i]);
     local.direction[static_cast<std::size_t>(i)] = static_cast<float>(ray.direction[i] * unit);
   }
-  local.slack = static_cast<float>(slack);
+  local.slack = static_cast<float>(std::min(slack, 1e30));
   local.scale = largest;
   local.start = start;
   local.length = local.reachOf(std::min(nearest + in_sphere, ray.t_max));

@@ -12,7 +12,8 @@ namespace octoblisk::detail {
 using CandidateVisitor = double (*)(void* context, std::uint32_t triangle);
 
 /// Calls the visitor for every triangle that the ray crosses or touches, and for few others, entering boxes
-/// by ascending t, as long as t is of interest. `rounding`: the error of the ray's own points.
+/// by ascending t, as long as t is of interest. `rounding`: the error of the ray's own points. Ignores
+/// cull_back_faces.
 void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context);
 
 /// walkRay for any callable.
