@@ -57,21 +57,23 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   removeLongWays(contacts);
   join(contacts);
   markPast(contacts);
-  alignWithFaces(contacts);
   forEachOfOne(&Contact::triangle_b, contacts, by_b_,
                [&](Members opposite_one) { markInner(contacts, opposite_one, true); });
   forEachOfOne(&Contact::triangle_a, contacts, by_a_,
                [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
   keepDeepest(contacts);
   dropRemoved(contacts);
+  alignWithFaces(contacts);
 }
 
 /// Contacts of edges and corners between nearly parallel faces have slightly tilted normals. A normal within
-/// this tilt of the perpendicular to one of the two faces becomes that perpendicular.
+/// this tilt of the perpendicular to one of the two faces becomes that perpendicular. The middle between the
+/// points stays, and so does the distance.
 void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
   constexpr double kAlong = 1.0 - 0.5 * kSlightTilt * kSlightTilt;  // the cosine
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Vec3& normal = contacts[c].normal;
+    Contact& contact = contacts[c];
+    Vec3& normal = contact.normal;
     const Vec3 of_a = scaledNormal(pairs_[c].a), of_b = scaledNormal(pairs_[c].b);
     if (isSquare(of_a, normal) || isSquare(of_b, normal)) continue;
     const auto cosineTo = [&](const Vec3& facing) {
@@ -81,8 +83,11 @@ void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
     const double along_a = cosineTo(of_a), along_b = cosineTo(of_b);
     const bool is_a_closer = std::abs(along_a) >= std::abs(along_b);
     const double along = is_a_closer ? along_a : along_b;
-    if (std::abs(along) > kAlong)
-      normal = std::copysign(1.0, along) * (is_a_closer ? of_a : of_b).normalized();
+    if (!(std::abs(along) > kAlong)) continue;
+    normal = std::copysign(1.0, along) * (is_a_closer ? of_a : of_b).normalized();
+    const Vec3 middle = 0.5 * (contact.point_on_a + contact.point_on_b);
+    contact.point_on_a = middle + 0.5 * contact.distance * normal;
+    contact.point_on_b = middle - 0.5 * contact.distance * normal;
   }
 }
 

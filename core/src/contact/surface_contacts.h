@@ -24,7 +24,7 @@ namespace octoblisk::detail {
 ///   tilts their normals, each in its own direction.
 class SurfaceContacts {
  public:
-  /// Makes normals that are slightly tilted perpendicular to a face; distances and points stay. Removes the
+  /// Makes normals that are slightly tilted perpendicular to a face; distances stay. Removes the
   /// other kinds from the contacts of A and B and keeps the order. Of the contacts that do not
   /// push the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
   /// outward. A contact whose triangles are apart stays, whichever way they face, if it is connected to no
