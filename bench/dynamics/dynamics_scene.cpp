@@ -1,7 +1,6 @@
 #include "dynamics/dynamics_scene.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "contenders/gimpact_shape.h"
 #include "octoblisk/depth.h"
@@ -14,22 +13,6 @@ bool meet(const Aabb& a, const Aabb& b) {
 }
 
 }  // namespace
-
-const char* nameOf(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::octoblisk:
-      return "octoblisk";
-    case ShapeKind::bvh:
-      return "bullet-bvh";
-    case ShapeKind::gimpact:
-      return "gimpact";
-    case ShapeKind::hulls:
-      return "hulls";
-    case ShapeKind::plane:
-      return "plane";
-  }
-  return "";
-}
 
 DynamicsScene::DynamicsScene(ShapeKind kind, double time_step, double metres)
     : kind_(kind), time_step_(time_step), metres_(metres) {
@@ -91,41 +74,6 @@ const Solid& DynamicsScene::keep(const shapes::SharedMesh& closed, Pieces pieces
 
 const Solid& DynamicsScene::keepMoving(const shapes::SharedMesh& closed, Pieces pieces) {
   return keep(inPrincipalFrame(closed), std::move(pieces));
-}
-
-btCollisionShape& DynamicsScene::concave(const Solid& solid, bool moves) {
-  const auto mesh = [&] {
-    meshes_.push_back(std::make_unique<gallery::BulletMesh>(*solid.mesh));
-    return meshes_.back()->view();
-  };
-  switch (kind_) {
-    case ShapeKind::octoblisk:
-      return keepShape<ClusteredOctreeShape>(mesh());
-    case ShapeKind::gimpact: {
-      auto& shape = keepShape<btGImpactMeshShape>(mesh());
-      shape.updateBound();
-      return shape;
-    }
-    case ShapeKind::bvh:
-      if (!moves) return keepShape<btBvhTriangleMeshShape>(mesh(), true);
-      [[fallthrough]];
-    case ShapeKind::hulls: {
-      if (solid.pieces.empty()) throw std::logic_error("a solid without pieces cannot use hulls");
-      auto& compound = keepShape<btCompoundShape>();
-      for (const auto& piece : solid.pieces) {
-        auto& hull = keepShape<btConvexHullShape>();
-        for (const std::uint32_t vertex : piece)
-          hull.addPoint(toBullet(solid.mesh->vertices()[vertex]), false);
-        hull.recalcLocalAabb();
-        compound.addChildShape(btTransform::getIdentity(), &hull);
-      }
-      return compound;
-    }
-    case ShapeKind::plane:
-      break;
-  }
-  if (moves) throw std::logic_error("a plane cannot move");
-  return keepShape<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(solid.mesh->bounds().max.z()));
 }
 
 btRigidBody& DynamicsScene::add(btCollisionShape& shape, const Solid& solid, double mass, const Pose& pose) {

@@ -6,22 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/solid.h"
-#include "gallery/bullet_mesh.h"
+#include "dynamics/kept_shapes.h"
 #include "gallery/bullet_world.h"
 
 namespace octoblisk::bench {
-
-/// The shape of a scene's concave bodies. The contenders differ only in it. Everything else, including the
-/// settings of these shapes, is Bullet's default.
-enum class ShapeKind {
-  octoblisk,  ///< ClusteredOctreeShape
-  bvh,        ///< btBvhTriangleMeshShape; a moving solid uses `hulls` instead
-  gimpact,    ///< btGImpactMeshShape
-  hulls,      ///< btCompoundShape of one btConvexHullShape for each piece
-  plane,      ///< btStaticPlaneShape on top of the solid: the ideal of a flat floor
-};
-const char* nameOf(ShapeKind kind);
 
 /// A figure that only one scene reports. Its name includes the unit.
 struct Figure {
@@ -72,13 +60,10 @@ class DynamicsScene {
   const Solid& keepMoving(const shapes::SharedMesh& closed, Pieces pieces = {});
   template <typename Shape, typename... Arguments>
   Shape& keepShape(Arguments&&... arguments) {
-    auto shape = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
-    Shape& kept = *shape;
-    shapes_.push_back(std::move(shape));
-    return kept;
+    return shapes_.keep<Shape>(std::forward<Arguments>(arguments)...);
   }
   /// The solid's shape, of this scene's kind.
-  btCollisionShape& concave(const Solid& solid, bool moves);
+  btCollisionShape& concave(const Solid& solid, bool moves) { return shapes_.concave(kind_, solid, moves); }
 
   /// Mass 0 makes the body static. The friction is 0.5. The inertia is that of the solid. `pose` is the pose
   /// of the solid's mesh.
@@ -95,8 +80,7 @@ class DynamicsScene {
   ShapeKind kind_;
   double time_step_, metres_;
   std::vector<std::unique_ptr<const Solid>> solids_;
-  std::vector<std::unique_ptr<gallery::BulletMesh>> meshes_;
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  KeptShapes shapes_;
   mutable gallery::BulletWorld world_;
   std::vector<Body> moving_, fixed_;
 

@@ -11,6 +11,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "gallery/bullet_world.h"
 #include "models/blisk.h"
 #include "shapes/seeded.h"
 
@@ -61,26 +62,27 @@ BodiesOnBlisk::BodiesOnBlisk(WorldKind world, ShapeKind shapes, int bodies,
 
   constexpr int kWalls = 24;
   const btVector3 none(0, 0, 0);
-  add(fixed_, {&blisk(shapes), none}, 0, btTransform::getIdentity());
-  add(fixed_, {&keepShape<btBoxShape>(btVector3(300, 300, 15)), none}, 0, gallery::at(0, 0, kFloor - 15));
-  auto& wall = keepShape<btBoxShape>(btVector3(5, 36, 150));
+  const Solid blisk(std::make_shared<const TriangleMesh>(demos::makeDefaultBlisk().mesh));
+  add(fixed_, {&shapes_.concave(shapes, blisk, false), none}, 0, btTransform::getIdentity());
+  add(fixed_, {&shapes_.keep<btBoxShape>(btVector3(300, 300, 15)), none}, 0, gallery::at(0, 0, kFloor - 15));
+  auto& wall = shapes_.keep<btBoxShape>(btVector3(5, 36, 150));
   for (int k = 0; k < kWalls; ++k) {
     const Eigen::AngleAxisd turn(2.0 * std::numbers::pi * k / kWalls, Vec3::UnitZ());
     add(fixed_, {&wall, none}, 0, toBullet(Pose{turn.toRotationMatrix(), turn * Vec3(kWall + 5.0, 0, 100)}));
   }
 
-  auto& hull = keepShape<btConvexHullShape>();
+  auto& hull = shapes_.keep<btConvexHullShape>();
   const shapes::SharedMesh stone = shapes::ellipsoid({6, 5, 4}, 6);
   for (const Vec3& vertex : stone->vertices()) hull.addPoint(toBullet(vertex), false);
   hull.recalcLocalAabb();
   const Solid jack(shapes::jack(7, 1.5), piecesOfEight(3, 8, 8));
   const Solid profile(inPrincipalFrame(shapes::uProfile(5, 5, 2, 5)), piecesOfEight(3, 0, 4));
   const Kind a_jack = concave(shapes, jack), a_profile = concave(shapes, profile);
-  const Kind kinds[] = {convex(keepShape<btSphereShape>(btScalar(5))),
+  const Kind kinds[] = {convex(shapes_.keep<btSphereShape>(btScalar(5))),
                         a_jack,
-                        convex(keepShape<btBoxShape>(btVector3(5, 4, 3))),
+                        convex(shapes_.keep<btBoxShape>(btVector3(5, 4, 3))),
                         a_profile,
-                        convex(keepShape<btCapsuleShape>(btScalar(3), btScalar(6))),
+                        convex(shapes_.keep<btCapsuleShape>(btScalar(3), btScalar(6))),
                         a_jack,
                         convex(hull),
                         a_profile};
@@ -110,12 +112,6 @@ int BodiesOnBlisk::lost() const {
   }));
 }
 
-btCollisionShape& BodiesOnBlisk::blisk(ShapeKind shapes) {
-  meshes_.push_back(std::make_unique<gallery::BulletMesh>(demos::makeDefaultBlisk().mesh));
-  if (shapes == ShapeKind::bvh) return keepShape<btBvhTriangleMeshShape>(meshes_.back()->view(), true);
-  return keepShape<ClusteredOctreeShape>(meshes_.back()->view());
-}
-
 BodiesOnBlisk::Kind BodiesOnBlisk::convex(btCollisionShape& shape) const {
   btVector3 inertia;
   shape.calculateLocalInertia(1, inertia);
@@ -123,18 +119,7 @@ BodiesOnBlisk::Kind BodiesOnBlisk::convex(btCollisionShape& shape) const {
 }
 
 BodiesOnBlisk::Kind BodiesOnBlisk::concave(ShapeKind shapes, const Solid& solid) {
-  if (shapes == ShapeKind::octoblisk) {
-    meshes_.push_back(std::make_unique<gallery::BulletMesh>(*solid.mesh));
-    return {&keepShape<ClusteredOctreeShape>(meshes_.back()->view()), toBullet(solid.moments)};
-  }
-  auto& compound = keepShape<btCompoundShape>();
-  for (const auto& piece : solid.pieces) {
-    auto& hull = keepShape<btConvexHullShape>();
-    for (const std::uint32_t vertex : piece) hull.addPoint(toBullet(solid.mesh->vertices()[vertex]), false);
-    hull.recalcLocalAabb();
-    compound.addChildShape(btTransform::getIdentity(), &hull);
-  }
-  return {&compound, toBullet(solid.moments)};
+  return {&shapes_.concave(shapes, solid, true), toBullet(solid.moments)};
 }
 
 btRigidBody& BodiesOnBlisk::add(std::vector<std::unique_ptr<btRigidBody>>& bodies, const Kind& kind,

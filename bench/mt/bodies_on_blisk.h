@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/dynamics_scene.h"
+#include "dynamics/kept_shapes.h"
 
 namespace octoblisk::bench {
 
@@ -44,14 +44,6 @@ class BodiesOnBlisk {
     btVector3 inertia;
   };
 
-  template <typename Shape, typename... Arguments>
-  Shape& keepShape(Arguments&&... arguments) {
-    auto shape = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
-    Shape& kept = *shape;
-    shapes_.push_back(std::move(shape));
-    return kept;
-  }
-  btCollisionShape& blisk(ShapeKind shapes);
   Kind convex(btCollisionShape& shape) const;
   Kind concave(ShapeKind shapes, const Solid& solid);
   btRigidBody& add(std::vector<std::unique_ptr<btRigidBody>>& bodies, const Kind& kind, btScalar mass,
@@ -62,8 +54,7 @@ class BodiesOnBlisk {
   std::unique_ptr<btBroadphaseInterface> broadphase_;
   std::unique_ptr<btConstraintSolver> solver_, solver_of_large_islands_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
-  std::vector<std::unique_ptr<gallery::BulletMesh>> meshes_;
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  KeptShapes shapes_;
   std::vector<std::unique_ptr<btRigidBody>> fixed_, moving_;
 };
 

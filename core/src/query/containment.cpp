@@ -17,8 +17,7 @@ namespace {
 
 /// The rounding error of a half-line in double precision.
 double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
-  return kSingleRounding * tree.radius() +
-         kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
+  return kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
 }
 
 /// The numbers of parts of one surface inside and outside the other solid.
