@@ -3,6 +3,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef _WIN32
+#include <io.h>
+#endif
 
 #include <array>
 #include <cerrno>
@@ -21,9 +24,14 @@ bool isUnfinished(const std::filesystem::path& file) {
   return file.filename().string().starts_with(kUnfinished);
 }
 
-/// The open stream of this process that a name refers to: 1 or 2; 0: none.
+#ifdef _WIN32
+int fsync(int descriptor) { return ::_commit(descriptor); }
+#endif
+
+/// The open stream of this process that a name refers to: 1 or 2; 0: none. On Windows only "-" refers to one.
 int streamOf(const std::filesystem::path& file) {
   if (file == "-") return STDOUT_FILENO;
+#ifndef _WIN32
   struct stat named {
   }, opened{};
   if (::stat(file.c_str(), &named) != 0) return 0;
@@ -32,12 +40,18 @@ int streamOf(const std::filesystem::path& file) {
         ::fstat(stream, &opened) == 0 && opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
     if (is_it) return stream;
   }
+#endif
   return 0;
 }
 
 std::FILE* openFor(const std::filesystem::path& file) {
-  if (const int stream = streamOf(file); stream != 0) return ::fdopen(::dup(stream), "wb");
-  return std::fopen(file.c_str(), "wb");
+  if (const int stream = streamOf(file); stream != 0) {
+#ifdef _WIN32
+    ::_setmode(stream, _O_BINARY);
+#endif
+    return ::fdopen(::dup(stream), "wb");
+  }
+  return std::fopen(file.string().c_str(), "wb");
 }
 
 }  // namespace
@@ -93,8 +107,12 @@ void refuseToWrite(const std::filesystem::path& file, int error) {
 }
 
 void requireOnDisk(const std::filesystem::path& file) {
+#ifdef _WIN32
+  const int opened = ::_wopen(file.c_str(), _O_RDWR | _O_NOINHERIT);
+#else
   const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool is_on_disk = opened >= 0 && ::fsync(opened) == 0;
+#endif
+  const bool is_on_disk = opened >= 0 && fsync(opened) == 0;
   const int error = errno;
   if (opened >= 0) ::close(opened);
   if (!is_on_disk) refuseToWrite(file, error);
@@ -113,8 +131,10 @@ NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(fi
 }
 
 NewFile::~NewFile() {
+  if (!open_ || written_ == file_) return;
+  open_.reset();
   std::error_code ignored;
-  if (open_ && written_ != file_) std::filesystem::remove(written_, ignored);
+  std::filesystem::remove(written_, ignored);
 }
 
 void NewFile::write(std::string_view bytes) {
@@ -124,12 +144,15 @@ void NewFile::write(std::string_view bytes) {
 void NewFile::keep() {
   if (std::fflush(open_.get()) != 0) refuseToWrite(file_, errno);
   if (written_ != file_) {
-    if (::fsync(::fileno(open_.get())) != 0) refuseToWrite(file_, errno);
-    std::error_code error;
-    std::filesystem::rename(written_, place_, error);
-    if (error) refuseToWrite(file_, error.value());
+    if (fsync(::fileno(open_.get())) != 0) refuseToWrite(file_, errno);
   }
-  open_.reset();
+  open_.reset();  // on Windows, an open file cannot be renamed
+  if (written_ == file_) return;
+  std::error_code error, ignored;
+  std::filesystem::rename(written_, place_, error);
+  if (!error) return;
+  std::filesystem::remove(written_, ignored);
+  refuseToWrite(file_, error.default_error_condition().value());
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view bytes) {

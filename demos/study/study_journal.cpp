@@ -1,9 +1,14 @@
 #include "study/study_journal.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef _WIN32
+#include <io.h>
+#include <share.h>
+#else
+#include <sys/file.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -25,12 +30,36 @@ std::string_view textIn(const MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
 
-/// True if the name still refers to the open file.
-bool isStillNamed(const std::filesystem::path& name, std::FILE* file) {
-  struct stat opened = {}, named = {};
-  return ::fstat(::fileno(file), &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+#ifdef _WIN32
+
+/// Opens or creates a file that no other process may write.
+int openLocked(const std::filesystem::path& file, bool& is_locked) {
+  const int opened = ::_wsopen(file.c_str(), _O_RDWR | _O_CREAT | _O_BINARY | _O_NOINHERIT, _SH_DENYWR,
+                               _S_IREAD | _S_IWRITE);
+  is_locked = opened < 0 && errno == EACCES && std::filesystem::exists(file);
+  return opened;
 }
+
+#else
+
+/// True if the name still refers to the open file.
+bool isStillNamed(const std::filesystem::path& name, int file) {
+  struct stat opened = {}, named = {};
+  return ::fstat(file, &opened) == 0 && ::stat(name.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+/// Opens or creates a file; `is_locked` tells that another process has done so. On file systems without
+/// locks, the lock is skipped.
+int openLocked(const std::filesystem::path& file, bool& is_locked) {
+  const int opened = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (opened < 0) return opened;
+  is_locked =
+      (::flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || !isStillNamed(file, opened);
+  return opened;
+}
+
+#endif
 
 }  // namespace
 
@@ -69,25 +98,33 @@ bool StudyJournal::goesToItsEnd() {
 }
 
 void StudyJournal::removeIfEmpty() {
+  if (file_ && named_ && part_.groups.empty()) removeUnfinished();
+}
+
+void StudyJournal::removeUnfinished() {
+#ifdef _WIN32
+  file_.reset();  // an open file cannot be removed
+#endif
   std::error_code ignored;
-  if (file_ && named_ && part_.groups.empty()) std::filesystem::remove(unfinished(), ignored);
+  std::filesystem::remove(unfinished(), ignored);
 }
 
 void StudyJournal::open() {
   if (named_) {
-    const int opened = ::open(unfinished().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    bool is_locked = false;
+    const int opened = openLocked(unfinished(), is_locked);
+    const int error = errno;
     if (opened >= 0) file_.reset(::fdopen(opened, "r+b"));
+    if (is_locked) {
+      file_.reset();  // it belongs to the other run, so it is not removed
+      refuse(out_, "another run is writing it: wait for it, or choose another --out");
+    }
+    errno = error;
   } else {
     file_.reset(std::tmpfile());
   }
   if (!file_) refuseToWrite(out_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-  // On file systems without locks, the lock is skipped.
-  const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  if (named_ && (is_locked || !isStillNamed(unfinished(), file_.get()))) {
-    file_.reset();  // it belongs to the other run, so it is not removed
-    refuse(out_, "another run is writing it: wait for it, or choose another --out");
-  }
 }
 
 /// Finds the answers of an earlier run in the open file.
@@ -124,7 +161,7 @@ bool StudyJournal::isDoneAlready() try {
   finished_ =
       differenceOf(study_, found.study).empty() && found.items == part_.items && missingItems(found).empty();
   if (finished_) part_ = std::move(found);
-  if (finished_) std::filesystem::remove(unfinished());
+  if (finished_) removeUnfinished();
   return finished_;
 } catch (const std::exception&) {  // OUT does not exist, or is another result
   return false;
@@ -154,7 +191,7 @@ void StudyJournal::add(std::span<const AnsweredGroup> groups) {
 
 std::string StudyJournal::rowsOf(const GroupInText& group) {
   std::string rows(group.bytes, '\0');
-  if (std::fseek(file_.get(), static_cast<long>(group.begin), SEEK_SET) != 0 ||
+  if (::fseeko(file_.get(), static_cast<off_t>(group.begin), SEEK_SET) != 0 ||
       std::fread(rows.data(), 1, rows.size(), file_.get()) != rows.size()) {
     refuse(unfinished(), "cannot be read back");
   }
@@ -171,8 +208,7 @@ void StudyJournal::finish() {
     whole.write(form_ == Form::part ? textOf({group.items, rows, group.tally}, head_) : rows);
   }
   whole.keep();
-  std::error_code ignored;
-  if (named_) std::filesystem::remove(unfinished(), ignored);
+  if (named_) removeUnfinished();
   file_.reset();
   finished_ = true;
 }
