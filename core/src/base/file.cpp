@@ -1,18 +1,18 @@
 #include "base/file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #ifdef _WIN32
 #ifndef NOMINMAX
 #define NOMINMAX
 #endif
 #define WIN32_LEAN_AND_MEAN
-#include <fcntl.h>
 #include <io.h>
-#include <sys/stat.h>
 #include <windows.h>
+#undef far
+#undef near
 #else
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -25,106 +25,94 @@
 namespace octoblisk::detail {
 namespace {
 
-[[noreturn]] void fail(const char* what, const std::filesystem::path& file, std::error_code error) {
-  throw std::system_error(error, std::string(what) + ' ' + file.string());
-}
-
-std::error_code lastError() { return {errno, std::generic_category()}; }
-
+// The calls of the operating system. Those that fail set errno.
 #ifdef _WIN32
 
-[[noreturn]] void failToRead(const char* what, const std::filesystem::path& file) {
-  fail(what, file, {static_cast<int>(::GetLastError()), std::system_category()});
+using Status = struct _stat64;
+
+int openToRead(const std::filesystem::path& file) {
+  return ::_wopen(file.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
 }
-
-/// Closed by the destructor.
-class Handle {
- public:
-  explicit Handle(HANDLE handle) : handle_(handle) {}
-  ~Handle() {
-    if (isOpen()) ::CloseHandle(handle_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  bool isOpen() const { return handle_ != nullptr && handle_ != INVALID_HANDLE_VALUE; }
-  HANDLE get() const { return handle_; }
-
- private:
-  HANDLE handle_;
-};
-
-/// Empty for an empty file, which cannot be mapped.
-std::span<const std::byte> mapped(const std::filesystem::path& file) {
-  const Handle opened(::CreateFileW(file.c_str(), GENERIC_READ,
-                                    FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
-                                    OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr));
-  if (!opened.isOpen()) failToRead("cannot open", file);
-  LARGE_INTEGER size;
-  if (!::GetFileSizeEx(opened.get(), &size)) failToRead("cannot read", file);
-  if (size.QuadPart == 0) return {};
-  const Handle mapping(::CreateFileMappingW(opened.get(), nullptr, PAGE_READONLY, 0, 0, nullptr));
-  if (!mapping.isOpen()) failToRead("cannot map", file);
-  const void* const address = ::MapViewOfFile(mapping.get(), FILE_MAP_READ, 0, 0, 0);
-  if (address == nullptr) failToRead("cannot map", file);
-  return {static_cast<const std::byte*>(address), static_cast<std::size_t>(size.QuadPart)};
-}
-
-void unmap(std::span<const std::byte> bytes) { ::UnmapViewOfFile(bytes.data()); }
 
 int createNew(const std::filesystem::path& file) {
   return ::_wopen(file.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
                   _S_IREAD | _S_IWRITE);
 }
 
+int readStatus(int descriptor, Status& status) { return ::_fstat64(descriptor, &status); }
+
 std::ptrdiff_t writeSome(int descriptor, std::span<const std::byte> bytes) {
-  return ::_write(descriptor, bytes.data(),
-                  static_cast<unsigned>(std::min<std::size_t>(bytes.size(), 1u << 30)));
+  constexpr std::size_t kMost = 1u << 30;
+  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMost)));
 }
 
-bool isFlushed(int descriptor) { return ::_commit(descriptor) == 0; }
+int flush(int descriptor) { return ::_commit(descriptor); }
 
-bool isClosed(int descriptor) { return ::_close(descriptor) == 0; }
+int closeDescriptor(int descriptor) { return ::_close(descriptor); }
+
+const void* mapped(int descriptor, std::size_t) {
+  const auto file = reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor));
+  const HANDLE mapping = ::CreateFileMappingW(file, nullptr, PAGE_READONLY, 0, 0, nullptr);
+  const void* const address = mapping == nullptr ? nullptr : ::MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
+  const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
+  if (mapping != nullptr) ::CloseHandle(mapping);  // the address keeps the file mapped
+  if (address == nullptr) errno = error.default_error_condition().value();
+  return address;
+}
+
+void unmap(std::span<const std::byte> bytes) { ::UnmapViewOfFile(bytes.data()); }
 
 #else
 
-/// Empty for an empty file, which cannot be mapped.
-std::span<const std::byte> mapped(const std::filesystem::path& file) {
-  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (opened < 0) fail("cannot open", file, lastError());
-  struct stat status = {};
-  const char* failed = nullptr;
-  void* address = nullptr;
-  if (::fstat(opened, &status) != 0) {
-    failed = "cannot read";
-  } else if (!S_ISREG(status.st_mode)) {
-    failed = "cannot map";
-    errno = EINVAL;
-  } else if (status.st_size > 0) {
-    address = ::mmap(nullptr, static_cast<std::size_t>(status.st_size), PROT_READ, MAP_PRIVATE, opened, 0);
-    if (address == MAP_FAILED) failed = "cannot map";
-  }
-  const std::error_code error = lastError();
-  ::close(opened);
-  if (failed != nullptr) fail(failed, file, error);
-  return {static_cast<const std::byte*>(address), static_cast<std::size_t>(status.st_size)};
-}
+using Status = struct stat;
 
-void unmap(std::span<const std::byte> bytes) { ::munmap(const_cast<std::byte*>(bytes.data()), bytes.size()); }
+int openToRead(const std::filesystem::path& file) { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); }
 
 int createNew(const std::filesystem::path& file) {
   return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
+int readStatus(int descriptor, Status& status) { return ::fstat(descriptor, &status); }
+
 std::ptrdiff_t writeSome(int descriptor, std::span<const std::byte> bytes) {
   return ::write(descriptor, bytes.data(), bytes.size());
 }
 
-bool isFlushed(int descriptor) { return ::fsync(descriptor) == 0; }
+int flush(int descriptor) { return ::fsync(descriptor); }
 
-bool isClosed(int descriptor) { return ::close(descriptor) == 0; }
+int closeDescriptor(int descriptor) { return ::close(descriptor); }
+
+const void* mapped(int descriptor, std::size_t size) {
+  const void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+  return address == MAP_FAILED ? nullptr : address;
+}
+
+void unmap(std::span<const std::byte> bytes) { ::munmap(const_cast<std::byte*>(bytes.data()), bytes.size()); }
 
 #endif
+
+[[noreturn]] void fail(const char* what, const std::filesystem::path& file, std::error_code error) {
+  throw std::system_error(error, std::string(what) + ' ' + file.string());
+}
+
+std::error_code lastError() { return {errno, std::generic_category()}; }
+
+/// An open file, which is closed by the destructor.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) closeDescriptor(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const { return number_; }
+  int close() { return closeDescriptor(std::exchange(number_, -1)); }
+
+ private:
+  int number_;
+};
 
 /// Creates a new file beside another, and returns its name in `beside`.
 int openBeside(const std::filesystem::path& file, std::filesystem::path& beside) {
@@ -150,7 +138,20 @@ bool writeAll(int descriptor, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& file) : bytes_(mapped(file)) {}
+MappedFile::MappedFile(const std::filesystem::path& file) {
+  const Descriptor opened(openToRead(file));
+  if (opened.number() < 0) fail("cannot open", file, lastError());
+  Status status = {};
+  if (readStatus(opened.number(), status) != 0) fail("cannot read", file, lastError());
+  if ((status.st_mode & S_IFMT) != S_IFREG) {
+    fail("cannot map", file, std::make_error_code(std::errc::invalid_argument));
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0) return;  // an empty file cannot be mapped
+  const void* const address = mapped(opened.number(), size);
+  if (address == nullptr) fail("cannot map", file, lastError());
+  bytes_ = {static_cast<const std::byte*>(address), size};
+}
 
 MappedFile::~MappedFile() {
   if (!bytes_.empty()) unmap(bytes_);
@@ -158,11 +159,11 @@ MappedFile::~MappedFile() {
 
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   std::filesystem::path beside;
-  const int descriptor = openBeside(file, beside);
-  if (descriptor < 0) fail("cannot create a file beside", file, lastError());
-  const bool is_written = writeAll(descriptor, bytes) && isFlushed(descriptor);
+  Descriptor opened(openBeside(file, beside));
+  if (opened.number() < 0) fail("cannot create a file beside", file, lastError());
+  const bool is_written = writeAll(opened.number(), bytes) && flush(opened.number()) == 0;
   std::error_code error = is_written ? std::error_code() : lastError();
-  if (!isClosed(descriptor) && !error) error = lastError();
+  if (opened.close() != 0 && !error) error = lastError();
   if (!error) std::filesystem::rename(beside, file, error);
   if (!error) return;
   std::error_code ignored;

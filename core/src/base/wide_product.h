@@ -1,4 +1,4 @@
-// Products of 64-bit integers in 128 bits, also where the compiler has no integers of 128 bits.
+// Products of 64-bit integers in 128 bits, also if the compiler has no 128-bit integers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ struct WideProduct {
   std::uint64_t low, high;
 };
 
-/// The product, from those of 32-bit halves.
+/// The product, computed from the products of 32-bit halves.
 constexpr WideProduct productOfHalves(std::uint64_t a, std::uint64_t b) {
   constexpr std::uint64_t kHalf = 0xffffffffu;
   const std::uint64_t low = (a & kHalf) * (b & kHalf), left = (a >> 32) * (b & kHalf);
