@@ -4,12 +4,8 @@
 
 int main(int argc, char** argv) {
   using namespace octoblisk::demos;
-#ifdef OCTOBLISK_ONLY_CHECK
-  return runCommandLine(argc, argv, OCTOBLISK_VERSION, {addCheckCommand});
-#else
   return runCommandLine(
       argc, argv, OCTOBLISK_VERSION,
       {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addMakeCommand,
        addCheckCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
-#endif
 }

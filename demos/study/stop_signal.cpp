@@ -14,7 +14,7 @@ extern "C" void noteStopSignal(int signal) {
 
 }  // namespace
 
-// In glibc, functions that std::signal interrupts are restarted.
+// glibc restarts the system calls that these signals interrupt.
 StopSignal::StopSignal() {
   stop_signal_received = 0;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {

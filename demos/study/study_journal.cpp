@@ -1,15 +1,5 @@
 #include "study/study_journal.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#ifdef _WIN32
-#include <io.h>
-#include <share.h>
-#else
-#include <sys/file.h>
-#endif
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -29,37 +19,6 @@ namespace {
 std::string_view textIn(const MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
 }
-
-#ifdef _WIN32
-
-/// Opens or creates a file that no other process may write.
-int openLocked(const std::filesystem::path& file, bool& is_locked) {
-  const int opened = ::_wsopen(file.c_str(), _O_RDWR | _O_CREAT | _O_BINARY | _O_NOINHERIT, _SH_DENYWR,
-                               _S_IREAD | _S_IWRITE);
-  is_locked = opened < 0 && errno == EACCES && std::filesystem::exists(file);
-  return opened;
-}
-
-#else
-
-/// True if the name still refers to the open file.
-bool isStillNamed(const std::filesystem::path& name, int file) {
-  struct stat opened = {}, named = {};
-  return ::fstat(file, &opened) == 0 && ::stat(name.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
-         opened.st_dev == named.st_dev;
-}
-
-/// Opens or creates a file; `is_locked` tells that another process has done so. On file systems without
-/// locks, the lock is skipped.
-int openLocked(const std::filesystem::path& file, bool& is_locked) {
-  const int opened = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (opened < 0) return opened;
-  is_locked =
-      (::flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) || !isStillNamed(file, opened);
-  return opened;
-}
-
-#endif
 
 }  // namespace
 
@@ -89,40 +48,22 @@ StudyJournal::~StudyJournal() { removeIfEmpty(); }
 /// Drops a truncated end; also drops a head without answers, which may belong to another study.
 bool StudyJournal::goesToItsEnd() {
   if (part_.groups.empty()) part_.sound_bytes = 0;
-  const auto size = static_cast<off_t>(part_.sound_bytes);
-  if (::ftruncate(::fileno(file_.get()), size) != 0 || std::fseek(file_.get(), 0, SEEK_END) != 0)
-    return false;
+  const std::uint64_t size = part_.sound_bytes;
+  if (!truncateTo(file_.get(), size) || !seekTo(file_.get(), size)) return false;
   if (part_.sound_bytes > 0) return true;
   part_.sound_bytes = head_.size();
   return std::fwrite(head_.data(), 1, head_.size(), file_.get()) == head_.size();
 }
 
 void StudyJournal::removeIfEmpty() {
-  if (file_ && named_ && part_.groups.empty()) removeUnfinished();
-}
-
-void StudyJournal::removeUnfinished() {
-#ifdef _WIN32
-  file_.reset();  // an open file cannot be removed
-#endif
   std::error_code ignored;
-  std::filesystem::remove(unfinished(), ignored);
+  if (file_ && named_ && part_.groups.empty()) std::filesystem::remove(unfinished(), ignored);
 }
 
 void StudyJournal::open() {
-  if (named_) {
-    bool is_locked = false;
-    const int opened = openLocked(unfinished(), is_locked);
-    const int error = errno;
-    if (opened >= 0) file_.reset(::fdopen(opened, "r+b"));
-    if (is_locked) {
-      file_.reset();  // it belongs to the other run, so it is not removed
-      refuse(out_, "another run is writing it: wait for it, or choose another --out");
-    }
-    errno = error;
-  } else {
-    file_.reset(std::tmpfile());
-  }
+  bool is_locked = false;
+  file_ = named_ ? openLocked(unfinished(), is_locked) : openTemporary();
+  if (is_locked) refuse(out_, "another run is writing it: wait for it, or choose another --out");
   if (!file_) refuseToWrite(out_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
@@ -161,7 +102,7 @@ bool StudyJournal::isDoneAlready() try {
   finished_ =
       differenceOf(study_, found.study).empty() && found.items == part_.items && missingItems(found).empty();
   if (finished_) part_ = std::move(found);
-  if (finished_) removeUnfinished();
+  if (finished_) std::filesystem::remove(unfinished());
   return finished_;
 } catch (const std::exception&) {  // OUT does not exist, or is another result
   return false;
@@ -191,7 +132,7 @@ void StudyJournal::add(std::span<const AnsweredGroup> groups) {
 
 std::string StudyJournal::rowsOf(const GroupInText& group) {
   std::string rows(group.bytes, '\0');
-  if (::fseeko(file_.get(), static_cast<off_t>(group.begin), SEEK_SET) != 0 ||
+  if (!seekTo(file_.get(), group.begin) ||
       std::fread(rows.data(), 1, rows.size(), file_.get()) != rows.size()) {
     refuse(unfinished(), "cannot be read back");
   }
@@ -208,7 +149,8 @@ void StudyJournal::finish() {
     whole.write(form_ == Form::part ? textOf({group.items, rows, group.tally}, head_) : rows);
   }
   whole.keep();
-  if (named_) removeUnfinished();
+  std::error_code ignored;
+  if (named_) std::filesystem::remove(unfinished(), ignored);
   file_.reset();
   finished_ = true;
 }

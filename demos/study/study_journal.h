@@ -50,7 +50,6 @@ class StudyJournal {
   void readBack();
   bool goesToItsEnd();
   void removeIfEmpty();
-  void removeUnfinished();
   std::string rowsOf(const GroupInText& group);
   [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& message) const;
 
