@@ -1,4 +1,7 @@
-"""Core and plugin as a Conan 2 package: conan create cmake/conan, in a clone of the repository."""
+"""Core and plugin as a Conan 2 package. In a clone of the repository: conan create cmake/conan.
+
+Untried beyond its build steps.
+"""
 
 import os
 

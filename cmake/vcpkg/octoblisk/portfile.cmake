@@ -1,5 +1,5 @@
-# The port of a clone of the repository: vcpkg install octoblisk --overlay-ports=cmake/vcpkg. Bullet of vcpkg has single
-# precision.
+# In a clone of the repository: vcpkg install octoblisk --overlay-ports=cmake/vcpkg. Its Bullet has single precision.
+# Untried beyond its build steps.
 get_filename_component(SOURCE_PATH ${CMAKE_CURRENT_LIST_DIR}/../../.. ABSOLUTE)
 vcpkg_check_linkage(ONLY_STATIC_LIBRARY)
 vcpkg_cmake_configure(SOURCE_PATH ${SOURCE_PATH} OPTIONS
