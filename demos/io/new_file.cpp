@@ -1,10 +1,5 @@
 #include "io/new_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -21,23 +16,9 @@ bool isUnfinished(const std::filesystem::path& file) {
   return file.filename().string().starts_with(kUnfinished);
 }
 
-/// The open stream of this process that a name refers to: 1 or 2; 0: none.
-int streamOf(const std::filesystem::path& file) {
-  if (file == "-") return STDOUT_FILENO;
-  struct stat named {
-  }, opened{};
-  if (::stat(file.c_str(), &named) != 0) return 0;
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
-    const bool is_it =
-        ::fstat(stream, &opened) == 0 && opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
-    if (is_it) return stream;
-  }
-  return 0;
-}
-
-std::FILE* openFor(const std::filesystem::path& file) {
-  if (const int stream = streamOf(file); stream != 0) return ::fdopen(::dup(stream), "wb");
-  return std::fopen(file.c_str(), "wb");
+OpenFile openToWrite(const std::filesystem::path& file) {
+  const int stream = streamOf(file);
+  return stream != 0 ? openStream(stream) : openFile(file, "wb");
 }
 
 }  // namespace
@@ -50,7 +31,7 @@ bool isDevice(const std::filesystem::path& file) {
          !std::filesystem::is_directory(status);
 }
 
-bool isStandardOutput(const std::filesystem::path& file) { return streamOf(file) == STDOUT_FILENO; }
+bool isStandardOutput(const std::filesystem::path& file) { return streamOf(file) == 1; }
 
 void requireNotRead(const std::string& out, const std::vector<std::filesystem::path>& files_read) {
   for (const std::filesystem::path& input : files_read) {
@@ -93,11 +74,8 @@ void refuseToWrite(const std::filesystem::path& file, int error) {
 }
 
 void requireOnDisk(const std::filesystem::path& file) {
-  const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool is_on_disk = opened >= 0 && ::fsync(opened) == 0;
-  const int error = errno;
-  if (opened >= 0) ::close(opened);
-  if (!is_on_disk) refuseToWrite(file, error);
+  const OpenFile opened = openFile(file, "r+b");
+  if (!opened || !flushToDisk(opened.get())) refuseToWrite(file, errno);
 }
 
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(file_), written_(file_) {
@@ -108,13 +86,14 @@ NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), place_(fi
     place_ = behindLinks(file_);
     written_ = unfinishedName(place_);
   }
-  open_.reset(openFor(written_));
+  open_ = openToWrite(written_);
   if (!open_) refuseToWrite(file_, errno);
 }
 
 NewFile::~NewFile() {
+  open_.reset();  // Windows does not remove an open file
   std::error_code ignored;
-  if (open_ && written_ != file_) std::filesystem::remove(written_, ignored);
+  if (!kept_ && written_ != file_) std::filesystem::remove(written_, ignored);
 }
 
 void NewFile::write(std::string_view bytes) {
@@ -122,14 +101,15 @@ void NewFile::write(std::string_view bytes) {
 }
 
 void NewFile::keep() {
-  if (std::fflush(open_.get()) != 0) refuseToWrite(file_, errno);
+  const bool is_whole = written_ == file_ ? std::fflush(open_.get()) == 0 : flushToDisk(open_.get());
+  if (!is_whole) refuseToWrite(file_, errno);
+  open_.reset();  // Windows does not rename an open file
   if (written_ != file_) {
-    if (::fsync(::fileno(open_.get())) != 0) refuseToWrite(file_, errno);
     std::error_code error;
     std::filesystem::rename(written_, place_, error);
-    if (error) refuseToWrite(file_, error.value());
+    if (error) refuseToWrite(file_, error.default_error_condition().value());
   }
-  open_.reset();
+  kept_ = true;
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view bytes) {

@@ -1,19 +1,14 @@
 // A file that is written completely or not at all. The command writes every file this way.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace octoblisk::demos {
+#include "io/system_file.h"
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, FileCloser>;
+namespace octoblisk::demos {
 
 /// True if the name refers to something that can be written to but not replaced: a device or a pipe, this
 /// process's standard output or error, or "-", which means standard output.
@@ -56,6 +51,7 @@ class NewFile {
  private:
   std::filesystem::path file_, place_, written_;
   OpenFile open_;
+  bool kept_ = false;
 };
 
 /// Writes a whole file this way. Throws std::runtime_error naming the file and the cause.

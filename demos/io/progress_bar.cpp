@@ -20,7 +20,7 @@ constexpr const char* kWipe = "\r\x1b[K";  ///< goes to the beginning of the lin
 ProgressBar::ProgressBar(std::ostream& stream, std::size_t total)
     : stream_(stream),
       total_(std::max<std::size_t>(total, 1)),
-      shown_(isatty(STDERR_FILENO) == 1),
+      shown_(isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
       next_draw_(start_ + kInterval) {}  // short work shows no bar
 

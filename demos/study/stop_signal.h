@@ -1,9 +1,8 @@
 // Handles Ctrl-C, and the signal by which a batch system ends a job.
 #pragma once
 
-#include <signal.h>
-
 #include <array>
+#include <csignal>
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +23,7 @@ class StopSignal {
 
  private:
   static constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
-  std::array<struct sigaction, kSignals.size()> before_;
+  std::array<void (*)(int), kSignals.size()> before_;
 };
 
 /// A run that was stopped before its end.

@@ -1,10 +1,5 @@
 #include "study/study_journal.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -23,13 +18,6 @@ namespace {
 
 std::string_view textIn(const MappedFile& file) {
   return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
-}
-
-/// True if the name still refers to the open file.
-bool isStillNamed(const std::filesystem::path& name, std::FILE* file) {
-  struct stat opened = {}, named = {};
-  return ::fstat(::fileno(file), &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
 }  // namespace
@@ -60,9 +48,8 @@ StudyJournal::~StudyJournal() { removeIfEmpty(); }
 /// Drops a truncated end; also drops a head without answers, which may belong to another study.
 bool StudyJournal::goesToItsEnd() {
   if (part_.groups.empty()) part_.sound_bytes = 0;
-  const auto size = static_cast<off_t>(part_.sound_bytes);
-  if (::ftruncate(::fileno(file_.get()), size) != 0 || std::fseek(file_.get(), 0, SEEK_END) != 0)
-    return false;
+  const std::uint64_t size = part_.sound_bytes;
+  if (!truncateTo(file_.get(), size) || !seekTo(file_.get(), size)) return false;
   if (part_.sound_bytes > 0) return true;
   part_.sound_bytes = head_.size();
   return std::fwrite(head_.data(), 1, head_.size(), file_.get()) == head_.size();
@@ -74,20 +61,11 @@ void StudyJournal::removeIfEmpty() {
 }
 
 void StudyJournal::open() {
-  if (named_) {
-    const int opened = ::open(unfinished().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (opened >= 0) file_.reset(::fdopen(opened, "r+b"));
-  } else {
-    file_.reset(std::tmpfile());
-  }
+  bool is_locked = false;
+  file_ = named_ ? openLocked(unfinished(), is_locked) : openTemporary();
+  if (is_locked) refuse(out_, "another run is writing it: wait for it, or choose another --out");
   if (!file_) refuseToWrite(out_, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-  // On file systems without locks, the lock is skipped.
-  const bool is_locked = ::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  if (named_ && (is_locked || !isStillNamed(unfinished(), file_.get()))) {
-    file_.reset();  // it belongs to the other run, so it is not removed
-    refuse(out_, "another run is writing it: wait for it, or choose another --out");
-  }
 }
 
 /// Finds the answers of an earlier run in the open file.
@@ -154,7 +132,7 @@ void StudyJournal::add(std::span<const AnsweredGroup> groups) {
 
 std::string StudyJournal::rowsOf(const GroupInText& group) {
   std::string rows(group.bytes, '\0');
-  if (std::fseek(file_.get(), static_cast<long>(group.begin), SEEK_SET) != 0 ||
+  if (!seekTo(file_.get(), group.begin) ||
       std::fread(rows.data(), 1, rows.size(), file_.get()) != rows.size()) {
     refuse(unfinished(), "cannot be read back");
   }

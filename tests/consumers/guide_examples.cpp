@@ -115,8 +115,8 @@ void runCore() {
     return read.options().storage == octoblisk::Storage::compact;
   };
   expect(isCompact(treeFrom(file, mesh)) && std::filesystem::exists(file), "core: built and saved");
-  expect(isCompact(treeFrom(file, mesh)) && treeFrom(file, wider).mesh().triangleCount() == 256,
-         "core: mapped");
+  expect(isCompact(treeFrom(file, mesh)), "core: mapped");
+  expect(treeFrom(file, wider).mesh().triangleCount() == 256, "core: built for another mesh");
   std::filesystem::remove(file);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/wide_product.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -14,6 +15,7 @@ using testing::randomPoint;
 using testing::uniform;
 
 __extension__ using Int128 = __int128;
+__extension__ using UnsignedInt128 = unsigned __int128;
 
 int sign(Int128 value) { return (value > 0) - (value < 0); }
 
@@ -28,6 +30,22 @@ int integerOrient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
     sum += difference(d, i) * (difference(b, j) * difference(c, k) - difference(b, k) * difference(c, j));
   }
   return sign(sum);
+}
+
+TEST(WideProduct, halvesEqualIntegersOf128Bits) {
+  std::vector<std::uint64_t> values = {0, 1, 3, 0xffffffff, 0x100000000, 0x100000001};
+  for (std::size_t i = values.size(); i-- > 0;) values.push_back(~values[i]);  // the greatest
+  std::mt19937_64 random(9);
+  for (int i = 0; i < 600; ++i) values.push_back(random() >> random() % 64);
+  for (const std::uint64_t a : values) {
+    for (const std::uint64_t b : values) {
+      const auto expected = static_cast<UnsignedInt128>(a) * b;
+      const WideProduct halves = productOfHalves(a, b), used = product(a, b);
+      ASSERT_EQ(halves.low, static_cast<std::uint64_t>(expected)) << a << ' ' << b;
+      ASSERT_EQ(halves.high, static_cast<std::uint64_t>(expected >> 64)) << a << ' ' << b;
+      ASSERT_TRUE(used.low == halves.low && used.high == halves.high) << a << ' ' << b;
+    }
+  }
 }
 
 TEST(Predicates, orient3dEqualsIntegers) {

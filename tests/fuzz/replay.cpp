@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     for (const auto& entry : std::filesystem::directory_iterator(argv[k])) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-      std::printf("%s\n", entry.path().filename().c_str());
+      std::printf("%s\n", entry.path().filename().string().c_str());
       std::fflush(stdout);  // so the file is known after a crash
       LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
       ++files;

@@ -64,6 +64,14 @@ class MixedShapes {
     if (what == 2) shape.setContactBreakingThreshold(btScalar(0.4 * (x - 0.7)));
   }
 
+  /// Scales the contact breaking thresholds that were set.
+  void scaleThresholds(btScalar factor) {
+    for (const std::unique_ptr<ClusteredOctreeShape>& shape : ours_) {
+      const btScalar threshold = shape->getContactBreakingThreshold(0);  // 0 for the default
+      if (threshold > 0) shape->setContactBreakingThreshold(threshold * factor);
+    }
+  }
+
  private:
   ClusteredOctreeShape& add(const SharedMesh& mesh) {
     ours_.push_back(std::make_unique<ClusteredOctreeShape>(

@@ -36,8 +36,8 @@ ClusteredOctree fromBlob(std::span<const std::byte> blob, std::shared_ptr<const 
 void saveTree(const ClusteredOctree& tree, const std::filesystem::path& file);
 
 /// The tree in a file, used in place. The file stays mapped to memory until the last tree over it is
-/// destroyed; until then only saveTree may replace it. Throws std::runtime_error if the file cannot be
-/// opened, and std::invalid_argument like fromBlob. Both messages name the file.
+/// destroyed; until then only saveTree may replace it, and on Windows nothing can. Throws std::runtime_error
+/// if the file cannot be opened, and std::invalid_argument like fromBlob. Both messages name the file.
 ClusteredOctree mapTree(const std::filesystem::path& file, std::shared_ptr<const TriangleMesh> mesh);
 
 }  // namespace octoblisk

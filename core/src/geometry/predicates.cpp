@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/wide_product.h"
+
 namespace octoblisk::detail {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kUnderflow = 1e-300;
 
 int sign(double value) { return (value > 0.0) - (value < 0.0); }
 
-__extension__ using Wide = unsigned __int128;
-
 /// A sum of products of doubles as integers: exact for all finite doubles, including subnormal ones.
 class ExactSum {
  public:
@@ -28,13 +28,12 @@ class ExactSum {
   void add(double x, double y, double z) {
     if (x == 0.0 || y == 0.0 || z == 0.0) return;
     const Parts px = partsOf(x), py = partsOf(y), pz = partsOf(z);
-    const Wide xy = static_cast<Wide>(px.mantissa) * py.mantissa;
-    const Wide low = static_cast<Wide>(static_cast<Word>(xy)) * pz.mantissa;
-    const Wide high = (xy >> 64) * pz.mantissa + (low >> 64);
-    const std::array<Word, 3> product = {static_cast<Word>(low), static_cast<Word>(high),
-                                         static_cast<Word>(high >> 64)};
+    const WideProduct xy = product(px.mantissa, py.mantissa);
+    const WideProduct low = product(xy.low, pz.mantissa), high = product(xy.high, pz.mantissa);
+    std::array<Word, 3> words = {low.low, high.low, high.high};
+    words[2] += addTo(words[1], low.high);
     const int exponent = px.exponent + py.exponent + pz.exponent - kLowest;
-    addShifted(product, exponent, (px.negative != py.negative) != pz.negative ? negative_ : positive_);
+    addShifted(words, exponent, (px.negative != py.negative) != pz.negative ? negative_ : positive_);
   }
 
   int sign() const {
@@ -65,22 +64,26 @@ class ExactSum {
     return {normal ? fraction | Word{1} << 52 : fraction, (normal ? biased : 1) - 1075, (bits >> 63) != 0};
   }
 
-  static void addShifted(const std::array<Word, 3>& product, int shift, Words& sum) {
+  /// Returns the carry.
+  static Word addTo(Word& word, Word addend) {
+    word += addend;
+    return word < addend ? 1 : 0;
+  }
+
+  static void addShifted(const std::array<Word, 3>& words, int shift, Words& sum) {
     auto word = static_cast<std::size_t>(shift / 64);
     const int bit = shift % 64;
-    Wide carry = 0;
+    Word carry = 0;
     Word spill = 0;  // from the product's previous word
-    for (const Word part : product) {
-      carry += static_cast<Wide>(sum[word]) + ((part << bit) | spill);
+    for (const Word part : words) {
+      const Word carried = addTo(sum[word], (part << bit) | spill);
       spill = bit == 0 ? 0 : part >> (64 - bit);
-      sum[word++] = static_cast<Word>(carry);
-      carry >>= 64;
+      carry = carried + addTo(sum[word++], carry);
     }
-    carry += spill;
-    for (; carry != 0; carry >>= 64) {
-      assert(word < kWords);
-      carry += sum[word];
-      sum[word++] = static_cast<Word>(carry);
+    carry = addTo(sum[word], spill) + addTo(sum[word], carry);
+    while (carry != 0) {
+      assert(word + 1 < kWords);
+      carry = addTo(sum[++word], carry);
     }
   }
 

@@ -1,0 +1,22 @@
+# The octoblisk command with its subcommand check alone, for systems without the libraries of the others.
+octoblisk_require(CLI11 libcli11-dev CONFIG)
+octoblisk_require(assimp libassimp-dev CONFIG)
+octoblisk_require(Threads libc6-dev)
+set(check_files octoblisk_check
+  command_line/command_line command_line/help_formatter command_line/manual command_line/option_checks
+  command_line/partition_option command_line/study_options command_line/subcommand_help
+  command_line/subcommand_names command_line/units_option
+  commands/check commands/check_summary
+  io/csv_table io/mesh_file io/mesh_file_check io/new_file io/ply_check io/progress_bar
+  io/system_file
+  models/surface_defects models/welded_surface
+  study/handout study/launch study/node_inputs study/part_text study/ranks_alone study/run_study study/shard
+  study/stop_signal study/study study/study_journal
+  toolpath/pose_check toolpath/pose_file)
+list(TRANSFORM check_files REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/demos/\\1.cpp")
+add_executable(octoblisk ${check_files})
+target_include_directories(octoblisk PRIVATE ${PROJECT_SOURCE_DIR}/demos)
+target_compile_definitions(octoblisk PRIVATE OCTOBLISK_VERSION="${PROJECT_VERSION}"
+  OCTOBLISK_HELP="${PROJECT_SOURCE_DIR}/demos/command_line/help")
+target_link_libraries(octoblisk PRIVATE
+  octoblisk-core-private assimp::assimp CLI11::CLI11 Threads::Threads octoblisk-warnings)
