@@ -174,13 +174,13 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       command, files.tool_units,
       "Length unit of the meshes of --belt or --tool; auto selects it by the largest mesh. Default: mm",
       "--tool-units");
-  CLI::Option* const belt =
-      command
-          .add_option("--belt", files.belt,
-                      "Mesh file of a belt to be used alone (mm, contact wheel at the origin, arm along +x). "
-                      "Default: the built-in grinder with belt, wheels and arm")
-          ->type_name("FILE")
-          ->check(notEmpty());
+  CLI::Option* const belt = command
+                                .add_option("--belt", files.belt,
+                                            "Mesh file of a belt, checked without wheels and arm (mm, "
+                                            "contact wheel at the origin, arm along +x). "
+                                            "Default: the built-in grinder with belt, wheels and arm")
+                                ->type_name("FILE")
+                                ->check(notEmpty());
   command
       .add_option("--tool", files.tool,
                   "JSON file with a tool's parts, what each may touch and the distance that it must keep "

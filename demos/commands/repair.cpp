@@ -90,11 +90,11 @@ void printRepair(const PathRepair& repair, const GrinderInput& input, int blade,
             << (repair.motionsLeft() == 1 ? " motion" : " motions") << " between free poses\n";
   if (repair.changed() > 0) printChanges(repair);
   printContact(repair);
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMaxLines = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
-  for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
-  if (left.size() > kMost)
-    std::cout << "Left: " << left.size() - kMost << " more runs of poses (changes.csv)\n";
+  for (std::size_t k = 0; k < std::min(kMaxLines, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
+  if (left.size() > kMaxLines)
+    std::cout << "Left: " << left.size() - kMaxLines << " more runs of poses (changes.csv)\n";
   std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
 }
 
