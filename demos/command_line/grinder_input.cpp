@@ -353,6 +353,16 @@ void requireMarginFits(const GrinderInput& input, const std::string& option, dou
 
 void warnOf(const std::string& of, const std::string& what) { printMessage("warning: " + of + ": " + what); }
 
+void warnOfUntouched(const GrinderFiles& files, const GrinderInput& input, int ground_blade) {
+  const std::size_t part = input.tool.rules.grinding_part;
+  const bool is_found = !files.path.empty() && !files.ground_blade && part != kNoPart;
+  if (!is_found || ground_blade != 0 || input.blades.count == 0) return;
+  warnOf(files.path,
+         "the " + input.tool.parts[part].name +
+             " touches no blade at any pose: if it should, give the poses in mm and in the frame of "
+             "the blisk's mesh");
+}
+
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {
     warnOf(files.bliskName(), "no blades were found: every touch counts as interference with hub or shroud");

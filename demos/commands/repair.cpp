@@ -185,6 +185,7 @@ int repair(const RepairRequest& request) {
   if (!blade) throw TerminalWatch::stopped("stopped before the first pose was done: no file was written");
   const VerdictRules rules = reachRulesOf(files, input, *blade, request.margin);
   warnOfInput(files, input);
+  warnOfUntouched(files, input, *blade);
   makeFolder(files.out);
 
   Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads,
