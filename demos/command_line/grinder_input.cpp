@@ -54,8 +54,8 @@ void readInMillimetres(const GrinderFiles& files, ToolAssembly& tool) {
   }
 }
 
-/// Replaces "auto" by the unit found from the blisk's size. The obstacles share the blisk's frame, and so its
-/// unit.
+/// Replaces "auto" with the unit found from the blisk's size. The obstacles share the blisk's frame, and so
+/// its unit.
 GrinderFiles withUnitsFound(GrinderFiles files) {
   if (files.units != "auto") return files;
   files.units =

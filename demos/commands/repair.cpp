@@ -21,6 +21,7 @@
 #include "commands/commands.h"
 #include "grinding/coverage.h"
 #include "grinding/tool_file.h"
+#include "io/number_text.h"
 #include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "render/annotation.h"
@@ -94,7 +95,8 @@ void printRepair(const PathRepair& repair, const GrinderInput& input, int blade,
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
   for (std::size_t k = 0; k < std::min(kMaxLines, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
   if (left.size() > kMaxLines)
-    std::cout << "Left: " << left.size() - kMaxLines << " more runs of poses (changes.csv)\n";
+    std::cout << "Left: " << countedText(left.size() - kMaxLines, "more run", "more runs")
+              << " of poses (changes.csv)\n";
   std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
 }
 

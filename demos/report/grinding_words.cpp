@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grinding/motion_check.h"
+#include "io/number_text.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 
@@ -21,7 +22,8 @@ std::string listOf(const std::vector<PoseRange>& ranges) {
     text << (i > 0 ? ", " : "") << ranges[i].first;
     if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
   }
-  if (ranges.size() > kMaxRuns) text << " and " << ranges.size() - kMaxRuns << " more runs (summary.json)";
+  if (ranges.size() > kMaxRuns)
+    text << " and " << countedText(ranges.size() - kMaxRuns, "more run", "more runs") << " (summary.json)";
   return text.str();
 }
 

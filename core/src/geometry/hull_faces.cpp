@@ -103,7 +103,7 @@ class HullBuilder {
     return true;
   }
 
-  /// Replaces the triangles that the point is outside of by triangles that join their rim to the point. The
+  /// Replaces the triangles that the point is outside of with triangles that join their rim to the point. The
   /// first `done` triangles have no point outside; `done` becomes the number of these that stay.
   bool add(std::uint32_t point, std::size_t& done) {
     std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMaxTriangles> rim;
