@@ -186,7 +186,7 @@ class Soak {
 };
 
 int run(double seconds) {
-  constexpr int kMostSteps = 5 * Soak::kStepsASecond / 4;  // a body that still rolls is removed
+  constexpr int kMaxSteps = 5 * Soak::kStepsASecond / 4;  // a body that still rolls is removed
   constexpr std::size_t kGrowth = std::size_t{1} << 20;
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
@@ -200,7 +200,7 @@ int run(double seconds) {
   bool is_compared = false;  // a drop has ended since `warm` was measured
   while (lost == 0 && elapsed() < seconds) {
     soak.drop(++drops);
-    for (int step = 1; step <= kMostSteps && lost == 0 && elapsed() < seconds; ++step, ++steps) {
+    for (int step = 1; step <= kMaxSteps && lost == 0 && elapsed() < seconds; ++step, ++steps) {
       soak.step();
       if (step % 48 != 0) continue;
       lost = soak.lost();

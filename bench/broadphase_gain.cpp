@@ -43,8 +43,8 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
 
 /// Volumes in mm³, and the fraction that they save against one box around everything.
 void addRanges(const GrindingScene& scene, Rows& rows) {
-  constexpr std::size_t kMostClusters = 8;
-  constexpr int kMostDepth = 6;
+  constexpr std::size_t kMaxClusters = 8;
+  constexpr int kMaxDepth = 6;
   const TriangleMesh& mesh = scene.blisk->mesh();
   const double one_box = 8.0 * mesh.bounds().halfExtents().prod();
   std::printf("\n%s: collision detection range; the single axis-aligned box has %.4g mm3\n",
@@ -54,7 +54,7 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
   const std::pair<const char*, std::vector<int>> divisions[] = {{"one part", {}},
                                                                 {"blades and hub", scene.blade_of_triangle}};
   for (const auto& [division, parts] : divisions) {
-    for (std::size_t k = 1; k <= kMostClusters; ++k) {
+    for (std::size_t k = 1; k <= kMaxClusters; ++k) {
       const DetectionRange range = detectionRange(mesh, {.clusters = k, .part_of_triangle = parts});
       const double aligned = range.axisAlignedVolume(), oriented = range.orientedVolume();
       std::printf("%-24s%8zu%8zu%16.4g%9.1f%%%16.4g%9.1f%%\n", division, k, range.oriented.size(), aligned,
@@ -71,7 +71,7 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
                       {"oriented_saved", 1.0 - oriented / one_box}});
     }
   }
-  for (int depth = 0; depth <= kMostDepth; ++depth) {
+  for (int depth = 0; depth <= kMaxDepth; ++depth) {
     const double volume = statisticsOf(scene, depth).cluster_volume;
     const std::size_t boxes = scene.blisk->boxes(depth).size();
     const bool is_default = depth == ClusteredOctreeBroadphase::kDefaultDepth;

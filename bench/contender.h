@@ -70,7 +70,7 @@ class WorldRayQuery {
  public:
   virtual ~WorldRayQuery() = default;
   /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle.
-  virtual double firstHit(const Segment& way) = 0;
+  virtual double firstHit(const Segment& segment) = 0;
 };
 
 /// A ball swept through a Bullet world.
@@ -78,7 +78,7 @@ class WorldSweepQuery {
  public:
   virtual ~WorldSweepQuery() = default;
   /// Like WorldRayQuery::firstHit, for the ball's centre.
-  virtual double firstTouch(const Segment& way, double radius) = 0;
+  virtual double firstTouch(const Segment& segment, double radius) = 0;
 };
 
 /// A Bullet world in which convex bodies fall onto the blisk.
@@ -112,7 +112,7 @@ class RayQuery {
  public:
   virtual ~RayQuery() = default;
   /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle.
-  virtual double firstHit(const Segment& way) = 0;
+  virtual double firstHit(const Segment& segment) = 0;
   /// Like PoseQuery::cost.
   virtual std::map<std::string, double> cost(const Segment&) const { return {}; }
 };

@@ -51,9 +51,9 @@ class LoosePlaces {
 
   /// Adds `count` places between two radii and two heights.
   void add(int count, double least_radius, double most_radius, double low, double high) {
-    constexpr int kMostTries = 1'000'000;
+    constexpr int kMaxTries = 1'000'000;
     int tries = 0;
-    for (int added = 0; added < count && tries < kMostTries; ++tries) {
+    for (int added = 0; added < count && tries < kMaxTries; ++tries) {
       const double angle = uniform(random_, 0, 2.0 * std::numbers::pi);
       const double radius =
           std::sqrt(uniform(random_, least_radius * least_radius, most_radius * most_radius));
@@ -62,7 +62,7 @@ class LoosePlaces {
       scene_.loose.push_back({testing::randomRotation(random_), place});
       ++added;
     }
-    if (tries == kMostTries) throw std::invalid_argument(scene_.name + ": no room for loose bodies");
+    if (tries == kMaxTries) throw std::invalid_argument(scene_.name + ": no room for loose bodies");
   }
 
  private:
@@ -126,10 +126,10 @@ GrindingWorld::GrindingWorld(const GrindingScene& scene, Mount mount, btBroadpha
   registerAlgorithm(&dispatcher_);
   world_.setGravity(btVector3(0, 0, 0));
   if (mount == Mount::spindle) {
-    constexpr btScalar kMass = 20, kMostImpulse = btScalar(1e6);
+    constexpr btScalar kMass = 20, kMaxImpulse = btScalar(1e6);
     btRigidBody& blisk = addDynamic(blisk_shape_, kMass, Pose());
     auto hinge = std::make_unique<btHingeConstraint>(blisk, btVector3(0, 0, 0), btVector3(0, 0, 1));
-    hinge->enableAngularMotor(true, 0, kMostImpulse);
+    hinge->enableAngularMotor(true, 0, kMaxImpulse);
     world_.addConstraint(hinge.get());
     hinge_ = std::move(hinge);
   } else {

@@ -33,7 +33,7 @@ QueryCost costOfNearest(const Tree& a, const Tree& b, const Pose& b_in_a) {
   return cost;
 }
 
-QueryCost costOfWay(const Tree& tree, const Ray& ray, const LocalRay& local) {
+QueryCost costOfRay(const Tree& tree, const Ray& ray, const LocalRay& local) {
   QueryCost cost;
   double closest = ray.t_max;
   const auto shorten = [&](std::uint32_t triangle) {
@@ -79,7 +79,7 @@ QueryCost costOfDistance(const ClusteredOctree& a, const ClusteredOctree& b, con
 
 QueryCost costOfClosestHit(const ClusteredOctree& tree, const Ray& ray) {
   const std::optional<LocalRay> local = clipped(treeOf(tree), ray);
-  return local ? costOfWay(treeOf(tree), ray, *local) : QueryCost();
+  return local ? costOfRay(treeOf(tree), ray, *local) : QueryCost();
 }
 
 }  // namespace octoblisk::bench

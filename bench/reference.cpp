@@ -26,9 +26,10 @@ void forEachCell(const Eigen::Vector3i& from, const Eigen::Vector3i& to, Visit&&
 
 }  // namespace
 
-double hitOf(const Triangle& triangle, const Segment& way) {
-  const Vec3 direction = way.to - way.from;
-  const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0], offset = way.from - triangle[0];
+double hitOf(const Triangle& triangle, const Segment& segment) {
+  const Vec3 direction = segment.to - segment.from;
+  const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0],
+             offset = segment.from - triangle[0];
   const Vec3 across = direction.cross(ac), around = offset.cross(ab);
   const double determinant = ab.dot(across);
   if (determinant == 0.0) return 1.0;
@@ -103,21 +104,21 @@ std::size_t Reference::touchingPairs(const TriangleMesh& belt, const Pose& belt_
   return pairs;
 }
 
-double Reference::firstHit(const Segment& way) const {
-  const Vec3 direction = way.to - way.from;
+double Reference::firstHit(const Segment& segment) const {
+  const Vec3 direction = segment.to - segment.from;
   const double pieces = std::ceil(direction.norm() / cell_size_);
   double first = 1.0;
   for (double piece = 0.0; piece < pieces; ++piece) {
     if (first <= piece / pieces) break;
     Aabb box;
-    box.extend(way.from + piece / pieces * direction);
-    box.extend(way.from + (piece + 1.0) / pieces * direction);
+    box.extend(segment.from + piece / pieces * direction);
+    box.extend(segment.from + (piece + 1.0) / pieces * direction);
     const Aabb& whole = blisk_.bounds();
     if ((box.min.array() > whole.max.array()).any() || (whole.min.array() > box.max.array()).any()) continue;
     forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) {
       const std::size_t index = indexOf(cell);
       for (std::uint32_t k = begin_[index]; k < begin_[index + 1]; ++k) {
-        first = std::min(first, hitOf(blisk_.triangle(triangles_[k]), way));
+        first = std::min(first, hitOf(blisk_.triangle(triangles_[k]), segment));
       }
     });
   }
@@ -136,13 +137,14 @@ double Reference::distanceTo(const Vec3& point, double farthest) const {
   return least <= farthest ? least : std::numeric_limits<double>::infinity();
 }
 
-double Reference::firstTouch(const Segment& way, double radius) const {
+double Reference::firstTouch(const Segment& segment, double radius) const {
   constexpr double kTouching = 1e-4, kStep = 2.0;  // mm
-  const double length = (way.to - way.from).norm();
+  const double length = (segment.to - segment.from).norm();
   for (double gone = 0.0; gone < length;) {
     const double farthest = radius + kStep;
     const double apart =
-        std::min(distanceTo(way.from + gone / length * (way.to - way.from), farthest), farthest) - radius;
+        std::min(distanceTo(segment.from + gone / length * (segment.to - segment.from), farthest), farthest) -
+        radius;
     if (apart <= kTouching) return gone / length;
     gone += apart;
   }

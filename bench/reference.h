@@ -14,7 +14,7 @@ namespace octoblisk::bench {
 
 /// The fraction of the segment at which it meets the triangle; 1 if it does not meet it (T. Möller and B.
 /// Trumbore, Fast, minimum storage ray–triangle intersection, 1997).
-double hitOf(const Triangle& triangle, const Segment& way);
+double hitOf(const Triangle& triangle, const Segment& segment);
 
 /// The triangles of a mesh in the cells of a uniform grid. Triangles whose boxes may meet are then tested
 /// exactly.
@@ -27,14 +27,14 @@ class Reference {
 
   /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle. In double
   /// precision.
-  double firstHit(const Segment& way) const;
+  double firstHit(const Segment& segment) const;
 
   /// The distance of a point to the nearest triangle, or infinity if that exceeds `farthest`.
   double distanceTo(const Vec3& point, double farthest) const;
 
   /// The fraction of the segment, 0 to 1, at which a ball that moves along it first comes within 1e-4 mm of a
   /// triangle; 1 if it never does. The ball advances in steps no longer than the distance.
-  double firstTouch(const Segment& way, double radius) const;
+  double firstTouch(const Segment& segment, double radius) const;
 
   /// Whether any triangle pair is no farther apart than `reach`.
   bool within(double reach, const TriangleMesh& belt, const Pose& belt_in_blisk) const;

@@ -99,7 +99,7 @@ std::vector<Pose> shuffledOverBlades(const std::vector<Pose>& path) {
   return poses;
 }
 
-std::vector<Segment> randomWays(const TriangleMesh& blisk, std::size_t count) {
+std::vector<Segment> randomSegments(const TriangleMesh& blisk, std::size_t count) {
   const Vec3 reach = 1.1 * blisk.bounds().max;
   std::mt19937_64 random(3);
   const auto point = [&] {
@@ -107,9 +107,9 @@ std::vector<Segment> randomWays(const TriangleMesh& blisk, std::size_t count) {
     for (int axis = 0; axis < 3; ++axis) p[axis] = uniform(random, -reach[axis], reach[axis]);
     return Vec3(p.cast<float>().cast<double>());
   };
-  std::vector<Segment> ways(count);
-  for (Segment& way : ways) way = {point(), point()};
-  return ways;
+  std::vector<Segment> segments(count);
+  for (Segment& segment : segments) segment = {point(), point()};
+  return segments;
 }
 
 /// The surface of the convex hull of points. No four of them may lie in one plane.
@@ -197,7 +197,7 @@ Scene torusScene(const std::string& name, std::size_t triangles, const SceneSize
 }
 
 Scene makeScene(const std::string& name, const SceneSize& size) {
-  constexpr std::size_t kWays = 100'000, kQuickWays = 10'000;
+  constexpr std::size_t kSegments = 100'000, kQuickSegments = 10'000;
   const Sizes sizes = sizesOf(name);
   if (sizes.torus > 0) return torusScene(name, sizes.torus, size);
   const demos::BeltParameters belt = beltOf(sizes.belt);
@@ -213,7 +213,7 @@ Scene makeScene(const std::string& name, const SceneSize& size) {
   }();
   scene.path = stretchesOf(whole_path, size.poses);
   scene.shuffled = shuffledOverBlades(scene.path);
-  scene.ways = randomWays(*scene.blisk, size.quick ? kQuickWays : kWays);
+  scene.segments = randomSegments(*scene.blisk, size.quick ? kQuickSegments : kSegments);
   scene.bodies = sizes.bodies;
   return scene;
 }

@@ -35,9 +35,9 @@ struct Scene {
   std::shared_ptr<const TriangleMesh> belt;
   int stations = 0, points_per_station = 0;  ///< of the belt, whose vertices are ordered by station
   std::vector<Pose> path;                    ///< belt_in_blisk, in driving order
-  std::vector<Pose> shuffled;  ///< the same poses, each rotated to a random blade, in random order
-  std::vector<Segment> ways;   ///< between random points of a box slightly larger than the blisk
-  std::size_t bodies = 200;    ///< that fall onto the blisk
+  std::vector<Pose> shuffled;     ///< the same poses, each rotated to a random blade, in random order
+  std::vector<Segment> segments;  ///< between random points of a box slightly larger than the blisk
+  std::size_t bodies = 200;       ///< that fall onto the blisk
   Primitive primitive = Primitive::sphere;  ///< that touches a small mesh
 };
 

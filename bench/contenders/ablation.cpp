@@ -100,9 +100,9 @@ class PlainDistance final : public DistanceQuery {
 class PlainRays final : public RayQuery {
  public:
   explicit PlainRays(const Scene& scene) : query_(scene, built()) {}
-  double firstHit(const Segment& way) override {
+  double firstHit(const Segment& segment) override {
     const NoSimd only;
-    return query_.firstHit(way);
+    return query_.firstHit(segment);
   }
 
  private:

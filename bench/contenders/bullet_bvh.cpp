@@ -34,8 +34,8 @@ class BulletBvhRays final : public RayQuery {
  public:
   explicit BulletBvhRays(const Scene& scene) : mesh_(*scene.blisk) {}
 
-  double firstHit(const Segment& way) override {
-    Nearest nearest(toBullet(way.from), toBullet(way.to));
+  double firstHit(const Segment& segment) override {
+    Nearest nearest(toBullet(segment.from), toBullet(segment.to));
     blisk_.performRaycast(&nearest, nearest.m_from, nearest.m_to);
     return static_cast<double>(nearest.m_hitFraction);
   }

@@ -49,16 +49,16 @@ class InBulletWorld final : public WorldContactsQuery,
     return ask(belt_in_blisk, threshold).least;
   }
 
-  double firstHit(const Segment& way) override {
-    const btVector3 from = toBullet(way.from), to = toBullet(way.to);
+  double firstHit(const Segment& segment) override {
+    const btVector3 from = toBullet(segment.from), to = toBullet(segment.to);
     btCollisionWorld::ClosestRayResultCallback nearest(from, to);
     world_.rayTest(from, to, nearest);
     return static_cast<double>(nearest.m_closestHitFraction);
   }
 
-  double firstTouch(const Segment& way, double radius) override {
+  double firstTouch(const Segment& segment, double radius) override {
     const btSphereShape ball(static_cast<btScalar>(radius));
-    const btVector3 from = toBullet(way.from), to = toBullet(way.to);
+    const btVector3 from = toBullet(segment.from), to = toBullet(segment.to);
     btCollisionWorld::ClosestConvexResultCallback nearest(from, to);
     const btMatrix3x3 unturned = btMatrix3x3::getIdentity();
     world_.convexSweepTest(&ball, btTransform(unturned, from), btTransform(unturned, to), nearest);

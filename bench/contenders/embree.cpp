@@ -204,8 +204,9 @@ class EmbreeRays final : public RayQuery {
  public:
   explicit EmbreeRays(const Scene& scene) : tree_(*scene.blisk) { tree_.build(); }
 
-  double firstHit(const Segment& way) override {
-    const Eigen::Vector3f from = way.from.cast<float>(), direction = (way.to - way.from).cast<float>();
+  double firstHit(const Segment& segment) override {
+    const Eigen::Vector3f from = segment.from.cast<float>(),
+                          direction = (segment.to - segment.from).cast<float>();
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit ray{};

@@ -118,19 +118,19 @@ class OctoBliskRays final : public RayQuery {
  public:
   OctoBliskRays(const Scene& scene, const MakeTree& make) : blisk_(make(scene.blisk)) {}
 
-  double firstHit(const Segment& way) override {
-    const std::optional<RayHit> hit = closestHit(blisk_, along(way));
+  double firstHit(const Segment& segment) override {
+    const std::optional<RayHit> hit = closestHit(blisk_, along(segment));
     return hit ? hit->t : 1.0;
   }
-  std::map<std::string, double> cost(const Segment& way) const override {
-    return named(costOfClosestHit(blisk_, along(way)), blisk_);
+  std::map<std::string, double> cost(const Segment& segment) const override {
+    return named(costOfClosestHit(blisk_, along(segment)), blisk_);
   }
 
  private:
-  static Ray along(const Segment& way) {
+  static Ray along(const Segment& segment) {
     Ray ray;
-    ray.origin = way.from;
-    ray.direction = way.to - way.from;
+    ray.origin = segment.from;
+    ray.direction = segment.to - segment.from;
     ray.t_max = 1.0;
     return ray;
   }

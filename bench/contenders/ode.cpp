@@ -68,7 +68,7 @@ class OdeMesh {
 class Ode final : public CollideQuery, public ContactsQuery, public RefitQuery {
  public:
   explicit Ode(const Scene& scene)
-      : mesh_(scene.blisk), blisk_(*scene.blisk), belt_(*scene.belt), found_(kMost) {
+      : mesh_(scene.blisk), blisk_(*scene.blisk), belt_(*scene.belt), found_(kMaxContacts) {
     blisk_.build();
     belt_.build();
   }
@@ -78,7 +78,7 @@ class Ode final : public CollideQuery, public ContactsQuery, public RefitQuery {
   }
 
   std::size_t contacts(const Pose& belt_in_blisk) override {
-    return static_cast<std::size_t>(ask(belt_in_blisk, kMost));
+    return static_cast<std::size_t>(ask(belt_in_blisk, kMaxContacts));
   }
 
   void refit(bool bent) override {
@@ -91,7 +91,7 @@ class Ode final : public CollideQuery, public ContactsQuery, public RefitQuery {
   bool countsPairs() const override { return false; }
 
  private:
-  static constexpr int kMost = 0xffff;
+  static constexpr int kMaxContacts = 0xffff;
 
   int ask(const Pose& belt_in_blisk, int flags) {
     const Mat3& r = belt_in_blisk.rotation;

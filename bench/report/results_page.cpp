@@ -275,8 +275,8 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
       "# Results\n\n"
       "`./dev bench` writes this page from the rows in this folder; `../README.md` explains them.\n"
       "A cell has the mean time of a query and, after ·, its ratio to that of OctoBlisk in the same run.\n"
-      "The ratio is bold if the contender is faster. In brackets is the number of answers that differ from\n"
-      "the reference. In the sections on growth, * marks a contender with such answers.\n\n"
+      "The ratio is bold if the contender is faster. The number in brackets counts the answers that differ\n"
+      "from the reference. In the sections on growth, * marks a contender with such answers.\n\n"
       "## Machine\n\n" +
       machineText(context);
   const auto section = [&](const std::string& title, const std::string& table) {

@@ -22,8 +22,8 @@ namespace octoblisk::bench {
 /// skips too much errs upwards.
 struct Distances {
   static constexpr std::size_t kEvery = 30;
-  static constexpr double kFarthest = 3.0;               // mm
-  static constexpr std::size_t kMostForFcl = 2'000'000;  // triangles; FCL takes more than 500 bytes for each
+  static constexpr double kFarthest = 3.0;              // mm
+  static constexpr std::size_t kMaxForFcl = 2'000'000;  // triangles; FCL takes more than 500 bytes for each
 
   std::vector<Pose> poses;
   std::vector<double> truth;
@@ -39,7 +39,7 @@ inline Distances findDistances(const Scene& scene) {
   found.truth.assign(found.poses.size(), std::numeric_limits<double>::infinity());
   for (const Contender& contender : contenders()) {
     if (!contender.distance || (contender.name != kOurs && contender.name != "fcl")) continue;
-    if (contender.name == "fcl" && scene.blisk->triangleCount() > Distances::kMostForFcl) continue;
+    if (contender.name == "fcl" && scene.blisk->triangleCount() > Distances::kMaxForFcl) continue;
     const std::unique_ptr<DistanceQuery> query = contender.distance(scene);
     for (std::size_t k = 0; k < found.poses.size(); ++k) {
       found.truth[k] = std::min(found.truth[k], query->distance(found.poses[k], false));

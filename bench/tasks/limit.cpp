@@ -107,23 +107,23 @@ Trial distanceTrial(const Scene& scene) {
 
 /// Computes where each segment crosses the plane of the triangle that it hits.
 Trial hitsTrial(const Scene& scene) {
-  constexpr std::size_t kWays = 100;  // per bundle
+  constexpr std::size_t kSegments = 100;  // per bundle
   auto hit = std::make_shared<std::vector<std::uint32_t>>();
   std::size_t hits = 0;
-  for (const Segment& way : scene.ways) {
-    const auto found =
-        closestHit(foundIn(scene).blisk, {.origin = way.from, .direction = way.to - way.from, .t_max = 1.0});
+  for (const Segment& segment : scene.segments) {
+    const auto found = closestHit(
+        foundIn(scene).blisk, {.origin = segment.from, .direction = segment.to - segment.from, .t_max = 1.0});
     hit->push_back(found ? found->triangle : kNoTriangle);
     hits += found.has_value();
   }
-  const double part = static_cast<double>(hits) / static_cast<double>(scene.ways.size());
-  return {.questions = scene.ways.size() / kWays,
-          .asked_at_once = kWays,
+  const double part = static_cast<double>(hits) / static_cast<double>(scene.segments.size());
+  return {.questions = scene.segments.size() / kSegments,
+          .asked_at_once = kSegments,
           .ask =
               [hit, &scene](std::size_t bundle) {
-                for (std::size_t k = bundle * kWays; k < (bundle + 1) * kWays; ++k) {
+                for (std::size_t k = bundle * kSegments; k < (bundle + 1) * kSegments; ++k) {
                   if ((*hit)[k] == kNoTriangle) continue;
-                  benchmark::DoNotOptimize(hitOf(scene.blisk->triangle((*hit)[k]), scene.ways[k]));
+                  benchmark::DoNotOptimize(hitOf(scene.blisk->triangle((*hit)[k]), scene.segments[k]));
                 }
               },
           .counters = {{"exact_tests", part}, {"bytes", part * bytesOf(1)}}};

@@ -24,7 +24,7 @@ inline const std::vector<double>& firstHitsOf(const Scene& scene) {
   const auto [entry, is_new] = known.try_emplace(&scene);
   if (is_new) {
     const Reference reference(*scene.blisk);
-    for (const Segment& way : scene.ways) entry->second.push_back(reference.firstHit(way));
+    for (const Segment& segment : scene.segments) entry->second.push_back(reference.firstHit(segment));
   }
   return entry->second;
 }
@@ -35,22 +35,22 @@ Trial rayTrial(const std::shared_ptr<Query>& query, const Scene& scene, std::siz
   constexpr double kTolerance = 1e-4;  // relative to the segment: single precision on slanted triangles
   constexpr std::size_t kBundle = 100;
   const std::vector<double>& truth = firstHitsOf(scene);
-  const std::size_t ways = scene.ways.size() / one_in;
+  const std::size_t segments = scene.segments.size() / one_in;
   std::size_t differences = 0;
-  for (std::size_t k = 0; k < ways; ++k) {
-    differences += !(std::abs(query->firstHit(scene.ways[k]) - truth[k]) <= kTolerance);
+  for (std::size_t k = 0; k < segments; ++k) {
+    differences += !(std::abs(query->firstHit(scene.segments[k]) - truth[k]) <= kTolerance);
   }
-  const auto hits = std::count_if(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(ways),
+  const auto hits = std::count_if(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(segments),
                                   [](double part) { return part < 1.0; });
   const auto ask = [query, &scene](std::size_t bundle) {
     for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
-      benchmark::DoNotOptimize(query->firstHit(scene.ways[k]));
+      benchmark::DoNotOptimize(query->firstHit(scene.segments[k]));
     }
   };
   std::map<std::string, double> counters;
-  if constexpr (std::same_as<Query, RayQuery>) counters = meanCost(*query, scene.ways);
-  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(ways);
-  return {.questions = ways / kBundle,
+  if constexpr (std::same_as<Query, RayQuery>) counters = meanCost(*query, scene.segments);
+  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(segments);
+  return {.questions = segments / kBundle,
           .asked_at_once = kBundle,
           .ask = ask,
           .differences = differences,

@@ -18,7 +18,7 @@ constexpr double kRadius = 3.0;  // of the ball, mm
 
 /// Segments of the ball's centre, and the reference's first touch on each.
 struct Sweeps {
-  std::vector<Segment> ways;
+  std::vector<Segment> segments;
   std::vector<double> truth;
   std::size_t hits = 0;
 };
@@ -29,16 +29,16 @@ Sweeps makeSweeps(const Scene& scene, std::size_t count) {
   const Reference reference(*scene.blisk);
   std::mt19937_64 random(5);
   Sweeps sweeps;
-  while (sweeps.ways.size() < count) {
+  while (sweeps.segments.size() < count) {
     const Triangle triangle = scene.blisk->triangle(random() % scene.blisk->triangleCount());
     const Vec3 target = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
     const Vec3 towards = testing::randomRotation(random).col(0);
     const Vec3 from = target - testing::uniform(random, 10.0, 60.0) * towards;
     const Vec3 to = from + testing::uniform(random, 0.4, 1.4) * (target - from);
-    const Segment way = {from.cast<float>().cast<double>(), to.cast<float>().cast<double>()};
-    if (reference.distanceTo(way.from, kRadius + 1.0) <= kRadius + 1.0) continue;
-    sweeps.ways.push_back(way);
-    sweeps.truth.push_back(reference.firstTouch(way, kRadius));
+    const Segment segment = {from.cast<float>().cast<double>(), to.cast<float>().cast<double>()};
+    if (reference.distanceTo(segment.from, kRadius + 1.0) <= kRadius + 1.0) continue;
+    sweeps.segments.push_back(segment);
+    sweeps.truth.push_back(reference.firstTouch(segment, kRadius));
     sweeps.hits += sweeps.truth.back() < 1.0;
   }
   return sweeps;
@@ -47,7 +47,7 @@ Sweeps makeSweeps(const Scene& scene, std::size_t count) {
 const Sweeps& sweepsOf(const Scene& scene) {
   static std::map<const Scene*, Sweeps> known;
   const auto [entry, is_new] = known.try_emplace(&scene);
-  if (is_new) entry->second = makeSweeps(scene, scene.ways.size() / 200);
+  if (is_new) entry->second = makeSweeps(scene, scene.segments.size() / 200);
   return entry->second;
 }
 
@@ -56,17 +56,18 @@ Trial prepare(const Scene& scene, const Contender& contender) {
   const std::shared_ptr<WorldSweepQuery> query = contender.world_sweep(scene);
   const Sweeps& sweeps = sweepsOf(scene);
   std::size_t differences = 0;
-  for (std::size_t k = 0; k < sweeps.ways.size(); ++k) {
-    const Segment& way = sweeps.ways[k];
-    const double apart = std::abs(query->firstTouch(way, kRadius) - sweeps.truth[k]);
-    differences += !(apart * (way.to - way.from).norm() <= kTolerance);
+  for (std::size_t k = 0; k < sweeps.segments.size(); ++k) {
+    const Segment& segment = sweeps.segments[k];
+    const double apart = std::abs(query->firstTouch(segment, kRadius) - sweeps.truth[k]);
+    differences += !(apart * (segment.to - segment.from).norm() <= kTolerance);
   }
   return {
-      .questions = sweeps.ways.size(),
+      .questions = sweeps.segments.size(),
       .ask = [query, &sweeps](
-                 std::size_t k) { benchmark::DoNotOptimize(query->firstTouch(sweeps.ways[k], kRadius)); },
+                 std::size_t k) { benchmark::DoNotOptimize(query->firstTouch(sweeps.segments[k], kRadius)); },
       .differences = differences,
-      .counters = {{"hit_rate", static_cast<double>(sweeps.hits) / static_cast<double>(sweeps.ways.size())}}};
+      .counters = {
+          {"hit_rate", static_cast<double>(sweeps.hits) / static_cast<double>(sweeps.segments.size())}}};
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ int runCommandLine(int argc, char** argv, const std::string& version,
   app.set_version_flag("--version", "octoblisk " + version, "Print the version and exit");
   app.set_help_all_flag("--help-all", "Print the help of all subcommands and exit");
   app.footer(help.footer);
-  app.add_option("--manual", "The manual of all subcommands, as Markdown or for man(1), and no more")
+  app.add_option("--manual", "Print the manual of all subcommands, as Markdown or for man(1), and exit")
       ->type_name("FORMAT")
       ->check(CLI::IsMember({"markdown", "man"}))
       ->each([&](const std::string& format) {

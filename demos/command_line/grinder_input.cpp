@@ -54,8 +54,8 @@ void readInMillimetres(const GrinderFiles& files, ToolAssembly& tool) {
   }
 }
 
-/// Replaces "auto" by the unit found from the blisk's size. The obstacles share the blisk's frame, and so its
-/// unit.
+/// Replaces "auto" with the unit found from the blisk's size. The obstacles share the blisk's frame, and so
+/// its unit.
 GrinderFiles withUnitsFound(GrinderFiles files) {
   if (files.units != "auto") return files;
   files.units =
@@ -174,13 +174,13 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       command, files.tool_units,
       "Length unit of the meshes of --belt or --tool; auto selects it by the largest mesh. Default: mm",
       "--tool-units");
-  CLI::Option* const belt =
-      command
-          .add_option("--belt", files.belt,
-                      "Mesh file of a belt to be used alone (mm, contact wheel at the origin, arm along +x). "
-                      "Default: the built-in grinder with belt, wheels and arm")
-          ->type_name("FILE")
-          ->check(notEmpty());
+  CLI::Option* const belt = command
+                                .add_option("--belt", files.belt,
+                                            "Mesh file of a belt, checked without wheels and arm (mm, "
+                                            "contact wheel at the origin, arm along +x). "
+                                            "Default: the built-in grinder with belt, wheels and arm")
+                                ->type_name("FILE")
+                                ->check(notEmpty());
   command
       .add_option("--tool", files.tool,
                   "JSON file with a tool's parts, what each may touch and the distance that it must keep "
@@ -352,6 +352,16 @@ void requireMarginFits(const GrinderInput& input, const std::string& option, dou
 }
 
 void warnOf(const std::string& of, const std::string& what) { printMessage("warning: " + of + ": " + what); }
+
+void warnOfUntouched(const GrinderFiles& files, const GrinderInput& input, int ground_blade) {
+  const std::size_t part = input.tool.rules.grinding_part;
+  const bool is_found = !files.path.empty() && !files.ground_blade && part != kNoPart;
+  if (!is_found || ground_blade != 0 || input.blades.count == 0) return;
+  warnOf(files.path,
+         "the " + input.tool.parts[part].name +
+             " touches no blade at any pose: if it should, give the poses in mm and in the frame of "
+             "the blisk's mesh");
+}
 
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {

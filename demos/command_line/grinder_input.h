@@ -91,6 +91,10 @@ void warnOf(const std::string& of, const std::string& what);
 /// size: nearly all triangles would then be near at every pose.
 void requireMarginFits(const GrinderInput& input, const std::string& option, double margin);
 
+/// Warns if the blade to be ground was looked for in the user's path, and the path touches none (blade 0):
+/// the path may have another unit or frame than the blisk.
+void warnOfUntouched(const GrinderFiles& files, const GrinderInput& input, int ground_blade);
+
 /// Warns about an open or defective blisk, and about a blisk without blades.
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input);
 

@@ -41,8 +41,9 @@ void addPartitionOption(CLI::App& command, BuildOptions& options) {
       .add_option_function<std::string>(
           "--partition", read,
           "Division of the triangles into trees: clustered, or the paper's method paper[:K[:FNOP]], which "
-          "makes K clusters per part (a blade) and an octree with FNOP triangles per leaf for each. Default: "
-          "the best K from 2 to 8, and FNOP 8. The verdicts are the same")
+          "makes K clusters per part (a blade) and an octree with FNOP triangles per leaf for each; without "
+          "K, "
+          "the best K from 2 to 8; without FNOP, 8. The verdicts are the same. Default: clustered")
       ->type_name("PARTITION");
 }
 

@@ -183,6 +183,7 @@ int grind(const GrindRequest& request) {
   run.tree_seconds = input.tree_seconds;
   run.convex_side = convexSideOf(request.convex, input);
   warnOfParts(files, run);
+  warnOfUntouched(files, input, run.rules.ground_blade);
   const std::optional<Coverage> coverage = coverageOrWarning(run, files);
   writeAll(run, coverage, path, request);
   print(run, coverage, request);

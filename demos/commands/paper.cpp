@@ -13,7 +13,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr int kMinPoints = 100, kMostPoints = 10'000;
+constexpr int kMinPoints = 100, kMaxPoints = 10'000;
 
 struct PaperSubcommand {
   const char* name;
@@ -44,7 +44,7 @@ void addOptions(CLI::App& command, PaperRequest& request) {
   addUnitsOption(command, request.units);
   command.add_option("--points", request.points, "Number of points on a blade; the paper does not give it")
       ->type_name("N")
-      ->check(wholeNumberFrom(kMinPoints, kMostPoints))
+      ->check(wholeNumberFrom(kMinPoints, kMaxPoints))
       ->capture_default_str();
   command.add_option("--seed", request.seed, "Seed of clouds, clusters, poses, stock and noise")
       ->type_name("N")

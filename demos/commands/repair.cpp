@@ -21,6 +21,7 @@
 #include "commands/commands.h"
 #include "grinding/coverage.h"
 #include "grinding/tool_file.h"
+#include "io/number_text.h"
 #include "io/whole_files.h"
 #include "models/length_limit.h"
 #include "render/annotation.h"
@@ -90,11 +91,12 @@ void printRepair(const PathRepair& repair, const GrinderInput& input, int blade,
             << (repair.motionsLeft() == 1 ? " motion" : " motions") << " between free poses\n";
   if (repair.changed() > 0) printChanges(repair);
   printContact(repair);
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMaxLines = 20;
   const std::vector<std::string> left = describeLeft(repair, input.tool.parts, input.names());
-  for (std::size_t k = 0; k < std::min(kMost, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
-  if (left.size() > kMost)
-    std::cout << "Left: " << left.size() - kMost << " more runs of poses (changes.csv)\n";
+  for (std::size_t k = 0; k < std::min(kMaxLines, left.size()); ++k) std::cout << "Left: " << left[k] << '\n';
+  if (left.size() > kMaxLines)
+    std::cout << "Left: " << countedText(left.size() - kMaxLines, "more run", "more runs")
+              << " of poses (changes.csv)\n";
   std::cout << "Path: " << files.path.string() << ", changes: " << files.changes.string() << '\n';
 }
 
@@ -185,6 +187,7 @@ int repair(const RepairRequest& request) {
   if (!blade) throw TerminalWatch::stopped("stopped before the first pose was done: no file was written");
   const VerdictRules rules = reachRulesOf(files, input, *blade, request.margin);
   warnOfInput(files, input);
+  warnOfUntouched(files, input, *blade);
   makeFolder(files.out);
 
   Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads,

@@ -22,9 +22,9 @@ class BulletMesh {
     for (const auto& corners : mesh.triangles())
       indices_.insert(indices_.end(), corners.begin(), corners.end());
     view_ = std::make_unique<btTriangleIndexVertexArray>();
-    for (std::size_t begin = 0; begin < mesh.triangleCount(); begin += kMostTriangles) {
+    for (std::size_t begin = 0; begin < mesh.triangleCount(); begin += kMaxTriangles) {
       btIndexedMesh part;
-      part.m_numTriangles = static_cast<int>(std::min(kMostTriangles, mesh.triangleCount() - begin));
+      part.m_numTriangles = static_cast<int>(std::min(kMaxTriangles, mesh.triangleCount() - begin));
       part.m_triangleIndexBase = reinterpret_cast<const unsigned char*>(indices_.data() + 3 * begin);
       part.m_triangleIndexStride = 3 * sizeof(int);
       part.m_numVertices = static_cast<int>(mesh.vertices().size());
@@ -45,7 +45,7 @@ class BulletMesh {
   }
 
  private:
-  static constexpr std::size_t kMostTriangles = std::size_t{1} << 21;  // per part, for btBvhTriangleMeshShape
+  static constexpr std::size_t kMaxTriangles = std::size_t{1} << 21;  // per part, for btBvhTriangleMeshShape
 
   std::vector<btScalar> vertices_;
   std::vector<int> indices_;

@@ -11,9 +11,9 @@ namespace octoblisk::gallery {
 /// All scenes, in the order of docs/gallery.md.
 const std::vector<Exhibit>& exhibits();
 
-/// Runs the scene to its end and writes NAME.png, its frames on a contact sheet, and NAME.csv, its numbers at
-/// about forty times. `tree` is for all shapes. Returns the numbers at the end. Throws std::runtime_error
-/// naming a file that cannot be written.
+/// Runs the scene to its end. Writes its frames on a contact sheet, NAME.png, and its numbers at about forty
+/// points in time, NAME.csv. `tree` has the build options of all shapes. Returns the numbers at the end.
+/// Throws std::runtime_error naming a file that cannot be written.
 std::vector<Number> show(const Exhibit& exhibit, const std::filesystem::path& folder,
                          const BuildOptions& tree = {});
 

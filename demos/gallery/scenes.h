@@ -1,4 +1,5 @@
-// The scenes of the gallery, one per file; each file begins with a description. `tree` is for their shapes.
+// The scenes of the gallery, one per file; each file begins with a description. `tree` has the build
+// options of their shapes.
 #pragma once
 
 #include "gallery/gallery_scene.h"

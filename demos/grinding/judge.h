@@ -58,7 +58,7 @@ class Judge {
   void setVerdicts(std::span<PoseReport> poses) const;
   /// Sets the clearances, as measureClearances (pose_clearances.h) does.
   void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
-  /// Sets `move` of all poses but the first: the motion from the previous pose. The poses must have all of
+  /// Sets `motion` of all poses but the first: the motion from the previous pose. The poses must have all of
   /// the above.
   void checkMotions(std::span<PoseReport> poses);
 

@@ -207,7 +207,7 @@ void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth
   keepFirst(report, too_deep);
 }
 
-/// Replaces sections by their halves, except those that are short enough or lie after a place that is too
+/// Replaces sections with their halves, except those that are short enough or lie after a place that is too
 /// deep.
 void MotionCheck::halve(std::vector<Stretch>& unproved) {
   constexpr double kHopeful = 0.9;     // fraction of the limit: beyond it a proof is unlikely

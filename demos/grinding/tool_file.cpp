@@ -150,7 +150,8 @@ Json parse(const std::filesystem::path& file) {
         1 + std::count(content.begin(),
                        content.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, content.size())),
                        '\n');
-    throw std::runtime_error(file.string() + ":" + std::to_string(line) + ": not valid JSON");
+    throw std::runtime_error(file.string() + ":" + std::to_string(line) +
+                             ": not valid JSON: 'octoblisk make grinder' writes an example");
   } catch (const Json::exception&) {
     throw std::runtime_error(file.string() + ": a number is too large for a 64-bit float");
   }

@@ -21,8 +21,8 @@ void addRow(Table& table, const std::string& name,
 Table oneRowPerMethod(std::string name, std::string caption,
                       const std::function<std::string(std::size_t method, std::size_t column)>& text);
 
-/// "-3.2 %": the mean over the improved cells of their change compared with the traditional cell of the same
-/// FNOP, which may come from another table.
+/// "-3.2 %": the mean change of the improved cells, each compared with the traditional cell of the same FNOP,
+/// which may come from another table.
 template <typename Number>
 std::string meanChangeText(const MethodTable<Number>& improved, const MethodTable<Number>& traditional) {
   double ratio = 0.0;

@@ -18,8 +18,8 @@ enum class CellFrame {
   principal_box,  ///< the points' box along their principal axes, for each cluster separately
 };
 
-/// The points of each of k clusters by k-means; empty clusters are left out. For k = 0, the traditional
-/// method, all points together. Throws as kMeans.
+/// Divides points into k clusters by k-means and leaves out empty ones. For k = 0, the traditional method,
+/// all points form one cluster. Throws as kMeans.
 std::vector<Points> clustersOf(const Points& points, const detail::KMeansOptions& options);
 
 /// The clusters of several clouds, in one list; a cloud with fewer than k points gets as many clusters as it

@@ -76,7 +76,7 @@ void writeCoverage(const Coverage& coverage, const std::filesystem::path& file) 
 
 Image coveragePicture(const Coverage& coverage, int width, int height) {
   const SideGrid& grid = coverage.grid;
-  const auto wayBetween = [&](std::size_t a, std::size_t b) {
+  const auto distanceBetween = [&](std::size_t a, std::size_t b) {
     return (grid.middleOf(a).position - grid.middleOf(b).position).norm();
   };
   std::vector<MapCell> cells;
@@ -85,9 +85,9 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     const std::size_t begin = row * grid.columns();
     const std::size_t other = row + 1 < grid.rows() ? begin + grid.columns() : begin - grid.columns();
-    const double half_height = 0.5 * wayBetween(begin + amid, other + amid);
+    const double half_height = 0.5 * distanceBetween(begin + amid, other + amid);
     double length = 0.0;
-    for (std::size_t k = 1; k < grid.columns(); ++k) length += wayBetween(begin + k - 1, begin + k);
+    for (std::size_t k = 1; k < grid.columns(); ++k) length += distanceBetween(begin + k - 1, begin + k);
     const double half_width = 0.5 * length / static_cast<double>(grid.columns() - 1);
     for (std::size_t k = 0; k < grid.columns(); ++k) {
       cells.push_back({(2.0 * static_cast<double>(k) + 1.0) * half_width, above + half_height, half_width,

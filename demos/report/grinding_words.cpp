@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grinding/motion_check.h"
+#include "io/number_text.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 
@@ -14,14 +15,15 @@ namespace {
 
 /// "poses 20-79, 228": the runs that interfere; only the first of them if there are many.
 std::string listOf(const std::vector<PoseRange>& ranges) {
-  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kMaxRuns = 12;
   std::ostringstream text;
   text << (ranges.size() == 1 && ranges[0].first == ranges[0].last ? "pose " : "poses ");
-  for (std::size_t i = 0; i < std::min(ranges.size(), kMost); ++i) {
+  for (std::size_t i = 0; i < std::min(ranges.size(), kMaxRuns); ++i) {
     text << (i > 0 ? ", " : "") << ranges[i].first;
     if (ranges[i].last != ranges[i].first) text << '-' << ranges[i].last;
   }
-  if (ranges.size() > kMost) text << " and " << ranges.size() - kMost << " more runs (summary.json)";
+  if (ranges.size() > kMaxRuns)
+    text << " and " << countedText(ranges.size() - kMaxRuns, "more run", "more runs") << " (summary.json)";
   return text.str();
 }
 

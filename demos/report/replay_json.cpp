@@ -75,7 +75,7 @@ PageJson sideJson(const ReplaySide& side) {
 
 /// Places of interest in the replay, a few hundred at most.
 std::vector<Vec3> placesOf(const Replay& replay) {
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMaxPlaces = 256;
   std::vector<Vec3> places;
   for (const ReplayTrack& track : replay.tracks) {
     for (const ReplayPose& pose : track.poses) {
@@ -86,7 +86,7 @@ std::vector<Vec3> placesOf(const Replay& replay) {
     for (const ReplayPose& pose : replay.tracks.front().poses)
       places.push_back(pose.tool_in_blisk.translation);
   }
-  const std::size_t stride = (places.size() + kMost - 1) / kMost;
+  const std::size_t stride = (places.size() + kMaxPlaces - 1) / kMaxPlaces;
   std::vector<Vec3> some;
   for (std::size_t i = 0; i < places.size(); i += stride) some.push_back(places[i]);
   return some;

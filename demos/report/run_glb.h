@@ -11,7 +11,7 @@ namespace octoblisk::demos {
 
 struct GlbOptions {
   double poses_per_second = 20.0;
-  std::size_t contacts = 10'000;  ///< per verdict; evenly thinned out if there are more
+  std::size_t contacts = 10'000;  ///< per verdict; if there are more, an evenly spaced subset is kept
 };
 
 /// A binary glTF file: a node for the blisk, with one primitive per blade and materials for hub, blades and

@@ -38,8 +38,8 @@ std::string asciiText(const std::string& text) {
 
 /// A line of text of at most 255 characters.
 std::string titleLine(const std::string& text) {
-  constexpr std::size_t kMost = 255;
-  return asciiText(text).substr(0, kMost);
+  constexpr std::size_t kMaxLength = 255;
+  return asciiText(text).substr(0, kMaxLength);
 }
 
 std::string vtkHead(const std::string& title, std::size_t points) {

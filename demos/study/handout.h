@@ -35,8 +35,8 @@ class Pace {
 
   void took(std::chrono::duration<double> time) {
     constexpr std::chrono::duration<double> kShort{0.05}, kLong{0.5};
-    constexpr std::size_t kMost = 4096;
-    if (time < kShort && groups_ < kMost) groups_ *= 2;
+    constexpr std::size_t kMaxGroups = 4096;
+    if (time < kShort && groups_ < kMaxGroups) groups_ *= 2;
     if (time > kLong && groups_ > 1) groups_ /= 2;
   }
 

@@ -9,19 +9,19 @@
 namespace octoblisk::demos {
 
 Shard parseShard(const std::string& text) {
-  constexpr std::size_t kMost = 1000000;
+  constexpr std::size_t kMaxCount = 1000000;
   Shard shard;
   const char* const end = text.data() + text.size();
   const auto [slash, first_error] = std::from_chars(text.data(), end, shard.index);
   if (first_error == std::errc{} && slash != end && *slash == '/') {
     const auto [stop, error] = std::from_chars(slash + 1, end, shard.count);
     if (error == std::errc{} && stop == end && 1 <= shard.index && shard.index <= shard.count &&
-        shard.count <= kMost) {
+        shard.count <= kMaxCount) {
       return shard;
     }
   }
   throw std::invalid_argument(inQuotes(text) + " is not a part I/N: give 1 <= I <= N <= " +
-                              std::to_string(kMost) + ", for example 3/7");
+                              std::to_string(kMaxCount) + ", for example 3/7");
 }
 
 ItemRange itemsOf(const Study& study, Shard shard) {

@@ -31,9 +31,9 @@ struct Study {
   std::string name;       ///< the subcommand
   std::string columns;    ///< the table's header, without its line end
   std::size_t items = 0;  ///< counted from 0
-                          /// Items are answered in groups of this size; the last one may be smaller. An
-                          /// answer may depend only on the items before
-  /// it in its group. Parts consist of whole groups.
+
+  /// Items are answered in groups of this size; the last one may be smaller. An answer may depend only on the
+  /// items before it in its group. Parts consist of whole groups.
   std::size_t group = 1;
   std::vector<StudyInput> inputs;
   std::string options;  ///< the options that the answers depend on, in one line

@@ -19,9 +19,9 @@ std::vector<ToolMotion> toolMotionsOf(const ClFile& file);
 /// The same for motions that may lack the second axis: six numbers do not determine the tool's turn about its
 /// own axis. The contact wheel then lies along the blisk's surface at its nearest point to the position: z is
 /// perpendicular to the tool axis and to the direction from that point. Two such directions exist. On the
-/// motion that comes nearest to the blisk, z = x × n with n away from the surface; every other motion takes
-/// the direction nearer to its neighbour's on that side. The belt grinder is symmetric, so both directions
-/// grind alike.
+/// motion that comes nearest to the blisk, z = x × n with n pointing away from the surface. Every other
+/// motion takes the direction that is closer to that of its neighbour towards this motion. The belt grinder
+/// is symmetric, so both directions grind alike.
 std::vector<ToolMotion> toolMotionsOf(const ClFile& file, const ClusteredOctree& blisk);
 
 /// Writes the statement of a pose, without an end of line: `word` (GOTO or FROM) with nine numbers, lengths

@@ -64,7 +64,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   btCollisionAlgorithm& substituteFor(const ShapeTypes& types, const btCollisionObjectWrapper& body0,
                                       const btCollisionObjectWrapper& body1);
 
-  /// Replaces `found` by the contacts between triangles of the mesh (A) and the other body (B) within
+  /// Replaces `found` with the contacts between triangles of the mesh (A) and the other body (B) within
   /// `reach`, in the mesh's frame.
   virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                             double reach, std::vector<Contact>& found) = 0;

@@ -67,11 +67,11 @@ TEST(Reference, firstHits_vs_bruteforce) {
   const Reference reference(mesh);
   int hits = 0;
   for (int k = 0; k < 2000; ++k) {
-    const Segment way{testing::randomPoint(random, 16.0), testing::randomPoint(random, 16.0)};
+    const Segment segment{testing::randomPoint(random, 16.0), testing::randomPoint(random, 16.0)};
     double first = 1.0;
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
-      first = std::min(first, hitOf(mesh.triangle(t), way));
-    ASSERT_EQ(reference.firstHit(way), first) << k;
+      first = std::min(first, hitOf(mesh.triangle(t), segment));
+    ASSERT_EQ(reference.firstHit(segment), first) << k;
     hits += first < 1.0;
   }
   EXPECT_GT(hits, 600);
@@ -101,13 +101,14 @@ TEST(Scene, ourAnswersAreTheReferences) {
   EXPECT_GT(near, scene.path.size() / 10);
 
   std::size_t met = 0;
-  for (const Segment& way : scene.ways) {
-    const auto hit = closestHit(blisk, {.origin = way.from, .direction = way.to - way.from, .t_max = 1.0});
+  for (const Segment& segment : scene.segments) {
+    const auto hit =
+        closestHit(blisk, {.origin = segment.from, .direction = segment.to - segment.from, .t_max = 1.0});
     const double first = hit ? hit->t : 1.0;
-    ASSERT_NEAR(first, reference.firstHit(way), 1e-9);
+    ASSERT_NEAR(first, reference.firstHit(segment), 1e-9);
     met += first < 1.0;
   }
-  EXPECT_GT(met, scene.ways.size() / 10);
+  EXPECT_GT(met, scene.segments.size() / 10);
 }
 
 /// Points on all triangles. Every point of the mesh is within `step` of one of them.

@@ -186,6 +186,13 @@ void runBullet() {
   expect(isNear(timeUntilImpact(upper, lower, step), 0.6 / 500, 1e-4), "bullet: a fast ring meets another");
   upper.setLinearVelocity(btVector3(0, 0, 500));
   expect(timeUntilImpact(upper, lower, step) == step, "bullet: a ring that moves away meets nothing");
+
+  FirstWorld first;
+  upper.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, btScalar(0.35))));
+  const btCollisionObject* a = nullptr;
+  const std::vector<octoblisk::Contact> contacts = allContacts(first.world, upper, lower, a);
+  expect(contacts.size() > 16 && (a == &upper || a == &lower), "bullet: all contacts of two rings");
+  expect(isNear(depthOf(upper, lower, 1e-6), 0.05, 1e-3), "bullet: a ring is deep in another");
 }
 
 }  // namespace

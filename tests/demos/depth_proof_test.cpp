@@ -16,7 +16,7 @@
 namespace octoblisk::demos {
 namespace {
 
-constexpr double kMostDepth = 0.1;
+constexpr double kMaxDepth = 0.1;
 
 /// A tree and its surface.
 struct Solid {
@@ -31,16 +31,16 @@ TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
   const DepthProof proof(wall_boundary, tool.surface);
   const auto isProved = [&](double depth_from, double depth_to) {
     const Motion motion(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
-    return proof.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMostDepth);
+    return proof.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMaxDepth);
   };
   EXPECT_TRUE(isProved(0.02, 0.02));
   EXPECT_TRUE(isProved(0.02, 0.08));
   EXPECT_TRUE(isProved(-5.0, 0.08));
   EXPECT_FALSE(isProved(0.02, 0.11));
   const Motion motion(at(1.48, -3, 0), at(1.39, 3, 0));  // 0.1 mm deep at eight ninths of the motion
-  EXPECT_TRUE(proof.holds(motion, 0.0, 0.8, Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(proof.holds(motion, 0.0, 0.95, Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(proof.holds(motion, 0.0, 0.8, -Vec3::UnitX(), kMostDepth)) << "the lift leads in";
+  EXPECT_TRUE(proof.holds(motion, 0.0, 0.8, Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(proof.holds(motion, 0.0, 0.95, Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(proof.holds(motion, 0.0, 0.8, -Vec3::UnitX(), kMaxDepth)) << "the lift leads in";
 }
 
 TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
@@ -56,18 +56,18 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
   const SolidBoundary solid_boundary(solid.surface);
   const DepthProof proof(solid_boundary, tool.surface);
   const Motion over(at(1.48, -3, 0), at(1.48, 3, 0)), beside(at(1.48, -3, 0), at(1.48, -1.2, 0));
-  EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kMostDepth));
-  EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
+  EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
 }
 
 TEST(DepthProof, aToolWhollyInsideIsNotWithinTheLimit) {
   const Solid wall(block({20, 20, 20}, 2)), tool(block({1, 1, 1}, 2));
   const SolidBoundary wall_boundary(wall.surface);
   const DepthProof proof(wall_boundary, tool.surface);
-  EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(0, 0, 0), Vec3::UnitX(), kMostDepth));
-  EXPECT_TRUE(partsWhenLifted(wall_boundary, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kMostDepth));
-  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kMostDepth));
+  EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(0, 0, 0), Vec3::UnitX(), kMaxDepth));
+  EXPECT_TRUE(partsWhenLifted(wall_boundary, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kMaxDepth));
 }
 
 TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
@@ -87,7 +87,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
       double reach = 0.0;
       for (const Vec3& corner : tool.tree->mesh().vertices())
         reach = std::max(reach, -(pose.rotation * corner).dot(up));
-      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kMostDepth)) * up;
+      pose.translation = (13.0 + reach - testing::uniform(random, 0.0, 5.0 * kMaxDepth)) * up;
     };
     to.rotation =
         Mat3(Eigen::AngleAxisd(testing::uniform(random, -0.02, 0.02), Vec3::UnitZ()) * from.rotation);
@@ -95,7 +95,7 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
     seated(to);
     to.translation += testing::uniform(random, -0.3, 0.3) * Vec3::UnitZ();
     const Motion motion(from, to);
-    const bool holds = proof.holds(motion, 0.0, 1.0, up, kMostDepth);
+    const bool holds = proof.holds(motion, 0.0, 1.0, up, kMaxDepth);
     double deepest = 0.0;
     for (int k = 0; k <= 20; ++k) {
       const Pose pose = motion.at(k / 20.0);
@@ -103,10 +103,10 @@ TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
                           query.deepest(tool.surface, ring.surface, pose.inverse(), 1e-4).depth});
     }
     if (holds) {
-      ASSERT_LE(deepest, kMostDepth + 1e-9) << i;
+      ASSERT_LE(deepest, kMaxDepth + 1e-9) << i;
     }
     proved += holds;
-    beyond += deepest > kMostDepth;
+    beyond += deepest > kMaxDepth;
   }
   EXPECT_GT(proved, kMotions * 3 / 10);
   EXPECT_GT(beyond, kMotions * 2 / 10);

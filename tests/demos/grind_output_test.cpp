@@ -22,7 +22,10 @@ TEST_F(GrindCommand, cleanPathExitsWithZeroAndPicturesShowIt) {
   folder_.write("away.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n310,0,0,1,0,0,0\n");
   const Outcome outcome = run("--path away.csv --out run");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-  EXPECT_EQ(outcome.error, "");
+  const std::string warning = "octoblisk: warning: away.csv: the belt touches no blade at any pose: ";
+  EXPECT_THAT(outcome.error, StartsWith(warning));
+  EXPECT_THAT(runOctoblisk(folder_.path(), "repair --path away.csv --no-report --out mended").error,
+              StartsWith(warning));
   EXPECT_THAT(outcome.out, HasSubstr("no blade ground (the blisk has 24)"));
   EXPECT_THAT(outcome.out, HasSubstr("2 clear, 0 intended contact, 0 near miss, 0 interference"));
   EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());

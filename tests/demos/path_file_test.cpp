@@ -76,20 +76,20 @@ TEST_F(PathFileTest, ofAClFileKeepsAllThatIsNotChanged) {
                                   "UNITS/INCHES\n"                     // 2
                                   "LOADTL/3\n"                         // 3
                                   "SPINDL/2000,RPM,CLW\n"              // 4
-                                  "FROM/12,0,1\n"                      // 5: move 0
+                                  "FROM/12,0,1\n"                      // 5: motion 0
                                   "RAPID\n"                            // 6
-                                  "GOTO/11,0,1,1,0,0\n"                // 7: move 1
+                                  "GOTO/11,0,1,1,0,0\n"                // 7: motion 1
                                   "FEDRAT/0.001,IPR\n"                 // 8
                                   "COOLNT/ON\n"                        // 9
-                                  "GOTO / 9.5 , 0, 0.5 $$ approach\n"  // 10: move 2
-                                  "GODLTA/-0.1,0.05,0\n"               // 11: move 3
-                                  "GODLTA/-0.1,0.05,0\n"               // 12: move 4
+                                  "GOTO / 9.5 , 0, 0.5 $$ approach\n"  // 10: motion 2
+                                  "GODLTA/-0.1,0.05,0\n"               // 11: motion 3
+                                  "GODLTA/-0.1,0.05,0\n"               // 12: motion 4
                                   "UNITS/MM\n"                         // 13
                                   "FEDRAT/900\n"                       // 14
-                                  "GOTO/230,4,8, $\n"                  // 15: move 5
+                                  "GOTO/230,4,8, $\n"                  // 15: motion 5
                                   "  0.8,0,0.6\n"                      // 16
-                                  "GOTO/231,5,8\n"                     // 17: move 6
-                                  "GOTO/232,6,8,1,0,0,0,0,1\n"         // 18: move 7
+                                  "GOTO/231,5,8\n"                     // 17: motion 6
+                                  "GOTO/232,6,8,1,0,0,0,0,1\n"         // 18: motion 7
                                   "COOLNT/OFF\n"                       // 19
                                   "FINI\n");                           // 20
   EXPECT_EQ(changed(file, {}), std::vector<bool>(21, true));

@@ -23,13 +23,13 @@ void requireFinite(const BladeGrid& grid) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::size_t kMostSections = 6;
+  constexpr std::size_t kMaxSections = 6;
   static const fuzz::ScratchFolder folder;
   const std::vector<std::string_view> pieces = fuzz::pieces(fuzz::textOf(data, size));
   const std::filesystem::path hub_file = folder.write("hub.csv", pieces.front());
   const std::filesystem::path sections_folder = folder.path() / "sections";
   std::filesystem::create_directory(sections_folder);
-  for (std::size_t k = 1; k <= kMostSections; ++k) {
+  for (std::size_t k = 1; k <= kMaxSections; ++k) {
     const std::string name = "sections/section_" + std::to_string(k) + ".csv";
     if (k < pieces.size()) {
       folder.write(name, pieces[k]);

@@ -156,10 +156,10 @@ void ask(const fuzz::ScratchFolder& folder, const std::vector<std::string>& text
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::ScratchFolder folder;
-  constexpr std::size_t kMostParts = 8;
+  constexpr std::size_t kMaxParts = 8;
   std::vector<std::string> texts, sound;
   for (const std::string_view piece : fuzz::pieces(fuzz::textOf(data, size))) {
-    if (texts.size() == kMostParts) break;
+    if (texts.size() == kMaxParts) break;
     texts.emplace_back(piece);
     sound.push_back(withChecksums(piece));
   }

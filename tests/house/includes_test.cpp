@@ -1,4 +1,4 @@
-// Includes point down the map of CONTRIBUTING.md. Its table lists the rooms from the bottom to the top and
+// Includes point down the map of CONTRIBUTING.md. Its table lists the modules from the bottom to the top and
 // what each may include.
 #include <gtest/gtest.h>
 
@@ -39,29 +39,29 @@ bool isBelow(const std::string& path, const std::string& folder) {
 }
 
 /// A row of the map.
-struct Room {
+struct Module {
   std::string folder;
   std::vector<std::string> may_include;
 };
 
 /// The rows of the map. "above" in a row stands for all rows above it with the same first folder.
-std::vector<Room> roomsOfTheMap() {
-  std::vector<Room> rooms;
+std::vector<Module> modulesOfTheMap() {
+  std::vector<Module> modules;
   std::istringstream lines(contentOf("CONTRIBUTING.md"));
   static const std::regex row(R"(\| `([a-z_/]+)` \|[^|]*\|([^|]*)\|)");
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (!std::regex_match(line, match, row)) continue;
-    Room room{match[1], found(match[2], "`([a-z_/]+)`")};
+    Module module{match[1], found(match[2], "`([a-z_/]+)`")};
     if (match[2].str().find("above") != std::string::npos) {
-      const std::string first = room.folder.substr(0, room.folder.find('/'));
-      for (const Room& above : rooms) {
-        if (isBelow(above.folder, first)) room.may_include.push_back(above.folder);
+      const std::string first = module.folder.substr(0, module.folder.find('/'));
+      for (const Module& above : modules) {
+        if (isBelow(above.folder, first)) module.may_include.push_back(above.folder);
       }
     }
-    rooms.push_back(std::move(room));
+    modules.push_back(std::move(module));
   }
-  return rooms;
+  return modules;
 }
 
 std::vector<std::string> sourceFiles() {
@@ -77,12 +77,12 @@ std::vector<std::string> sourceFiles() {
   return files;
 }
 
-/// The innermost room that the file is in.
-const Room* roomOf(const std::vector<Room>& rooms, const std::string& file) {
-  const Room* innermost = nullptr;
-  for (const Room& room : rooms) {
-    if (isBelow(file, room.folder) && (!innermost || room.folder.size() > innermost->folder.size()))
-      innermost = &room;
+/// The innermost module that the file is in.
+const Module* moduleOf(const std::vector<Module>& modules, const std::string& file) {
+  const Module* innermost = nullptr;
+  for (const Module& module : modules) {
+    if (isBelow(file, module.folder) && (!innermost || module.folder.size() > innermost->folder.size()))
+      innermost = &module;
   }
   return innermost;
 }
@@ -109,30 +109,30 @@ Includes includesOf(const std::vector<std::string>& files) {
 }
 
 TEST(Includes, pointDownTheMap) {
-  const std::vector<Room> rooms = roomsOfTheMap();
-  ASSERT_GT(rooms.size(), 20u);
+  const std::vector<Module> modules = modulesOfTheMap();
+  ASSERT_GT(modules.size(), 20u);
   const std::vector<std::string> files = sourceFiles();
   ASSERT_GT(files.size(), 500u);
-  std::size_t between_rooms = 0;
+  std::size_t between_modules = 0;
   for (const auto& [file, included] : includesOf(files)) {
-    const Room* room = roomOf(rooms, file);
-    ASSERT_TRUE(room) << file << " is in no room of CONTRIBUTING.md";
+    const Module* module = moduleOf(modules, file);
+    ASSERT_TRUE(module) << file << " is in no module of CONTRIBUTING.md";
     for (const std::string& header : included) {
-      const Room* other = roomOf(rooms, header);
-      ASSERT_TRUE(other) << header << " is in no room of CONTRIBUTING.md";
-      if (room == other) continue;
-      ++between_rooms;
-      EXPECT_TRUE(std::ranges::any_of(room->may_include,
+      const Module* other = moduleOf(modules, header);
+      ASSERT_TRUE(other) << header << " is in no module of CONTRIBUTING.md";
+      if (module == other) continue;
+      ++between_modules;
+      EXPECT_TRUE(std::ranges::any_of(module->may_include,
                                       [&](const std::string& allowed) { return isBelow(header, allowed); }))
           << file << " includes " << header;
     }
   }
-  EXPECT_GT(between_rooms, 1000u);
+  EXPECT_GT(between_modules, 1000u);
 }
 
-TEST(Includes, everyRoomIsAFolder) {
-  for (const Room& room : roomsOfTheMap()) {
-    EXPECT_TRUE(std::filesystem::is_directory(kProject / room.folder)) << room.folder;
+TEST(Includes, everyModuleIsAFolder) {
+  for (const Module& module : modulesOfTheMap()) {
+    EXPECT_TRUE(std::filesystem::is_directory(kProject / module.folder)) << module.folder;
   }
 }
 
@@ -157,8 +157,8 @@ TEST(Includes, geometryKnowsNoTree) {
   const std::string tree = "core/include/octoblisk/clustered_octree.h";
   std::size_t looked_at = 0;
   for (const std::string& file : files) {
-    for (const char* room : {"core/src/base", "core/src/geometry", "core/src/simd"}) {
-      if (!isBelow(file, room)) continue;
+    for (const char* module : {"core/src/base", "core/src/geometry", "core/src/simd"}) {
+      if (!isBelow(file, module)) continue;
       ++looked_at;
       EXPECT_FALSE(closureOf(includes, file).contains(tree)) << file;
     }

@@ -82,6 +82,20 @@ TEST(Pages, namePresets) {
   }
 }
 
+/// The options of CMake that the pages name, in blocks and in sentences, exist.
+TEST(Pages, nameOptionsOfTheBuild) {
+  const std::string build = contentOf(kProject / "CMakeLists.txt");
+  EXPECT_EQ(blocksOf(Kind::libraries).size(), 1u);
+  std::set<std::string> options;
+  for (const std::string& page : pagesOf(kProject)) {
+    for (const std::string& option : found(contentOf(kProject / page), "(OCTOBLISK_BUILD_[A-Z0-9_]+)")) {
+      EXPECT_THAT(build, HasSubstr("option(" + option + ' ')) << page;
+      options.insert(option);
+    }
+  }
+  EXPECT_GE(options.size(), 5u);
+}
+
 TEST(Pages, nameProgramsAndOptionsOfBenchmarks) {
   const std::string session = contentOf(kProject / "bench/session.cpp");
   for (const CodeBlock& block : blocksOf(Kind::benchmark)) {

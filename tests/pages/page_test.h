@@ -27,6 +27,7 @@ enum class Kind {
   flow_chart,
   dev_verbs,
   presets,
+  libraries,
   benchmark,
   row,
   octoblisk,
@@ -38,10 +39,15 @@ enum class Kind {
 
 /// The beginnings of blocks without a language.
 inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
-    {"./dev ", Kind::dev_verbs},           {"cmake --preset ", Kind::presets},
-    {"build/bench/bin/", Kind::benchmark}, {"{\"task\", ", Kind::row},
-    {"octoblisk check …", Kind::study},    {"octoblisk path --out path.csv", Kind::story},
-    {"octoblisk ", Kind::octoblisk},       {"for side in ", Kind::example}};
+    {"./dev ", Kind::dev_verbs},
+    {"cmake --preset ", Kind::presets},
+    {"cmake -S ", Kind::libraries},
+    {"build/bench/bin/", Kind::benchmark},
+    {"{\"task\", ", Kind::row},
+    {"octoblisk check …", Kind::study},
+    {"octoblisk path --out path.csv", Kind::story},
+    {"octoblisk ", Kind::octoblisk},
+    {"for side in ", Kind::example}};
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 

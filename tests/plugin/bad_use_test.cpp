@@ -26,15 +26,15 @@ TEST(BadUse, moreThanBulletCanNumber) {
   EXPECT_EQ(messageOf([] { TriangleParts(std::vector<std::uint32_t>(1024, 0), 5); }), "accepted");
   EXPECT_EQ(messageOf([] { TriangleParts(std::vector<std::uint32_t>(1025, 0), 5); }),
             "the mesh has 1025 parts; Bullet numbers at most 1024");
-  constexpr std::uint32_t kMost = 1u << 21;
-  EXPECT_EQ(messageOf([] { TriangleParts({0, kMost}, 2 * kMost); }), "accepted");
+  constexpr std::uint32_t kMaxTriangles = 1u << 21;
+  EXPECT_EQ(messageOf([] { TriangleParts({0, kMaxTriangles}, 2 * kMaxTriangles); }), "accepted");
   EXPECT_EQ(messageOf([] {
-              TriangleParts({0, 1}, kMost + 2);
+              TriangleParts({0, 1}, kMaxTriangles + 2);
             }),
             "part 1 of the mesh has 2097153 triangles; Bullet numbers at most 2097152 per part");
-  const TriangleParts most({0, kMost}, 2 * kMost);
-  EXPECT_EQ(most.id(2 * kMost - 1).part, 1);
-  EXPECT_EQ(most.id(2 * kMost - 1).index, int(kMost) - 1);
+  const TriangleParts most({0, kMaxTriangles}, 2 * kMaxTriangles);
+  EXPECT_EQ(most.id(2 * kMaxTriangles - 1).part, 1);
+  EXPECT_EQ(most.id(2 * kMaxTriangles - 1).index, int(kMaxTriangles) - 1);
 }
 
 TEST(BadUse, partsThatAreNone) {

@@ -18,7 +18,7 @@ using namespace detail;
 
 namespace {
 
-constexpr std::size_t kMostFindings = 10;
+constexpr std::size_t kMaxFindings = 10;
 constexpr int kPosesADistance = 8;
 
 struct TreeKind {
@@ -122,7 +122,7 @@ SoakTally& SoakTally::operator+=(const SoakTally& more) {
   distances += more.distances;
   wrong_distances += more.wrong_distances;
   for (const std::string& finding : more.findings) {
-    if (findings.size() < kMostFindings) findings.push_back(finding);
+    if (findings.size() < kMaxFindings) findings.push_back(finding);
   }
   return *this;
 }
@@ -170,7 +170,7 @@ SoakTally soak(std::uint64_t scene_number, int poses) {
       const double rounding = 1e-12 * (least + scene.scale * (1.0 + scene.far));
       wrong_distances = !(std::abs(distance(a, b, b_in_a).distance - least) <= rounding);
     }
-    if (missed + wrong + wrong_distances > 0 && tally.findings.size() < kMostFindings) {
+    if (missed + wrong + wrong_distances > 0 && tally.findings.size() < kMaxFindings) {
       tally.findings.push_back("scene " + std::to_string(scene_number) + ", pose " + std::to_string(k) +
                                ": " + std::to_string(missed) + " missed, " + std::to_string(wrong) +
                                " wrong, " + std::to_string(wrong_distances) + " wrong distances");

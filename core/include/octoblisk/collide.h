@@ -15,8 +15,8 @@ namespace octoblisk {
 /// as solids: a mesh wholly inside another does not touch it. Allocates nothing.
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a);
 
-/// Replaces `found` by all pairs of triangles that meet, by ascending indices. Allocates nothing if the
-/// capacity of `found` suffices.
+/// Replaces `found` with all pairs of triangles that meet, in ascending order of indices. Allocates nothing
+/// if the capacity of `found` suffices.
 void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    std::vector<TrianglePair>& found);
 

@@ -14,7 +14,7 @@ struct HalfSpace {
   double offset = 0.0;          ///< mesh units
 };
 
-/// Replaces `found` by a contact for every vertex that a triangle uses and that is no farther than
+/// Replaces `found` with a contact for every vertex that a triangle uses and that is no farther than
 /// `threshold` (>= 0, mesh units) from the half-space B. B is given in A's frame. Each vertex counts once;
 /// two vertices at one position count twice. A contact names the first triangle that uses its vertex;
 /// contacts are in ascending order of triangles. The normal is that of the half-space. The distance is the

@@ -37,7 +37,7 @@ bool isOrientedClosed(const TriangleMesh& mesh);
 
 /// The frame in which the inertia is diagonal.
 struct PrincipalFrame {
-  Pose in_mesh;                 ///< origin: the centre of mass; columns: the axes, by ascending moment
+  Pose in_mesh;                 ///< origin: the centre of mass; columns: the axes, smallest moment first
   Vec3 moments = Vec3::Zero();  ///< of mass 1 about the axes
 };
 PrincipalFrame principalFrame(const MassProperties& properties);

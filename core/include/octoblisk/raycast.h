@@ -43,8 +43,8 @@ std::optional<RayHit> closestHit(const ClusteredOctree& tree, const Ray& ray);
 /// Whether the ray hits anything. Stops at the first hit found. Allocates nothing.
 bool anyHit(const ClusteredOctree& tree, const Ray& ray);
 
-/// Replaces `found` by all hits, one per triangle, by ascending t, then triangle. A ray through an edge hits
-/// the triangles on both sides of it. Allocates nothing if the capacity of `found` suffices.
+/// Replaces `found` with all hits, one per triangle, sorted by t and then by triangle. A ray through an edge
+/// hits the triangles on both sides of it. Allocates nothing if the capacity of `found` suffices.
 void allHits(const ClusteredOctree& tree, const Ray& ray, std::vector<RayHit>& found);
 
 }  // namespace octoblisk

@@ -19,8 +19,8 @@ struct Slot;
 /// each pair of bodies.
 class SourceContacts {
  public:
-  /// Replaces `found` by the contact of every triangle of the tree (A) with every triangle of the source (B)
-  /// no farther apart than `threshold` (>= 0, mesh units). Each pair occurs once; pairs are in ascending
+  /// Replaces `found` with the contact of every triangle of the tree (A) with every triangle of the source
+  /// (B) no farther apart than `threshold` (>= 0, mesh units). Each pair occurs once; pairs are in ascending
   /// order of indices. Points and normals are in A's frame. Contact::triangle_b is an argument for
   /// triangle(). A triangle of the source that is not finite touches nothing.
   void find(const ClusteredOctree& a, const TriangleSource& b, const Pose& b_in_a, double threshold,

@@ -1,4 +1,4 @@
-// An interface to triangles that the caller stores and hands out by box.
+// An interface to triangles that the caller stores and enumerates by bounding box.
 #pragma once
 
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace octoblisk {
 
-/// A triangle and the numbers that its owner gives it. Two triangles may have the same numbers.
+/// A triangle with the part and index that its source assigns to it. Two triangles may have the same numbers.
 struct SourceTriangle {
   Triangle corners;
   int part = 0;

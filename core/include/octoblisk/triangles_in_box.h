@@ -7,8 +7,8 @@
 
 namespace octoblisk {
 
-/// Calls visit(user, triangle) for every triangle that may be within `reach` of a box in the mesh's frame,
-/// and for some others nearby. Returns true as soon as a visit does, otherwise false.
+/// Calls visit(user, triangle) for every triangle within `reach` of a box in the mesh's frame, and for some
+/// other triangles nearby. Stops and returns true as soon as a call returns true; otherwise returns false.
 bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
                        bool (*visit)(void* user, std::uint32_t triangle), void* user);
 

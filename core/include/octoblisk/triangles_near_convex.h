@@ -9,8 +9,8 @@
 
 namespace octoblisk {
 
-/// Calls visit(user, triangle) for every triangle that may be within `reach` of a convex body, and for some
-/// others. Returns true as soon as a visit does, otherwise false.
+/// Calls visit(user, triangle) for every triangle within `reach` of a convex body, and for some other
+/// triangles nearby. Stops and returns true as soon as a call returns true; otherwise returns false.
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user);
 

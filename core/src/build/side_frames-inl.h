@@ -92,7 +92,7 @@ HWY_INLINE void principalFrames(const float covariance[6][kLanes], Vec8 axes[3])
 HWY_INLINE void findFrames(SplitSearch& search) {
   float total[9];
   computeMoments(search, total);
-  static_assert(2 * SplitSearch::kMostSeeds == kLanes);
+  static_assert(2 * SplitSearch::kMaxSeeds == kLanes);
   float covariance[6][kLanes] = {};
   for (int c = 0; c < search.candidate_count; ++c) {
     Float8 sums[9], lows(0.0f);

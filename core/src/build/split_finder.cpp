@@ -26,11 +26,11 @@ BoxF boxOf(const SplitSearch::Side& side, const Eigen::Vector3f& center, float s
 }  // namespace
 
 SplitFinder::SplitFinder() {
-  constexpr std::size_t kBlocks = kMostSamples / kLanes;
+  constexpr std::size_t kBlocks = kMaxSamples / kLanes;
   search_.blocks.resize(kBlocks);
   search_.moments.resize(kBlocks * 9 * kLanes + kLanes);
-  for (auto& is_low : search_.is_low) is_low.resize(kMostSamples);
-  for (auto& side : search_.side) side.resize(kMostSamples + 1);
+  for (auto& is_low : search_.is_low) is_low.resize(kMaxSamples);
+  for (auto& side : search_.side) side.resize(kMaxSamples + 1);
 }
 
 void SplitFinder::fill(std::span<const TriangleRecord> records, std::span<const std::uint32_t> indices,

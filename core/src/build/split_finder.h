@@ -15,7 +15,7 @@ namespace octoblisk::detail {
 /// Finds splits. Reuses its memory for many ranges.
 class SplitFinder {
  public:
-  static constexpr int kMostSamples = 1024;
+  static constexpr int kMaxSamples = 1024;
 
   SplitFinder();
 

@@ -10,7 +10,7 @@ namespace octoblisk::detail {
 
 /// The effort to spend on a split.
 struct SplitEffort {
-  int samples = 1024;       ///< the most triangles to use, up to SplitFinder::kMostSamples
+  int samples = 1024;       ///< the most triangles to use, up to SplitFinder::kMaxSamples
   int lloyd_steps = 8;      ///< from each seed
   int axis_seeds = 3;       ///< 1..3: perpendicular to the longest, middle and thinnest axis of the box
   bool normal_seed = true;  ///< one more seed: the direction in which most triangles face
@@ -27,7 +27,7 @@ struct alignas(64) TriangleBlock {
 };
 
 struct SplitSearch {
-  static constexpr int kMostSeeds = 4;
+  static constexpr int kMaxSeeds = 4;
 
   /// The box of a side.
   struct Side {
@@ -53,10 +53,10 @@ struct SplitSearch {
   // Output: candidates[best] with the sides into which it divides the triangles; best < 0 if no candidate has
   // two sides.
   int best = -1;
-  Candidate candidates[kMostSeeds];
+  Candidate candidates[kMaxSeeds];
 
   std::vector<TriangleBlock> blocks;
-  std::vector<float> is_low[kMostSeeds];  ///< 1 or 0 for each triangle of the blocks
+  std::vector<float> is_low[kMaxSeeds];  ///< 1 or 0 for each triangle of the blocks
 
   int candidate_count = 0;
   std::vector<float> moments;          ///< nine rows of eight per block

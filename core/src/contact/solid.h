@@ -49,7 +49,7 @@ FarVertices farVertices(const ClusteredOctree& tree);
 /// what is deeper inside.
 class FarVerticesInSolid {
  public:
-  /// Replaces `ways_out` by contacts of A and B. If the surfaces meet, each far vertex that is inside A
+  /// Replaces `ways_out` with contacts of A and B. If the surfaces meet, each far vertex that is inside A
   /// deeper than `least_depth` gets a contact that moves it out. Otherwise, if B is inside A, one contact
   /// moves all of B out.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFlatHull = 1e-9;    // relative to the hull's size; a thinner hull has no good faces
 constexpr double kOutside = 1e-12;    // relative to its size: points no farther out are in the face
 constexpr double kSamePlane = 1e-12;  // between unit normals
-constexpr std::size_t kMostTriangles = 2 * HullFaceList::kMostPoints;  // Euler: 2v − 4
+constexpr std::size_t kMaxTriangles = 2 * HullFaceList::kMostPoints;  // Euler: 2v − 4
 
 struct HullTriangle {
   std::array<std::uint32_t, 3> corner;
@@ -97,16 +97,16 @@ class HullBuilder {
     const Vec3 first = points_[j] - points_[i], second = points_[k] - points_[i];
     const Vec3 area = first.cross(second);
     const double length = area.norm();
-    if (count_ == kMostTriangles || !(length > kFlatHull * first.norm() * second.norm())) return false;
+    if (count_ == kMaxTriangles || !(length > kFlatHull * first.norm() * second.norm())) return false;
     const Vec3 normal = area / length;
     triangles_[count_++] = {{i, j, k}, normal, normal.dot(points_[i]), 0};
     return true;
   }
 
-  /// Replaces the triangles that the point is outside of by triangles that join their rim to the point. The
+  /// Replaces the triangles that the point is outside of with triangles that join their rim to the point. The
   /// first `done` triangles have no point outside; `done` becomes the number of these that stay.
   bool add(std::uint32_t point, std::size_t& done) {
-    std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMostTriangles> rim;
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMaxTriangles> rim;
     std::size_t rim_count = 0, kept = 0;
     const std::size_t were_done = done;
     for (std::size_t t = 0; t < count_; ++t) {
@@ -135,7 +135,7 @@ class HullBuilder {
   }
 
   std::span<const Vec3> points_;
-  std::array<HullTriangle, kMostTriangles> triangles_;
+  std::array<HullTriangle, kMaxTriangles> triangles_;
   std::size_t count_ = 0, corners_ = 0;
   double size_ = 0.0;
 };
@@ -164,7 +164,7 @@ class EdgeTriangles {
  private:
   static constexpr std::size_t kPoints = HullFaceList::kMostPoints;
   static constexpr std::uint8_t kNone = 255;
-  static_assert(kMostTriangles <= kNone);
+  static_assert(kMaxTriangles <= kNone);
 
   std::uint8_t& of(std::uint32_t from, std::uint32_t to) { return left_[from * kPoints + to]; }
 

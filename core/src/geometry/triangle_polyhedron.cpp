@@ -11,8 +11,8 @@
 namespace octoblisk::detail {
 namespace {
 
-constexpr std::size_t kMostFaces = 2 * HullFaceList::kMostPoints;
-constexpr std::size_t kMostEdges = 3 * HullFaceList::kMostPoints;  // Euler: 3v − 6
+constexpr std::size_t kMaxHullFaces = 2 * HullFaceList::kMostPoints;
+constexpr std::size_t kMaxHullEdges = 3 * HullFaceList::kMostPoints;  // Euler: 3v − 6
 constexpr double kLevel = 1e-10;      // relative to the measured size: corners this near to a plane are in it
 constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis of a later kind needs
 
@@ -24,14 +24,14 @@ class ClippedTriangle {
   }
 
   void clip(const HullFace& face, double tolerance) {
-    std::array<Vec3, kMostCorners> kept;
+    std::array<Vec3, kMaxCorners> kept;
     std::size_t kept_count = 0;
     for (std::size_t c = 0; c < count_; ++c) {
       const Vec3 &from = corner_[c], &to = corner_[(c + 1) % count_];
       const double beyond = face.normal.dot(from) - face.offset - tolerance,
                    next_beyond = face.normal.dot(to) - face.offset - tolerance;
-      if (beyond <= 0.0 && kept_count < kMostCorners) kept[kept_count++] = from;
-      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMostCorners)
+      if (beyond <= 0.0 && kept_count < kMaxCorners) kept[kept_count++] = from;
+      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMaxCorners)
         kept[kept_count++] = from + (to - from) * (beyond / (beyond - next_beyond));
     }
     count_ = kept_count;
@@ -47,8 +47,8 @@ class ClippedTriangle {
   }
 
  private:
-  static constexpr std::size_t kMostCorners = 3 + kMostFaces;  // each plane adds one
-  std::array<Vec3, kMostCorners> corner_;
+  static constexpr std::size_t kMaxCorners = 3 + kMaxHullFaces;  // each plane adds one
+  std::array<Vec3, kMaxCorners> corner_;
   std::size_t count_;
 };
 
@@ -144,7 +144,7 @@ class Axes {
       height_[f] = heightsOver(hull_.faces[f]);
       highest_[f] = std::ranges::max(height_[f]);
     }
-    std::array<std::uint32_t, kMostEdges> near;
+    std::array<std::uint32_t, kMaxHullEdges> near;
     std::size_t near_count = 0;
     for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
       near[near_count] = e;
@@ -260,11 +260,11 @@ class Axes {
   const Triangle& triangle_;
   const std::span<const Vec3> points_;
   const HullFaces& hull_;
-  const Vec3 middle_;                             // of the triangle
-  std::array<double, kMostFaces> middle_height_;  // heights of the middle over the hull's faces
-  double radius_ = 0.0;                           // of the triangle around its middle
-  std::array<double, kMostFaces> highest_;        // upper bounds of the corners' heights
-  std::array<Heights, kMostFaces> height_;  // valid for faces over which a corner is high enough to matter
+  const Vec3 middle_;                                // of the triangle
+  std::array<double, kMaxHullFaces> middle_height_;  // heights of the middle over the hull's faces
+  double radius_ = 0.0;                              // of the triangle around its middle
+  std::array<double, kMaxHullFaces> highest_;        // upper bounds of the corners' heights
+  std::array<Heights, kMaxHullFaces> height_;  // valid for faces over which a corner is high enough to matter
   double size_ = 0.0;
 
   // The best axis so far, the features that define it, and the gap along it.

@@ -30,9 +30,8 @@ RayHit hitOf(const TriangleMesh& mesh, const Ray& ray, const RayCrossing& crossi
   return hit;
 }
 
-/// Calls `visit` for the crossings of a ray as long as t is of interest. `visit` returns the greatest t
-/// still of
-/// interest, or a negative number to stop.
+/// Calls `visit` for the crossings of a ray as long as t is of interest. `visit` returns the greatest t still
+/// of interest, or a negative number to stop.
 template <typename Visit>
 void forEachCrossing(const ClusteredOctree& tree, const Ray& ray, Visit visit) {
   double limit = ray.t_max;

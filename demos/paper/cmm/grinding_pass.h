@@ -17,9 +17,9 @@ struct GrindingProcess {
   /// N on a flat: the value set for a turbine blade in doi 10.1177/1687814017700827.
   double set_force = 20.0;
   double belt_speed = 10'000;  ///< v, mm/s, along the blade's height; assumed
-                               /// K_p of dh = K_p p v dt (F. W. Preston, 1927), mm²/N; assumed: 20 N then
-                               /// remove 1 mm³/s. Its value cancels out in a
-  /// planned pass, except for its error and the limits of the feed.
+
+  /// K_p of dh = K_p p v dt (F. W. Preston, 1927), mm²/N; assumed: 20 N then remove 1 mm³/s. Its value
+  /// cancels out in a planned pass, except for its error and the limits of the feed.
   double preston = 5e-6;
   double step_over = 1.5;        ///< greatest distance between strokes, mm; assumed
   double least_feed = 1.0;       ///< mm/s along the section; assumed

@@ -31,9 +31,9 @@ struct RobotMethodResult {
   double worst_clock_seconds = 0.0;                ///< including other work of the machine
   std::size_t late_ticks = 0;                      ///< that took longer than the control period by the clock
   RobotAlarms touch;                               ///< the belt touches the blisk
-                      /// A forbidden touch: the belt on another blade or the hub, or another part on
-                      /// anything. None for methods that test only
-  /// the belt, and not the place.
+
+  /// A forbidden touch: the belt on another blade or the hub, or another part on anything. None for methods
+  /// that test only whether the belt touches, not where.
   std::optional<RobotAlarms> forbidden;
 };
 

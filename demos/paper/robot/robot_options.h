@@ -11,9 +11,9 @@ namespace octoblisk::demos {
 /// The sensors' errors, drawn from normal distributions with these standard deviations.
 struct NoiseOptions {
   double encoder = 1e-5;  ///< of each joint at each tick, rad; assumed
-                          /// Of the tool's position and direction, along and about each axis, for a whole run
-                          /// (mm, rad): a third of the
-  /// unidirectional repeatability of an ABB IRB 1600 as measured by M. Slamani, A. Nubiola and I. Bonev
+
+  /// Of the tool's position and direction, along and about each axis, for a whole run (mm, rad): a third of
+  /// the unidirectional repeatability of an ABB IRB 1600 as measured by M. Slamani, A. Nubiola and I. Bonev
   /// (Industrial Robot 39 (1), 2012).
   double position = 0.037 / 3.0;
   double direction = 87e-6 / 3.0;

@@ -41,7 +41,7 @@ struct BladeTable {
   std::span<const int> blade_of_triangle;
 };
 
-/// Replaces `found` by the points of a dispatcher's manifolds whose distance is at most `up_to`, in world
+/// Replaces `found` with the points of a dispatcher's manifolds whose distance is at most `up_to`, in world
 /// units. The points are those of the last performDiscreteCollisionDetection or step. They are sorted by the
 /// order in which bodies were added to the world, then by triangle, depth and position, so the order does not
 /// depend on how the broadphase sorts pairs. A manifold holds a few points of each contact patch, and points

@@ -25,9 +25,10 @@ namespace octoblisk {
 /// called on the shape. GImpact compounds are left to GImpact's algorithm.
 void registerAlgorithm(btCollisionDispatcher* dispatcher);
 
-/// Whether registerAlgorithm was called on this dispatcher and no later registration replaced its algorithms.
-/// Without them, moving bodies with ClusteredOctreeShape fall through concave ones, and Bullet reports no
-/// error. To find out, creates and deletes the algorithm of two small meshes.
+/// Whether registerAlgorithm was called on this dispatcher. Without its algorithms, moving bodies with
+/// ClusteredOctreeShape fall through concave ones, and Bullet reports no error. To find out, creates and
+/// deletes the algorithm of two ClusteredOctreeShapes. Does not notice a later registration of GImpact, which
+/// replaces only the algorithms of pairs with GImpact.
 bool isRegistered(btCollisionDispatcher* dispatcher);
 
 }  // namespace octoblisk
