@@ -20,7 +20,8 @@ class RayTask {
  public:
   RayTask() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it: there are many of them
   RayTask(float reach, Slot slot)
-      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
+      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | std::uint64_t{slot.node} << 3 |
+              slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
   Slot slot() const {
     const auto low = static_cast<std::uint32_t>(bits_);
@@ -79,7 +80,7 @@ class RayDescent {
     return true;
   }
 
-  /// Loads ahead the data of the next step.
+  /// Prefetches the data of the next step.
   HWY_INLINE void prefetchNext() const {
     const Child child = tree_.child(here_);
     if (!child.isLeaf()) {
