@@ -60,7 +60,7 @@ void appendContacts(const Tree& a, const Tree& b, const Pose& b_in_a, double thr
         }
         return false;
       });
-  appendApart();
+  if (apart.count() != 0) appendApart();
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
