@@ -11,7 +11,7 @@ namespace octoblisk::detail {
 
 namespace {
 
-constexpr double kLead = 0.98;  // a pair that is nearer than all before by this factor is measured at once
+constexpr double kLead = 0.98;  // a pair is measured at once if its distance is below this part of the bound
 
 }  // namespace
 

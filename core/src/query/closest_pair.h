@@ -36,13 +36,13 @@ class Nearest {
   /// true if nothing can be nearer.
   bool offer(const TrianglePair& pair, bool may_meet);
 
-  /// Keeps the pairs that may be nearest. They do not meet; the bounds are those of their distances. Measures
-  /// one at once if it is clearly nearer than all before. Returns true if nothing can be nearer.
+  /// Keeps those of the pairs that may be nearest. No pair meets; `bounds` are those of their distances. If
+  /// one is clearly nearer than all before, measures it at once. Returns true if nothing can be nearer.
   bool consider(std::span<const TrianglePair> pairs, const DistanceBounds8& bounds);
 
   /// Whether a pair has been measured.
   bool hasPair() const { return best_.found(); }
-  /// The unit vector from A to B between the nearest points so far; zero if there is none.
+  /// The unit vector from A to B between the nearest points so far; zero if no pair has been measured.
   const Eigen::Vector3f& direction() const { return direction_; }
 
   /// Distances above this are irrelevant.

@@ -39,7 +39,7 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& ne
     };
     auto bounds = leaves.within(reach());
     if (bounds.of_a == 0) return false;
-    leaves.keepWithin(reach(), nearest.direction(), bounds);  // of nearly parallel surfaces, few stay
+    leaves.keepWithin(reach(), nearest.direction(), bounds);  // keeps few if the surfaces are nearly parallel
     if (bounds.of_a == 0) return false;
     const TriangleLanes triangles_of_b(leaves);
     for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {

@@ -146,7 +146,7 @@ class LeafPair {
     constexpr std::uint32_t kExponent = 0x7f800000u, kOfOne = 0x3f800000u;
     return std::bit_cast<float>(2 * kOfOne - (std::bit_cast<std::uint32_t>(size_) & kExponent));
   }
-  /// The rounding error of a height over a triangle's plane.
+  /// The rounding error of a height over a triangle's plane, or of a gap along a unit vector.
   float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 
  private:
@@ -166,7 +166,7 @@ class LeafPair {
   const Child leaf_a_, leaf_b_;
   LeafVertices corners_a_, corners_b_;  // buffers for the corners of compact trees
   const float *const rows_a_, *const rows_b_;
-  float rows_in_a_[9][kLanes];  // the corners of B
+  float rows_in_a_[9][kLanes];  // the corners of B in the frame of A's leaf
   float frame_[3][3];           // rows: the axes of A's leaf in A's local frame
   float rotation_[3][3], shift_[3];
   float size_, doubles_;

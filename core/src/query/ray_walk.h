@@ -17,11 +17,11 @@ using CandidateVisitor = double (*)(void* context, std::uint32_t triangle);
 /// cull_back_faces.
 void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context);
 
-/// The same for many rays. The visitor also receives the index of the ray.
+/// A CandidateVisitor for many rays. It also receives the index of the ray.
 using RayCandidateVisitor = double (*)(void* context, std::size_t ray, std::uint32_t triangle);
 
-/// Calls the visitor for each ray as walkRay does. Descends with several rays in turn: while one waits for
-/// memory, the others go on. Each ray gets the same candidates in the same order as by itself.
+/// Calls the visitor for the candidates of each ray, in the same order as walkRay with no rounding of the
+/// ray's points. Advances several rays in turn: while one waits for memory, the others go on.
 void walkRays(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visitor, void* context);
 
 /// walkRay for any callable.

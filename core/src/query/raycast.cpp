@@ -79,7 +79,7 @@ std::optional<RayHit> closestHit(const ClusteredOctree& tree, const Ray& ray) {
 
 std::vector<std::optional<RayHit>> closestHitAll(const ClusteredOctree& tree, std::span<const Ray> rays,
                                                  int threads) {
-  constexpr std::size_t kRaysAtOnce = 256;  // enough to hide the ends, few enough for a balanced load
+  constexpr std::size_t kRaysAtOnce = 256;  // few descents idle at the end of a group; the load is balanced
   std::vector<std::optional<RayHit>> hits(rays.size());
   const std::size_t groups = (rays.size() + kRaysAtOnce - 1) / kRaysAtOnce;
   parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
