@@ -79,6 +79,10 @@ TEST_F(Batch, closestHitAll_vs_oneByOne) {
     if (i % 50 == 1) ray.origin.x() += 100.0;  // far beside the mesh
     rays.push_back(ray);
   }
+  for (int i = 0; i < 100; ++i) {  // exact ties: through a vertex of several triangles
+    const Vec3& vertex = fan.mesh().vertices()[static_cast<std::size_t>(i) % fan.mesh().vertices().size()];
+    rays.push_back({.origin = vertex + Vec3(0.25, 0.5, 4.0), .direction = -Vec3(0.25, 0.5, 4.0)});
+  }
   const auto all = closestHitAll(fan, rays, 1);
   ASSERT_EQ(all.size(), rays.size());
   std::size_t hits = 0;
@@ -95,6 +99,14 @@ TEST_F(Batch, closestHitAll_vs_oneByOne) {
   }
   EXPECT_GT(hits, rays.size() / 10);
   EXPECT_LT(hits, rays.size() * 9 / 10);
+  const ClusteredOctree compact = ClusteredOctree::build(testing::fan(9, 8), {.storage = Storage::compact});
+  const auto of_compact = closestHitAll(compact, rays, 1);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(of_compact[i].has_value(), all[i].has_value()) << i;
+    if (all[i]) {
+      ASSERT_EQ(of_compact[i]->triangle, all[i]->triangle) << i;
+    }
+  }
   for (const int threads : kThreadCounts) {
     const auto again = closestHitAll(fan, rays, threads);
     ASSERT_EQ(again.size(), all.size());

@@ -37,15 +37,15 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& ne
     const auto reach = [&] {
       return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
     };
-    auto bounds = leaves.within(reach());
-    if (bounds.of_a == 0) return false;
-    leaves.keepWithin(reach(), nearest.direction(), bounds);  // keeps few if the surfaces are nearly parallel
-    if (bounds.of_a == 0) return false;
+    auto close = leaves.within(reach());
+    if (close.of_a == 0) return false;
+    leaves.keepWithin(reach(), nearest.direction(), close);  // keeps few if the surfaces are nearly parallel
+    if (close.of_a == 0) return false;
     const TriangleLanes triangles_of_b(leaves);
-    for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
-      const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+    for (; close.of_a != 0; close.of_a &= close.of_a - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(close.of_a));
       const auto heights = triangles_of_b.heights(i);
-      unsigned near = triangles_of_b.within(reach(), heights, bounds.of[i]);
+      unsigned near = triangles_of_b.within(reach(), heights, close.of[i]);
       if (near == 0) continue;
       const auto verdicts = triangles_of_b.meet(heights, near);
       for (; near != 0; near &= near - 1) {

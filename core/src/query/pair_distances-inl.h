@@ -73,7 +73,7 @@ class PairDistances {
   }
 
   Corners of_a_ = {}, of_b_ = {};  // in the frames of A's leaves
-  std::array<float, kLanes> unit_ = {}, rounding_ = {};
+  std::array<float, kLanes> unit_ = {1, 1, 1, 1, 1, 1, 1, 1}, rounding_ = {};
   std::array<TrianglePair, kLanes> pairs_;
   std::uint32_t count_ = 0;
 };
