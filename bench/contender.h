@@ -2,11 +2,13 @@
 // library supports, in one file of contenders/, and registers itself there.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -113,6 +115,11 @@ class RayQuery {
   virtual ~RayQuery() = default;
   /// The fraction of the segment, 0 to 1, before the first hit; 1 if it hits no triangle.
   virtual double firstHit(const Segment& segment) = 0;
+  /// The same for many segments.
+  virtual void firstHits(std::span<const Segment> segments, std::span<double> fractions) {
+    std::ranges::transform(segments, fractions.begin(),
+                           [this](const Segment& segment) { return firstHit(segment); });
+  }
   /// Like PoseQuery::cost.
   virtual std::map<std::string, double> cost(const Segment&) const { return {}; }
 };

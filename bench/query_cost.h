@@ -11,7 +11,7 @@ namespace octoblisk::bench {
 struct QueryCost {
   std::size_t box_tests = 0;       ///< of up to eight boxes against one box or a ray
   std::size_t leaf_pairs = 0;      ///< pairs whose boxes may be near enough; for a ray: leaves entered
-  std::size_t triangle_tests = 0;  ///< of one triangle, or a ray, against up to eight
+  std::size_t triangle_tests = 0;  ///< of up to eight triangle pairs, or of a ray and up to eight triangles
   std::size_t exact_tests = 0;     ///< of two triangles, or of a ray and a triangle, in double precision
 
   void boxTest() { ++box_tests; }

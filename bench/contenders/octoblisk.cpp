@@ -1,7 +1,10 @@
 // OctoBlisk: the clustered octree.
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "octoblisk/batch.h"
 #include "octoblisk_trees.h"
 
 namespace octoblisk::bench {
@@ -53,6 +56,22 @@ class OctoBliskRefit final : public RefitQuery {
   Trees trees_;
 };
 
+/// Casts many rays in one call.
+class OctoBliskManyRays final : public OctoBliskRays {
+ public:
+  using OctoBliskRays::OctoBliskRays;
+
+  void firstHits(std::span<const Segment> segments, std::span<double> fractions) override {
+    rays_.resize(ways.size());
+    std::ranges::transform(segments, rays_.begin(), along);
+    const auto fraction = [](const std::optional<RayHit>& hit) { return hit ? hit->t : 1.0; };
+    std::ranges::transform(closestHitAll(blisk_, rays_, 1), fractions.begin(), fraction);
+  }
+
+ private:
+  std::vector<Ray> rays_;
+};
+
 /// Registers all queries on trees built with these options, and the build itself.
 bool registerTrees(const std::string& name, const BuildOptions& options) {
   Contender contender = treesOf(name, built(options));
@@ -77,6 +96,8 @@ const bool kOneThread = registerBuild("octoblisk-1-thread", {.threads = 1});
 const bool kFast = registerBuild("octoblisk-fast", {.quality = BuildQuality::low});
 const bool kCold =
     registerContender({.name = "octoblisk-cold", .collide = answers<OctoBliskCold, CollideQuery>(built())});
+const bool kManyRays =
+    registerContender({.name = "octoblisk-many", .ray = answers<OctoBliskManyRays, RayQuery>(built())});
 const bool kPoints = registerContender<OctoBliskPoints>("octoblisk-points");
 // The lower bound is compared with this contender: it answers each pose independently.
 const bool kLimit = [] {

@@ -114,7 +114,7 @@ class OctoBliskDistance final : public DistanceQuery {
   TrianglePair nearest_;  // of the previous call
 };
 
-class OctoBliskRays final : public RayQuery {
+class OctoBliskRays : public RayQuery {
  public:
   OctoBliskRays(const Scene& scene, const MakeTree& make) : blisk_(make(scene.blisk)) {}
 
@@ -126,7 +126,7 @@ class OctoBliskRays final : public RayQuery {
     return named(costOfClosestHit(blisk_, along(segment)), blisk_);
   }
 
- private:
+ protected:
   static Ray along(const Segment& segment) {
     Ray ray;
     ray.origin = segment.from;

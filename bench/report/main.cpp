@@ -4,7 +4,7 @@
 //
 // Reads RESULTS/*.json (rows) and RESULTS/google/*.json (Google Benchmark's files, which describe the
 // machine). Writes RESULTS/machine.json, RESULTS/README.md and RESULTS/*.svg. Inserts a table and the plots
-// into PAGE between its marker lines.
+// into PAGE between its marker lines. Prints the rows in which another library is faster.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -65,6 +65,8 @@ int run(const fs::path& results, const char* page_file) {
     write(page_file, spliced(textOf(page_file), "benchmarks", summary(rows, folder)));
   }
   std::printf("%zu rows: %s\n", rows.size(), (results / "README.md").c_str());
+  if (const std::string lost = lostTable(rows); !lost.empty())
+    std::printf("Rows in which another library is faster:\n\n%s", lost.c_str());
   return 0;
 }
 

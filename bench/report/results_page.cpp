@@ -256,6 +256,32 @@ std::string dynamicsTable(const Rows& all) {
   return table.empty() ? "" : table.text();
 }
 
+std::string lostTable(const Rows& rows) {
+  MarkdownTable table(
+      {"task", "scene", "faster", "ratio", "boxes", "leaf pairs", "triangle tests", "exact tests", "bytes"});
+  std::vector<std::string> tasks;
+  for (const Section& section : kSections) tasks.emplace_back(section.task);
+  for (const Growth& growth : kGrowths) {
+    if (std::ranges::find(tasks, growth.task) == tasks.end()) tasks.push_back(growth.task);
+  }
+  for (const std::string& task : tasks) {
+    for (const Row& row : ofTask(rows, task)) {
+      const std::string contender = row.value("contender", "");
+      const double ratio = number(row, "ratio");
+      if (contender.starts_with(kOurs) || ratio == 0.0 || !isFaster(ratio)) continue;
+      const Row* ours = findRow(rows, task, row["scene"].get<std::string>(), kOurs);
+      if (ours == nullptr) continue;
+      const auto count = [&](const char* key) {
+        return ours->contains(key) ? significant(number(*ours, key)) : std::string();
+      };
+      table.add({task, row["scene"].get<std::string>(), contender + differencesText(row), significant(ratio),
+                 count("box_tests"), count("leaf_pairs"), count("triangle_tests"), count("exact_tests"),
+                 count("bytes")});
+    }
+  }
+  return table.empty() ? "" : table.text();
+}
+
 TimePlot dynamicsPlot(const Rows& all, const std::string& scene) {
   TimePlot plot{.title = scene, .panels = {{"kinetic energy, J", 1e-6}, {"greatest depth, m", 1e-5}}};
   for (const Row& row : ofTask(all, "dynamics")) {
@@ -282,6 +308,7 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
   const auto section = [&](const std::string& title, const std::string& table) {
     if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';
   };
+  section("Rows in which another library is faster, and what a query of ours costs there", lostTable(rows));
   for (const auto& [task, asks] : kSections)
     section(std::string(asks) + " (`" + task + "`)", taskTable(rows, task));
   section("The paper's method (`paper-method`)", paperTable(rows));

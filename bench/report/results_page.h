@@ -34,6 +34,10 @@ std::string limitTable(const Rows& rows);
 /// The paper's detection: time, range, false alarms and missed contacts.
 std::string paperTable(const Rows& rows);
 
+/// The rows in which another library is faster: its ratio, and what our query does: tests of boxes, leaf
+/// pairs, triangles and exact ones, and the bytes that it reads. Empty if there are none.
+std::string lostTable(const Rows& rows);
+
 /// One scene and shape per line: time of a step, steps until all sleep, energy, depth, contacts and lost
 /// bodies.
 std::string dynamicsTable(const Rows& rows);

@@ -4,10 +4,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,22 +37,32 @@ Trial rayTrial(const std::shared_ptr<Query>& query, const Scene& scene, std::siz
   constexpr double kTolerance = 1e-4;  // relative to the segment: single precision on slanted triangles
   constexpr std::size_t kBundle = 100;
   const std::vector<double>& truth = firstHitsOf(scene);
-  const std::size_t segments = scene.segments.size() / one_in;
-  std::size_t differences = 0;
-  for (std::size_t k = 0; k < segments; ++k) {
-    differences += !(std::abs(query->firstHit(scene.segments[k]) - truth[k]) <= kTolerance);
-  }
-  const auto hits = std::count_if(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(segments),
-                                  [](double part) { return part < 1.0; });
-  const auto ask = [query, &scene](std::size_t bundle) {
-    for (std::size_t k = bundle * kBundle; k < (bundle + 1) * kBundle; ++k) {
-      benchmark::DoNotOptimize(query->firstHit(scene.segments[k]));
+  const std::size_t bundles = scene.segments.size() / one_in / kBundle;
+  const auto firstHits = [query, &scene](std::size_t bundle) {
+    const auto segments = std::span(scene.segments).subspan(bundle * kBundle, kBundle);
+    std::array<double, kBundle> fractions;
+    if constexpr (std::same_as<Query, RayQuery>) {
+      query->firstHits(segments, fractions);
+    } else {
+      std::ranges::transform(segments, fractions.begin(),
+                             [&](const Segment& segment) { return query->firstHit(segment); });
     }
+    return fractions;
   };
+  std::size_t differences = 0, hits = 0;
+  for (std::size_t bundle = 0; bundle < bundles; ++bundle) {
+    const std::array<double, kBundle> found = firstHits(bundle);
+    for (std::size_t k = 0; k < kBundle; ++k) {
+      const double expected = truth[bundle * kBundle + k];
+      differences += !(std::abs(found[k] - expected) <= kTolerance);
+      hits += expected < 1.0;
+    }
+  }
+  const auto ask = [firstHits](std::size_t bundle) { benchmark::DoNotOptimize(firstHits(bundle)); };
   std::map<std::string, double> counters;
   if constexpr (std::same_as<Query, RayQuery>) counters = meanCost(*query, scene.segments);
-  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(segments);
-  return {.questions = segments / kBundle,
+  counters["hit_rate"] = static_cast<double>(hits) / static_cast<double>(bundles * kBundle);
+  return {.questions = bundles,
           .asked_at_once = kBundle,
           .ask = ask,
           .differences = differences,

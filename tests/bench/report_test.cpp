@@ -71,6 +71,25 @@ TEST(ResultsPage, showsWhereAPeerWinsAndWhoseAnswersDiffer) {
   EXPECT_EQ(taskTable(rows, "build"), "");
 }
 
+TEST(ResultsPage, listsRowsThatAreLostAndTheirCost) {
+  Rows rows = {
+      row("ray", "50k", "octoblisk", 1.5, 1.0),          row("ray", "50k", "embree", 0.63, 0.42),
+      row("ray", "50k", "bullet-bvh", 9.0, 6.0),         row("ray", "50k", "octoblisk-many", 0.9, 0.6),
+      row("world-sphere", "500", "octoblisk", 2.0, 1.0), row("world-sphere", "500", "gimpact", 1.0, 0.5, 7),
+      row("ablation-ray", "50k", "octoblisk", 1.5, 1.0), row("ablation-ray", "50k", "leaf-1", 1.2, 0.8)};
+  rows[0]["box_tests"] = 8.4;
+  rows[0]["leaf_pairs"] = rows[0]["triangle_tests"] = 1.3;
+  rows[0]["exact_tests"] = 0.95;
+  rows[0]["bytes"] = 5200.0;
+  EXPECT_EQ(lostTable(rows),
+            "| task | scene | faster | ratio | boxes | leaf pairs | triangle tests | exact tests | bytes |\n"
+            "|---|---|---|---|---|---|---|---|---|\n"
+            "| ray | 50k | embree | 0.42 | 8.4 | 1.3 | 1.3 | 0.95 | 5,200 |\n"
+            "| world-sphere | 500 | gimpact (7 differ) | 0.50 |  |  |  |  |  |\n");
+  rows.resize(1);
+  EXPECT_EQ(lostTable(rows), "");
+}
+
 TEST(ResultsPage, fitsHowFastThingsGrow) {
   Rows rows;
   for (const auto& [scene, size] : {std::pair("100k", 1e5), {"10k", 1e4}, {"1000k", 1e6}, {"belt-2k", 2e3}}) {

@@ -68,6 +68,9 @@ TEST(Distance, vs_bruteforce) {
         const Clearance hinted =
             distance(trees[a], trees[b], b_in_a, {.hint = {found.triangle_a, found.triangle_b}});
         ASSERT_EQ(hinted.distance, found.distance);
+        // A hint far from the nearest pair.
+        const Clearance misled = distance(trees[a], trees[b], b_in_a, {.hint = {0, 0}});
+        ASSERT_EQ(misled.distance, found.distance);
         if (expected == 0.0) continue;
         const double below = expected * 0.999, above = expected * 1.001, tolerance = 0.1 * expected;
         const Clearance bounded = distance(trees[a], trees[b], b_in_a, {.upper_bound = below});

@@ -7,6 +7,7 @@
 
 #include "contact/triangles_along.h"
 #include "core/only_targets.h"
+#include "octoblisk/batch.h"
 #include "octoblisk/raycast.h"
 #include "shared/meshes.h"
 #include "tree/tree.h"
@@ -35,11 +36,13 @@ Answers answers(const testing::SharedMesh& mesh, BuildQuality quality) {
   all.nodes.assign(treeOf(tree).nodes().begin(), treeOf(tree).nodes().end());
   all.order.assign(treeOf(tree).triangleOrder().begin(), treeOf(tree).triangleOrder().end());
   std::mt19937_64 random(8);
+  std::vector<Ray> rays;
   for (int i = 0; i < 2000; ++i) {
     Ray ray;
     ray.origin = testing::randomPoint(random, 4.0);
     ray.direction = testing::randomPoint(random, 1.0) - 0.25 * ray.origin;
     const auto hit = closestHit(tree, ray);
+    rays.push_back(ray);
     all.hits += hit.has_value();
     all.t.push_back(hit ? hit->t : -1.0);
     const MovingBox box{.start = {ray.origin, Mat3::Identity(), Vec3::Constant(0.05)},
@@ -49,6 +52,7 @@ Answers answers(const testing::SharedMesh& mesh, BuildQuality quality) {
       return 1.0;
     });
   }
+  for (const auto& hit : closestHitAll(tree, rays, 1)) all.t.push_back(hit ? hit->t : -1.0);
   return all;
 }
 

@@ -1,4 +1,4 @@
-// Queries of many poses at once, on several threads.
+// Queries of many poses or rays at once, on several threads.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
+#include "octoblisk/raycast.h"
 #include "octoblisk/signed_distance.h"
 
 namespace octoblisk {
@@ -31,5 +32,10 @@ std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctr
 std::vector<SignedDistance> signedDistanceAll(const Surface& a, const Surface& b,
                                               std::span<const Pose> poses_of_b_in_a,
                                               const SignedDistanceOptions& options = {}, int threads = 0);
+
+/// For each ray, what closestHit returns. Faster than one ray at a time, whatever their order: while one ray
+/// waits for memory, others go on. Otherwise like collideAll.
+std::vector<std::optional<RayHit>> closestHitAll(const ClusteredOctree& tree, std::span<const Ray> rays,
+                                                 int threads = 0);
 
 }  // namespace octoblisk

@@ -9,6 +9,12 @@
 
 namespace octoblisk::detail {
 
+namespace {
+
+constexpr double kLead = 0.98;  // a pair is measured at once if its distance is below this part of the bound
+
+}  // namespace
+
 bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
   ++measured_;
   const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
@@ -19,14 +25,26 @@ bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
   if (distance < best_.distance) {
     best_ = {distance, meet ? contact.point_on_b : contact.point_on_a, contact.point_on_b, pair.a, pair.b};
     bound_ = std::min(bound_, distance);
+    direction_ = (best_.point_on_b - best_.point_on_a).stableNormalized().cast<float>();
   }
   return distance == 0.0;
 }
 
-bool Nearest::consider(const TrianglePair& pair, double least, double most) {
-  assert(!std::isnan(least) && !std::isnan(most));
-  if (least > bound()) return false;
-  bound_ = std::min(bound_, most);
+bool Nearest::consider(std::span<const TrianglePair> pairs, const DistanceBounds8& bounds) {
+  const auto most = std::span(bounds.most).first(pairs.size());
+  assert(std::ranges::none_of(most, [](float distance) { return std::isnan(distance); }));
+  const auto nearest = static_cast<std::size_t>(std::ranges::min_element(most) - most.begin());
+  const bool leads = double(most[nearest]) < kLead * bound_;
+  if (leads && offer(pairs[nearest], false)) return true;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if ((leads && k == nearest) || double(bounds.least[k]) > bound()) continue;
+    bound_ = std::min(bound_, double(most[k]));
+    keep(pairs[k], double(bounds.least[k]));
+  }
+  return best_.distance == 0.0;
+}
+
+void Nearest::keep(const TrianglePair& pair, double least) {
   if (count_ == candidates_.size()) {
     const auto nearer = [&](const Candidate& candidate) { return candidate.least <= bound_; };
     const auto end = std::partition(candidates_.begin(), candidates_.end(), nearer);
@@ -34,7 +52,6 @@ bool Nearest::consider(const TrianglePair& pair, double least, double most) {
   }
   if (count_ == candidates_.size()) settleAll();
   candidates_[count_++] = {least, pair};
-  return best_.distance == 0.0;
 }
 
 void Nearest::settleAll() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "octoblisk/distance.h"
 #include "query/local_pose.h"
@@ -18,6 +19,11 @@ inline float squaredLimit(double bound, double size) {
   return limit * limit;
 }
 
+/// Bounds of the distances of eight pairs.
+struct DistanceBounds8 {
+  std::array<float, kLanes> least, most;
+};
+
 /// The nearest pair of triangles of two meshes.
 class Nearest {
  public:
@@ -30,9 +36,14 @@ class Nearest {
   /// true if nothing can be nearer.
   bool offer(const TrianglePair& pair, bool may_meet);
 
-  /// Keeps the pair for later if it may be the nearest, given bounds of its distance. Returns true if nothing
-  /// can be nearer.
-  bool consider(const TrianglePair& pair, double least, double most);
+  /// Keeps those of the pairs that may be nearest. No pair meets; `bounds` are those of their distances. If
+  /// one is clearly nearer than all before, measures it at once. Returns true if nothing can be nearer.
+  bool consider(std::span<const TrianglePair> pairs, const DistanceBounds8& bounds);
+
+  /// Whether a pair has been measured.
+  bool hasPair() const { return best_.found(); }
+  /// The unit vector from A to B between the nearest points so far; zero if no pair has been measured.
+  const Eigen::Vector3f& direction() const { return direction_; }
 
   /// Distances above this are irrelevant.
   double bound() const { return std::max(0.0, bound_ - tolerance_); }
@@ -48,6 +59,7 @@ class Nearest {
     double least;
     TrianglePair pair;
   };
+  void keep(const TrianglePair& pair, double least);
   void settleAll();
 
   const TriangleMesh &a_, &b_;
@@ -55,6 +67,7 @@ class Nearest {
   const double tolerance_;
   double bound_;  // an upper bound of the distance
   Clearance best_;
+  Eigen::Vector3f direction_ = Eigen::Vector3f::Zero();
   std::array<Candidate, 64> candidates_;
   std::size_t count_ = 0;
   std::size_t measured_ = 0;

@@ -5,8 +5,8 @@
 #include <hwy/foreach_target.h>
 
 #include "geometry/triangle_pair.h"
+#include "query/pair_distances-inl.h"
 #include "query/traversal-inl.h"
-#include "query/triangle_distance-inl.h"
 #include "query/triangle_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,6 +16,22 @@ void appendContacts(const Tree& a, const Tree& b, const Pose& b_in_a, double thr
                     std::vector<Contact>& found) {
   const LocalPose pose(a, b, b_in_a);
   const float limit = pose.limit(threshold);
+  const auto append = [&](const TrianglePair& pair,
+                          Contact (*contactOfPair)(const Triangle&, const Triangle&)) {
+    Contact contact = contactOfPair(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b));
+    if (contact.distance > threshold) return;
+    contact.triangle_a = pair.a;
+    contact.triangle_b = pair.b;
+    found.push_back(contact);
+  };
+  PairDistances apart;
+  const auto appendApart = [&]() HWY_ATTR {
+    const DistanceBounds8 bounds = apart.bounds();
+    for (std::uint32_t k = 0; k < apart.count(); ++k) {
+      if (!(bounds.least[k] > limit)) append(apart.pairs()[k], closestPoints);
+    }
+    apart.clear();
+  };
   walkPairs<TraversalStack>(
       a, b, pose, NodePair(), WidestGap(), [&] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
@@ -29,23 +45,22 @@ void appendContacts(const Tree& a, const Tree& b, const Pose& b_in_a, double thr
           const unsigned near = triangles_of_b.within(limit, heights, bounds.of[i]);
           if (near == 0) continue;
           const auto [meet, open] = triangles_of_b.meet(heights, near);
-          unsigned apart = near & ~(meet | open);
-          if (apart != 0) apart &= threshold > 0.0 ? TriangleDistances(leaves).from(i).within(limit) : 0u;
-          const Triangle triangle_a = a.mesh().triangle(leaves.triangleA(i));
-          for (unsigned left = meet | open | apart; left != 0; left &= left - 1) {
+          for (unsigned left = threshold > 0.0 ? near : meet | open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
-            const Triangle triangle_b = b_in_a * b.mesh().triangle(leaves.triangleB(j));
-            Contact contact = (meet >> j & 1u) != 0   ? meetingContact(triangle_a, triangle_b)
-                              : (open >> j & 1u) != 0 ? contactOf(triangle_a, triangle_b)
-                                                      : closestPoints(triangle_a, triangle_b);
-            if (contact.distance > threshold) continue;
-            contact.triangle_a = leaves.triangleA(i);
-            contact.triangle_b = leaves.triangleB(j);
-            found.push_back(contact);
+            const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+            if ((meet >> j & 1u) != 0) {
+              append(pair, meetingContact);
+            } else if ((open >> j & 1u) != 0) {
+              append(pair, contactOf);
+            } else {
+              apart.add(leaves, i, j);
+              if (apart.isFull()) appendApart();
+            }
           }
         }
         return false;
       });
+  if (apart.count() != 0) appendApart();
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

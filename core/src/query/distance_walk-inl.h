@@ -7,9 +7,9 @@
 #endif
 
 #include "query/closest_pair.h"
+#include "query/pair_distances-inl.h"
 #include "query/tally.h"
 #include "query/traversal-inl.h"
-#include "query/triangle_distance-inl.h"
 #include "query/triangle_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,35 +24,48 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& ne
     return squaredDistanceBound(boxes, box);
   };
   const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
-  walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+  PairDistances pairs;
+  const auto measure = [&]() HWY_ATTR {
+    tally.triangleTest();
+    const bool done = nearest.consider(pairs.pairs(), pairs.bounds());
+    pairs.clear();
+    return done;
+  };
+  const auto visit = [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     tally.leafPair();
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const auto reach = [&] {
       return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
     };
-    auto bounds = leaves.within(reach());
-    if (bounds.of_a == 0) return false;
+    auto close = leaves.within(reach());
+    if (close.of_a == 0) return false;
+    leaves.keepWithin(reach(), nearest.direction(), close);  // keeps few if the surfaces are nearly parallel
+    if (close.of_a == 0) return false;
     const TriangleLanes triangles_of_b(leaves);
-    const TriangleDistances distances(leaves);
-    for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
-      const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+    for (; close.of_a != 0; close.of_a &= close.of_a - 1) {
+      const auto i = static_cast<std::uint32_t>(std::countr_zero(close.of_a));
       const auto heights = triangles_of_b.heights(i);
-      unsigned near = triangles_of_b.within(reach(), heights, bounds.of[i]);
+      unsigned near = triangles_of_b.within(reach(), heights, close.of[i]);
       if (near == 0) continue;
-      tally.triangleTest();
       const auto verdicts = triangles_of_b.meet(heights, near);
-      const auto [least, most] = distances.from(i);
       for (; near != 0; near &= near - 1) {
         const auto j = static_cast<std::uint32_t>(std::countr_zero(near));
-        const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
         const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
-        const bool done =
-            may_meet ? nearest.offer(pair, true) : nearest.consider(pair, double(least[j]), double(most[j]));
-        if (done) return true;
+        if (may_meet) {
+          if (nearest.offer({leaves.triangleA(i), leaves.triangleB(j)}, true)) return true;
+        } else {
+          pairs.add(leaves, i, j);
+          if (pairs.isFull() && measure()) return true;
+        }
       }
     }
-    return false;
-  });
+    return !nearest.hasPair() && pairs.count() != 0 && measure();
+  };
+  // The queue finds a near pair early. If one is known, the stack is faster.
+  const bool done = nearest.hasPair()
+                        ? walkPairs<TraversalStack>(a, b, pose, NodePair(), bound, limit, visit)
+                        : walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, visit);
+  if (!done && pairs.count() != 0) measure();
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

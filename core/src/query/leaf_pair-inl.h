@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "query/local_pose.h"
@@ -38,8 +39,8 @@ class LeafPair {
       for (int k = 0; k < 3; ++k) between[i] += pose.exact.rotation(i, k) * double(boxes_b.center[k][lane_b]);
     }
     for (int i = 0; i < 3; ++i) {
-      const float x = boxes_a.axes[0][i][lane_a], y = boxes_a.axes[1][i][lane_a],
-                  z = boxes_a.axes[2][i][lane_a];
+      for (int k = 0; k < 3; ++k) frame_[i][k] = boxes_a.axes[k][i][lane_a];
+      const float x = frame_[i][0], y = frame_[i][1], z = frame_[i][2];
       shift_[i] = x * static_cast<float>(between[0]) + y * static_cast<float>(between[1]) +
                   z * static_cast<float>(between[2]);
       const auto& rotation = pose.b_to_a.rotation;
@@ -53,7 +54,7 @@ class LeafPair {
     size_ = boxes_a.largestHalfExtent(lane_a) + boxes_b.largestHalfExtent(lane_b) +
             std::max({std::abs(shift_[0]), std::abs(shift_[1]), std::abs(shift_[2])});
     doubles_ = static_cast<float>(pose.doubles);
-    for (std::uint32_t v = 0; v < 3; ++v) corner_of_b_[v] = posedCornersOfB(v);
+    for (std::uint32_t v = 0; v < 3; ++v) poseCornersOfB(v);
   }
 
   LeafPair(const LeafPair&) = delete;
@@ -72,7 +73,14 @@ class LeafPair {
   }
 
   /// Corner v of the triangles of B; lanes beyond their count are arbitrary.
-  HWY_INLINE const Vec8& cornerOfB(std::uint32_t v) const { return corner_of_b_[v]; }
+  HWY_INLINE Vec8 cornerOfB(std::uint32_t v) const {
+    return {Float8::load(rows_in_a_[3 * v]), Float8::load(rows_in_a_[3 * v + 1]),
+            Float8::load(rows_in_a_[3 * v + 2])};
+  }
+
+  /// Row 3 v + k: coordinate k of corner v of one triangle.
+  float coordinateOfA(std::uint32_t row, std::uint32_t i) const { return rows_a_[row * countA() + i]; }
+  float coordinateOfB(std::uint32_t row, std::uint32_t j) const { return rows_in_a_[row][j]; }
 
   /// Which triangles may be near each other.
   struct Near {
@@ -83,12 +91,11 @@ class LeafPair {
   /// The triangles whose bounds are within `reach` of each other. `reach` is a length; the combined rounding
   /// error of three coordinates is less than twice coordinateRounding().
   HWY_INLINE Near within(float reach) const {
-    const Vec8 low = min(corner_of_b_[0], min(corner_of_b_[1], corner_of_b_[2])),
-               high = max(corner_of_b_[0], max(corner_of_b_[1], corner_of_b_[2]));
+    const Vec8 low = min(cornerOfB(0), min(cornerOfB(1), cornerOfB(2))),
+               high = max(cornerOfB(0), max(cornerOfB(1), cornerOfB(2)));
     float low_of_a[3][kLanes], high_of_a[3][kLanes];
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto row = [&](std::uint32_t v)
-                           HWY_ATTR { return Float8::load(rows_a_ + (3 * v + k) * countA()); };
+      const auto row = [&](std::uint32_t v) HWY_ATTR { return rowOfA(3 * v + k); };
       min(row(0), min(row(1), row(2))).store(low_of_a[k]);
       max(row(0), max(row(1), row(2))).store(high_of_a[k]);
     }
@@ -105,6 +112,28 @@ class LeafPair {
     return near;
   }
 
+  /// Keeps the triangles that are within `reach` of each other along a unit vector from A to B in A's local
+  /// frame. `reach` includes planeRounding().
+  HWY_INLINE void keepWithin(float reach, const Eigen::Vector3f& direction, Near& near) const {
+    const auto along_axis = [&](int i) HWY_ATTR {
+      return Float8(frame_[i][0] * direction[0] + frame_[i][1] * direction[1] + frame_[i][2] * direction[2]);
+    };
+    const Vec8 along{along_axis(0), along_axis(1), along_axis(2)};
+    Float8 low_of_b(3e38f), high_of_a(-3e38f);
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      low_of_b = min(low_of_b, dot(along, cornerOfB(v)));
+      high_of_a = max(high_of_a, dot(along, Vec8(rowOfA(3 * v), rowOfA(3 * v + 1), rowOfA(3 * v + 2))));
+    }
+    float high[kLanes];
+    high_of_a.store(high);
+    const Float8 limit(reach);
+    for (unsigned left = near.of_a; left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      near.of[i] &= ~less(limit, low_of_b - Float8(high[i]));
+      if (near.of[i] == 0) near.of_a &= ~(1u << i);
+    }
+  }
+
   // Errors in units in the last place of the size, with half diagonals below 1.74 half extents: a corner of A
   // is off by 1. A corner of B is off by 1, by 16 because B's axes are not exactly orthonormal, by 16 for the
   // product of three rotations, 2 for the products, 3 for their sums, and 8 for the shift. The error of A's
@@ -113,26 +142,32 @@ class LeafPair {
   /// The combined rounding error of a corner of A and one of B along each axis.
   float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
   /// A power of two that scales all lengths to about 1, so that their powers neither overflow nor underflow.
-  float unit() const { return std::ldexp(1.0f, -std::ilogb(size_)); }
-  /// The rounding error of a height over a triangle's plane.
+  float unit() const {
+    constexpr std::uint32_t kExponent = 0x7f800000u, kOfOne = 0x3f800000u;
+    return std::bit_cast<float>(2 * kOfOne - (std::bit_cast<std::uint32_t>(size_) & kExponent));
+  }
+  /// The rounding error of a height over a triangle's plane, or of a gap along a unit vector.
   float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 
  private:
-  HWY_INLINE Vec8 posedCornersOfB(std::uint32_t v) const {
+  HWY_INLINE Float8 rowOfA(std::uint32_t row) const { return Float8::load(rows_a_ + row * countA()); }
+
+  HWY_INLINE void poseCornersOfB(std::uint32_t v) {
     const float* x = rows_b_ + 3 * v * countB();
     const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
-    const auto along = [&](int i) HWY_ATTR {
-      return Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
-             Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]);
-    };
-    return {along(0), along(1), along(2)};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      (Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
+       Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]))
+          .store(rows_in_a_[3 * v + i]);
+    }
   }
 
   const Tree &a_, &b_;
   const Child leaf_a_, leaf_b_;
   LeafVertices corners_a_, corners_b_;  // buffers for the corners of compact trees
   const float *const rows_a_, *const rows_b_;
-  Vec8 corner_of_b_[3];
+  float rows_in_a_[9][kLanes];  // the corners of B in the frame of A's leaf
+  float frame_[3][3];           // rows: the axes of A's leaf in A's local frame
   float rotation_[3][3], shift_[3];
   float size_, doubles_;
 };

@@ -20,7 +20,8 @@ class RayTask {
  public:
   RayTask() {}  // NOLINT(modernize-use-equals-default): {} must not initialise it: there are many of them
   RayTask(float reach, Slot slot)
-      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | slot.node << 3 | slot.lane) {}
+      : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(reach)} << 32 | std::uint64_t{slot.node} << 3 |
+              slot.lane) {}
   float reach() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
   Slot slot() const {
     const auto low = static_cast<std::uint32_t>(bits_);
@@ -60,18 +61,35 @@ class RayDescent {
       : tree_(tree), local_(local), visit_(visit), tally_(tally), limit_(local.length) {}
 
   void run() {
-    Slot here = Tree::kRoot;
-    while (true) {
-      if (tree_.child(here).isLeaf()) {
-        if (!visitLeaf(here)) return;
-      } else if (enterNode(here)) {
-        continue;
-      }
-      do {
-        if (count_ == 0) return;
-        --count_;
-      } while (tasks_[count_].reach() > limit_);
-      here = tasks_[count_].slot();
+    while (step()) {
+    }
+  }
+
+  /// Enters a node or visits a leaf. Returns false if it was the last one.
+  HWY_INLINE bool step() {
+    if (tree_.child(here_).isLeaf()) {
+      if (!visitLeaf(here_)) return false;
+    } else if (enterNode(here_)) {
+      return true;
+    }
+    do {
+      if (count_ == 0) return false;
+      --count_;
+    } while (tasks_[count_].reach() > limit_);
+    here_ = tasks_[count_].slot();
+    return true;
+  }
+
+  /// Prefetches the data of the next step.
+  HWY_INLINE void prefetchNext() const {
+    const Child child = tree_.child(here_);
+    if (!child.isLeaf()) {
+      prefetch(here_);
+    } else if (!tree_.isCompact()) {
+      LeafVertices unused;
+      const std::span<const std::uint32_t> triangles = tree_.triangles(child);
+      fetch(tree_.leafVertices(here_, unused), 9 * triangles.size());
+      fetch(triangles.data(), triangles.size());
     }
   }
 
@@ -110,18 +128,20 @@ class RayDescent {
 
   /// The ray usually does not end in the nearest child, so the next ones are loaded ahead.
   HWY_INLINE void prefetch(Slot slot) const {
-    constexpr std::size_t kLine = 64;
     const Child child = tree_.child(slot);
     if (child.isLeaf()) return;
-    const auto fetch = [](const auto& node) HWY_ATTR {
-      const auto* bytes = reinterpret_cast<const char*>(&node);
-      for (std::size_t i = 0; i < sizeof(node); i += kLine) hwy::Prefetch(bytes + i);
-    };
     if (tree_.isCompact()) {
-      fetch(tree_.compactNodes()[child.node()]);
+      fetch(&tree_.compactNodes()[child.node()], 1);
     } else {
-      fetch(tree_.nodes()[child.node()]);
+      fetch(&tree_.nodes()[child.node()], 1);
     }
+  }
+
+  template <typename Element>
+  static HWY_INLINE void fetch(const Element* elements, std::size_t count) {
+    constexpr std::size_t kLine = 64;
+    const auto* bytes = reinterpret_cast<const char*>(elements);
+    for (std::size_t i = 0; i < count * sizeof(Element); i += kLine) hwy::Prefetch(bytes + i);
   }
 
   /// The exact tests read through two indirections; the test in single precision can hide their latency. For
@@ -156,10 +176,11 @@ class RayDescent {
   }
 
   const Tree& tree_;
-  const LocalRay& local_;
+  const LocalRay local_;
   const Visit visit_;
   Tally& tally_;
   float limit_;  // the reach still of interest
+  Slot here_ = Tree::kRoot;
   std::size_t count_ = 0;
   std::array<RayTask, (kLanes - 1) * Tree::kMaxDepth> tasks_;
 };

@@ -9,10 +9,44 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
+constexpr std::size_t kRaysInTurn = 8;  // measured: 4 and 16 are slower
+
 void walk(const Tree& tree, const LocalRay& local, CandidateVisitor visitor, void* context) {
   const auto visit = [visitor, context](std::uint32_t triangle) { return visitor(context, triangle); };
   NoTally nothing;
   RayDescent(tree, local, visit, nothing).run();
+}
+
+/// The visitor of one of many rays.
+struct VisitorOfRay {
+  double operator()(std::uint32_t triangle) const { return visitor(context, ray, triangle); }
+
+  RayCandidateVisitor visitor;
+  void* context;
+  std::size_t ray;
+};
+
+void walkInTurn(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visitor, void* context) {
+  NoTally nothing;
+  std::array<std::optional<RayDescent<VisitorOfRay, NoTally>>, kRaysInTurn> descents;
+  std::size_t next = 0;
+  const auto start = [&](auto& descent) {
+    descent.reset();
+    for (; !descent && next < rays.size(); ++next) {
+      if (const std::optional<LocalRay> local = clipped(tree, rays[next]))
+        descent.emplace(tree, *local, VisitorOfRay{visitor, context, next}, nothing);
+    }
+    return descent.has_value();
+  };
+  std::size_t count = 0;
+  for (auto& descent : descents) count += start(descent);
+  while (count > 0) {
+    for (auto& descent : descents) {
+      if (!descent) continue;
+      if (!descent->step() && !start(descent)) --count;
+      if (descent) descent->prefetchNext();
+    }
+  }
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -22,10 +56,15 @@ HWY_AFTER_NAMESPACE();
 namespace octoblisk::detail {
 
 HWY_EXPORT(walk);
+HWY_EXPORT(walkInTurn);
 
 void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context) {
   const std::optional<LocalRay> local = clipped(tree, ray, rounding);
   if (local) HWY_DYNAMIC_DISPATCH(walk)(tree, *local, visitor, context);
+}
+
+void walkRays(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visitor, void* context) {
+  HWY_DYNAMIC_DISPATCH(walkInTurn)(tree, rays, visitor, context);
 }
 
 }  // namespace octoblisk::detail

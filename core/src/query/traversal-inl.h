@@ -10,6 +10,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "octoblisk/detail/node_pair.h"
@@ -30,10 +31,15 @@ HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   if (near == 0) return;
   float gaps[kLanes];
   gap.store(gaps);
+  std::array<std::uint32_t, kLanes> lanes;
+  std::size_t count = 0;
   for (; near != 0; near &= near - 1) {
-    const int lane = std::countr_zero(near);
-    put(static_cast<std::uint32_t>(lane), gaps[lane]);
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+    std::size_t place = count++;
+    for (; place > 0 && gaps[lanes[place - 1]] < gaps[lane]; --place) lanes[place] = lanes[place - 1];
+    lanes[place] = lane;
   }
+  for (std::size_t k = 0; k < count; ++k) put(lanes[k], gaps[lanes[k]]);
 }
 
 /// Ends a traversal at the leaves.

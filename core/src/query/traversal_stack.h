@@ -12,8 +12,9 @@ namespace octoblisk::detail {
 /// gap.
 template <typename Entry>
 void sinkLast(Entry* entries, std::size_t first, std::size_t count) {
-  const Entry entry = entries[count - 1];
   std::size_t place = count - 1;
+  if (place == first || !(entries[place - 1].gap < entries[place].gap)) return;
+  const Entry entry = entries[place];
   for (; place > first && entries[place - 1].gap < entry.gap; --place) entries[place] = entries[place - 1];
   entries[place] = entry;
 }

@@ -28,7 +28,7 @@ class Child {
 
 /// One box of one node.
 struct Slot {
-  std::uint32_t node, lane;
+  std::uint32_t node : 29, lane : 3;
 };
 
 }  // namespace octoblisk::detail
