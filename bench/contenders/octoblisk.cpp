@@ -62,7 +62,7 @@ class OctoBliskManyRays final : public OctoBliskRays {
   using OctoBliskRays::OctoBliskRays;
 
   void firstHits(std::span<const Segment> segments, std::span<double> fractions) override {
-    rays_.resize(ways.size());
+    rays_.resize(segments.size());
     std::ranges::transform(segments, rays_.begin(), along);
     const auto fraction = [](const std::optional<RayHit>& hit) { return hit ? hit->t : 1.0; };
     std::ranges::transform(closestHitAll(blisk_, rays_, 1), fractions.begin(), fraction);

@@ -1,5 +1,7 @@
 // Compares the contacts of worlds with ClusteredOctreeBroadphase and with btDbvtBroadphase. Bodies of all
-// kinds move, appear, disappear and change their shapes. Every contact is the same to the last bit.
+// kinds move, appear, disappear and change their shapes. With this seed, every contact is the same to the
+// last bit. With others it need not be: a patch prefers the points that it had in the step before, and a pair
+// may have had its first step later in the one world.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <gtest/gtest.h>
 
@@ -28,21 +30,22 @@ struct TouchPoint {
   auto operator<=>(const TouchPoint&) const = default;
 };
 
-/// Leaves out contacts of sleepers that were moved apart. Bullet keeps these contacts as long as the pair.
+/// Leaves out the contacts of two sleepers. Bullet does not ask for them, but keeps the old ones as long as
+/// the pair, and the two worlds may have found the pair in different steps.
 template <typename World>
 std::vector<TouchPoint> touchPoints(World& world) {
   std::vector<TouchPoint> found;
   for (int m = 0; m < world.dispatcher.getNumManifolds(); ++m) {
     const btPersistentManifold& manifold = *world.dispatcher.getManifoldByIndexInternal(m);
-    if (!testing::boxesOverlap(manifold.getBody0()->getBroadphaseHandle(),
-                               manifold.getBody1()->getBroadphaseHandle()))
-      continue;
+    const btCollisionObject &first = *manifold.getBody0(), &second = *manifold.getBody1();
+    if (!first.isActive() && !second.isActive()) continue;
+    if (!testing::boxesOverlap(first.getBroadphaseHandle(), second.getBroadphaseHandle())) continue;
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       const btManifoldPoint& point = manifold.getContactPoint(p);
       const Vec3 a = fromBullet(point.m_positionWorldOnA), b = fromBullet(point.m_positionWorldOnB),
                  n = fromBullet(point.m_normalWorldOnB);
       found.push_back(
-          {{manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex()},
+          {{first.getUserIndex(), second.getUserIndex()},
            {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), n.x(), n.y(), n.z(), double(point.getDistance())},
            {point.m_partId0, point.m_index0, point.m_partId1, point.m_index1}});
     }

@@ -53,7 +53,7 @@ const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
 /// A few points whose hull contains a body's core: the body's own points, or the corners of the core's box,
 /// written to `room`.
 std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room);
-inline constexpr std::size_t kMostPointsRoundCore = HullFaceList::kMostPoints;
+inline constexpr std::size_t kMaxPointsRoundCore = HullFaceList::kMaxPoints;
 
 /// The convex hull of points, grown by a radius.
 class ConvexHull final : public Convex {

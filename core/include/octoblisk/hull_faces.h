@@ -33,9 +33,9 @@ struct HullFaces {
 /// points.
 class HullFaceList {
  public:
-  static constexpr std::size_t kMostPoints = 64;
+  static constexpr std::size_t kMaxPoints = 64;
 
-  /// Finds no faces if the points' hull has no volume, if there are more than kMostPoints points, or if
+  /// Finds no faces if the points' hull has no volume, if there are more than kMaxPoints points, or if
   /// rounding makes the hull too hard to find; searches then work without them. Allocates nothing once its
   /// buffers are large enough.
   void find(std::span<const Vec3> points);

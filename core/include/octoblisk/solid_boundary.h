@@ -20,10 +20,10 @@ namespace octoblisk {
 /// nothing.
 ///
 /// Built once in O(n log n), plus one winding number, O(n), for each region of such triangles connected by
-/// edges. Only the kMostRegions largest regions are examined; the triangles of the others bound nothing.
+/// edges. Only the kMaxRegions largest regions are examined; the triangles of the others bound nothing.
 class SolidBoundary {
  public:
-  static constexpr std::size_t kMostRegions = 128;
+  static constexpr std::size_t kMaxRegions = 128;
 
   /// The surface must outlive it. `threads`: 0 for as many as the machine has; the answers do not depend on
   /// it.

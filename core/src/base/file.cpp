@@ -42,8 +42,8 @@ int createNew(const std::filesystem::path& file) {
 int readStatus(int descriptor, Status& status) { return ::_fstat64(descriptor, &status); }
 
 std::ptrdiff_t writeSome(int descriptor, std::span<const std::byte> bytes) {
-  constexpr std::size_t kMost = 1u << 30;
-  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMost)));
+  constexpr std::size_t kMax = 1u << 30;
+  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMax)));
 }
 
 int flush(int descriptor) { return ::_commit(descriptor); }

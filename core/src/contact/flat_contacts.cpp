@@ -16,13 +16,13 @@ class Polygon {
 
   /// Keeps the side where normal · x <= offset.
   void cut(const Vec3& normal, double offset) {
-    std::array<Vec3, kMostCorners> kept;
+    std::array<Vec3, kMaxCorners> kept;
     std::size_t kept_count = 0;
     for (std::size_t c = 0; c < count_; ++c) {
       const Vec3 &from = corners_[c], &to = corners_[(c + 1) % count_];
       const double beyond = normal.dot(from) - offset, next_beyond = normal.dot(to) - offset;
-      if (beyond <= 0.0 && kept_count < kMostCorners) kept[kept_count++] = from;
-      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMostCorners)
+      if (beyond <= 0.0 && kept_count < kMaxCorners) kept[kept_count++] = from;
+      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMaxCorners)
         kept[kept_count++] = from + (to - from) * (beyond / (beyond - next_beyond));
     }
     corners_ = kept;
@@ -32,8 +32,8 @@ class Polygon {
   std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
 
  private:
-  static constexpr std::size_t kMostCorners = 3 + HullFaceList::kMostPoints;
-  std::array<Vec3, kMostCorners> corners_;
+  static constexpr std::size_t kMaxCorners = 3 + HullFaceList::kMaxPoints;
+  std::array<Vec3, kMaxCorners> corners_;
   std::size_t count_;
 };
 

@@ -160,15 +160,15 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
 /// Collects faces that meet a triangle, from the least deep contacts. Their number is limited, so that a
 /// large triangle under a fine mesh does not take quadratic time.
 void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMax = 256;
   shallowest_.clear();
   std::ranges::copy_if(opposite_one, std::back_inserter(shallowest_),
                        [&](std::uint32_t c) { return contacts[c].distance <= 0.0; });
-  if (shallowest_.size() > kMost) {
+  if (shallowest_.size() > kMax) {
     // Among equally deep contacts, take the first ones, so that the result is the same on every machine.
     const auto depthOf = [&](std::uint32_t c) { return std::pair(-contacts[c].distance, c); };
-    std::ranges::nth_element(shallowest_, shallowest_.begin() + kMost, {}, depthOf);
-    shallowest_.resize(kMost);
+    std::ranges::nth_element(shallowest_, shallowest_.begin() + kMax, {}, depthOf);
+    shallowest_.resize(kMax);
   }
   for (const std::uint32_t c : shallowest_) {
     faces_.emplace_back(of_a ? pairs_[c].a : pairs_[c].b, contacts[c].distance);

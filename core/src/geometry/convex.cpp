@@ -50,7 +50,7 @@ const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction) {
 
 std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room) {
   const std::span<const Vec3> points = convex.points();
-  if (!points.empty() && points.size() <= kMostPointsRoundCore) return points;
+  if (!points.empty() && points.size() <= kMaxPointsRoundCore) return points;
   const Aabb box = convex.coreBounds();
   for (std::size_t c = 0; c < 8; ++c) {
     for (int axis = 0; axis < 3; ++axis)

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFlatHull = 1e-9;    // relative to the hull's size; a thinner hull has no good faces
 constexpr double kOutside = 1e-12;    // relative to its size: points no farther out are in the face
 constexpr double kSamePlane = 1e-12;  // between unit normals
-constexpr std::size_t kMaxTriangles = 2 * HullFaceList::kMostPoints;  // Euler: 2v − 4
+constexpr std::size_t kMaxTriangles = 2 * HullFaceList::kMaxPoints;  // Euler: 2v − 4
 
 struct HullTriangle {
   std::array<std::uint32_t, 3> corner;
@@ -44,7 +44,7 @@ class HullBuilder {
         ++t;
         continue;
       }
-      if (corners_++ == HullFaceList::kMostPoints || !add(next, t)) return false;
+      if (corners_++ == HullFaceList::kMaxPoints || !add(next, t)) return false;
     }
     return count_ == 2 * corners_ - 4;
   }
@@ -162,7 +162,7 @@ class EdgeTriangles {
   }
 
  private:
-  static constexpr std::size_t kPoints = HullFaceList::kMostPoints;
+  static constexpr std::size_t kPoints = HullFaceList::kMaxPoints;
   static constexpr std::uint8_t kNone = 255;
   static_assert(kMaxTriangles <= kNone);
 
@@ -176,7 +176,7 @@ class EdgeTriangles {
 void HullFaceList::find(std::span<const Vec3> points) {
   faces_.clear();
   edges_.clear();
-  if (points.size() < 4 || points.size() > kMostPoints) return;
+  if (points.size() < 4 || points.size() > kMaxPoints) return;
   HullBuilder hull(points);
   if (!hull.build()) return;
   for (HullTriangle& triangle : hull.triangles()) {

@@ -11,8 +11,8 @@
 namespace octoblisk::detail {
 namespace {
 
-constexpr std::size_t kMaxHullFaces = 2 * HullFaceList::kMostPoints;
-constexpr std::size_t kMaxHullEdges = 3 * HullFaceList::kMostPoints;  // Euler: 3v − 6
+constexpr std::size_t kMaxHullFaces = 2 * HullFaceList::kMaxPoints;
+constexpr std::size_t kMaxHullEdges = 3 * HullFaceList::kMaxPoints;  // Euler: 3v − 6
 constexpr double kLevel = 1e-10;      // relative to the measured size: corners this near to a plane are in it
 constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis of a later kind needs
 

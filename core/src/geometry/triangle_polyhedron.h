@@ -21,7 +21,7 @@ struct AxisSearch {
 };
 
 /// The triangle must be wide enough to have a normal. `faces` are those of the hull of `points`, which number
-/// at most kMostPoints (hull_faces.h). If triangle and hull meet, the distance is minus the length of the
+/// at most kMaxPoints (hull_faces.h). If triangle and hull meet, the distance is minus the length of the
 /// shortest translation that separates them. If they lie flat on each other, the points are in the middle of
 /// their common area.
 AxisSearch searchAxes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& faces,

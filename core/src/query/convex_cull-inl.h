@@ -24,7 +24,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// All computations use a frame around the middle of the points.
 class ConvexCull {
  public:
-  /// For 1 to kMostPointsRoundCore points; boxes are relative to `origin`.
+  /// For 1 to kMaxPointsRoundCore points; boxes are relative to `origin`.
   ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree,
              double reach)
       : count_(points.size()),
@@ -133,7 +133,7 @@ class ConvexCull {
     return near;
   }
 
-  std::array<Eigen::Vector3f, kMostPointsRoundCore> points_;  // relative to their middle
+  std::array<Eigen::Vector3f, kMaxPointsRoundCore> points_;  // relative to their middle
   std::size_t count_;
   Pose tree_in_center_;  // from the tree's local frame
   Eigen::Vector3f half_extents_;

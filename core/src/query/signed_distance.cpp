@@ -39,7 +39,7 @@ class Feet {
     });
     // A point at an edge of a triangle beyond which the surface comes nearer is not a foot.
     std::size_t kept = 0;
-    const std::array<Foot, kMost> found = feet_;
+    const std::array<Foot, kMax> found = feet_;
     for (std::size_t i = 0; i < count_; ++i) {
       const bool goes_on =
           std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(i), [&](const Foot& nearer) {
@@ -54,10 +54,10 @@ class Feet {
   const Foot& operator[](std::size_t i) const { return feet_[i]; }
 
  private:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
   void insert(const Foot& foot) {
-    if (count_ == kMost) {
+    if (count_ == kMax) {
       if (foot.distance >= feet_.back().distance) return;
       --count_;
     }
@@ -66,7 +66,7 @@ class Feet {
     feet_[at] = foot;
   }
 
-  std::array<Foot, kMost> feet_;
+  std::array<Foot, kMax> feet_;
   std::size_t count_ = 0;
 };
 

@@ -117,7 +117,7 @@ void SolidBoundary::findRegions(int threads) {
   });
   parallelFor(regions.size(), threadCount(threads), [&](std::size_t r, std::size_t) {
     bool is_boundary = false;
-    if (r < kMostRegions) {
+    if (r < kMaxRegions) {
       const std::uint32_t largest = *std::ranges::max_element(
           regions[r], {}, [&](std::uint32_t t) { return scaledNormal(mesh.triangle(t)).squaredNorm(); });
       const Triangle triangle = mesh.triangle(largest);
@@ -125,8 +125,8 @@ void SolidBoundary::findRegions(int threads) {
       const double outside = windingNumber(mesh, middle, largest) - 0.5;
       // This value is -1/2 for a lone sheet, -1 for a region that faces inward, and 1 for one inside another
       // solid.
-      constexpr double kLeast = -0.75, kMost = 0.5;
-      is_boundary = outside > kLeast && outside < kMost;
+      constexpr double kLeast = -0.75, kMax = 0.5;
+      is_boundary = outside > kLeast && outside < kMax;
     }
     if (is_boundary) return;
     for (const std::uint32_t t : regions[r]) bounds_[t] = 0;

@@ -70,10 +70,10 @@ double TriangleCache::displacementBound(const Pose& pose, const Pose& from) cons
 /// How far to search beyond the requested reach: the distance of a few steps. 0 for a body that is fast or
 /// new.
 double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) const {
-  constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMost = 1.0 / 4.0;
+  constexpr double kSteps = 8.0, kLeast = 1.0 / 32.0, kMax = 1.0 / 4.0;
   const double size = bounds_.halfExtents().norm() + radius;
   const double step = last_at_ ? displacementBound(convex_in_tree, *last_at_) : size;
-  return step < 0.5 * kMost * size ? std::clamp(kSteps * step, kLeast * size, kMost * size) : 0.0;
+  return step < 0.5 * kMax * size ? std::clamp(kSteps * step, kLeast * size, kMax * size) : 0.0;
 }
 
 /// Finds the triangles within the reach plus the reserve. Keeps them if there is a reserve.
