@@ -115,7 +115,8 @@ void requireBridged(const ChangeLimits& limits) {
 
 /// The run that octoblisk grind would make of the path.
 GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
-                  const std::vector<Pose>& path, TerminalWatch& terminal) {
+                  const std::vector<Pose>& path, const std::shared_ptr<PartDepths>& depths,
+                  TerminalWatch& terminal) {
   constexpr double kMinNearMiss = 0.5;  // mm
   GrindingJob job;
   job.blisk = input.blisk;
@@ -127,6 +128,7 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
   job.rules.ground_blade = rules.ground_blade;
   job.rules.near_miss = std::clamp(rules.near_miss, kMinNearMiss, kMaxNearMiss);
   job.path = path;
+  job.depths = depths;
   job.threads = files.threads;
   GrindingRun run = runGrinding(job, terminal.watch());
   terminal.endTask();
@@ -161,9 +163,10 @@ std::optional<Coverage> coverageOfPath(const GrinderFiles& files, const GrinderI
 
 void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
                        const std::vector<Pose>& path, const PathRepair& repaired,
-                       const std::optional<Coverage>& coverage, TerminalWatch& terminal) {
-  const GrindingRun before = runOf(files, input, rules, path, terminal);
-  const GrindingRun after = runOf(files, input, rules, repaired.path, terminal);
+                       const std::optional<Coverage>& coverage, const std::shared_ptr<PartDepths>& depths,
+                       TerminalWatch& terminal) {
+  const GrindingRun before = runOf(files, input, rules, path, depths, terminal);
+  const GrindingRun after = runOf(files, input, rules, repaired.path, depths, terminal);
   WholeFiles shown;
   Replay replay = repairReplay(repaired, before, after);
   if (coverage) replay.side = coverageOnBlade(*coverage);
@@ -190,8 +193,12 @@ int repair(const RepairRequest& request) {
   warnOfUntouched(files, input, *blade);
   makeFolder(files.out);
 
+  // The repair and both runs of its report have most poses and motions in common.
+  const auto depths =
+      depthsUnder(input.tool.rules, input.blisk, input.tool.parts, files.threads, input.fixtures);
+  depths->remember();
   Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads,
-              input.fixtures);
+              input.fixtures, depths);
   const PathRepair repaired = repairPath(judge, path, directionsOffSurface(judge, path), request.limits,
                                          request.keep_contact, terminal.watch());
   terminal.endTask();
@@ -215,7 +222,7 @@ int repair(const RepairRequest& request) {
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: the poses repaired so far are in " + written.path.string());
   }
-  if (request.report) writeRepairReport(files, input, rules, path, repaired, coverage, terminal);
+  if (request.report) writeRepairReport(files, input, rules, path, repaired, coverage, depths, terminal);
   return repaired.isFree() && repaired.contactsLost() == 0 ? 0 : 1;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -78,7 +79,12 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
 class GroundSearch {
  public:
   GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part)
-      : grid_(grid), cells_(cells), part_(part), asked_at_(grid.size(), 0), found_(grid.size()) {
+      : grid_(grid),
+        cells_(cells),
+        part_(part),
+        asked_at_(grid.size(), 0),
+        last_(grid.size()),
+        found_(grid.size()) {
     constexpr int kBoxDepth = 3;
     boxes_ = part.surface().tree().boxes(kBoxDepth);
   }
@@ -95,7 +101,7 @@ class GroundSearch {
         if (((box.axes.transpose() * (point - box.center)).cwiseAbs().array() > reach.array()).any())
           return false;
         asked_at_[cell] = time_;
-        keepDeeper(found_[cell], {depthOf(point, found_[cell].depth), place.pose});
+        if (!isShallower(cell, point)) measure(cell, point, place.pose);
         return false;
       });
     }
@@ -109,15 +115,34 @@ class GroundSearch {
   const std::vector<GroundPoint>& found() const { return found_; }
 
  private:
-  /// Also minus infinity if the depth is known not to exceed `deepest`.
-  double depthOf(const Vec3& point, double deepest) const {
-    constexpr double kNone = -std::numeric_limits<double>::infinity();
+  /// A point in the part's frame, and a depth that it does not exceed there.
+  struct Bound {
+    Vec3 point = Vec3::Zero();
+    double depth = std::numeric_limits<double>::infinity();
+  };
+
+  /// Whether a cell is proved to be shallower here than before: its depth grows by no more than its way in
+  /// the part's frame.
+  bool isShallower(std::size_t cell, const Vec3& point) const {
+    constexpr double kRounding = 1e-9;  // mm
+    const Bound& last = last_[cell];
+    const double least = std::max(found_[cell].depth, -kCoverageReach);
+    return last.depth + (point - last.point).norm() + kRounding < least;
+  }
+
+  void measure(std::size_t cell, const Vec3& point, std::size_t pose) {
     const ClusteredOctree& tree = part_.surface().tree();
     const auto near = closestPoint(tree, point, kCoverageReach);
-    if (near && near->distance < deepest) return kNone;
+    if (near && near->distance < found_[cell].depth) {
+      last_[cell] = {point, near->distance};
+      return;
+    }
     const ClosestPoint nearest = near ? *near : closestPoint(tree, point).value();
-    if (part_.locate(point, nearest) == PointLocation::inside) return nearest.distance;
-    return near ? -nearest.distance : kNone;
+    const bool is_inside = part_.locate(point, nearest) == PointLocation::inside;
+    const double depth = is_inside ? nearest.distance : -nearest.distance;
+    // Where a surface bounds no solid, the depth may jump.
+    last_[cell] = part_.isWhole() ? Bound{point, depth} : Bound();
+    if (near || is_inside) keepDeeper(found_[cell], {depth, pose});
   }
 
   const SideGrid& grid_;
@@ -125,6 +150,7 @@ class GroundSearch {
   const SolidBoundary& part_;
   std::vector<Obb> boxes_;
   std::vector<std::size_t> asked_at_;
+  std::vector<Bound> last_;  // per cell: at its last measurement
   std::vector<GroundPoint> found_;
   std::size_t time_ = 0;
 };

@@ -54,7 +54,8 @@ class Grinding {
   Grinding(const GrindingJob& job, GrindingRun& run)
       : job_(job),
         run_(run),
-        judge_(job.blisk, job.parts, job.blades.blade_of_triangle, run.rules, job.threads, job.fixtures) {
+        judge_(job.blisk, job.parts, job.blades.blade_of_triangle, run.rules, job.threads, job.fixtures,
+               job.depths) {
     const std::vector<double> reaches = reachesOf(job, run.rules);
     for (int thread = 0; thread < threadCount(job.threads); ++thread) {
       cells_.push_back(std::make_unique<GrindingCell>(job.blisk, job.parts, reaches, judge_.obstacles()));

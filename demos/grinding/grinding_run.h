@@ -68,6 +68,7 @@ struct GrindingJob {
   std::vector<Pose> path;                 ///< at least one pose
   bool continuous = true;                 ///< whether to check motions
   std::optional<SpindleOptions> spindle;  ///< set to compute forces
+  std::shared_ptr<PartDepths> depths;     ///< shared with other runs (judge.h); null: made for this one
   int threads = 0;  ///< 0: as many as the machine runs at once; the answers do not depend on it
 };
 

@@ -19,12 +19,6 @@ namespace {
 constexpr std::size_t kPosesPerCache = 64;
 constexpr double kMarginOfMotions = 0.5;  // fraction of the poses' margin
 
-std::vector<double> depthLimits(const VerdictRules& rules, std::size_t parts) {
-  std::vector<double> limits;
-  for (std::size_t part = 0; part < parts; ++part) limits.push_back(rules.maxDepth(part));
-  return limits;
-}
-
 VerdictRules withBlades(VerdictRules rules, std::span<const int> blade_of_triangle) {
   rules.blade_count = blade_of_triangle.empty() ? 0 : *std::ranges::max_element(blade_of_triangle);
   return rules;
@@ -35,6 +29,16 @@ bool isSame(const Pose& a, const Pose& b) {
 }
 
 }  // namespace
+
+std::shared_ptr<PartDepths> depthsUnder(const VerdictRules& rules,
+                                        std::shared_ptr<const ClusteredOctree> blisk,
+                                        std::vector<ToolPart> parts, int threads,
+                                        std::span<const Fixture> fixtures) {
+  std::vector<double> limits;
+  for (std::size_t part = 0; part < parts.size(); ++part) limits.push_back(rules.maxDepth(part));
+  return std::make_shared<PartDepths>(std::move(blisk), std::move(parts), std::move(limits), threads,
+                                      fixtures);
+}
 
 struct Judge::PoseCache {
   explicit PoseCache(const Judge& judge) : touched(judge.parts_.size()), deep_corners(judge.parts_.size()) {
@@ -55,21 +59,21 @@ struct Judge::PoseCache {
 
 Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
              std::span<const int> blade_of_triangle, VerdictRules rules, int threads,
-             std::span<const Fixture> fixtures)
+             std::span<const Fixture> fixtures, std::shared_ptr<PartDepths> depths)
     : blisk_(std::move(blisk)),
       parts_(std::move(parts)),
       rules_(withBlades(std::move(rules), blade_of_triangle)),
       threads_(threadCount(threads)),
       obstacles_(blisk_, blade_of_triangle, parts_.size(), rules_, fixtures),
-      depths_(blisk_, parts_, depthLimits(rules_, parts_.size()), threads, fixtures),
-      motion_check_(blisk_, parts_, rules_, obstacles_, depths_, threads) {}
+      depths_(depths ? std::move(depths) : depthsUnder(rules_, blisk_, parts_, threads, fixtures)),
+      motion_check_(blisk_, parts_, rules_, obstacles_, *depths_, threads) {}
 
 Judge::~Judge() = default;
 
 void Judge::measureDepths(std::span<PoseReport> poses) {
   std::vector<Pose> places;
   for (const PoseReport& pose : poses) places.push_back(pose.tool_in_blisk);
-  auto found = depths_.measure(places);
+  auto found = depths_->measure(places);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     PoseReport& pose = poses[i];
     pose.depths = std::move(found[i]);
@@ -122,14 +126,14 @@ PoseState Judge::stateAt(const Pose& pose, PoseCache& cache, std::size_t thread)
     if (pair) {
       touches.emplace_back(part, *pair);
     }
-    if ((!pair && isInside(part, pose)) || depths_.isInFixture(part, pose)) {
+    if ((!pair && isInside(part, pose)) || depths_->isInFixture(part, pose)) {
       state.obstacle = Obstruction{part, 0, false, true};
       return state;
     }
   }
   for (const auto& [part, pair] : touches) {
     state.grinds = true;
-    if (!depths_.isBeyond(part, pose, pair, cache.deep_corners[part], thread)) continue;
+    if (!depths_->isBeyond(part, pose, pair, cache.deep_corners[part], thread)) continue;
     state.obstacle = Obstruction{part, bladeOfTriangle()[pair.a], true, false};
     return state;
   }
@@ -153,7 +157,7 @@ std::optional<Obstruction> Judge::hitBy(std::size_t part, const Pose& pose, Pose
 /// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse, or
 /// if this is unknown.
 bool Judge::isInside(std::size_t part, const Pose& pose) const {
-  return mayBeNested(depths_.blisk(), depths_.partSurface(part), pose);
+  return mayBeNested(depths_->blisk(), depths_->partSurface(part), pose);
 }
 
 std::vector<std::optional<Obstruction>> Judge::obstaclesOf(std::span<const MotionEnds> motions) {
@@ -192,7 +196,7 @@ std::vector<PoseReport> Judge::endsOf(std::span<const MotionEnds> motions, std::
       reports.push_back(&end);
     }
   }
-  const auto depths = depths_.measure(parts, places);
+  const auto depths = depths_->measure(parts, places);
   for (std::size_t k = 0; k < depths.size(); ++k) {
     if (depths[k]) reports[k]->depths.push_back(*depths[k]);
   }

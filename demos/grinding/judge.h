@@ -33,13 +33,21 @@ struct MotionEnds {
   Pose from, to;
 };
 
+/// The depths that a judge of these rules needs.
+std::shared_ptr<PartDepths> depthsUnder(const VerdictRules& rules,
+                                        std::shared_ptr<const ClusteredOctree> blisk,
+                                        std::vector<ToolPart> parts, int threads = 0,
+                                        std::span<const Fixture> fixtures = {});
+
 class Judge {
  public:
-  /// `threads` as in parallelFor's threadCount; no answer depends on their number. Throws
-  /// std::invalid_argument if the blades' numbers are not those of the blisk's mesh.
+  /// `threads` as in parallelFor's threadCount; no answer depends on their number. Several judges of the same
+  /// blisk, parts and fixtures may share `depths`, one after the other, if the limits of all parts that may
+  /// touch are the same; null makes them. Throws std::invalid_argument if the blades' numbers are not those
+  /// of the blisk's mesh.
   Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
         std::span<const int> blade_of_triangle, VerdictRules rules, int threads = 0,
-        std::span<const Fixture> fixtures = {});
+        std::span<const Fixture> fixtures = {}, std::shared_ptr<PartDepths> depths = nullptr);
   ~Judge();
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
@@ -50,7 +58,7 @@ class Judge {
   const Obstacles& obstacles() const { return obstacles_; }
   /// The body of each triangle of the surroundings. The blisk's triangles come first.
   std::span<const int> bladeOfTriangle() const { return obstacles_.bodyOfTriangle(); }
-  DepthKind depthKind(std::size_t part) const { return depths_.kindOf(part); }
+  DepthKind depthKind(std::size_t part) const { return depths_->kindOf(part); }
 
   /// Sets the depths. The poses must have their contacts.
   void measureDepths(std::span<PoseReport> poses);
@@ -86,7 +94,7 @@ class Judge {
   VerdictRules rules_;
   int threads_;
   Obstacles obstacles_;
-  PartDepths depths_;
+  std::shared_ptr<PartDepths> depths_;
   MotionCheck motion_check_;
 };
 

@@ -1,6 +1,7 @@
 #include "grinding/part_depths.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "base/parallel.h"
@@ -56,9 +57,21 @@ DepthKind PartDepths::kindOf(std::size_t part) const {
 }
 
 std::vector<std::vector<PartDepth>> PartDepths::measure(std::span<const Pose> tool_in_blisk) {
+  std::vector<std::size_t> parts;
+  std::vector<Pose> places;
+  for (const Pose& pose : tool_in_blisk) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      parts.push_back(part);
+      places.push_back(pose);
+    }
+  }
+  const auto depths = measure(parts, places);
   std::vector<std::vector<PartDepth>> found(tool_in_blisk.size());
-  parallelFor(found.size(), static_cast<int>(queries_.size()), [&](std::size_t i, std::size_t worker) {
-    found[i] = measureAt(tool_in_blisk[i], queries_[worker]);
+  parallelFor(found.size(), static_cast<int>(queries_.size()), [&](std::size_t i, std::size_t) {
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (const auto& depth = depths[i * parts_.size() + part]) found[i].push_back(*depth);
+    }
+    addNested(tool_in_blisk[i], found[i]);
   });
   return found;
 }
@@ -66,10 +79,32 @@ std::vector<std::vector<PartDepth>> PartDepths::measure(std::span<const Pose> to
 std::vector<std::optional<PartDepth>> PartDepths::measure(std::span<const std::size_t> parts,
                                                           std::span<const Pose> tool_in_blisk) {
   std::vector<std::optional<PartDepth>> found(parts.size());
-  parallelFor(found.size(), static_cast<int>(queries_.size()), [&](std::size_t i, std::size_t worker) {
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto known = remembers_ ? known_.find({parts[i], bitsOf(tool_in_blisk[i])}) : known_.end();
+    if (known == known_.end()) {
+      unknown.push_back(i);
+    } else {
+      found[i] = known->second;
+    }
+  }
+  parallelFor(unknown.size(), static_cast<int>(queries_.size()), [&](std::size_t k, std::size_t worker) {
+    const std::size_t i = unknown[k];
     found[i] = ofPart(parts[i], tool_in_blisk[i], queries_[worker]);
   });
+  for (const std::size_t i : unknown) {
+    if (remembers_) known_.try_emplace({parts[i], bitsOf(tool_in_blisk[i])}, found[i]);
+  }
   return found;
+}
+
+PartDepths::PoseBits PartDepths::bitsOf(const Pose& pose) {
+  PoseBits bits;
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    bits[k] = std::bit_cast<std::uint64_t>(k < 9 ? pose.rotation(at / 3, at % 3) : pose.translation(at - 9));
+  }
+  return bits;
 }
 
 /// Proves it by lifting the part off a triangle of the blisk; false: not proved.
@@ -165,11 +200,8 @@ std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Po
   return deepest > depth ? std::optional(at) : std::nullopt;
 }
 
-std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQuery& query) const {
-  std::vector<PartDepth> found;
-  for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (const auto depth = ofPart(part, tool_in_blisk, query)) found.push_back(*depth);
-  }
+/// Adds the parts that contain a fixture or lie inside it.
+void PartDepths::addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& found) const {
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     auto first = static_cast<std::uint32_t>(blisk_->mesh().triangleCount());
     for (const auto& fixture : fixtures_) {
@@ -181,7 +213,6 @@ std::vector<PartDepth> PartDepths::measureAt(const Pose& tool_in_blisk, DepthQue
       first += static_cast<std::uint32_t>(tree.mesh().triangleCount());
     }
   }
-  return found;
 }
 
 bool PartDepths::isInFixture(std::size_t part, const Pose& tool_in_blisk) const {

@@ -1,10 +1,13 @@
 // Penetration depths of the tool's parts and the blisk as solids, whatever triangles they consist of.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "grinding/fixture.h"
@@ -48,6 +51,10 @@ class PartDepths {
   PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart> parts,
              std::vector<double> limits, int threads = 0, std::span<const Fixture> fixtures = {});
 
+  /// Keeps every depth measured from now on: a part at the same pose is not measured again. For paths that
+  /// have many poses and motions in common.
+  void remember() { remembers_ = true; }
+
   DepthKind kindOf(std::size_t part) const;
   const SolidBoundary& blisk() const { return blisk_boundary_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
@@ -81,8 +88,11 @@ class PartDepths {
     SolidBoundary boundary;
   };
 
+  using PoseBits = std::array<std::uint64_t, 12>;
+
+  static PoseBits bitsOf(const Pose& pose);
   bool isNested(std::size_t part, const FixedSolid& fixture, const Pose& tool_in_blisk) const;
-  std::vector<PartDepth> measureAt(const Pose& tool_in_blisk, DepthQuery& query) const;
+  void addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& found) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
   double depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const;
@@ -97,6 +107,8 @@ class PartDepths {
   std::vector<std::unique_ptr<const FixedSolid>> fixtures_;
   std::vector<octoblisk::Surface> part_surfaces_;
   std::vector<DepthQuery> queries_;  // one per thread
+  bool remembers_ = false;
+  std::map<std::pair<std::size_t, PoseBits>, std::optional<PartDepth>> known_;  // part and pose
 };
 
 }  // namespace octoblisk::demos

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace octoblisk::demos {
 namespace {
@@ -26,20 +27,28 @@ BladeCut widestCut(const WeldedSurface& surface, const std::vector<double>& fall
   return best;
 }
 
-std::size_t countBetween(const WeldedSurface& surface, double low, double high) {
+GrowingParts grownBetween(const WeldedSurface& surface, double low, double high) {
   GrowingParts growing(surface);
   growing.addBetween(low, high);
-  return bladesAmong(growing.parts()).size();
+  return growing;
 }
 
 /// Moves the cuts closer to hub and shroud, by at most one step between cuts.
 BladeCut refine(const WeldedSurface& surface, BladeCut cut, double low_step, double high_step) {
+  GrowingParts at_cut = grownBetween(surface, cut.low, cut.high);
+  const auto keepIfSame = [&](GrowingParts&& moved) {
+    if (bladesAmong(moved.parts()).size() != cut.count) return false;
+    at_cut = std::move(moved);
+    return true;
+  };
   for (int k = 0; k < kRefinements; ++k) {
     low_step *= 0.5;
-    if (countBetween(surface, cut.low - low_step, cut.high) == cut.count) cut.low -= low_step;
+    GrowingParts lower = at_cut;  // has all triangles but those between the two cuts
+    lower.addBetween(cut.low - low_step, cut.high);
+    if (keepIfSame(std::move(lower))) cut.low -= low_step;
     if (std::isinf(cut.high)) continue;
     high_step *= 0.5;
-    if (countBetween(surface, cut.low, cut.high + high_step) == cut.count) cut.high += high_step;
+    if (keepIfSame(grownBetween(surface, cut.low, cut.high + high_step))) cut.high += high_step;
   }
   return cut;
 }

@@ -5,7 +5,7 @@
 namespace octoblisk::demos {
 
 GrowingParts::GrowingParts(const WeldedSurface& surface)
-    : surface_(surface),
+    : surface_(&surface),
       parent_(surface.mesh.vertices().size()),
       sums_(parent_.size()),
       seen_(parent_.size()) {
@@ -13,9 +13,9 @@ GrowingParts::GrowingParts(const WeldedSurface& surface)
 }
 
 void GrowingParts::addBetween(double low, double high) {
-  for (; next_ < surface_.outermost.size() && surface_.low[surface_.outermost[next_]] > low; ++next_) {
-    const std::uint32_t triangle = surface_.outermost[next_];
-    if (surface_.high[triangle] < high) add(triangle);
+  for (; next_ < surface_->outermost.size() && surface_->low[surface_->outermost[next_]] > low; ++next_) {
+    const std::uint32_t triangle = surface_->outermost[next_];
+    if (surface_->high[triangle] < high) add(triangle);
   }
 }
 
@@ -35,7 +35,7 @@ std::vector<Part> GrowingParts::parts() {
 }
 
 void GrowingParts::add(std::uint32_t triangle) {
-  const TriangleMesh::Indices& corners = surface_.corners[triangle];
+  const TriangleMesh::Indices& corners = surface_->corners[triangle];
   for (const std::uint32_t corner : corners) {
     if (!seen_[corner]) roots_.push_back(corner);
     seen_[corner] = true;
@@ -46,7 +46,7 @@ void GrowingParts::add(std::uint32_t triangle) {
     sums_[into].area += sums_[from].area;
     sums_[into].moment += sums_[from].moment;
   }
-  const Triangle t = surface_.mesh.triangle(triangle);
+  const Triangle t = surface_->mesh.triangle(triangle);
   const double area = 0.5 * scaledNormal(t).norm();
   Sums& sums = sums_[rootOf(corners[0])];
   sums.area += area;

@@ -16,7 +16,7 @@ struct Part {
   Vec3 centroid = Vec3::Zero();
 };
 
-/// The parts of the triangles added so far.
+/// The parts of the triangles added so far. A copy grows on by itself.
 class GrowingParts {
  public:
   /// The surface must outlive the parts.
@@ -39,7 +39,7 @@ class GrowingParts {
 
   void add(std::uint32_t triangle);
 
-  const WeldedSurface& surface_;
+  const WeldedSurface* surface_;
   std::vector<std::uint32_t> parent_;
   std::vector<Sums> sums_;
   std::vector<bool> seen_;

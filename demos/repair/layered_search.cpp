@@ -1,7 +1,6 @@
 #include "repair/layered_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace octoblisk::demos {
@@ -18,7 +17,9 @@ LayeredSearch::LayeredSearch(const ChangeGrid& grid, std::size_t poses)
       poses_(poses),
       costs_(grid.size()),
       states_(poses * grid.size(), State::free),
-      least_retract_(poses, 0) {
+      least_retract_(poses, 0),
+      before_(poses),
+      kept_costs_((poses - 1) / kPosesPerKept + 1) {
   for (std::uint32_t node = 0; node < costs_.size(); ++node) costs_[node] = grid.cost(grid.change(node));
   // The cost of a step is a sum over the three values, so each value can be relaxed separately.
   const ChangeLimits& limits = grid.limits();
@@ -77,33 +78,36 @@ void LayeredSearch::relax(const Axis& axis, Layer& layer, Layer& next) const {
 /// The least cost over all steps to one node, some of which are blocked.
 void LayeredSearch::relaxBlocked(const std::vector<double>& costs, std::uint32_t to,
                                  const std::set<std::uint32_t>& blocked_from, Layer& layer) const {
-  const ChangeLimits& limits = grid_->limits();
-  const Change target = grid_->change(to);
+  const auto stepsOn = [&](std::size_t axis) -> const std::vector<Axis::Step>& {
+    return axes_[axis].steps_to[to / axes_[axis].stride % axes_[axis].steps_to.size()];
+  };
   layer.cost[to] = std::numeric_limits<double>::infinity();
-  for (std::uint32_t from = 0; from < costs.size(); ++from) {
-    const Change source = grid_->change(from);
-    const double tilt = std::abs(target.tilt - source.tilt);
-    const double slide = std::abs(target.slide - source.slide);
-    const double retract = std::abs(target.retract - source.retract);
-    if (tilt > limits.tilt_per_pose + kGridRounding || slide > limits.slide_per_pose + kGridRounding ||
-        retract > limits.retract_per_pose + kGridRounding) {
-      continue;
+  for (const Axis::Step& tilt : stepsOn(0)) {
+    for (const Axis::Step& slide : stepsOn(1)) {
+      for (const Axis::Step& retract : stepsOn(2)) {
+        const std::uint32_t from = grid_->node(tilt.from, slide.from, retract.from);
+        const double here = costs[from] + tilt.cost + slide.cost + retract.cost +
+                            (blocked_from.contains(from) ? kBlocked : 0.0);
+        if (here >= layer.cost[to]) continue;
+        layer.cost[to] = here;
+        layer.before[to] = static_cast<std::uint16_t>(from);
+      }
     }
-    const double here = costs[from] + grid_->tiltStepCost(tilt) + grid_->slideStepCost(slide) +
-                        grid_->retractStepCost(retract) + (blocked_from.contains(from) ? kBlocked : 0.0);
-    if (here >= layer.cost[to]) continue;
-    layer.cost[to] = here;
-    layer.before[to] = static_cast<std::uint16_t>(from);
   }
 }
 
-std::vector<std::uint32_t> LayeredSearch::cheapest() const {
+std::vector<std::uint32_t> LayeredSearch::cheapest() {
   const std::size_t nodes = costs_.size();
-  std::vector<std::vector<std::uint16_t>> before(poses_);
   Layer layer{std::vector<double>(nodes), std::vector<std::uint16_t>(nodes)};
   Layer next = layer;
-  for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] = nodeCost(0, node);
-  for (std::size_t pose = 1; pose < poses_; ++pose) {
+  if (searched_ == 0) {
+    for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] = nodeCost(0, node);
+    kept_costs_.front() = layer.cost;
+    searched_ = 1;
+  }
+  const std::size_t kept = (searched_ - 1) / kPosesPerKept;
+  layer.cost = kept_costs_[kept];
+  for (std::size_t pose = kept * kPosesPerKept + 1; pose < poses_; ++pose) {
     for (std::uint32_t node = 0; node < nodes; ++node) layer.before[node] = static_cast<std::uint16_t>(node);
     const auto blocked = blocked_steps_.find(pose);
     const std::vector<double> costs = blocked != blocked_steps_.end() ? layer.cost : std::vector<double>{};
@@ -112,11 +116,13 @@ std::vector<std::uint32_t> LayeredSearch::cheapest() const {
       for (const auto& [to, from] : blocked->second) relaxBlocked(costs, to, from, layer);
     }
     for (std::uint32_t node = 0; node < nodes; ++node) layer.cost[node] += nodeCost(pose, node);
-    before[pose] = layer.before;
+    before_[pose] = layer.before;
+    if (pose % kPosesPerKept == 0) kept_costs_[pose / kPosesPerKept] = layer.cost;
   }
+  searched_ = poses_;
   std::vector<std::uint32_t> route(poses_);
   route.back() = static_cast<std::uint32_t>(std::ranges::min_element(layer.cost) - layer.cost.begin());
-  for (std::size_t pose = poses_ - 1; pose > 0; --pose) route[pose - 1] = before[pose][route[pose]];
+  for (std::size_t pose = poses_ - 1; pose > 0; --pose) route[pose - 1] = before_[pose][route[pose]];
   return route;
 }
 

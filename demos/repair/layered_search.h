@@ -26,28 +26,38 @@ class LayeredSearch {
 
   void blockNode(std::size_t pose, std::uint32_t node) {
     states_[pose * grid_->size() + node] = State::blocked;
+    noteChange(pose);
   }
 
   /// Marks a node where the tool loses its contact.
   void markLosing(std::size_t pose, std::uint32_t node) {
     State& state = states_[pose * grid_->size() + node];
     state = std::max(state, State::losing);
+    noteChange(pose);
   }
 
   /// Blocks the step from a node to a node of the next pose, which is `pose`.
   void blockStep(std::size_t pose, std::uint32_t from, std::uint32_t to) {
     blocked_steps_[pose][to].insert(from);
+    noteChange(pose);
   }
 
   /// Removes all blocks of steps to a pose.
-  void unblockSteps(std::size_t pose) { blocked_steps_.erase(pose); }
+  void unblockSteps(std::size_t pose) {
+    blocked_steps_.erase(pose);
+    noteChange(pose);
+  }
 
   /// Makes the route avoid a pose's nodes with a smaller retraction than the index, at any cost, unless the
   /// others are blocked.
-  void avoidBelow(std::size_t pose, std::size_t retract) { least_retract_[pose] = retract; }
+  void avoidBelow(std::size_t pose, std::size_t retract) {
+    least_retract_[pose] = retract;
+    noteChange(pose);
+  }
 
-  /// The node of each pose. Among routes of equal cost the choice is deterministic.
-  std::vector<std::uint32_t> cheapest() const;
+  /// The node of each pose. Among routes of equal cost the choice is deterministic. Poses before the first
+  /// one that changed since the last call are not searched again.
+  std::vector<std::uint32_t> cheapest();
 
  private:
   enum class State : std::uint8_t { free, losing, blocked };
@@ -71,6 +81,9 @@ class LayeredSearch {
     std::vector<std::vector<Step>> steps_to;  // per value
   };
 
+  static constexpr std::size_t kPosesPerKept = 16;
+
+  void noteChange(std::size_t pose) { searched_ = std::min(searched_, pose); }
   double nodeCost(std::size_t pose, std::uint32_t node) const;
   void relax(const Axis& axis, Layer& layer, Layer& next) const;
   void relaxBlocked(const std::vector<double>& costs, std::uint32_t to,
@@ -83,6 +96,9 @@ class LayeredSearch {
   std::vector<State> states_;               // per pose and node
   std::vector<std::size_t> least_retract_;  // per pose: smaller ones are avoided
   std::map<std::size_t, std::map<std::uint32_t, std::set<std::uint32_t>>> blocked_steps_;  // pose, to, from
+  std::size_t searched_ = 0;                        // the layers of this many poses are known
+  std::vector<std::vector<std::uint16_t>> before_;  // per pose: Layer::before
+  std::vector<std::vector<double>> kept_costs_;     // Layer::cost of every kPosesPerKept-th pose
 };
 
 }  // namespace octoblisk::demos

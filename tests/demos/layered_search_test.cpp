@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace octoblisk::demos {
 namespace {
@@ -121,6 +123,39 @@ TEST(LayeredSearch, isTheBestOfAllPairsOfNodes) {
   }
   EXPECT_GT(with_blocked, scenes * 3 / 10) << "some scenes have no free route";
   EXPECT_LT(with_blocked, scenes * 7 / 10);
+}
+
+TEST(LayeredSearch, afterEachChangeFindsTheRouteOfANewSearch) {
+  const ChangeGrid grid({.tilt = 2, .slide = 2, .retract = 4.0, .retract_grid = 0.5});
+  constexpr std::size_t kPoses = 50;
+  LayeredSearch search(grid, kPoses);
+  std::vector<std::function<void(LayeredSearch&)>> changes;
+  std::mt19937 random(7);
+  for (int k = 0; k < 60; ++k) {
+    const std::vector<std::uint32_t> route = search.cheapest();
+    const std::size_t p = 1 + random() % (kPoses - 1);
+    const std::uint32_t from = route[p - 1], to = route[p];
+    switch (k % 5) {
+      case 0:
+        changes.emplace_back([=](LayeredSearch& changed) { changed.blockNode(p, to); });
+        break;
+      case 1:
+        changes.emplace_back([=](LayeredSearch& changed) { changed.markLosing(p, to); });
+        break;
+      case 2:
+        changes.emplace_back([=](LayeredSearch& changed) { changed.blockStep(p, from, to); });
+        break;
+      case 3:
+        changes.emplace_back([=](LayeredSearch& changed) { changed.avoidBelow(p, 1 + k % 3); });
+        break;
+      default:
+        changes.emplace_back([=](LayeredSearch& changed) { changed.unblockSteps(p); });
+    }
+    changes.back()(search);
+    LayeredSearch fresh(grid, kPoses);
+    for (const auto& change : changes) change(fresh);
+    ASSERT_EQ(search.cheapest(), fresh.cheapest()) << "change " << k;
+  }
 }
 
 TEST(LayeredSearch, changesNothingWhereNothingIsBlocked) {

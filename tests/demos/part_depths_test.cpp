@@ -150,5 +150,31 @@ TEST(PartDepths, isTheGreaterOfBothWays_vs_depths_of_a_grid_of_points) {
   EXPECT_GT(of_blisks, kPoses / 10);
 }
 
+TEST(PartDepths, rememberedAreThoseOfThePartAtThePose) {
+  const auto wall = treeOf(block({40, 2, 40}, 1)), small = treeOf(block({2, 2, 2}, 1));
+  const std::vector<ToolPart> parts = {{"large", treeOf(block({4, 2, 4}, 1))}, {"small", small}};
+  std::vector<Pose> poses(3);
+  poses[0].translation = {0, 1.95, 0};
+  poses[1].translation = {0, 1.97, 0};
+  poses[2].translation = {0, 9, 0};
+  PartDepths fresh(wall, parts, 0.1, 1), remembering(wall, parts, 0.1, 2);
+  remembering.remember();
+  const std::vector<std::size_t> one = {1};
+  EXPECT_TRUE(remembering.measure(one, {&poses[1], 1}).front());
+  for (int time = 0; time < 2; ++time) {
+    const auto expected = fresh.measure(poses), found = remembering.measure(poses);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      ASSERT_EQ(found[i].size(), expected[i].size());
+      for (std::size_t k = 0; k < found[i].size(); ++k) {
+        EXPECT_EQ(found[i][k].part, expected[i][k].part);
+        EXPECT_EQ(found[i][k].depth, expected[i][k].depth);
+        EXPECT_EQ(found[i][k].triangle_of_blisk, expected[i][k].triangle_of_blisk);
+      }
+    }
+    EXPECT_EQ(found[0].size(), 2u);
+    EXPECT_TRUE(found[2].empty());
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk::demos
