@@ -15,8 +15,8 @@ std::complex<double> halfSolidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 
 /// Whether arguments add up without a turn: both are below a right angle, and so is their sum.
 bool isShortTurn(const std::complex<double>& by, const std::complex<double>& product) {
-  constexpr double kLeast = 1e-150, kMost = 1e150;
-  return by.real() > 0.0 && product.real() > kLeast && product.real() < kMost;
+  constexpr double kLeast = 1e-150, kMax = 1e150;
+  return by.real() > 0.0 && product.real() > kLeast && product.real() < kMax;
 }
 
 }  // namespace
