@@ -31,7 +31,7 @@ const std::vector<Golden> kGolden = {
     {"contacts of a source", 0x6e82fb0fffdae8a9u},
     {"clusters near", 0x24d4d8a04287b03au},
     {"contacts of convex bodies", 0x58664b8f0bb4cd9au},
-    {"distance", 0x59aa96b2d8416f72u},
+    {"distance", 0xace9156dbe811757u},
     {"rays", 0x1547be03d967fea6u},
     {"motions", 0xb57082999be5c340u},
     {"sweeps", 0x78529b7a550b8faeu},
