@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/hard_meshes.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
@@ -79,6 +80,42 @@ TEST(ClosestPoint, tree_vs_bruteforce) {
       EXPECT_LE(within, kPoints * 7 / 10) << "scene " << s;
     }
   }
+}
+
+/// The tree skips triangles by bounds in single precision. The answer must still be that of all triangles, to
+/// the last bit; of triangles that are equally near, the first.
+TEST(ClosestPoint, hardMeshes_vs_everyTriangle) {
+  std::mt19937_64 random(73);
+  int ties = 0;
+  for (int k = 0; k < 3 * testing::kMeshKinds; ++k) {
+    const auto kind = static_cast<testing::MeshKind>(k / 3);
+    const double scale = k % 3 == 1 ? 1e-6 : 1.0;
+    const Vec3 offset = k % 3 == 2 ? Vec3(1e3, -2e3, 3e3) : Vec3::Zero();
+    const SharedMesh mesh = testing::placed(*testing::hardMesh(random, kind), scale, offset);
+    const ClusteredOctree tree = ClusteredOctree::build(mesh);
+    for (int i = 0; i < 300; ++i) {
+      const Triangle start = mesh->triangle(random() % mesh->triangleCount());
+      const double away = scale * std::pow(10.0, 2 - i % 10);
+      const Vec3 point = (i % 2 == 0 ? start[0] : Vec3((start[0] + start[1] + start[2]) / 3.0)) +
+                         testing::randomPoint(random, away);
+      ClosestPoint expected;
+      expected.distance = std::numeric_limits<double>::infinity();
+      bool is_tie = false;
+      for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
+        const Vec3 on_triangle = closestPoint(mesh->triangle(t), point);
+        const double distance = std::sqrt((on_triangle - point).squaredNorm());
+        if (distance > expected.distance) continue;
+        is_tie = distance == expected.distance;
+        if (!is_tie) expected = {on_triangle, distance, t};
+      }
+      ties += is_tie;
+      const auto found = closestPoint(tree, point);
+      ASSERT_TRUE(found);
+      ASSERT_EQ(found->triangle, expected.triangle) << testing::nameOf(kind) << ", point " << i;
+      ASSERT_EQ(found->distance, expected.distance);
+    }
+  }
+  EXPECT_GE(ties, 500);
 }
 
 }  // namespace

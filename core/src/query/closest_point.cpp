@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "query/traversal-inl.h"
+#include "simd/triangle8-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -27,6 +29,39 @@ HWY_INLINE Float8 distances(const Box8& boxes, const Eigen::Vector3f& point) {
   return sqrt(squared);
 }
 
+/// Lower bounds of the distances from a point, in the tree's local frame, to the triangles of a leaf.
+HWY_INLINE Float8 distanceBounds(const Tree& tree, Slot leaf, const Vec3& point) {
+  Box8 box_room(Box8::Unset{});
+  LeafVertices room;
+  const BoxF box = boxesAt(tree, leaf, box_room).get(static_cast<int>(leaf.lane));
+  const float* const rows = tree.leafVertices(leaf, room);
+  const std::uint32_t count = tree.child(leaf).count();
+  const Eigen::Vector3f at =
+      (box.axes.cast<double>().transpose() * (point - box.center.cast<double>())).cast<float>();
+  // With this unit of length, products neither overflow nor underflow.
+  const float size = at.cwiseAbs().sum() + box.half_extents.maxCoeff() + std::numeric_limits<float>::min();
+  const Float8 unit(1.0f / size);
+  const auto corner = [&](std::uint32_t v) HWY_ATTR {
+    const float* const x = rows + 3 * v * count;
+    return Vec8(Float8::load(x) - Float8(at.x()), Float8::load(x + count) - Float8(at.y()),
+                Float8::load(x + 2 * count) - Float8(at.z())) *
+           unit;
+  };
+  const Triangle8 triangles(corner(0), corner(1), corner(2));
+  const Float8 zero(0.0f);
+  Float8 squared = squaredFaceDistance(Vec8(zero, zero, zero), triangles);
+  for (int v = 0; v < 3; ++v) {
+    const Edge8& edge = triangles.edge[v];
+    const Vec8& from = triangles.corner[v];
+    const Float8 part = clamped01((zero - dot(edge.along, from)) * edge.reciprocal);
+    const Vec8 apart = from + edge.along * part;
+    squared = min(squared, dot(apart, apart));
+  }
+  // The sine of a triangle that is not thin is at least 2^-5: its normal loses as many bits.
+  constexpr float kRounding = 0x1p-15f;
+  return (sqrt(squared) - triangles.thin - Float8(kRounding)) * Float8(size);
+}
+
 std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, double upper_bound) {
   const LocalBox local(tree, {point, Mat3::Identity(), Vec3::Zero()});
   const double farthest = local.size;  // no triangle is farther away
@@ -37,8 +72,14 @@ std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, d
   double squared_limit = squaredLimit(best.distance);
   const auto gap = [](const Box8& boxes, const BoxF& at) HWY_ATTR { return distances(boxes, at.center); };
   const auto limit = [&] { return static_cast<float>(best.distance + rounding); };
-  walkBox(tree, local, gap, limit, [&](Slot leaf) {
-    for (const std::uint32_t t : tree.triangles(tree.child(leaf))) {
+  const Vec3 from_origin = point - tree.origin();
+  walkBox(tree, local, gap, limit, [&](Slot leaf) HWY_ATTR {
+    const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
+    float bounds[kLanes];
+    distanceBounds(tree, leaf, from_origin).store(bounds);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (bounds[i] > limit()) continue;
+      const std::uint32_t t = triangles[i];
       const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
       const double squared = (on_triangle - point).squaredNorm();
       if (squared > squared_limit) continue;
