@@ -75,7 +75,8 @@ void TightPairs::demote(btDispatcher* dispatcher) {
     pair.m_internalTmpValue = asked;
     if (!areKeptApart(*a, *b, depth_, holders_)) continue;
     Cache::removeOverlappingPair(a, b, dispatcher);
-    apart_.addOverlappingPair(a, b);
+    // Bullet notices only some steps later that boxes no longer overlap.
+    if (boxesOverlap(*a, *b)) apart_.addOverlappingPair(a, b);
     --i;  // the last pair took its place
   }
 }

@@ -71,6 +71,31 @@ TEST(Broadphase, ofTwoOfOursTheClustersCount) {
   EXPECT_TRUE(tight.has(outer, inner));
 }
 
+TEST(Broadphase, pairsWhoseBoxesPartAtOnceAreNotCoarsePairs) {
+  const auto torus = shapeOf(testing::torus(2, 0.5, 24, 12));
+  testing::StockWorld stock;
+  TightWorld tight;
+  constexpr int kPairs = 20;
+  const auto place = [&](double between) {
+    const auto placed = [&](int i) { return at(20 * (i / 2) + between * (i % 2), 0, 0); };
+    const auto of = [&](auto& world) {
+      for (int i = 0; i < 2 * kPairs; ++i) {
+        if (int(world.objects.size()) < 2 * kPairs) world.add(*torus, placed(i));
+        world.objects[std::size_t(i)]->setWorldTransform(placed(i));
+      }
+      world.world.performDiscreteCollisionDetection();
+    };
+    of(stock);
+    of(tight);
+  };
+  place(1);
+  ASSERT_EQ(tight.broadphase.tightPairs(), kPairs);
+  place(8);
+  EXPECT_GT(stock.pairs(), kPairs / 2);  // Bullet removes a few pairs per step
+  ASSERT_NO_FATAL_FAILURE(testing::expectPairsOf(stock, tight));
+  EXPECT_EQ(tight.broadphase.coarsePairs(), 0);
+}
+
 TEST(Broadphase, shapesMarginsAndScalesAreReadAnew) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   btSphereShape sphere(btScalar(0.5)), large(btScalar(1.6));
