@@ -118,5 +118,25 @@ TEST(ClosestPoint, hardMeshes_vs_everyTriangle) {
   EXPECT_GE(ties, 500);
 }
 
+/// The edges of a thin triangle are farther from a point over its middle than a wide triangle just behind it.
+TEST(ClosestPoint, thinTrianglesInFrontOfAWideOne) {
+  std::mt19937_64 random(74);
+  for (int i = 0; i < 2'000; ++i) {
+    const double width = std::exp2(-4.0 - 0.004 * i), height = 0.02 * width;
+    const Pose pose = testing::randomPose(random, 3.0);
+    std::vector<Vec3> vertices = {{-2, -2, -height},     {2, -2, -height},     {0, 3, -height},
+                                  {-0.5, -width / 3, 0}, {0.5, -width / 3, 0}, {0.0, 2 * width / 3, 0}};
+    for (Vec3& vertex : vertices) vertex = pose * vertex;
+    std::vector<TriangleMesh::Indices> triangles = {{0, 1, 2}, {3, 4, 5}};
+    const std::uint32_t thin = i % 2 == 0;
+    if (thin == 0) std::swap(triangles[0], triangles[1]);
+    const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(vertices, triangles));
+    const auto found = closestPoint(tree, pose * Vec3(0, 0, 0.5 * height));
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->triangle, thin) << width;
+    ASSERT_NEAR(found->distance, 0.5 * height, 1e-10);
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk
