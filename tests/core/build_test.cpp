@@ -1,12 +1,10 @@
 // The build of the clustered octree on several threads and at both qualities.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
-#include <cstring>
-#include <stdexcept>
+#include <memory>
+#include <random>
+#include <vector>
 
-#include "base/parallel.h"
 #include "core/same_bits.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/collide.h"
@@ -71,35 +69,6 @@ TEST(Build, bothQualitiesGiveTheVerdictsOfAllPairs) {
   }
   EXPECT_GT(hits, kPoses * 3 / 10);
   EXPECT_LT(hits, kPoses * 7 / 10);
-}
-
-TEST(ParallelFor, callsEachIndexOnce) {
-  for (const int threads : {1, 2, 3, 8}) {
-    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{1000}}) {
-      std::vector<std::atomic<int>> calls(count);
-      std::atomic<bool> workers_in_range = true;
-      parallelFor(count, threads, [&](std::size_t index, std::size_t worker) {
-        ++calls[index];
-        if (worker >= static_cast<std::size_t>(threads)) workers_in_range = false;
-      });
-      EXPECT_TRUE(std::ranges::all_of(calls, [](const std::atomic<int>& n) { return n == 1; }));
-      EXPECT_TRUE(workers_in_range);
-    }
-  }
-}
-
-TEST(ParallelFor, throwsOnWhatACallHasThrown) {
-  for (const int threads : {1, 2, 8}) {
-    for (const std::size_t bad : {std::size_t{0}, std::size_t{500}, std::size_t{999}}) {
-      EXPECT_THROW(parallelFor(1000, threads,
-                               [&](std::size_t index, std::size_t) {
-                                 if (index == bad) throw std::runtime_error("bad");
-                               }),
-                   std::runtime_error);
-    }
-    EXPECT_THROW(parallelFor(1000, threads, [](std::size_t, std::size_t) { throw std::bad_alloc(); }),
-                 std::bad_alloc);
-  }
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -17,15 +19,17 @@ using namespace detail;
 namespace {
 
 TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {
-  for (const int threads : {1, 2, 5}) {
-    std::vector<std::atomic<int>> visits(1000);
-    std::atomic<bool> worker_is_known = true;
-    parallelFor(visits.size(), threads, [&](std::size_t index, std::size_t worker) {
-      ++visits[index];
-      if (worker >= static_cast<std::size_t>(threads)) worker_is_known = false;
-    });
-    for (const std::atomic<int>& count : visits) ASSERT_EQ(count, 1);
-    EXPECT_TRUE(worker_is_known);
+  for (const int threads : {1, 2, 3, 8}) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{1000}}) {
+      std::vector<std::atomic<int>> visits(count);
+      std::atomic<bool> worker_is_known = true;
+      parallelFor(count, threads, [&](std::size_t index, std::size_t worker) {
+        ++visits[index];
+        if (worker >= static_cast<std::size_t>(threads)) worker_is_known = false;
+      });
+      EXPECT_TRUE(std::ranges::all_of(visits, [](const std::atomic<int>& n) { return n == 1; }));
+      EXPECT_TRUE(worker_is_known);
+    }
   }
 }
 
@@ -48,6 +52,19 @@ TEST(ParallelFor, throwsWhatABodyThrew) {
       EXPECT_STREQ(error.what(), "at 17");
     }
     EXPECT_LT(visits, 100000);  // the remaining work is not started
+  }
+}
+
+TEST(ParallelFor, throwsAtAnyIndexAndFromAllThreads) {
+  for (const int threads : {1, 2, 8}) {
+    for (const std::size_t bad : {std::size_t{0}, std::size_t{500}, std::size_t{999}}) {
+      const auto throwAtBad = [&](std::size_t index, std::size_t) {
+        if (index == bad) throw std::runtime_error("bad");
+      };
+      EXPECT_THROW(parallelFor(1000, threads, throwAtBad), std::runtime_error);
+    }
+    const auto throwAlways = [](std::size_t, std::size_t) { throw std::bad_alloc(); };
+    EXPECT_THROW(parallelFor(1000, threads, throwAlways), std::bad_alloc);
   }
 }
 
