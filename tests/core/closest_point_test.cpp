@@ -82,9 +82,25 @@ TEST(ClosestPoint, tree_vs_bruteforce) {
   }
 }
 
-/// The tree skips triangles by bounds in single precision. The answer must still be that of all triangles, to
-/// the last bit; of triangles that are equally near, the first.
-TEST(ClosestPoint, hardMeshes_vs_everyTriangle) {
+/// The closest point of the first of the nearest triangles. Counts the points with several nearest triangles.
+ClosestPoint ofEveryTriangle(const TriangleMesh& mesh, const Vec3& point, int& ties) {
+  ClosestPoint nearest;
+  nearest.distance = std::numeric_limits<double>::infinity();
+  bool is_tie = false;
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Vec3 on_triangle = closestPoint(mesh.triangle(t), point);
+    const double distance = std::sqrt((on_triangle - point).squaredNorm());
+    if (distance > nearest.distance) continue;
+    is_tie = distance == nearest.distance;
+    if (!is_tie) nearest = {on_triangle, distance, t};
+  }
+  ties += is_tie;
+  return nearest;
+}
+
+/// The tree skips triangles by bounds in single precision. It must still give the same answer as a test of
+/// every triangle, to the last bit. Of equally near triangles it names the first.
+TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
   std::mt19937_64 random(73);
   int ties = 0;
   for (int k = 0; k < 3 * testing::kMeshKinds; ++k) {
@@ -92,30 +108,54 @@ TEST(ClosestPoint, hardMeshes_vs_everyTriangle) {
     const double scale = k % 3 == 1 ? 1e-6 : 1.0;
     const Vec3 offset = k % 3 == 2 ? Vec3(1e3, -2e3, 3e3) : Vec3::Zero();
     const SharedMesh mesh = testing::placed(*testing::hardMesh(random, kind), scale, offset);
-    const ClusteredOctree tree = ClusteredOctree::build(mesh);
+    const ClusteredOctree full = ClusteredOctree::build(mesh);
+    const ClusteredOctree compact = ClusteredOctree::build(mesh, {.storage = Storage::compact});
     for (int i = 0; i < 300; ++i) {
       const Triangle start = mesh->triangle(random() % mesh->triangleCount());
       const double away = scale * std::pow(10.0, 2 - i % 10);
-      const Vec3 point = (i % 2 == 0 ? start[0] : Vec3((start[0] + start[1] + start[2]) / 3.0)) +
+      const Vec3 point = (i / 10 % 2 == 0 ? start[0] : Vec3((start[0] + start[1] + start[2]) / 3.0)) +
                          testing::randomPoint(random, away);
-      ClosestPoint expected;
-      expected.distance = std::numeric_limits<double>::infinity();
-      bool is_tie = false;
-      for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
-        const Vec3 on_triangle = closestPoint(mesh->triangle(t), point);
-        const double distance = std::sqrt((on_triangle - point).squaredNorm());
-        if (distance > expected.distance) continue;
-        is_tie = distance == expected.distance;
-        if (!is_tie) expected = {on_triangle, distance, t};
+      const ClosestPoint expected = ofEveryTriangle(*mesh, point, ties);
+      for (const ClusteredOctree* tree : {&full, &compact}) {
+        const auto found = closestPoint(*tree, point);
+        ASSERT_TRUE(found);
+        ASSERT_EQ(found->triangle, expected.triangle) << testing::nameOf(kind) << ", point " << i;
+        ASSERT_EQ(found->distance, expected.distance);
       }
-      ties += is_tie;
-      const auto found = closestPoint(tree, point);
-      ASSERT_TRUE(found);
-      ASSERT_EQ(found->triangle, expected.triangle) << testing::nameOf(kind) << ", point " << i;
-      ASSERT_EQ(found->distance, expected.distance);
     }
   }
   EXPECT_GE(ties, 500);
+}
+
+/// Far from the origin, a distance is known to a unit in the last place of the coordinates.
+TEST(ClosestPoint, stackedTrianglesFarFromTheOrigin) {
+  std::mt19937_64 random(75);
+  const auto within = [&](double most) {
+    return std::uniform_real_distribution<double>(-most, most)(random);
+  };
+  int ties = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double gap = std::pow(10.0, -6 + k % 4);
+    const Vec3 offset = testing::randomPoint(random, 9e11);
+    std::vector<Vec3> vertices;
+    std::vector<TriangleMesh::Indices> triangles;
+    for (std::uint32_t t = 0; t < 7; ++t) {
+      const Vec3 up(0, 0, within(gap));
+      for (const Vec3& corner : {Vec3(1, 0, 0.3), Vec3(-0.5, 0.9, 0.1), Vec3(-0.5, -0.9, -0.4)})
+        vertices.push_back(offset + up + corner + Vec3(within(0.2), within(0.2), 0));
+      triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const auto mesh = std::make_shared<const TriangleMesh>(vertices, triangles);
+    const ClusteredOctree tree = ClusteredOctree::build(mesh);
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 point = offset + Vec3(within(0.2), within(0.2), i % 2 == 0 ? within(2 * gap) : within(0.3));
+      const ClosestPoint expected = ofEveryTriangle(*mesh, point, ties);
+      const auto found = closestPoint(tree, point);
+      ASSERT_TRUE(found);
+      ASSERT_EQ(found->triangle, expected.triangle) << "stack " << k << ", point " << i;
+      ASSERT_EQ(found->distance, expected.distance);
+    }
+  }
 }
 
 /// The edges of a thin triangle are farther from a point over its middle than a wide triangle just behind it.

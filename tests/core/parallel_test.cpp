@@ -36,16 +36,18 @@ TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {
 TEST(ParallelFor, throwsWhatABodyThrew) {
   for (const int threads : {1, 4}) {
     std::atomic<int> visits = 0;
-    std::atomic<bool> is_thrown = false;
+    std::atomic<bool> has_thrown = false;
     try {
       parallelFor(100000, threads, [&](std::size_t index, std::size_t) {
         ++visits;
         if (index == 17) {
-          is_thrown = true;
+          has_thrown = true;
           throw std::runtime_error("at " + std::to_string(index));
         }
-        // The other threads must not finish the work while this exception is on its way.
-        if (is_thrown) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (index < 17) return;
+        // The other threads must not finish the work before the exception stops them.
+        while (!has_thrown) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
       });
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& error) {

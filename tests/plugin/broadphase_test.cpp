@@ -71,26 +71,25 @@ TEST(Broadphase, ofTwoOfOursTheClustersCount) {
   EXPECT_TRUE(tight.has(outer, inner));
 }
 
-TEST(Broadphase, pairsWhoseBoxesPartAtOnceAreNotCoarsePairs) {
+TEST(Broadphase, pairsWhoseBoxesHavePartedAreNotCoarsePairs) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 24, 12));
+  constexpr int kPairs = 20;
+  const auto pose = [](int i, double between) { return at(20 * (i / 2) + between * (i % 2), 0, 0); };
   testing::StockWorld stock;
   TightWorld tight;
-  constexpr int kPairs = 20;
-  const auto place = [&](double between) {
-    const auto placed = [&](int i) { return at(20 * (i / 2) + between * (i % 2), 0, 0); };
-    const auto of = [&](auto& world) {
-      for (int i = 0; i < 2 * kPairs; ++i) {
-        if (int(world.objects.size()) < 2 * kPairs) world.add(*torus, placed(i));
-        world.objects[std::size_t(i)]->setWorldTransform(placed(i));
-      }
-      world.world.performDiscreteCollisionDetection();
-    };
-    of(stock);
-    of(tight);
+  for (int i = 0; i < 2 * kPairs; ++i) {
+    stock.add(*torus, pose(i, 1));
+    tight.add(*torus, pose(i, 1));
+  }
+  const auto step = [&](auto& world, double between) {
+    for (int i = 0; i < 2 * kPairs; ++i) world.objects[std::size_t(i)]->setWorldTransform(pose(i, between));
+    world.world.performDiscreteCollisionDetection();
   };
-  place(1);
+  step(stock, 1);
+  step(tight, 1);
   ASSERT_EQ(tight.broadphase.tightPairs(), kPairs);
-  place(8);
+  step(stock, 8);
+  step(tight, 8);
   EXPECT_GT(stock.pairs(), kPairs / 2);  // Bullet removes a few pairs per step
   ASSERT_NO_FATAL_FAILURE(testing::expectPairsOf(stock, tight));
   EXPECT_EQ(tight.broadphase.coarsePairs(), 0);
