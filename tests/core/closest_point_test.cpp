@@ -136,19 +136,23 @@ TEST(ClosestPoint, stackedTrianglesFarFromTheOrigin) {
   int ties = 0;
   for (int k = 0; k < 400; ++k) {
     const double gap = std::pow(10.0, -6 + k % 4);
-    const Vec3 offset = testing::randomPoint(random, 9e11);
+    const Vec3 offset(within(9e11), within(9e11), within(9e11));
+    const auto above = [&](double x, double y, double up) {
+      return Vec3(offset + Vec3(x, y, 0.3 * x + 0.2 * y + up));
+    };
     std::vector<Vec3> vertices;
     std::vector<TriangleMesh::Indices> triangles;
     for (std::uint32_t t = 0; t < 7; ++t) {
-      const Vec3 up(0, 0, within(gap));
-      for (const Vec3& corner : {Vec3(1, 0, 0.3), Vec3(-0.5, 0.9, 0.1), Vec3(-0.5, -0.9, -0.4)})
-        vertices.push_back(offset + up + corner + Vec3(within(0.2), within(0.2), 0));
+      const double up = within(gap);
+      vertices.push_back(above(1.0 + within(0.2), within(0.2), up));
+      vertices.push_back(above(-0.5 + within(0.2), 0.9 + within(0.2), up));
+      vertices.push_back(above(-0.5 + within(0.2), -0.9 + within(0.2), up));
       triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
     const auto mesh = std::make_shared<const TriangleMesh>(vertices, triangles);
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     for (int i = 0; i < 40; ++i) {
-      const Vec3 point = offset + Vec3(within(0.2), within(0.2), i % 2 == 0 ? within(2 * gap) : within(0.3));
+      const Vec3 point = above(within(0.2), within(0.2), within(i % 2 == 0 ? 2 * gap : 0.3));
       const ClosestPoint expected = ofEveryTriangle(*mesh, point, ties);
       const auto found = closestPoint(tree, point);
       ASSERT_TRUE(found);
@@ -156,6 +160,7 @@ TEST(ClosestPoint, stackedTrianglesFarFromTheOrigin) {
       ASSERT_EQ(found->distance, expected.distance);
     }
   }
+  EXPECT_GE(ties, 1000);
 }
 
 /// The edges of a thin triangle are farther from a point over its middle than a wide triangle just behind it.
