@@ -98,8 +98,8 @@ ClosestPoint ofEveryTriangle(const TriangleMesh& mesh, const Vec3& point, int& t
   return nearest;
 }
 
-/// The tree skips triangles by bounds in single precision. It must still give the same answer as a test of
-/// every triangle, to the last bit. Of equally near triangles it names the first.
+/// The tree gives the same answer as a test of every triangle, to the last bit. Of equally near triangles it
+/// names the first.
 TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
   std::mt19937_64 random(73);
   int ties = 0;

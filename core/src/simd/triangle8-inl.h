@@ -39,13 +39,6 @@ HWY_INLINE Float8 squaredSegmentDistance(const Edge8& u, const Edge8& v, const V
   return dot(apart, apart);
 }
 
-/// The squared distance of a point to an edge that starts at `from`.
-HWY_INLINE Float8 squaredEdgeDistance(const Vec8& point, const Vec8& from, const Edge8& edge) {
-  const Vec8 offset = point - from;
-  const Vec8 apart = offset - edge.along * clamped01(dot(edge.along, offset) * edge.reciprocal);
-  return dot(apart, apart);
-}
-
 /// Eight triangles with the data that distances need.
 struct Triangle8 {
   Vec8 corner[3];
@@ -53,8 +46,7 @@ struct Triangle8 {
   Vec8 normal, outward[3];      // from the edges, in the triangle's plane
   Float8 longest;               // squared edge
   Float8 reciprocal_of_normal;  // squared
-  Float8 thin;  ///< above 0 for triangles too thin to have a normal: an upper bound of their width, up to
-                ///< rounding
+  Float8 thin;  ///< above 0 for triangles too thin to have a normal: an upper bound of their width
 
   HWY_INLINE Triangle8(const Vec8& first, const Vec8& second, const Vec8& third)
       : corner{first, second, third} {
