@@ -15,6 +15,8 @@ using Cache = btHashedOverlappingPairCache;
 // tests.
 bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
+constexpr int kToBeAsked = 1;
+
 /// The number for such a pair. It changes with the margins, because contacts made with other margins prove
 /// nothing.
 int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
@@ -67,8 +69,12 @@ void TightPairs::demote(btDispatcher* dispatcher) {
   for (int i = 0; i < pairs.size(); ++i) {
     btBroadphasePair& pair = pairs[i];
     if (!isAsked(pair)) continue;
-    any_asked_ = true;
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
+    if (pair.m_internalTmpValue == kToBeAsked && !mayHaveSay(*a, *b)) {
+      pair.m_internalTmpValue = 0;
+      continue;
+    }
+    any_asked_ = true;
     if (isLeftAlone(*a, *b, dispatcher)) continue;
     const int asked = askedWith(*a, *b);
     if (pair.m_internalTmpValue == asked && aContactHolds(pair, manifolds_)) continue;
@@ -99,7 +105,7 @@ btBroadphasePair* TightPairs::addFiltered(btBroadphaseProxy* a, btBroadphaseProx
   is_filtered_ = true;
   btBroadphasePair* const pair = Cache::addOverlappingPair(a, b);
   is_filtered_ = false;
-  pair->m_internalTmpValue = asked;
+  pair->m_internalTmpValue = asked ? kToBeAsked : 0;
   any_asked_ |= asked;
   return pair;
 }
@@ -115,14 +121,13 @@ void TightPairs::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy,
   Cache::removeOverlappingPairsContainingProxy(proxy, dispatcher);
 }
 
+/// Reads no shape: Bullet also calls this for a body that it removes, whose shape may have been deleted.
 void TightPairs::cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
   Cache::cleanProxyFromPairs(proxy, dispatcher);
-  if (!mayHaveSay(*proxy, *proxy)) return;
   btBroadphasePairArray& pairs = getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
-    const bool is_of_proxy = pairs[i].m_pProxy0 == proxy || pairs[i].m_pProxy1 == proxy;
-    if (!is_of_proxy || !mayHaveSay(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1)) continue;
-    pairs[i].m_internalTmpValue = 1;
+    if (pairs[i].m_pProxy0 != proxy && pairs[i].m_pProxy1 != proxy) continue;
+    pairs[i].m_internalTmpValue = kToBeAsked;
     any_asked_ = true;
   }
 }

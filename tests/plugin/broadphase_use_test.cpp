@@ -3,7 +3,10 @@
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "plugin/broadphase_worlds.h"
 
@@ -127,6 +130,30 @@ TEST(Broadphase, whatAUserRemovesWhileIteratingIsGone) {
   EXPECT_NE(cache.addOverlappingPair(proxy, other), nullptr);
   tight.world.performDiscreteCollisionDetection();
   EXPECT_NE(cache.findPair(proxy, other), nullptr);
+}
+
+/// As in Bullet's broadphases. The deleted shapes lose the pointers to their virtual functions, so that using
+/// them fails.
+TEST(Broadphase, bodiesAreRemovedAfterTheirShapesWereDeleted) {
+  const auto tree =
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.5, 24, 12)));
+  alignas(ClusteredOctreeShape) std::array<std::byte, sizeof(ClusteredOctreeShape)> of_ring;
+  alignas(btSphereShape) std::array<std::byte, sizeof(btSphereShape)> of_ball;
+  auto* const ring = ::new (of_ring.data()) ClusteredOctreeShape(tree);
+  auto* const ball = ::new (of_ball.data()) btSphereShape(btScalar(0.5));
+  TightWorld tight;
+  tight.add(*ring, at(0, 0, 0));
+  tight.add(*ball, at(2, 0, 0));
+  tight.add(*ball, at(2.2, 0, 0));
+  tight.world.performDiscreteCollisionDetection();
+  ASSERT_EQ(tight.pairs(), 3);
+  ring->~ClusteredOctreeShape();
+  ball->~btSphereShape();
+  std::fill_n(of_ring.begin(), sizeof(void*), std::byte{0xff});
+  std::fill_n(of_ball.begin(), sizeof(void*), std::byte{0xff});
+  while (tight.world.getNumCollisionObjects() > 0)
+    tight.world.removeCollisionObject(tight.world.getCollisionObjectArray()[0]);
+  EXPECT_EQ(tight.pairs(), 0);
 }
 
 TEST(Broadphase, aDispatcherThatLooksAtSleepersSeesThemMeet) {
