@@ -15,10 +15,11 @@ using Cache = btHashedOverlappingPairCache;
 // tests.
 bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
+/// The number of such a pair that refine has not tested since it was added or cleaned.
 constexpr int kToBeAsked = 1;
 
-/// The number for such a pair. It changes with the margins, because contacts made with other margins prove
-/// nothing.
+/// The number of such a pair after a test. It changes with the margins, because contacts made with other
+/// margins prove nothing.
 int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const auto margin = [](const btBroadphaseProxy& proxy) {
     return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getMargin();
