@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "grinding/pose_clearances.h"
+#include "grinding/support_planes.h"
 #include "models/belt_grinder.h"
 #include "models/blade_sides.h"
 #include "models/triangle_tree.h"
@@ -78,10 +79,12 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
 /// Measures one place after another; each thread has its own.
 class GroundSearch {
  public:
-  GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part)
+  GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part,
+               const SupportPlanes& planes)
       : grid_(grid),
         cells_(cells),
         part_(part),
+        planes_(planes),
         asked_at_(grid.size(), 0),
         last_(grid.size()),
         found_(grid.size()) {
@@ -115,39 +118,45 @@ class GroundSearch {
   const std::vector<GroundPoint>& found() const { return found_; }
 
  private:
-  /// A point in the part's frame, and a depth that it does not exceed there.
+  /// A point in the part's frame, a depth that it does not exceed there, and a plane that it was above.
   struct Bound {
     Vec3 point = Vec3::Zero();
     double depth = std::numeric_limits<double>::infinity();
+    std::optional<std::size_t> plane;
   };
 
   /// Whether a cell is proved to be shallower here than before: its depth grows by no more than its way in
-  /// the part's frame.
+  /// the part's frame, and it is at least as far from the part as it is above the plane.
   bool isShallower(std::size_t cell, const Vec3& point) const {
     constexpr double kRounding = 1e-9;  // mm
     const Bound& last = last_[cell];
-    const double least = std::max(found_[cell].depth, -kCoverageReach);
-    return last.depth + (point - last.point).norm() + kRounding < least;
+    const double least = std::max(found_[cell].depth, -kCoverageReach) - kRounding;
+    return last.depth + (point - last.point).norm() < least ||
+           (last.plane && -planes_.heightAbove(*last.plane, point) < least);
   }
 
   void measure(std::size_t cell, const Vec3& point, std::size_t pose) {
     const ClusteredOctree& tree = part_.surface().tree();
     const auto near = closestPoint(tree, point, kCoverageReach);
     if (near && near->distance < found_[cell].depth) {
-      last_[cell] = {point, near->distance};
+      last_[cell] = {point, near->distance, std::nullopt};
       return;
     }
     const ClosestPoint nearest = near ? *near : closestPoint(tree, point).value();
     const bool is_inside = part_.locate(point, nearest) == PointLocation::inside;
     const double depth = is_inside ? nearest.distance : -nearest.distance;
-    // Where a surface bounds no solid, the depth may jump.
-    last_[cell] = part_.isWhole() ? Bound{point, depth} : Bound();
+    last_[cell] = {};
+    if (part_.isWhole()) {  // where a surface bounds no solid, the depth may jump
+      last_[cell] = {point, depth, std::nullopt};
+      if (depth < 0.0) last_[cell].plane = planes_.facing(point - nearest.point);
+    }
     if (near || is_inside) keepDeeper(found_[cell], {depth, pose});
   }
 
   const SideGrid& grid_;
   const ClusteredOctree& cells_;
   const SolidBoundary& part_;
+  const SupportPlanes& planes_;
   std::vector<Obb> boxes_;
   std::vector<std::size_t> asked_at_;
   std::vector<Bound> last_;  // per cell: at its last measurement
@@ -249,8 +258,9 @@ std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctre
   const ClusteredOctree cells = ClusteredOctree::build(std::make_shared<const TriangleMesh>(grid.mesh()));
   const octoblisk::Surface surface(part);
   const SolidBoundary boundary(surface, threads);
+  const SupportPlanes planes(part, threads);
   std::vector<GroundSearch> searches(static_cast<std::size_t>(threadCount(threads)),
-                                     GroundSearch(grid, cells, boundary));
+                                     GroundSearch(grid, cells, boundary, planes));
   constexpr std::size_t kAtOnce = 16;
   parallelFor((places.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t block, std::size_t worker) {
     const std::size_t end = std::min(places.size(), (block + 1) * kAtOnce);

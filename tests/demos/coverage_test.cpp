@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "demos/default_blisk.h"
+#include "grinding/support_planes.h"
 #include "models/blade_anatomy.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
@@ -51,6 +54,36 @@ TEST(SideGrid, liesOnTheSideAndHasItsArea) {
   EXPECT_NEAR(area, side().anatomy.blades[0].forward_area, 0.02 * area);
   EXPECT_DOUBLE_EQ(grid.heightOf(0), 0.5 / 40);
   EXPECT_DOUBLE_EQ(grid.heightOf(1999), 1.0 - 0.5 / 40);
+}
+
+TEST(SupportPlanes, noVertexIsAboveOne_vs_bruteforce) {
+  const auto belt = treeOf(embeddedBeltGrinder().front().mesh);
+  const SupportPlanes planes(*belt);
+  const Aabb& bounds = belt->mesh().bounds();
+  std::mt19937_64 random(61);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int tight = 0;
+  constexpr int kPoints = 500;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vec3 direction(uniform(random), uniform(random), uniform(random));
+    const std::size_t plane = planes.facing(direction);
+    const double at_origin = planes.heightAbove(plane, Vec3::Zero());
+    Vec3 normal;  // the gradient of the height
+    for (int k = 0; k < 3; ++k) normal[k] = planes.heightAbove(plane, Vec3::Unit(k)) - at_origin;
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
+    EXPECT_LT(std::acos(std::min(1.0, normal.dot(direction.normalized()))), 0.045);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : belt->mesh().vertices())
+      highest = std::max(highest, planes.heightAbove(plane, vertex));
+    EXPECT_NEAR(highest, 0.0, 1e-9);
+
+    const Vec3 point = bounds.center() + 1.5 * direction.cwiseProduct(bounds.halfExtents());
+    const ClosestPoint nearest = closestPoint(*belt, point).value();
+    const double height = planes.heightAbove(planes.facing(point - nearest.point), point);
+    EXPECT_LE(height, nearest.distance + 1e-9);
+    tight += height > 0.9 * nearest.distance;
+  }
+  EXPECT_GT(tight, kPoints / 4);
 }
 
 TEST(Coverage, points_vs_bruteforce) {
