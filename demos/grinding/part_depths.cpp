@@ -20,16 +20,30 @@ namespace {
 constexpr double kPartOfLimit = 0.01;
 constexpr double kMinTolerance = 1e-4;  // mm
 constexpr double kFiner = 0.1;          // factor, if the limit is between the bounds
-constexpr double kCoarse = 0.5;         // fraction of the limit, for a first measurement
+
+double toleranceFor(double limit) { return std::max(kPartOfLimit * limit, kMinTolerance); }
 
 /// Measures more closely as long as the limit is between the bounds.
 template <typename SurfaceOfA>
 GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
-                   double limit) {
-  const double tolerance = std::max(kPartOfLimit * limit, kMinTolerance);
-  const GougeDepth found = query.deepest(a, b, b_in_a, tolerance);
-  if (found.depth > limit || found.upper_bound <= limit) return found;
-  return query.deepest(a, b, b_in_a, kFiner * tolerance);
+                   double limit, double known_depth = 0.0) {
+  const double tolerance = toleranceFor(limit);
+  const GougeDepth found = query.deepest(a, b, b_in_a, tolerance, {.above = known_depth});
+  if (std::max(found.depth, known_depth) > limit || found.upper_bound <= limit) return found;
+  return query.deepest(a, b, b_in_a, kFiner * tolerance, {.above = known_depth});
+}
+
+/// Whether B is deeper than the limit, or its depth is unknown; the same answer as by `settled`.
+template <typename SurfaceOfA>
+bool isDeeper(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
+              double limit) {
+  const double tolerance = toleranceFor(limit), beyond = limit + tolerance;
+  const GougeDepth found =
+      query.deepest(a, b, b_in_a, tolerance, {.above = limit - tolerance, .enough = beyond});
+  if (found.depth > beyond || !found.is_known) return true;
+  if (found.upper_bound <= limit) return false;
+  const GougeDepth closer = settled(query, a, b, b_in_a, limit);
+  return closer.depth > limit || !closer.is_known;
 }
 
 }  // namespace
@@ -127,7 +141,7 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
   }
   GougeDepth of_blisk;
   if (kindOf(part) == DepthKind::of_solids) {
-    of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit);
+    of_blisk = settled(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit, of_part.depth);
   }
   if (of_part.gouging != Gouging::found && of_blisk.gouging != Gouging::found) return std::nullopt;
   const bool is_inside = !collide(*blisk_, *parts_[part].tree, tool_in_blisk);
@@ -143,8 +157,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   const double limit = limits_[part];
   if (!blisk_boundary_.has(touch.a)) return true;
   if (staysWithin(part, tool_in_blisk, touch.a)) return false;
-  const double tolerance = std::max(kPartOfLimit * limit, kMinTolerance);
-  const double beyond = limit + tolerance;
+  const double beyond = limit + toleranceFor(limit);
   if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
   if (const auto corner = cornerBeyond(part, tool_in_blisk, touch.b, beyond)) {
     deep_corner = corner;
@@ -152,19 +165,9 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   }
   DepthQuery& query = queries_[thread];
   const octoblisk::Surface& surface = part_surfaces_[part];
-  const double coarse = std::max(kCoarse * limit, kMinTolerance);
-  const GougeDepth guess = query.deepest(blisk_boundary_, surface, tool_in_blisk, coarse);
-  if (guess.depth > beyond || !guess.is_known) return true;
-  if (guess.upper_bound > limit) {
-    const GougeDepth found = settled(query, blisk_boundary_, surface, tool_in_blisk, limit);
-    if (found.depth > limit || !found.is_known) return true;
-  }
-  if (kindOf(part) != DepthKind::of_solids) return false;
-  const Pose blisk_in_tool = tool_in_blisk.inverse();
-  const GougeDepth of_blisk = query.deepest(surface, blisk_surface_, blisk_in_tool, coarse);
-  if (of_blisk.depth > beyond) return true;
-  return of_blisk.upper_bound > limit &&
-         settled(query, surface, blisk_surface_, blisk_in_tool, limit).depth > limit;
+  return isDeeper(query, blisk_boundary_, surface, tool_in_blisk, limit) ||
+         (kindOf(part) == DepthKind::of_solids &&
+          isDeeper(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit));
 }
 
 double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const {

@@ -55,20 +55,20 @@ LayeredSearch::Axis::Axis(const std::vector<double>& values, double most_change,
 /// with the least.
 void LayeredSearch::relax(const Axis& axis, Layer& layer, Layer& next) const {
   const std::size_t stride = axis.stride, row = axis.steps_to.size() * stride;
-  std::ranges::fill(next.cost, std::numeric_limits<double>::infinity());
   for (std::size_t first = 0; first < layer.cost.size(); first += row) {
     for (std::size_t k = 0; k < axis.steps_to.size(); ++k) {
-      double* const cost = &next.cost[first + k * stride];
-      std::uint16_t* const before = &next.before[first + k * stride];
-      for (const Axis::Step& step : axis.steps_to[k]) {
-        const double* const cost_from = &layer.cost[first + step.from * stride];
-        const std::uint16_t* const before_from = &layer.before[first + step.from * stride];
-        for (std::size_t i = 0; i < stride; ++i) {
-          const double here = cost_from[i] + step.cost;
-          if (here >= cost[i]) continue;
-          cost[i] = here;
-          before[i] = before_from[i];
+      for (std::size_t i = first; i < first + stride; ++i) {
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t least_from = 0;
+        for (const Axis::Step& step : axis.steps_to[k]) {
+          const std::size_t from = i + step.from * stride;
+          const double here = layer.cost[from] + step.cost;
+          if (here >= least) continue;
+          least = here;
+          least_from = from;
         }
+        next.cost[i + k * stride] = least;
+        next.before[i + k * stride] = layer.before[least_from];
       }
     }
   }

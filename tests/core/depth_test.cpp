@@ -169,6 +169,47 @@ TEST(Depth, randomSolids_vs_denseSamples) {
   EXPECT_GE(shallow, 5);
 }
 
+TEST(Depth, depthsSoughtBoundTheSameDepth) {
+  std::mt19937_64 random(95);
+  const Solid ring(testing::torus(2, 0.8, 32, 20)), ball(testing::bumpySphere(random, 1.0, 0.5, 24));
+  DepthQuery query;
+  constexpr double kTolerance = 1e-3;
+  int deep = 0, ended_early = 0, ignored = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Pose pose = testing::randomPose(random, 2.0);
+    const Solid &a = i % 3 ? ring : ball, &b = i % 2 ? ring : ball;
+    const GougeDepth exact = query.deepest(a.surface, b.surface, pose, 1e-6);
+    if (exact.depth < 0.05) continue;
+    ++deep;
+    for (const double factor : {0.2, 0.9, 0.999, 1.001, 1.1, 2.0}) {
+      const double above = factor * exact.depth;
+      const GougeDepth over = query.deepest(a.surface, b.surface, pose, kTolerance, {.above = above});
+      ASSERT_EQ(over.gouging, Gouging::found);
+      expectWitness(over, a, b, pose, 1e-12);
+      ASSERT_LE(over.depth, exact.upper_bound + 1e-12);
+      ASSERT_GE(over.upper_bound, exact.depth - 1e-12);
+      ASSERT_LE(over.upper_bound, std::max(over.depth, above) + kTolerance + 1e-12);
+      ignored += over.depth + kTolerance < exact.depth;
+
+      const double enough = above;
+      const GougeDepth until = query.deepest(a.surface, b.surface, pose, kTolerance, {.enough = enough});
+      ASSERT_EQ(until.gouging, Gouging::found);
+      expectWitness(until, a, b, pose, 1e-12);
+      ASSERT_LE(until.depth, exact.upper_bound + 1e-12);
+      if (until.depth > enough) {
+        ASSERT_TRUE(std::isinf(until.upper_bound));
+        ended_early += until.depth + kTolerance < exact.depth;
+      } else {
+        ASSERT_LE(exact.depth, until.upper_bound + 1e-12);
+        ASSERT_LE(until.upper_bound, until.depth + kTolerance);
+      }
+    }
+  }
+  EXPECT_GE(deep, 20);
+  EXPECT_GE(ended_early, deep / 2);
+  EXPECT_GE(ignored, deep);
+}
+
 TEST(Depth, cellsOfAGrid) {
   // All coordinates are integers and halves: coplanar faces, shared edges, corners on faces.
   std::mt19937_64 random(92);

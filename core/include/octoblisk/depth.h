@@ -1,6 +1,7 @@
 // How deep one surface reaches into a solid: the depth of a gouge.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -25,7 +26,7 @@ enum class Gouging {
 struct GougeDepth {
   Gouging gouging = Gouging::none;
   double depth = 0.0;              ///< the distance between the two points: B reaches at least this deep
-  double upper_bound = 0.0;        ///< B reaches no deeper; at most depth + tolerance
+  double upper_bound = 0.0;        ///< B reaches no deeper; at most depth + tolerance, but see DepthsSought
   Vec3 point_on_b = Vec3::Zero();  ///< inside A, or on it
   Vec3 point_on_a = Vec3::Zero();  ///< the point of A's surface that is closest to point_on_b
   std::uint32_t triangle_a = kNoTriangle;
@@ -34,6 +35,15 @@ struct GougeDepth {
   /// Then B may reach deeper than the upper bound, or may not be in A at all. If B meets such a part of A's
   /// surface, the depth is not measured.
   bool is_known = true;
+};
+
+/// The depths that matter to a caller of DepthQuery. The fewer, the faster the search.
+struct DepthsSought {
+  /// The search ignores what is not deeper than this by more than the tolerance. The upper bound is then at
+  /// most `above` + tolerance, if that is more than depth + tolerance.
+  double above = 0.0;
+  /// The search ends when it has found a greater depth. The upper bound is then infinite.
+  double enough = std::numeric_limits<double>::infinity();
 };
 
 /// Finds the greatest distance to A's surface among the points of B's surface that are in the solid A:
@@ -53,11 +63,13 @@ class DepthQuery {
  public:
   /// The tolerance is a length > 0; values below 1e-12 of the meshes' sizes are raised to it. Up to rounding
   /// (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
-  GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
+  GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                     const DepthsSought& sought = {});
 
   /// The same for a surface A that may have holes, be doubled, or meet itself. Holes elsewhere do not change
   /// the answer.
-  GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance);
+  GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                     const DepthsSought& sought = {});
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -88,7 +100,8 @@ class DepthQuery {
     double at;         // 0..1
   };
 
-  void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance);
+  void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+               const DepthsSought& sought);
   GougeDepth searched();
   PointLocation located(const Vec3& point) const;
   PointLocation located(Corner& corner);
@@ -121,7 +134,9 @@ class DepthQuery {
   Vec3 outwards(std::uint32_t triangle_a) const;
   bool isOutside(const Triangle& triangle) const;
   void gatherExtremes(const Part& part);
-  double limit() const { return best_.depth + tolerance_; }
+  double deepestSoFar() const { return std::max(best_.depth, sought_.above); }
+  double limit() const { return deepestSoFar() + tolerance_; }
+  bool isEnough() const { return best_.depth > sought_.enough; }
   Triangle triangleOf(const Part& part) const;
 
   const Surface* a_ = nullptr;
@@ -129,6 +144,7 @@ class DepthQuery {
   const SolidBoundary* boundary_ = nullptr;  // A's boundary, if A does not bound a solid everywhere
   Pose b_in_a_;
   double tolerance_ = 0.0;
+  DepthsSought sought_;
   double flatness_ = 0.0;  // a triangle of B within this distance of a triangle of A lies flat on it
   GougeDepth best_;
   double greatest_dropped_ = 0.0;  // the greatest bound among discarded parts

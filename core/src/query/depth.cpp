@@ -39,8 +39,9 @@ Vec3 sharedPoint(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
-  prepare(a, b, b_in_a, tolerance);
+GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                               const DepthsSought& sought) {
+  prepare(a, b, b_in_a, tolerance, sought);
   if (!a.isClosed()) {
     best_.gouging = Gouging::unknown;
     return best_;
@@ -49,8 +50,8 @@ GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b
 }
 
 GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a,
-                               double tolerance) {
-  prepare(a.surface(), b, b_in_a, tolerance);
+                               double tolerance, const DepthsSought& sought) {
+  prepare(a.surface(), b, b_in_a, tolerance, sought);
   if (!a.isWhole()) boundary_ = &a;
   return searched();
 }
@@ -67,7 +68,8 @@ GougeDepth DepthQuery::searched() {
   return best_;
 }
 
-void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance) {
+void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                         const DepthsSought& sought) {
   for (const std::uint32_t triangle : marked_) mark_[triangle] = Mark::none;
   for (const std::uint32_t corner : known_) corner_of_b_[corner] = kNone;
   marked_.clear();
@@ -85,6 +87,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   boundary_ = nullptr;
   b_in_a_ = b_in_a;
   tolerance_ = std::max(tolerance, 1e-12 * (treeOf(a.tree()).radius() + treeOf(b.tree()).radius()));
+  sought_ = sought;
   flatness_ = tolerance_;
   best_ = {};
   greatest_dropped_ = 0.0;
@@ -102,18 +105,23 @@ void DepthQuery::search() {
   const auto first_inside =
       std::ranges::find(marked_, Mark::inside, [&](std::uint32_t triangle) { return mark_[triangle]; });
   // Start inside: the deeper the best point, the more of the rest can be skipped.
-  for (auto triangle = first_inside; triangle != marked_.end(); ++triangle) addTriangle(*triangle, 0, 0);
-  for (auto pair = crossings_.begin(); pair != crossings_.end();) {
+  for (auto triangle = first_inside; triangle != marked_.end() && !isEnough(); ++triangle)
+    addTriangle(*triangle, 0, 0);
+  for (auto pair = crossings_.begin(); pair != crossings_.end() && !isEnough();) {
     const std::uint32_t triangle = pair->b;
     const auto met_begin = static_cast<std::uint32_t>(met_.size());
     for (; pair != crossings_.end() && pair->b == triangle; ++pair) met_.push_back(pair->a);
     addTriangle(triangle, met_begin, static_cast<std::uint32_t>(met_.size()));
   }
-  while (!parts_.empty() && parts_.front().bound > limit()) {
+  while (!parts_.empty() && parts_.front().bound > limit() && !isEnough()) {
     std::ranges::pop_heap(parts_, {}, &Part::bound);
     const Part part = parts_.back();
     parts_.pop_back();
     divide(part);
+  }
+  if (isEnough()) {
+    best_.upper_bound = std::numeric_limits<double>::infinity();
+    return;
   }
   if (!parts_.empty()) greatest_dropped_ = std::max(greatest_dropped_, parts_.front().bound);
   best_.upper_bound = std::max(best_.depth, greatest_dropped_);
@@ -160,10 +168,10 @@ void DepthQuery::considerNear(Corner& corner, std::uint32_t triangle) const {
 }
 
 /// Finds the corner's closest point on A's surface, unless the known one proves that the corner is deeper
-/// than the best by at most half the tolerance.
+/// than the deepest so far by at most half the tolerance.
 void DepthQuery::measure(Corner& corner) const {
   const bool has_best = best_.triangle_b != kNoTriangle;
-  if (has_best && corner.distance <= best_.depth + 0.5 * tolerance_) return;
+  if (has_best && corner.distance <= deepestSoFar() + 0.5 * tolerance_) return;
   findNearest(corner);
 }
 
