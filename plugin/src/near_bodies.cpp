@@ -8,6 +8,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
+
 #include "body_parts.h"
 #include "contact/clusters_near.h"
 #include "contact/solid.h"
@@ -125,8 +127,13 @@ bool isInside(const Vec3& point_in_world, const Part& part) {
          isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
-Vec3 firstCorner(const Part& part) {
-  return fromBullet(part.in_world) * part.clusters->tree().mesh().triangle(0)[0];
+/// Whether one of a mesh's far vertices is inside another. The narrow phase asks for the same vertices
+/// (FarVerticesInSolid).
+bool reachesInto(const Part& part, const Part& solid) {
+  return solid.clusters->isSolid() &&
+         std::ranges::any_of(part.clusters->farVertices().positions, [&](const Vec3& vertex) {
+           return isInside(fromBullet(part.in_world) * vertex, solid);
+         });
 }
 
 bool meet(const Part& a, const Part& b, int depth) {
@@ -136,7 +143,7 @@ bool meet(const Part& a, const Part& b, int depth) {
   if (a.clusters && b.clusters) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
     return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach(), depth) ||
-           isInside(firstCorner(a), b) || isInside(firstCorner(b), a);
+           reachesInto(a, b) || reachesInto(b, a);
   }
   if (a.clusters) return clustersMeetBox(a, common, depth) || isInside(common.center(), a);
   if (b.clusters) return clustersMeetBox(b, common, depth) || isInside(common.center(), b);

@@ -11,8 +11,8 @@ namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// Bullet's pairs have a field for a user's number, initially 0. It is not 0 in the tight pairs that refine
-// tests.
+// Bullet's pairs have a field that Bullet does not use, initially 0; it must be left to these classes. It is
+// not 0 in the tight pairs that refine tests.
 bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
 /// The number of such a pair that refine has not tested since it was added or cleaned.

@@ -13,6 +13,7 @@
 #include "near_bodies.h"
 #include "plugin/broadphase_worlds.h"
 #include "plugin/mixed_shapes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 namespace {
@@ -303,6 +304,29 @@ TEST_P(BroadphaseContacts, areAllThere) {
   RecordProperty("stock_pairs", std::to_string(all / steps));
   RecordProperty("tight_pairs", std::to_string(kept / steps));
   RecordProperty("touching_pairs", std::to_string(touching / steps));
+}
+
+/// A body of two pieces. Only one of them is in the tube of a solid ring, far from its surface.
+TEST(BroadphaseContacts, aPieceInsideASolidIsFound) {
+  const auto piece = testing::boxMesh({0.2, 0.2, 0.2});
+  const auto pieces =
+      testing::shapeOf(testing::joined(*testing::moved(*piece, {Mat3::Identity(), Vec3(1.2, 0, 0)}),
+                                       *testing::moved(*piece, {Mat3::Identity(), Vec3(-1.2, 0, 0)})));
+  const auto ring = testing::shapeOf(testing::torus(4, 1, 64, 32));
+  for (const double x : {5.2, 2.8}) {  // the second piece, the first piece
+    StockWorld stock;
+    TightWorld tight;
+    const auto pointsOf = [&](auto& world) {
+      world.add(*pieces, testing::at(x, 0, 0));
+      world.add(*ring, testing::at(0, 0, 0));
+      world.world.performDiscreteCollisionDetection();
+      return touchPoints(world);
+    };
+    const auto expected = pointsOf(stock);
+    ASSERT_FALSE(expected.empty());
+    EXPECT_LT(expected.front().place.back(), -1.0);
+    EXPECT_EQ(pointsOf(tight), expected) << x;
+  }
 }
 
 }  // namespace

@@ -132,8 +132,8 @@ TEST(Broadphase, whatAUserRemovesWhileIteratingIsGone) {
   EXPECT_NE(cache.findPair(proxy, other), nullptr);
 }
 
-/// As in Bullet's broadphases. The deleted shapes lose the pointers to their virtual functions, so that using
-/// them fails.
+/// Against the rule (docs/bullet.md), but Bullet's broadphases survive it. The deleted shapes lose the
+/// pointers to their virtual functions, so that using them fails.
 TEST(Broadphase, bodiesAreRemovedAfterTheirShapesWereDeleted) {
   const auto tree =
       std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.5, 24, 12)));
