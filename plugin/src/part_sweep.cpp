@@ -40,7 +40,9 @@ double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingB
 }
 
 std::optional<TimeOfImpact> sweepParts(const BodyPart& a, const BodyPart& b, double tolerance,
-                                       const SweepOptions& options) {
+                                       const SweepOptions& of_distance) {
+  SweepOptions options = of_distance;
+  options.slack *= (tolerance - a.margin() - b.margin()) / tolerance;
   const bool exchanged = !a.clusters;
   std::optional<TimeOfImpact> impact =
       exchanged ? sweepTrees(b, a, tolerance, options) : sweepTrees(a, b, tolerance, options);

@@ -15,8 +15,8 @@ namespace octoblisk::detail {
 double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingBody& body_b,
                       const BodyPart& b, btScalar tolerance = -1);
 
-/// The sweep of two parts; at least one is ours. Points of the clearance are in the world. A convex part has
-/// no triangle.
+/// The sweep of two parts; at least one is ours. The slack is a fraction of the tolerance without the
+/// margins. Points of the clearance are in the world. A convex part has no triangle.
 std::optional<TimeOfImpact> sweepParts(const BodyPart& a, const BodyPart& b, double tolerance,
                                        const SweepOptions& options = {});
 

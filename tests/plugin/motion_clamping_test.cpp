@@ -96,6 +96,40 @@ TEST_F(ThinRing, stopsAtASheetThatItTunnelsThrough) {
   EXPECT_GT(tunnelled, throws / 2);
 }
 
+TEST(MotionClamping, withDefaultMarginsTheNextDetectionMakesContacts) {
+  ClusteredOctreeShape block(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({20, 20, 5}))));
+  ASSERT_GT(block.getMargin(), 0.1);
+  btSphereShape ball(btScalar(0.2));
+  std::mt19937_64 random(96);
+  int clamped = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotionClamping clamping;
+    BulletWorld world;
+    world->setGravity(btVector3(0, 0, 0));
+    world->getDispatchInfo().m_useContinuous = false;
+    world->addAction(&clamping);
+    world.add(block, 0, at(0, 0, 0));
+    btRigidBody& body = world.add(ball, 1,
+                                  at(testing::uniform(random, -5, 5), testing::uniform(random, -5, 5),
+                                     testing::uniform(random, 5.6, 7)));
+    body.setLinearVelocity(
+        toBullet(Vec3(testing::uniform(random, -100, 100), 0.0, -testing::uniform(random, 40, 200))));
+    body.setCcdMotionThreshold(btScalar(0.2));
+    for (int step = 0; step < 5 && clamping.clamped().empty(); ++step) world.step(1);
+    if (!clamping.clamped().empty()) {
+      ++clamped;
+      world->performDiscreteCollisionDetection();
+      int contacts = 0;
+      for (int m = 0; m < world->getDispatcher()->getNumManifolds(); ++m)
+        contacts += world->getDispatcher()->getManifoldByIndexInternal(m)->getNumContacts();
+      EXPECT_GT(contacts, 0) << i;
+    }
+    world->removeAction(&clamping);
+  }
+  EXPECT_GT(clamped, 30);
+}
+
 TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
   // Both move 5/6 per step, at least three times their thickness, and bounce.
   for (const bool clamped : {false, true}) {

@@ -89,7 +89,7 @@ TEST(TimeOfImpact, twoBoxesHeadOn_vs_closedForm) {
   box.setMargin(btScalar(0.1));
   impact = timeOfImpact(a, b, btScalar(kStep), btScalar(kTolerance));
   ASSERT_TRUE(impact);
-  EXPECT_NEAR(impact->fraction, (1.8 - kTolerance) / 3.0, 0.21 / 8.0 / 3.0 + kError);
+  EXPECT_NEAR(impact->fraction, (1.8 - kTolerance) / 3.0, kTolerance / 8.0 / 3.0 + kError);
   box.setMargin(0);
   b.setLinearVelocity(btVector3(90, 0, 30));
   EXPECT_FALSE(timeOfImpact(a, b, btScalar(kStep), btScalar(kTolerance)));
@@ -98,6 +98,25 @@ TEST(TimeOfImpact, twoBoxesHeadOn_vs_closedForm) {
   ASSERT_TRUE(impact);
   EXPECT_EQ(impact->fraction, 0.0);
   EXPECT_LE(impact->distance, 0.0);
+}
+
+/// The slack is a fraction of the tolerance, however large the margins are.
+TEST(TimeOfImpact, aBallThatPassesAboveABlock_vs_closedForm) {
+  constexpr double kMargin = 0.3, kRadius = 0.5;
+  ClusteredOctreeShape block = shapeOver(testing::boxMesh({10, 10, 10}));
+  block.setMargin(btScalar(kMargin));
+  btSphereShape ball(btScalar{kRadius});
+  btRigidBody a = bodyOf(block), b(1, nullptr, &ball, btVector3(1, 1, 1));
+  a.setWorldTransform(at(0, 0, 0));
+  b.setLinearVelocity(btVector3(120, 0, 0));  // 2 per step
+  for (const double gap : {0.5, 0.9, 1.2, 1.5, 3.0, 30.0}) {
+    b.setWorldTransform(at(-1, 0, 10.0 + kMargin + kRadius + gap * kTolerance));
+    const auto impact = timeOfImpact(a, b, btScalar(kStep), btScalar(kTolerance), {.max_steps = 100000});
+    ASSERT_EQ(impact.has_value(), gap < 1.125) << gap;
+    if (impact) {
+      EXPECT_NEAR(impact->distance, gap * kTolerance, kError);
+    }
+  }
 }
 
 TEST(TimeOfImpact, spinningBodies_vs_denseSampling) {

@@ -22,10 +22,11 @@ namespace octoblisk {
 /// convex. The clamping considers pairs of bodies whose filters let them collide, if at least one has a
 /// motion threshold (default: 0, none). It compares two parts of such a pair if at least one is a
 /// ClusteredOctreeShape and their relative motion in the step (relativeLengthBound) exceeds the smaller
-/// threshold that is set. If two parts are farther apart at the step's start than the default tolerance of
-/// timeOfImpact, they come no nearer than that within the step, however thin and fast they are. If they are
-/// nearer, they move on by at most the threshold. The solver keeps their contacts, and since they advance by
-/// at most half the thickness, the next contacts push them back out of the side from which they came.
+/// threshold that is set. If two parts are farther apart at the step's start than 9/8 of the default
+/// tolerance of timeOfImpact, they come no nearer than the tolerance within the step, however thin and fast
+/// they are. If they are nearer, they move on by at most the threshold. The solver keeps their contacts, and
+/// since they advance by at most half the thickness, the next contacts usually push them back out of the side
+/// from which they came. A thin body that spins fast may still creep through an open mesh in several steps.
 ///
 /// A motion threshold of a convex body also turns on Bullet's own clamping, which runs first. A body that
 /// Bullet has moved back stays there, as if it had not moved in the step, and nothing is proved about it. To
@@ -33,9 +34,11 @@ namespace octoblisk {
 /// only the other body's threshold.
 ///
 /// Cost: a clamped body loses the rest of the step. It is slower than its velocity says, once for each
-/// impact, and as long as it slides, rolls or spins in contact by more than the threshold per step. Dynamic
-/// bodies whose paths in the step come near each other share one fraction, so that none moves into a place
-/// that another should have left. Two bodies that both lack a part of our shape do not share a fraction.
+/// impact, and as long as it slides, rolls or spins in contact by more than the threshold per step. Gravity
+/// accelerates it for the whole step all the same, so the energy of a pile of clamped bodies may rise.
+/// Dynamic bodies whose paths in the step come near each other share one fraction, so that none moves into a
+/// place that another should have left. Two bodies that both lack a part of our shape do not share a
+/// fraction.
 ///
 /// Limits: two convex bodies or parts are left to Bullet. Parts of other shapes neither stop nor are stopped.
 /// Kinematic bodies and links of multibodies count where they are at the end of the step. Displacements by

@@ -36,6 +36,7 @@ struct StepImpact {
 /// convex. Every part of A is compared with every part of B, except two convex parts. Parts of other shapes
 /// are ignored.
 ///
+/// At the fraction, the distance is at most (1 + options.slack) · tolerance, after subtracting the margins.
 /// The tolerance is raised to a few units in the last place of the scene's size. The default, used for any
 /// value below 0, is half the distance within which a step creates contacts of the two parts. Throws
 /// std::invalid_argument if a body has no shape, or if no two parts can be compared.
