@@ -82,6 +82,19 @@ void readRims(const btConvexShape& shape, std::vector<Vec3>& rims) {
   }
 }
 
+Vec3 supportOf(const btConvexShape& shape, const Vec3& direction) {
+  return fromBullet(shape.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction)));
+}
+
+/// The mean of the farthest points along the axes: a point inside the shape. The origin may be outside.
+Vec3 middleOf(const btConvexShape& shape) {
+  Vec3 middle = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) middle += supportOf(shape, side * Vec3::Unit(axis)) / 6.0;
+  }
+  return middle;
+}
+
 }  // namespace
 
 bool CoreCorners::update(const btConvexShape& shape) {
@@ -90,19 +103,19 @@ bool CoreCorners::update(const btConvexShape& shape) {
   std::swap(read_, points_);
   if (points_.empty()) {
     readRims(shape, feet_);
+    middle_ = feet_.empty() ? middleOf(shape) : Vec3::Zero();
   } else if (!is_same) {
     feet_ = points_;
+    middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) / double(points_.size());
   }
   if (is_same) return false;
-  middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) /
-            double(std::max(points_.size(), std::size_t{1}));
   faces_.find(points_);
   return true;
 }
 
 Vec3 BulletConvex::support(const Vec3& direction) const {
   if (!core_.points().empty()) return farthest(core_.points(), direction);
-  return fromBullet(shape_.localGetSupportVertexWithoutMarginNonVirtual(toBullet(direction.normalized())));
+  return supportOf(shape_, direction.normalized());
 }
 
 double BulletConvex::precision() const {

@@ -20,7 +20,8 @@ class CoreCorners {
   bool update(const btConvexShape& shape);
 
   std::span<const Vec3> points() const { return points_; }
-  /// The mean of the points; the shape's origin if it has none.
+  /// A point inside: the mean of the points, the origin of a cylinder or cone, otherwise a mean of support
+  /// points.
   const Vec3& middle() const { return middle_; }
   HullFaces faces() const { return faces_.view(); }
   /// The corners, or points on the rims of cylinders and cones; empty for other shapes.

@@ -174,15 +174,17 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
   const double breaking = breakingThreshold(mesh, other);
+  const ClusteredOctreeShape* const other_mesh = meshOfOther(other);
   const bool mesh_has_changed = keepTree(&shape, tree_),
-             other_has_changed = keepTree(meshOfOther(other), tree_of_other_);
-  const bool was_solid = std::exchange(is_solid_, shape.isSolid());
-  if (is_solid_ != was_solid) other_in_mesh_.reset();
-  if (mesh_has_changed || other_has_changed) {
+             other_has_changed = keepTree(other_mesh, tree_of_other_);
+  if (mesh_has_changed || other_has_changed) trianglesHaveMoved();
+  const std::pair are_solid(shape.isSolid(), other_mesh && other_mesh->isSolid());
+  if (mesh_has_changed || other_has_changed || are_solid != are_solid_) {
     manifolds_.clear();
-    trianglesHaveMoved();
+    patches_ = {};
     other_in_mesh_.reset();
   }
+  are_solid_ = are_solid;
   const bool is_unchanged = readOther(other);
   // contactTest and similar functions use derived results.
   const bool is_step = typeid(*result) == typeid(btManifoldResult);

@@ -108,7 +108,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   ContactPatches patches_;
   std::optional<Pose> other_in_mesh_;  // when the patches were made
   double reach_ = 0.0;                 // likewise
-  bool is_solid_ = false;              // of the mesh, likewise
+  std::pair<bool, bool> are_solid_;    // the mesh and the other body's mesh, likewise
 };
 
 }  // namespace octoblisk::detail

@@ -57,12 +57,6 @@ void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const Cl
   found.insert(found.end(), ways_out_.begin(), ways_out_.end());
 }
 
-bool MeshMeshAlgorithm::readOther(const btCollisionObjectWrapper& other) {
-  const bool was_solid = other_is_solid_;
-  other_is_solid_ = static_cast<const ClusteredOctreeShape&>(*other.getCollisionShape()).isSolid();
-  return other_is_solid_ == was_solid;
-}
-
 const ClusteredOctreeShape* MeshMeshAlgorithm::meshOfOther(const btCollisionObjectWrapper& other) const {
   return static_cast<const ClusteredOctreeShape*>(other.getCollisionShape());
 }

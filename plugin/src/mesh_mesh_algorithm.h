@@ -16,7 +16,7 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
  private:
   void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
                     std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper& other) override;
+  bool readOther(const btCollisionObjectWrapper&) override { return true; }
   void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
                          double reach, std::vector<Contact>& found) override;
   const ClusteredOctreeShape* meshOfOther(const btCollisionObjectWrapper& other) const override;
@@ -32,7 +32,6 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   Pose b_in_a_;
   FarVerticesInSolid far_vertices_;  // of the smaller mesh in the other
   std::vector<Contact> ways_out_;
-  bool other_is_solid_ = false;
   SurfaceContacts surface_contacts_;
 };
 

@@ -1,7 +1,11 @@
 // Closed meshes are solids. Bodies inside are pushed out in the shortest direction.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <vector>
 
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
@@ -117,6 +121,107 @@ TEST(Solid, aHollowIsOutside) {
   EXPECT_EQ(deepestAt(1.2), 1.0);
   EXPECT_LT(deepestAt(1.7), -0.2);
   EXPECT_EQ(deepestAt(2.2), 1.0);
+}
+
+/// The deepest contact of a mesh and a shape, both at the origin unless a pose is given.
+double deepestOf(ClusteredOctreeShape& mesh, btCollisionShape& shape,
+                 const btTransform& pose = btTransform::getIdentity()) {
+  btCollisionObject mesh_object, object;
+  mesh_object.setCollisionShape(&mesh);
+  object.setCollisionShape(&shape);
+  object.setWorldTransform(pose);
+  BulletWorld world;
+  PairReport report;
+  world->contactPairTest(&mesh_object, &object, report);
+  return report.deepest();
+}
+
+/// A shape whose origin is outside itself. The middle of each is outside or inside the block.
+TEST(Solid, theOriginOfAShapeNeedNotBeInIt) {
+  ClusteredOctreeShape block = shapeOver(testing::boxMesh({1, 1, 1}));
+  for (const double x : {3.0, -0.2}) {
+    const btVector3 corners[] = {toBullet(Vec3(x, 0, 0)), toBullet(Vec3(x + 0.8, 0, 0)),
+                                 toBullet(Vec3(x, 0.8, 0)), toBullet(Vec3(x, 0, 0.8))};
+    const btScalar radii[] = {btScalar(0.2), btScalar(0.2), btScalar(0.2), btScalar(0.2)};
+    btMultiSphereShape spheres(corners, radii, 4);
+    btConvexPointCloudShape cloud(const_cast<btVector3*>(corners), 4, btVector3(1, 1, 1));
+    btBU_Simplex1to4 simplex(corners[0], corners[1], corners[2], corners[3]);
+    btTriangleMesh triangles;
+    triangles.addTriangle(corners[0], corners[1], corners[2]);
+    triangles.addTriangle(corners[0], corners[1], corners[3]);
+    btConvexTriangleMeshShape of_triangles(&triangles);
+    btConvexHullShape hull(&corners[0][0], 4);
+    const btTransform away = x > 0 ? at(0, 0, 0) : at(-2.5, 0, 0);  // the origin is inside, or outside
+    for (btConvexShape* shape :
+         std::initializer_list<btConvexShape*>{&spheres, &cloud, &simplex, &of_triangles})
+      EXPECT_EQ(deepestOf(block, *shape, away), std::numeric_limits<double>::infinity()) << shape->getName();
+    if (x > 0) {
+      // Moved in: the middle of the shape is in the block, its origin is not.
+      const double expected = deepestOf(block, hull, at(-3.2, 0, 0));
+      EXPECT_LT(expected, -0.5);
+      for (btConvexShape* shape : std::initializer_list<btConvexShape*>{&cloud, &simplex, &of_triangles}) {
+        shape->setMargin(hull.getMargin());
+        EXPECT_NEAR(deepestOf(block, *shape, at(-3.2, 0, 0)), expected, 0.3) << shape->getName();
+      }
+      EXPECT_LT(deepestOf(block, spheres, at(-3.2, 0, 0)), -0.5);
+    }
+  }
+}
+
+/// A plate cuts an edge of a thin box, and its middle is outside. Contacts that are apart do not count as
+/// touching.
+TEST(Solid, aPlateThroughAnEdgeTouches) {
+  ClusteredOctreeShape block = shapeOver(testing::boxMesh({1, 0.953193254, 0.0381897957}));
+  btBoxShape plate(btVector3(btScalar(0.00161766261), btScalar(0.037418399), btScalar(0.703926563)));
+  plate.setMargin(0);
+  const btTransform pose(btQuaternion(btScalar(0.524130702), btScalar(0.386726946), btScalar(-0.324648589),
+                                      btScalar(0.685808003)),
+                         btVector3(btScalar(-0.143126696), btScalar(0.655486465), btScalar(0.0671644732)));
+  EXPECT_LT(deepestOf(block, plate, pose), -0.02);
+}
+
+/// The distances of all points of a world's manifolds, ascending.
+std::vector<double> distancesIn(BulletWorld& world) {
+  world->performDiscreteCollisionDetection();
+  std::vector<double> distances;
+  for (int m = 0; m < world->getDispatcher()->getNumManifolds(); ++m) {
+    const btPersistentManifold& manifold = *world->getDispatcher()->getManifoldByIndexInternal(m);
+    for (int i = 0; i < manifold.getNumContacts(); ++i)
+      distances.push_back(double(manifold.getContactPoint(i).getDistance()));
+  }
+  std::ranges::sort(distances);
+  return distances;
+}
+
+/// No point of the solid stays after it has become a surface, and the reverse.
+TEST(Solid, aPairForgetsItsPointsWhenItsMeshBecomesASurface) {
+  std::mt19937_64 random(74);
+  int differ = 0;
+  for (int i = 0; i < 200; ++i) {
+    ClusteredOctreeShape block = shapeOver(testing::torus(2.0, 0.7, 24, 12)),
+                         ring = shapeOver(testing::torus(0.5, 0.2, 24, 12));
+    btBoxShape box(toBullet(Vec3(0.2, 0.2, 0.2) + testing::randomPoint(random, 0.15)));
+    btCollisionShape& other = i % 4 == 0 ? static_cast<btCollisionShape&>(ring) : box;
+    Pose pose = testing::randomPose(random, 2.0);
+    pose.translation.z() *= 0.3;
+    const auto add = [&](BulletWorld& world) {
+      world.add(block, 0, at(0, 0, 0));
+      world.add(other, 1, toBullet(pose));
+    };
+    BulletWorld kept;
+    add(kept);
+    std::vector<double> before;
+    for (const bool solid : {true, false, true}) {
+      block.setSolid(solid);
+      const std::vector<double> found = distancesIn(kept);
+      BulletWorld fresh;
+      add(fresh);
+      ASSERT_EQ(found, distancesIn(fresh)) << i;
+      differ += !found.empty() && found != before;
+      before = found;
+    }
+  }
+  EXPECT_GT(differ, 100);
 }
 
 }  // namespace

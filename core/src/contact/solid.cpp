@@ -63,7 +63,10 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
     const double behind = contact.normal.dot(center - contact.point_on_a);
     return behind > 0.0 && behind <= -contact.distance;
   };
-  if (!std::ranges::all_of(contacts, pushesThrough)) std::erase_if(contacts, pushesThrough);
+  const auto holds = [&](const Contact& contact) {
+    return contact.distance <= 0.0 && !pushesThrough(contact);
+  };
+  if (std::ranges::any_of(contacts, holds)) std::erase_if(contacts, pushesThrough);
 }
 
 FarVertices farVertices(const ClusteredOctree& tree) {

@@ -20,8 +20,10 @@ struct ContactBody {
   /// Part and index of a triangle of a mesh. For a convex child of a compound: -1 and the child's number.
   /// Otherwise -1, -1.
   TriangleId triangle = {-1, -1};
-  int blade = 0;                         ///< from the body's table; 0 if it has none
-  btVector3 point = btVector3(0, 0, 0);  ///< on the body's surface, in the world
+  int blade = 0;  ///< from the body's table; 0 if it has none
+  /// On the body's surface, in the world. For a body that is inside a solid, Bullet computes one of the two
+  /// points from the other, the normal and the depth, so it may be off the surface.
+  btVector3 point = btVector3(0, 0, 0);
 };
 
 /// A manifold point as reported. A is the body that was added to the world first.
