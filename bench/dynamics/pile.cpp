@@ -48,8 +48,8 @@ class PileInPit final : public Pile {
       addBox({kInner, kThickness, kWallHeight}, placed({0, middle, kWallHeight}));
     }
     double radius = 0.0;
-    for (const Vec3& vertex : inPrincipalFrame(body.mesh)->vertices())
-      radius = std::max(radius, vertex.norm());
+    const auto mesh = inPrincipalFrame(body.mesh);
+    for (const Vec3& vertex : mesh->vertices()) radius = std::max(radius, vertex.norm());
     const double pitch = 2.0 * radius + 0.1;
     drop({body}, bodies, static_cast<int>(2.0 * kInner / pitch), pitch, radius + 0.2);
   }
