@@ -18,8 +18,11 @@ constexpr std::size_t kCells = 32;  // along each edge of a side of the cube
 
 SupportPlanes::SupportPlanes(const ClusteredOctree& tree, int threads) : planes_(6 * kCells * kCells) {
   parallelFor(planes_.size(), threadCount(threads), [&](std::size_t plane, std::size_t) {
-    const std::size_t side = plane / (kCells * kCells), row = plane / kCells % kCells, column = plane % kCells;
-    const auto middle = [](std::size_t cell) { return (2.0 * static_cast<double>(cell) + 1.0) / kCells - 1.0; };
+    const std::size_t side = plane / (kCells * kCells), row = plane / kCells % kCells,
+                      column = plane % kCells;
+    const auto middle = [](std::size_t cell) {
+      return (2.0 * static_cast<double>(cell) + 1.0) / kCells - 1.0;
+    };
     const auto axis = static_cast<Eigen::Index>(side / 2);
     Vec3 direction;
     direction[axis] = side % 2 == 0 ? 1.0 : -1.0;

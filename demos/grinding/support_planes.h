@@ -8,8 +8,8 @@
 
 namespace octoblisk::demos {
 
-/// Planes that touch a mesh from outside, with normals spread over all directions, at most 0.045 rad from any.
-/// Immutable.
+/// Planes that touch a mesh from outside, with normals spread over all directions, at most 0.045 rad from
+/// any. Immutable.
 class SupportPlanes {
  public:
   explicit SupportPlanes(const ClusteredOctree& tree, int threads = 0);

@@ -49,8 +49,8 @@ GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b
   return searched();
 }
 
-GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a,
-                               double tolerance, const DepthsSought& sought) {
+GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                               const DepthsSought& sought) {
   prepare(a.surface(), b, b_in_a, tolerance, sought);
   if (!a.isWhole()) boundary_ = &a;
   return searched();
