@@ -192,7 +192,7 @@ int run(int argc, char** argv) {
   for (int i = 2; i < argc; ++i)
     report(makeGrindingScene(std::filesystem::path(argv[i]).stem().string(), readOutward(argv[i])));
   const char* file = argc > 1 ? argv[1] : "broadphase.json";
-  writeRows(file, mergedRows(readRows(file), rows));
+  addRows(file, rows);
   return 0;
 }
 

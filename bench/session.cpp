@@ -185,7 +185,7 @@ void Session::run() const {
 
 void Session::finish(const Rows& rows) const {
   printTable(rows);
-  if (!rows_file_.empty()) writeRows(rows_file_, mergedRows(readRows(rows_file_), rows));
+  if (!rows_file_.empty()) addRows(rows_file_, rows);
 }
 
 }  // namespace octoblisk::bench

@@ -65,7 +65,7 @@ void run(const Options& options) {
       std::fflush(stdout);
       rows.push_back(std::move(row));
     }
-    writeRows(options.file, mergedRows(readRows(options.file), rows));
+    addRows(options.file, rows);
   }
 }
 

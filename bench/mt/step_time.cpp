@@ -89,7 +89,7 @@ void run(const char* file) {
                     {"steps", kSteps},
                     {"passes", kPasses}});
   }
-  writeRows(file, rows);
+  addRows(file, rows);
 }
 
 }  // namespace

@@ -99,9 +99,11 @@ const Growth kGrowths[] = {
     {"growth-bodies", "", "a step of a Bullet world", "bodies that fall onto the blisk"},
 };
 
-std::string machineText(const Row& context) {
-  if (!context.is_object()) return "";
+std::string machineText(const Rows& rows, const Row& context) {
   std::string text;
+  for (const std::string& commit : valuesOf(rows, "commit"))
+    if (!commit.empty()) text += "- commit: " + commit + '\n';
+  if (!context.is_object()) return text;
   const auto item = [&](const std::string& name, const char* key) {
     if (!context.contains(key)) return;
     const Row& value = context[key];
@@ -304,7 +306,7 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
       "The ratio is bold if the contender is faster. The number in brackets counts the answers that differ\n"
       "from the reference. In the sections on growth, * marks a contender with such answers.\n\n"
       "## Machine\n\n" +
-      machineText(context);
+      machineText(rows, context);
   const auto section = [&](const std::string& title, const std::string& table) {
     if (!table.empty()) text += std::string("## ") + title + "\n\n" + table + '\n';
   };

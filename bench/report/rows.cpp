@@ -59,13 +59,19 @@ const Row* findRow(const Rows& rows, const std::string& task, const std::string&
   return row == rows.end() ? nullptr : &*row;
 }
 
-Rows mergedRows(Rows before, const Rows& anew) {
-  std::erase_if(before, [&](const Row& old) {
+std::string commit() { return OCTOBLISK_BENCH_COMMIT; }
+
+void addRows(const std::filesystem::path& file, Rows run) {
+  Rows rows = readRows(file);
+  std::erase_if(rows, [&](const Row& old) {
     return std::ranges::any_of(
-        anew, [&](const Row& row) { return row["task"] == old["task"] && row["scene"] == old["scene"]; });
+        run, [&](const Row& row) { return row["task"] == old["task"] && row["scene"] == old["scene"]; });
   });
-  before.insert(before.end(), anew.begin(), anew.end());
-  return before;
+  for (Row& row : run) {
+    row["commit"] = commit();
+    rows.push_back(std::move(row));
+  }
+  writeRows(file, rows);
 }
 
 }  // namespace octoblisk::bench

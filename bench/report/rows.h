@@ -30,8 +30,11 @@ Rows readAllRows(const std::filesystem::path& folder);
 /// Writes one row per line. Throws std::runtime_error naming the file.
 void writeRows(const std::filesystem::path& file, const Rows& rows);
 
-/// The rows of `before` whose task and scene do not occur in `anew`, then `anew`. All rows of a scene come
-/// from one run, because ratios between runs mean nothing.
-Rows mergedRows(Rows before, const Rows& anew);
+/// The commit that the program was configured from, "-dirty" if files had changed; empty outside a checkout.
+std::string commit();
+
+/// Adds the rows of a run, with the commit, to a file. They replace the file's rows of the same task and
+/// scene, because ratios between runs mean nothing. Throws std::runtime_error naming the file.
+void addRows(const std::filesystem::path& file, Rows run);
 
 }  // namespace octoblisk::bench

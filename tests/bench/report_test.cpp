@@ -139,7 +139,8 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
                     {"figures", {{"creep_mm", 12.34}, {"top_m", 2.5}}},
                     {"time_s", {0.5, 1.0}},
                     {"energy_j", {3.0, 0.0}},
-                    {"depth_over_time_m", {0.01, 0.0015}}};
+                    {"depth_over_time_m", {0.01, 0.0015}},
+                    {"commit", "1a2b3c4"}};
   Row plane = ours;
   plane["contender"] = "plane";
   plane["asleep_after_steps"] = 321;
@@ -157,6 +158,7 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
   EXPECT_TRUE(page.plots.empty());
   EXPECT_EQ(page.time_plots[0].file, "dynamics-tower.svg");
   EXPECT_NE(page.text.find("![tower](dynamics-tower.svg)"), std::string::npos);
+  EXPECT_NE(page.text.find("## Machine\n\n- commit: 1a2b3c4\n"), std::string::npos);
   const TimePlot& plot = page.time_plots[0].plot;
   ASSERT_EQ(plot.panels.size(), 2u);
   EXPECT_EQ(plot.panels[0].curves[0].y, std::vector<double>({3.0, 0.0}));

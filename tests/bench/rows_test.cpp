@@ -71,13 +71,16 @@ TEST_F(RowFiles, ofAFolderAreThoseOfItsFilesByName) {
 
 // Ratios of one run cannot be compared with means of another.
 TEST_F(RowFiles, ofASceneAreOfOneRun) {
+  const fs::path file = folder_ / "rows.json";
   const Rows before = {row("ray", "50k", "octoblisk", 1), row("ray", "50k", "fcl", 2),
                        row("ray", "300k", "octoblisk", 3), row("build", "50k", "octoblisk", 4)};
-  const Rows anew = {row("ray", "50k", "octoblisk", 5)};
-  const Rows expected = {before[2], before[3], anew[0]};
-  EXPECT_EQ(mergedRows(before, anew), expected);
-  EXPECT_EQ(mergedRows({}, anew), anew);
-  EXPECT_EQ(mergedRows(before, {}), before);
+  Row anew = row("ray", "50k", "octoblisk", 5);
+  writeRows(file, before);
+  addRows(file, {anew});
+  anew["commit"] = commit();
+  EXPECT_EQ(readRows(file), (Rows{before[2], before[3], anew}));
+  addRows(file, {});
+  EXPECT_EQ(readRows(file).size(), 3u);
 }
 
 }  // namespace
