@@ -17,7 +17,7 @@ constexpr std::size_t kCells = 32;  // along each edge of a side of the cube
 }  // namespace
 
 SupportPlanes::SupportPlanes(const ClusteredOctree& tree, int threads) : planes_(6 * kCells * kCells) {
-  parallelFor(planes_.size(), threadCount(threads), [&](std::size_t plane, std::size_t) {
+  parallelFor(planes_.size(), threads, [&](std::size_t plane, std::size_t) {
     const std::size_t side = plane / (kCells * kCells), row = plane / kCells % kCells,
                       column = plane % kCells;
     const auto middle = [](std::size_t cell) {
@@ -29,7 +29,7 @@ SupportPlanes::SupportPlanes(const ClusteredOctree& tree, int threads) : planes_
     direction[(axis + 1) % 3] = middle(row);
     direction[(axis + 2) % 3] = middle(column);
     const Vec3 normal = direction.normalized();
-    planes_[plane] = {normal, normal.dot(farthestVertex(tree, normal))};
+    planes_[plane] = {normal, normal.dot(tree.mesh().vertices()[farthestVertex(tree, normal)])};
   });
 }
 

@@ -115,10 +115,10 @@ bool anyPart(const Body& body, const Aabb& box, ClusterHolders& holders, const M
   return anyPart(body.shape, body.whole.in_world, box, meets);
 }
 
-bool clustersMeetBox(const Part& part, const Aabb& box, int depth) {
+bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead) {
   const Obb in_part =
       fromBullet(part.in_world).inverse() * Obb{box.center(), Mat3::Identity(), box.halfExtents()};
-  return clustersNear(part.clusters->tree(), in_part, part.reach(), depth);
+  return clustersNear(part.clusters->tree(), in_part, part.reach() + ahead, depth);
 }
 
 /// A body inside a solid may be far from the solid's surface, and so from its clusters.
@@ -127,26 +127,30 @@ bool isInside(const Vec3& point_in_world, const Part& part) {
          isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
-/// Whether one of a mesh's far vertices is inside another. The narrow phase asks for the same vertices
-/// (FarVerticesInSolid).
+/// Whether a piece of a mesh that is away from a solid's surface is inside the solid. The narrow phase asks
+/// for the same vertices (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
-  return solid.clusters->isSolid() &&
-         std::ranges::any_of(part.clusters->farVertices().positions, [&](const Vec3& vertex) {
-           return isInside(fromBullet(part.in_world) * vertex, solid);
-         });
+  if (!solid.clusters->isSolid()) return false;
+  const FarVertices& far = part.clusters->farVertices();
+  for (std::size_t v = 0; v < FarVertices::kCount; ++v) {
+    if (far.represents_piece[v] && isInside(fromBullet(part.in_world) * far.positions[v], solid)) return true;
+  }
+  return false;
 }
 
-bool meet(const Part& a, const Part& b, int depth) {
-  // Some boxes are infinite, e.g. a plane's; the common box is finite.
-  const Aabb common{a.box.min.cwiseMax(b.box.min), a.box.max.cwiseMin(b.box.max)};
+bool meet(const Part& a, const Part& b, int depth, double ahead) {
+  // Some boxes are infinite, e.g. a plane's; the common box is finite. Both boxes are grown by `ahead`.
+  const Aabb common{a.box.min.cwiseMax(b.box.min).array() - ahead,
+                    a.box.max.cwiseMin(b.box.max).array() + ahead};
   if (!(common.min.array() <= common.max.array()).all()) return false;
   if (a.clusters && b.clusters) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
-    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach(), depth) ||
+    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach() + ahead,
+                        depth) ||
            reachesInto(a, b) || reachesInto(b, a);
   }
-  if (a.clusters) return clustersMeetBox(a, common, depth) || isInside(common.center(), a);
-  if (b.clusters) return clustersMeetBox(b, common, depth) || isInside(common.center(), b);
+  if (a.clusters) return clustersMeetBox(a, common, depth, ahead) || isInside(common.center(), a);
+  if (b.clusters) return clustersMeetBox(b, common, depth, ahead) || isInside(common.center(), b);
   return true;
 }
 
@@ -172,22 +176,17 @@ bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, Clus
          (holders.contain(*body_a->getCollisionShape()) || holders.contain(*body_b->getCollisionShape()));
 }
 
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
-  ClusterHolders none_known;
-  return clustersDecide(a, b, none_known);
-}
-
-bool mayHaveSay(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+bool clustersMayDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
   const auto mayHold = [](const btCollisionShape& shape) { return shape.isCompound() || asClusters(shape); };
   return isBody(body_a) && isBody(body_b) &&
          (mayHold(*body_a->getCollisionShape()) || mayHold(*body_b->getCollisionShape()));
 }
 
-bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher) {
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
-  return isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
-         !dispatcher.needsCollision(body_a, body_b);
+  return dispatcher && isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
+         !dispatcher->needsCollision(body_a, body_b);
 }
 
 bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room) {
@@ -207,12 +206,12 @@ bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room) {
   return false;
 }
 
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
-                  ClusterHolders& holders) {
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders,
+                  double ahead) {
   const Body body_a(a), body_b(b);
   return anyPart(body_a, body_b.box, holders, [&](const Part& part_a) {
     return anyPart(body_b, part_a.box, holders,
-                   [&](const Part& part_b) { return meet(part_a, part_b, depth); });
+                   [&](const Part& part_b) { return meet(part_a, part_b, depth, ahead); });
   });
 }
 

@@ -28,14 +28,13 @@ class ClusterHolders {
 /// links of multibodies or plain collision objects. Ghosts (which represent their boxes), soft bodies,
 /// user-defined clients and null are judged by their boxes.
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders);
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
 /// Whether clusters decide about the pair, or would if a child with clusters were added to a compound.
 /// Searches no compound.
-bool mayHaveSay(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
+bool clustersMayDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b);
 
-/// Whether both bodies are inactive and the dispatcher ignores such a pair, as Bullet's dispatcher does.
-bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher& dispatcher);
+/// Whether both bodies are inactive and the dispatcher, if any, ignores such a pair, as Bullet's does.
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher);
 
 /// Whether a contact of the pair's last dispatch still holds at the current transforms, by the criterion of
 /// its manifold. If so, the bodies are near each other, unless a shape has changed since. `room` is a buffer
@@ -46,8 +45,10 @@ bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 /// (contact/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
 /// cluster or the box of the other body, and neither body is inside the other as a solid. A compound that
 /// contains a ClusteredOctreeShape is tested child by child. Any other body is represented by the box of its
-/// proxy and the box of its shape, which differ if the body was moved by hand. Call this only if
-/// clustersDecide is true.
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders);
+/// proxy and the box of its shape, which differ if the body was moved by hand. With `ahead`, false also
+/// proves that the bodies stay apart until both together have moved by this length; not for compounds. Call
+/// this only if clustersDecide is true.
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders,
+                  double ahead = 0.0);
 
 }  // namespace octoblisk::detail

@@ -3,7 +3,9 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace octoblisk::detail {
 
@@ -15,8 +17,9 @@ using Cache = btHashedOverlappingPairCache;
 // not 0 in the tight pairs that refine tests.
 bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
-/// The number of such a pair that refine has not tested since it was added or cleaned.
-constexpr int kToBeAsked = 1;
+/// The number of such a pair that refine has not tested since it was added or cleaned. No margin has its
+/// bits.
+constexpr int kToBeAsked = -1;
 
 /// The number of such a pair after a test. It changes with the margins, because contacts made with other
 /// margins prove nothing.
@@ -27,14 +30,27 @@ int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
 }
 
+/// Pairs that are kept apart use the same field: up to the bodies' summed travels of this length, as the bits
+/// of a float, they are proved to be apart; 0: nothing is proved.
+constexpr int kNotProved = 0;
+
+int bitsBelow(double length) {
+  const float nearest = float(length);
+  return std::bit_cast<int>(double(nearest) <= length ? nearest : std::nextafter(nearest, 0.0f));
+}
+
+/// The motion that a test of clusters allows for, as a part of the smaller body. More makes a test fail more
+/// often, less makes it expire sooner.
+constexpr double kAhead = 1.0 / 64.0;
+
+double sizeOf(const btBroadphaseProxy& proxy) {
+  return 0.5 * double((proxy.m_aabbMax - proxy.m_aabbMin).length());
+}
+
 /// The comparison of the inner broadphase.
 bool boxesOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return Intersect(static_cast<const btDbvtProxy&>(a).leaf->volume,
                    static_cast<const btDbvtProxy&>(b).leaf->volume);
-}
-
-bool isLeftAlone(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher) {
-  return dispatcher && bothSleep(a, b, *dispatcher);
 }
 
 bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
@@ -46,16 +62,30 @@ bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int de
 
 void TightPairs::refine(btDispatcher* dispatcher) {
   holders_.forget();
+  travels_.beginLook();
   promote(dispatcher);
   if (any_asked_) demote(dispatcher);
 }
 
+/// Whether clusters keep a pair apart. Tests them if the bodies may have met since the last test.
+bool TightPairs::stayApart(btBroadphasePair& pair) {
+  const btBroadphaseProxy &a = *pair.m_pProxy0, &b = *pair.m_pProxy1;
+  int& proved = pair.m_internalTmpValue;
+  if (!clustersDecide(a, b, holders_)) return false;
+  const double travelled = travels_.of(a) + travels_.of(b);
+  if (proved != kNotProved && travelled <= double(std::bit_cast<float>(proved))) return true;
+  const double ahead = kAhead * std::min(sizeOf(a), sizeOf(b));
+  const bool is_proved = std::isfinite(travelled) && !clustersMeet(a, b, depth_, holders_, ahead);
+  proved = is_proved ? bitsBelow(travelled + ahead) : kNotProved;
+  return is_proved || !clustersMeet(a, b, depth_, holders_);
+}
+
 void TightPairs::promote(btDispatcher* dispatcher) {
-  const btBroadphasePairArray& pairs = apart_.getOverlappingPairArray();
+  btBroadphasePairArray& pairs = apart_.getOverlappingPairArray();
   for (int i = 0; i < pairs.size();) {
     btBroadphaseProxy *a = pairs[i].m_pProxy0, *b = pairs[i].m_pProxy1;
     const bool overlap = boxesOverlap(*a, *b);
-    if (overlap && (isLeftAlone(*a, *b, dispatcher) || areKeptApart(*a, *b, depth_, holders_))) {
+    if (overlap && (bothSleep(*a, *b, dispatcher) || stayApart(pairs[i]))) {
       ++i;
       continue;
     }
@@ -71,12 +101,12 @@ void TightPairs::demote(btDispatcher* dispatcher) {
     btBroadphasePair& pair = pairs[i];
     if (!isAsked(pair)) continue;
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    if (pair.m_internalTmpValue == kToBeAsked && !mayHaveSay(*a, *b)) {
+    if (pair.m_internalTmpValue == kToBeAsked && !clustersMayDecide(*a, *b)) {
       pair.m_internalTmpValue = 0;
       continue;
     }
     any_asked_ = true;
-    if (isLeftAlone(*a, *b, dispatcher)) continue;
+    if (bothSleep(*a, *b, dispatcher)) continue;
     const int asked = askedWith(*a, *b);
     if (pair.m_internalTmpValue == asked && aContactHolds(pair, manifolds_)) continue;
     pair.m_internalTmpValue = asked;
@@ -97,7 +127,7 @@ btBroadphasePair* TightPairs::addOverlappingPair(btBroadphaseProxy* a, btBroadph
   // Most pairs are known: the inner broadphase adds all pairs of a body that has left its box.
   if (btBroadphasePair* const known = findPair(a, b)) return known;
   if (btBroadphasePair* const known = apart_.findPair(a, b)) return known;
-  const bool asked = mayHaveSay(*a, *b);
+  const bool asked = clustersMayDecide(*a, *b);
   if (asked && areKeptApart(*a, *b, depth_, holders_)) return apart_.addOverlappingPair(a, b);
   return addFiltered(a, b, asked);
 }
@@ -118,6 +148,7 @@ void* TightPairs::removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy*
 }
 
 void TightPairs::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
+  travels_.forget(*proxy);
   apart_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
   Cache::removeOverlappingPairsContainingProxy(proxy, dispatcher);
 }

@@ -5,6 +5,7 @@
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
 #include "near_bodies.h"
+#include "travels.h"
 
 namespace octoblisk::detail {
 
@@ -26,8 +27,9 @@ class TightPairs final : public btHashedOverlappingPairCache {
   /// The number of pairs that clusters keep apart.
   int apart() const { return apart_.getNumOverlappingPairs(); }
 
-  /// Tests the clusters at the current transforms. Skips pairs with a contact that still holds. While both
-  /// bodies of a pair sleep, the pair stays where it is.
+  /// Tests the clusters at the current transforms. Skips pairs with a contact that still holds, and pairs
+  /// that have moved too little to meet since a test. While both bodies of a pair sleep, the
+  /// pair stays where it is.
   void refine(btDispatcher* dispatcher);
 
   bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
@@ -40,6 +42,7 @@ class TightPairs final : public btHashedOverlappingPairCache {
 
  private:
   btBroadphasePair* addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool asked);
+  bool stayApart(btBroadphasePair& pair);
   void promote(btDispatcher* dispatcher);
   void demote(btDispatcher* dispatcher);
 
@@ -48,6 +51,7 @@ class TightPairs final : public btHashedOverlappingPairCache {
   bool is_filtered_ = false;  // whether the pair being added has passed the filter
   ApartPairs apart_;
   ClusterHolders holders_;     // valid since the last refine began
+  Travels travels_;            // looks once in each refine
   btManifoldArray manifolds_;  // a buffer for the manifolds of a pair
 };
 

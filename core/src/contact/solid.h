@@ -41,7 +41,11 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
 
 /// The vertices of a mesh that are farthest out along its axes and diagonals, in the mesh's frame.
 struct FarVertices {
-  std::array<Vec3, 14> positions;
+  static constexpr std::size_t kCount = 14;
+  std::array<Vec3, kCount> positions;
+  /// Whether the vertex is the first one of its connected piece of the mesh. It represents the piece where no
+  /// triangle of the piece meets the other mesh.
+  std::array<bool, kCount> represents_piece;
 };
 FarVertices farVertices(const ClusteredOctree& tree);
 
@@ -59,7 +63,7 @@ class FarVerticesInSolid {
   void forget() { in_a_ = {}; }
 
  private:
-  std::array<PointInSolid, 14> in_a_;
+  std::array<PointInSolid, FarVertices::kCount> in_a_;
 };
 
 }  // namespace octoblisk::detail
