@@ -1,8 +1,25 @@
 #include "body_parts.h"
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <algorithm>
 #include <typeinfo>
 
 namespace octoblisk::detail {
+namespace {
+
+/// Whether the shape, or a child of a compound at any depth, is as asked.
+template <typename Is>
+bool anyLeaf(const btCollisionShape& shape, const Is& is) {
+  if (!shape.isCompound()) return is(shape);
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (anyLeaf(*compound.getChildShape(i), is)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
@@ -12,21 +29,16 @@ const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
 }
 
 bool hasPart(const btCollisionShape& shape) {
-  if (!shape.isCompound()) return shape.isConvex() || asClusters(shape);
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (hasPart(*compound.getChildShape(i))) return true;
-  }
-  return false;
+  return anyLeaf(shape, [](const btCollisionShape& leaf) { return leaf.isConvex() || asClusters(leaf); });
 }
 
 bool holdsClusters(const btCollisionShape& shape) {
-  if (!shape.isCompound()) return asClusters(shape) != nullptr;
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (holdsClusters(*compound.getChildShape(i))) return true;
-  }
-  return false;
+  return anyLeaf(shape, [](const btCollisionShape& leaf) { return asClusters(leaf) != nullptr; });
+}
+
+btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeShape* part) {
+  const btScalar of_body = body.getContactBreakingThreshold(gContactBreakingThreshold);
+  return part ? std::min(of_body, part->getContactBreakingThreshold(gContactBreakingThreshold)) : of_body;
 }
 
 Pose poseOfChild(const btCompoundShape& compound, int child) {

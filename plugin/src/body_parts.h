@@ -32,10 +32,14 @@ struct BodyPart {
   const Convex* convex;                  ///< null if the part is ours; valid during the visit only
   Motion in_world;
 
-  Hold hold() const { return clusters ? Hold(clusters->tree()) : Hold(*convex); }
+  BodyBounds bounds() const { return clusters ? BodyBounds(clusters->tree()) : BodyBounds(*convex); }
   /// The margin that the sweep does not contain. The sweep of a convex shape contains its margin.
   double margin() const { return clusters ? double(clusters->getMargin()) : 0.0; }
 };
+
+/// The contact breaking threshold of a part of a body: that of the body's shape, as Bullet takes it for a new
+/// manifold, but at most that of the part if it is ours.
+btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeShape* part);
 
 /// The pose of a child, orthonormal in double precision.
 Pose poseOfChild(const btCompoundShape& compound, int child);

@@ -46,7 +46,7 @@ int order(const btCollisionObject* object) { return object->getBroadphaseHandle(
 
 auto sortedBy(const ReportedContact& contact) {
   const auto of = [](const ContactBody& body) {
-    return std::tuple(order(body.object), body.triangle.part, body.triangle.index);
+    return std::tuple(body.triangle.part, body.triangle.index);
   };
   const auto place = [](const btVector3& v) { return std::tuple(v.x(), v.y(), v.z()); };
   return std::tuple(order(contact.a.object), order(contact.b.object), of(contact.a), of(contact.b),

@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "body_parts.h"
 #include "bounce.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
@@ -76,16 +77,6 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap0_;
   const btCollisionObjectWrapper* wrap1_;
 };
-
-/// Computed from the root shapes, as Bullet does for a new manifold, but at most the threshold of the mesh,
-/// which may be a child of a compound.
-double breakingThreshold(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other) {
-  const auto of = [](const btCollisionShape* shape) {
-    return double(shape->getContactBreakingThreshold(gContactBreakingThreshold));
-  };
-  return std::min({of(mesh.getCollisionObject()->getCollisionShape()),
-                   of(other.getCollisionObject()->getCollisionShape()), of(mesh.m_shape)});
-}
 
 /// An upper bound of how far points of a body move between two poses in another body's frame.
 double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
@@ -171,41 +162,56 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   substitute_.reset();
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
-  const double mesh_margin = double(shape.getMargin()), other_margin = marginOfOther(other);
-  const double breaking = breakingThreshold(mesh, other);
-  const ClusteredOctreeShape* const other_mesh = meshOfOther(other);
-  const bool mesh_has_changed = keepTree(&shape, tree_),
+  const PosedShapes shapes{
+      static_cast<const ClusteredOctreeShape&>(*mesh.m_shape), *other.m_shape,
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform())};
+  noticeChanges(shapes);
+  const double breaking = double(std::min(
+      breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &shapes.mesh),
+      breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asClusters(shapes.other))));
+  const double near = double(shapes.mesh.getMargin()) + marginOfOther(shapes.other) +
+                      double(result->m_closestPointDistanceThreshold);
+  // contactTest and similar functions use derived results.
+  const bool is_step = typeid(*result) == typeid(btManifoldResult);
+  if (auto* const all = is_step ? nullptr : dynamic_cast<AllContacts*>(result)) {
+    findContacts(shapes, breaking + near, contacts_);
+    all->take(*mesh.getCollisionObject(), contacts_);
+    return;
+  }
+  const double reach = (is_step ? kCreated : 1.0) * breaking + near;
+  if (!is_step || !other_in_mesh_ || reach != reach_ ||
+      !(relativeDisplacement(mesh, other, *other_in_mesh_, shapes.other_in_mesh) <= kStill * breaking)) {
+    other_in_mesh_ = shapes.other_in_mesh;
+    reach_ = reach;
+    findContacts(shapes, reach, contacts_);
+    toSurfaceContacts(shapes, reach, contacts_);
+    patches_.reduce(contacts_, breaking);
+  }
+  showPatches(shapes, mesh, other, breaking, info.m_timeStep, *result);
+}
+
+void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
+  const ClusteredOctreeShape* const other_mesh = asClusters(shapes.other);
+  const bool mesh_has_changed = keepTree(&shapes.mesh, tree_),
              other_has_changed = keepTree(other_mesh, tree_of_other_);
   if (mesh_has_changed || other_has_changed) trianglesHaveMoved();
-  const std::pair are_solid(shape.isSolid(), other_mesh && other_mesh->isSolid());
+  const std::pair are_solid(shapes.mesh.isSolid(), other_mesh && other_mesh->isSolid());
   if (mesh_has_changed || other_has_changed || are_solid != are_solid_) {
     manifolds_.clear();
     patches_ = {};
     other_in_mesh_.reset();
   }
   are_solid_ = are_solid;
-  const bool is_unchanged = readOther(other);
-  // contactTest and similar functions use derived results.
-  const bool is_step = typeid(*result) == typeid(btManifoldResult);
-  const double near = mesh_margin + other_margin + double(result->m_closestPointDistanceThreshold);
-  if (auto* const all = is_step ? nullptr : dynamic_cast<AllContacts*>(result)) {
-    findContacts(mesh, other, breaking + near, contacts_);
-    all->take(*mesh.getCollisionObject(), contacts_);
-    return;
-  }
-  const Pose other_in_mesh =
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  const double reach = (is_step ? kCreated : 1.0) * breaking + near;
-  if (!is_unchanged || !is_step || !other_in_mesh_ || reach != reach_ ||
-      !(relativeDisplacement(mesh, other, *other_in_mesh_, other_in_mesh) <= kStill * breaking)) {
-    other_in_mesh_ = other_in_mesh;
-    reach_ = reach;
-    makePatches(mesh, other, reach, breaking);
-  }
-  const Pose other_motion = other_in_mesh * other_in_mesh_->inverse();
+  if (!readOther(shapes.other)) other_in_mesh_.reset();
+}
 
+void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
+                                const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
+                                btManifoldResult& result) {
+  const double mesh_margin = double(shapes.mesh.getMargin()), other_margin = marginOfOther(shapes.other);
+  const Pose other_motion = shapes.other_in_mesh * other_in_mesh_->inverse();
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
+  const btCollisionObject* const body0 = (mesh_is_body1_ ? other : mesh).getCollisionObject();
   const std::span<const ContactPatch> patches = patches_.last();
   manifolds_.match(patches,
                    {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,
@@ -214,31 +220,24 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does
-    result->setPersistentManifold(manifold);
+    result.setPersistentManifold(manifold);
     for (const Contact& found : patches[p].points()) {
       const Contact contact = afterMotion(found, other_motion);
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
-      const ContactSide mesh_side(mesh, triangleOf(shape, contact.triangle_a));
-      const ContactSide other_side(other, triangleOfOther(other, contact));
-      const ShownSides shown(*result, body0->getCollisionObject(), mesh_is_body1_ ? other_side : mesh_side,
+      const ContactSide mesh_side(mesh, triangleOf(shapes.mesh, contact.triangle_a));
+      const ContactSide other_side(other, triangleOfOther(shapes.other, contact));
+      const ShownSides shown(result, body0, mesh_is_body1_ ? other_side : mesh_side,
                              mesh_is_body1_ ? mesh_side : other_side);
       // Bullet's normal is on body 1 and points to body 0.
-      result->addContactPoint(toBullet(mesh_is_body1_ ? Vec3(-to_mesh) : to_mesh),
-                              toBullet(mesh_is_body1_ ? on_mesh : on_other),
-                              btScalar(contact.distance - mesh_margin - other_margin));
+      result.addContactPoint(toBullet(mesh_is_body1_ ? Vec3(-to_mesh) : to_mesh),
+                             toBullet(mesh_is_body1_ ? on_mesh : on_other),
+                             btScalar(contact.distance - mesh_margin - other_margin));
     }
-    result->refreshContactPoints();
-    bounceAtTouch(*manifold, info.m_timeStep);
+    result.refreshContactPoints();
+    bounceAtTouch(*manifold, time_step);
   }
-}
-
-void MeshAlgorithm::makePatches(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                                double reach, double spacing) {
-  findContacts(mesh, other, reach, contacts_);
-  toSurfaceContacts(mesh, other, reach, contacts_);
-  patches_.reduce(contacts_, spacing);
 }
 
 }  // namespace octoblisk::detail

@@ -13,6 +13,7 @@
 #include "manifolds.h"
 #include "octoblisk/triangle_source.h"
 
+class btCollisionShape;
 struct btCollisionObjectWrapper;
 
 namespace octoblisk {
@@ -43,6 +44,13 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   }
 
  protected:
+  /// The shapes of the two bodies, and the other body's pose in the mesh's frame.
+  struct PosedShapes {
+    const ClusteredOctreeShape& mesh;
+    const btCollisionShape& other;
+    Pose other_in_mesh;
+  };
+
   /// `mesh_is_body1`: the order of the pair is (other, mesh).
   MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
                 const btCollisionObjectWrapper* body1, bool mesh_is_body1);
@@ -66,37 +74,35 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
 
   /// Replaces `found` with the contacts between triangles of the mesh (A) and the other body (B) within
   /// `reach`, in the mesh's frame.
-  virtual void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                            double reach, std::vector<Contact>& found) = 0;
+  virtual void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
-  /// Converts the contacts that were found last to contacts of the surfaces, without effects of internal
-  /// edges.
-  virtual void toSurfaceContacts(const btCollisionObjectWrapper&, const btCollisionObjectWrapper&, double,
-                                 std::vector<Contact>&) {}
+  /// Converts the contacts that findContacts has just found within `reach` to contacts of the surfaces,
+  /// without effects of internal edges.
+  virtual void toSurfaceContacts(const PosedShapes&, double, std::vector<Contact>&) {}
 
   /// Discards everything that is known about the shapes' triangles.
   virtual void trianglesHaveMoved() {}
 
   /// Reads the other body's shape. Returns whether it is certainly unchanged since the last call, apart from
   /// its tree. Called first.
-  virtual bool readOther(const btCollisionObjectWrapper& other) = 0;
-
-  /// The other body's shape, if it is of this type, too.
-  virtual const ClusteredOctreeShape* meshOfOther(const btCollisionObjectWrapper&) const { return nullptr; }
+  virtual bool readOther(const btCollisionShape& other) = 0;
 
   /// How far the other body extends beyond the surface of those contacts.
-  virtual double marginOfOther(const btCollisionObjectWrapper&) const { return 0.0; }
+  virtual double marginOfOther(const btCollisionShape&) const { return 0.0; }
 
   /// The other body's triangle, in its frame, in a contact that was found last; none if the body has no
   /// triangles.
-  virtual std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper&,
-                                                        const Contact&) const {
+  virtual std::optional<SourceTriangle> triangleOfOther(const btCollisionShape&, const Contact&) const {
     return std::nullopt;
   }
 
-  /// Sets patches_ to patches of the contacts within `reach`, at least `spacing` apart, at the current poses.
-  void makePatches(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                   double spacing);
+  /// Discards what was made with earlier states of the shapes.
+  void noticeChanges(const PosedShapes& shapes);
+
+  /// Passes the points of the patches to Bullet at the current poses.
+  void showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
+                   const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
+                   btManifoldResult& result);
 
   const bool mesh_is_body1_;
   const ShapeTypes types_;
@@ -106,7 +112,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
   ContactPatches patches_;
-  std::optional<Pose> other_in_mesh_;  // when the patches were made
+  std::optional<Pose> other_in_mesh_;  // when the patches were made; none: make them anew
   double reach_ = 0.0;                 // likewise
   std::pair<bool, bool> are_solid_;    // the mesh and the other body's mesh, likewise
 };

@@ -1,6 +1,5 @@
 #include "mesh_concave_algorithm.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
 #include <BulletCollision/CollisionShapes/btScaledBvhTriangleMeshShape.h>
@@ -100,33 +99,18 @@ class ConcaveSource final : public TriangleSource {
 
 }  // namespace
 
-void MeshConcaveAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
-                                        const btCollisionObjectWrapper& other, double reach,
+void MeshConcaveAlgorithm::findContacts(const PosedShapes& shapes, double reach,
                                         std::vector<Contact>& found) {
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const ConcaveSource source(static_cast<const btConcaveShape&>(*other.getCollisionShape()));
-  other_in_mesh_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  source_contacts_.find(shape.tree(), source, other_in_mesh_, reach, found);
+  const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
+  source_contacts_.find(shapes.mesh.tree(), source, shapes.other_in_mesh, reach, found);
 }
 
-void MeshConcaveAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
-                                             const btCollisionObjectWrapper&, double,
-                                             std::vector<Contact>& found) {
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
+void MeshConcaveAlgorithm::toSurfaceContacts(const PosedShapes& shapes, double, std::vector<Contact>& found) {
   surface_contacts_.filter(
-      found, [&](const Contact& contact) { return shape.tree().mesh().triangle(contact.triangle_a); },
+      found, [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {
-        return other_in_mesh_ * source_contacts_.triangle(contact.triangle_b).corners;
+        return shapes.other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
       });
-}
-
-double MeshConcaveAlgorithm::marginOfOther(const btCollisionObjectWrapper& other) const {
-  return double(other.getCollisionShape()->getMargin());
-}
-
-std::optional<SourceTriangle> MeshConcaveAlgorithm::triangleOfOther(const btCollisionObjectWrapper&,
-                                                                    const Contact& contact) const {
-  return source_contacts_.triangle(contact.triangle_b);
 }
 
 }  // namespace octoblisk::detail

@@ -2,6 +2,8 @@
 // heightfield, GImpact.
 #pragma once
 
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+
 #include "contact/surface_contacts.h"
 #include "mesh_algorithm.h"
 #include "octoblisk/source_contacts.h"
@@ -16,19 +18,17 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
       : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
 
  private:
-  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                    std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper&) override {
-    return false;
-  }  // the shape does not report changes
-  void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                         double reach, std::vector<Contact>& found) override;
-  double marginOfOther(const btCollisionObjectWrapper& other) const override;
-  std::optional<SourceTriangle> triangleOfOther(const btCollisionObjectWrapper& other,
-                                                const Contact& contact) const override;
+  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void toSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  /// The shape does not report changes.
+  bool readOther(const btCollisionShape&) override { return false; }
+  double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }
+  std::optional<SourceTriangle> triangleOfOther(const btCollisionShape&,
+                                                const Contact& contact) const override {
+    return source_contacts_.triangle(contact.triangle_b);
+  }
 
   SourceContacts source_contacts_;
-  Pose other_in_mesh_;
   SurfaceContacts surface_contacts_;
 };
 

@@ -1,7 +1,5 @@
 #include "mesh_convex_algorithm.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-
 #include "contact/corner_contacts.h"
 #include "contact/flat_contacts.h"
 #include "octoblisk/clustered_octree.h"
@@ -11,42 +9,36 @@
 
 namespace octoblisk::detail {
 
-bool MeshConvexAlgorithm::readOther(const btCollisionObjectWrapper& other) {
-  const auto& shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
+bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
+  const auto& shape = static_cast<const btConvexShape&>(other);
   const bool has_other_corners = core_.update(shape);
   btVector3 min, max;
   shape.getAabb(btTransform::getIdentity(), min, max);
+  const Aabb bounds{fromBullet(min), fromBullet(max)};
   const btScalar margin = shape.getMarginNonVirtual();
-  const bool has_other_bounds = min != min_ || max != max_ || margin != margin_;
-  min_ = min;
-  max_ = max;
+  const bool has_other_size = bounds.min != bounds_.min || bounds.max != bounds_.max || margin != margin_;
+  bounds_ = bounds;
   margin_ = margin;
   const bool is_known = !core_.points().empty() || shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE ||
                         shape.getShapeType() == CONE_SHAPE_PROXYTYPE;
-  return is_known && !has_other_corners && !has_other_bounds;
+  return is_known && !has_other_corners && !has_other_size;
 }
 
-void MeshConvexAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
-                                       const btCollisionObjectWrapper& other, double reach,
-                                       std::vector<Contact>& found) {
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const auto& convex_shape = static_cast<const btConvexShape&>(*other.getCollisionShape());
-  const BulletConvex convex(convex_shape, core_);
-  convex_in_mesh_ = fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
-  contacts(shape.tree(), convex, convex_in_mesh_, reach, near_, found);
+void MeshConvexAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+  const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
+  contacts(shapes.mesh.tree(), convex, shapes.other_in_mesh, reach, near_, found);
 }
 
-void MeshConvexAlgorithm::toSurfaceContacts(const btCollisionObjectWrapper& mesh,
-                                            const btCollisionObjectWrapper& other, double reach,
+void MeshConvexAlgorithm::toSurfaceContacts(const PosedShapes& shapes, double reach,
                                             std::vector<Contact>& found) {
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const BulletConvex convex(static_cast<const btConvexShape&>(*other.getCollisionShape()), core_);
-  if (shape.isSolid()) toSolidContacts(shape.tree(), convex, convex_in_mesh_, middle_, found);
+  const ClusteredOctree& tree = shapes.mesh.tree();
+  const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
+  const Pose& convex_in_mesh = shapes.other_in_mesh;
+  if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, middle_, found);
   const std::size_t of_triangles = found.size();
-  addFlatContacts(shape.tree().mesh(), convex, convex_in_mesh_, reach, of_triangles, found);
-  addCornerContacts(shape.tree().mesh(), core_.feet(), convex.radius(), convex_in_mesh_, reach, of_triangles,
-                    found);
-  internal_edges_.removeFrom(found, shape.tree().mesh());
+  addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, of_triangles, found);
+  addCornerContacts(tree.mesh(), core_.feet(), convex.radius(), convex_in_mesh, reach, of_triangles, found);
+  internal_edges_.removeFrom(found, tree.mesh());
 }
 
 }  // namespace octoblisk::detail

@@ -16,21 +16,18 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
       : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
 
  private:
-  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                    std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper& other) override;
-  void toSurfaceContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                         double reach, std::vector<Contact>& found) override;
+  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void toSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  bool readOther(const btCollisionShape& other) override;
   void trianglesHaveMoved() override {
     near_.forget();
     middle_.forget();
   }
 
   CoreCorners core_;
-  btVector3 min_ = btVector3(0, 0, 0), max_ = btVector3(0, 0, 0);  // of the convex shape's bounds
-  btScalar margin_ = 0;                                            // of the convex shape
+  Aabb bounds_;          // of the convex shape
+  btScalar margin_ = 0;  // of the convex shape
   TriangleCache near_;
-  Pose convex_in_mesh_;
   InternalEdges internal_edges_;
   PointInSolid middle_;  // of the convex shape
 };

@@ -1,6 +1,5 @@
 #include "mesh_plane_algorithm.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
 
 #include "octoblisk/half_space_contacts.h"
@@ -9,23 +8,19 @@
 
 namespace octoblisk::detail {
 
-void MeshPlaneAlgorithm::findContacts(const btCollisionObjectWrapper& mesh,
-                                      const btCollisionObjectWrapper& other, double reach,
-                                      std::vector<Contact>& found) {
-  const auto& shape = static_cast<const ClusteredOctreeShape&>(*mesh.getCollisionShape());
-  const auto& plane = static_cast<const btStaticPlaneShape&>(*other.getCollisionShape());
-  const Pose plane_in_mesh =
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform());
+void MeshPlaneAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+  const auto& plane = static_cast<const btStaticPlaneShape&>(shapes.other);
+  const Pose& plane_in_mesh = shapes.other_in_mesh;
   const Vec3 normal = fromBullet(plane.getPlaneNormal());
   HalfSpace half_space;
   half_space.normal = (plane_in_mesh.rotation * normal).normalized();
   half_space.offset = half_space.normal.dot(
       plane_in_mesh * (double(plane.getPlaneConstant()) / normal.squaredNorm() * normal));
-  contacts(shape.tree(), half_space, reach, found);
+  contacts(shapes.mesh.tree(), half_space, reach, found);
 }
 
-bool MeshPlaneAlgorithm::readOther(const btCollisionObjectWrapper& other) {
-  const auto& plane = static_cast<const btStaticPlaneShape&>(*other.getCollisionShape());
+bool MeshPlaneAlgorithm::readOther(const btCollisionShape& other) {
+  const auto& plane = static_cast<const btStaticPlaneShape&>(other);
   const bool is_same = plane.getPlaneNormal() == normal_ && plane.getPlaneConstant() == constant_;
   normal_ = plane.getPlaneNormal();
   constant_ = plane.getPlaneConstant();

@@ -13,9 +13,8 @@ class MeshPlaneAlgorithm final : public MeshAlgorithm {
       : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
 
  private:
-  void findContacts(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, double reach,
-                    std::vector<Contact>& found) override;
-  bool readOther(const btCollisionObjectWrapper& other) override;
+  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  bool readOther(const btCollisionShape& other) override;
 
   btVector3 normal_ = btVector3(0, 0, 0);
   btScalar constant_ = 0;

@@ -29,7 +29,7 @@ btTransform startOf(const btRigidBody& body, btScalar dt) {
 /// No point of the shape, margin included, is farther than this from its origin.
 double farthestFromOrigin(const btCollisionShape& shape) {
   if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
-    return Hold(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
+    return BodyBounds(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
   }
   btVector3 low, high;
   shape.getAabb(btTransform::getIdentity(), low, high);
@@ -126,7 +126,8 @@ double MotionClamping::freeFraction(const Mover& first, const Mover& second, dou
   const MovingBody a{*first.object->getCollisionShape(), first.motion},
       b{*second.object->getCollisionShape(), second.motion};
   forEachPartPair(a, b, [&](const BodyPart& part_a, const BodyPart& part_b) {
-    const double length = relativeLengthBound(part_a.hold(), part_a.in_world, part_b.hold(), part_b.in_world);
+    const double length =
+        relativeLengthBound(part_a.bounds(), part_a.in_world, part_b.bounds(), part_b.in_world);
     if (length <= threshold) return;
     const auto impact = sweepParts(part_a, part_b, sweepTolerance(a, part_a, b, part_b), {.until = until});
     if (!impact) return;

@@ -1,7 +1,5 @@
 #include "part_sweep.h"
 
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -12,14 +10,8 @@ namespace {
 /// The scale of the rounding errors of a part on its motion.
 double sizeOf(const BodyPart& part) {
   const Motion& motion = part.in_world;
-  return part.hold().size() + motion.from().translation.norm() + motion.centerInB().norm() +
+  return part.bounds().size() + motion.from().translation.norm() + motion.centerInB().norm() +
          motion.advance().norm();
-}
-
-btScalar breakingThreshold(const MovingBody& body, const BodyPart& part) {
-  const btScalar of_body = body.shape.getContactBreakingThreshold(gContactBreakingThreshold);
-  if (!part.clusters) return of_body;
-  return std::min(of_body, part.clusters->getContactBreakingThreshold(gContactBreakingThreshold));
 }
 
 std::optional<TimeOfImpact> sweepTrees(const BodyPart& a, const BodyPart& b, double tolerance,
@@ -33,7 +25,11 @@ std::optional<TimeOfImpact> sweepTrees(const BodyPart& a, const BodyPart& b, dou
 
 double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingBody& body_b,
                       const BodyPart& b, btScalar tolerance) {
-  if (tolerance < 0) tolerance = std::min(breakingThreshold(body_a, a), breakingThreshold(body_b, b)) / 4;
+  if (tolerance < 0) {
+    tolerance =
+        std::min(breakingThreshold(body_a.shape, a.clusters), breakingThreshold(body_b.shape, b.clusters)) /
+        4;
+  }
   constexpr double kRounding = 4.0 * double(SIMD_EPSILON);
   const double least = kRounding * (sizeOf(a) + sizeOf(b));
   return std::max(double(tolerance), least) + a.margin() + b.margin();

@@ -37,8 +37,8 @@ struct BroadphaseStatistics {
 /// The clusters are tested when a pair is added, and again in each calculateOverlappingPairs, at the bodies'
 /// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep
 /// and the dispatcher ignores the pair (needsCollision), the pair stays as it is, like everything else that
-/// Bullet keeps about it. If a body gets another shape, call the cache's cleanProxyFromPairs, as in Bullet.
-/// Otherwise the clusters do not decide about the pairs that the body had with another kind of shape. In
+/// Bullet keeps about it. If a body's shape is replaced, call the cache's cleanProxyFromPairs, as in Bullet.
+/// Otherwise the clusters are not tested for the pairs that the body had with the old kind of shape. In
 /// builds with assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are
 /// registered (register.h). Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {

@@ -81,9 +81,9 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// With a margin of 0, contacts lie exactly on the triangles.
   void setMargin(btScalar margin) override;
 
-  /// By default, a closed mesh is a solid: a body that gets inside is pushed out the shortest way. With
-  /// setSolid(false) it is a surface, which has no inside: a body that passes through it in one step stays
-  /// there. An open mesh is always a surface.
+  /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.
+  /// With setSolid(false) it is a surface, which has no inside: a body that passes through it in one step
+  /// stays there. An open mesh is always a surface.
   void setSolid(bool solid) { may_be_solid_ = solid; }
   bool isSolid() const;
 

@@ -1,5 +1,5 @@
-// Registers ClusteredOctreeShape with a dispatcher. Call this once for each dispatcher; otherwise bodies fall
-// through.
+// Registers ClusteredOctreeShape with a dispatcher. Call this once for each dispatcher; otherwise concave
+// bodies fall through each other.
 #pragma once
 
 class btCollisionDispatcher;
@@ -12,7 +12,7 @@ namespace octoblisk {
 /// btStaticPlaneShape, GImpact meshes, and third-party concave shapes of type FAST_CONCAVE_MESH_PROXYTYPE,
 /// which is also the type of ClusteredOctreeShape. Compounds work through their children, soft bodies through
 /// Bullet. All other pairs are unchanged. A third-party shape of that type meets convex shapes and GImpact
-/// through Bullet. Of the other concave shapes it meets only ClusteredOctreeShape.
+/// through Bullet. It collides with no other concave shape except ClusteredOctreeShape.
 ///
 /// Triangles of other meshes must be counter-clockwise as seen from outside, like those of
 /// ClusteredOctreeShape: contacts push to the outside. Triangles of mirrored meshes and of heightfields that

@@ -14,8 +14,8 @@ namespace octoblisk {
 
 class ClusteredOctreeShape;
 
-/// The saved shape with its scaling, margin and contact breaking threshold. `mesh` is the mesh that an
-/// importer made from the same data, with its scaling; it is copied. The tree is rebuilt with default
+/// The saved shape with its scaling, margin, contact breaking threshold and setSolid. `mesh` is the mesh that
+/// an importer made from the same data, with its scaling; it is copied. The tree is rebuilt with default
 /// options. Null if another kind of shape was saved. Throws as the shape's constructor does.
 std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& saved,
                                                     const btStridingMeshInterface& mesh);

@@ -29,8 +29,8 @@ struct StepImpact {
 /// The fraction of a step of length `dt` (> 0) at which A and B first come within `tolerance`, after
 /// subtracting their margins; none if they stay farther apart. Both move as Bullet would move them by their
 /// current velocities (step_motion.h). The step does the same unless a contact, force or constraint changes
-/// the velocities. However thin a body is, nothing passes through it: octoblisk/sweep.h explains the proof.
-/// The bodies need not be in a world, and nothing changes.
+/// the velocities. It misses no contact, however thin a body is: octoblisk/sweep.h explains the proof. The
+/// bodies need not be in a world, and nothing changes.
 ///
 /// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
 /// convex. Every part of A is compared with every part of B, except two convex parts. Parts of other shapes
