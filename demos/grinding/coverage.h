@@ -51,8 +51,8 @@ struct Coverage {
   double scallopHeight() const;
 };
 
-/// Every pose and every motion of the path counts, whatever its verdict. `threads` as in parallelFor's
-/// threadCount; the result does not depend on it.
+/// Every pose and every motion of the path counts, whatever its verdict. `threads` as in parallelFor;
+/// the result does not depend on it.
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
 

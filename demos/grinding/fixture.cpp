@@ -25,6 +25,7 @@ Surroundings surroundingsOf(const std::shared_ptr<const TriangleMesh>& blisk,
   if (fixtures.empty()) return all;
   std::vector<Vec3> vertices(blisk->vertices().begin(), blisk->vertices().end());
   std::vector<TriangleMesh::Indices> triangles(blisk->triangles().begin(), blisk->triangles().end());
+  int body = blade_count;
   for (const Fixture& fixture : fixtures) {
     const TriangleMesh& mesh = fixture.tree->mesh();
     const auto first = static_cast<std::uint32_t>(vertices.size());
@@ -32,7 +33,7 @@ Surroundings surroundingsOf(const std::shared_ptr<const TriangleMesh>& blisk,
     for (const TriangleMesh::Indices& corners : mesh.triangles()) {
       triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
     }
-    all.body_of_triangle.resize(triangles.size(), ++blade_count);
+    all.body_of_triangle.resize(triangles.size(), ++body);
   }
   all.mesh = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
   return all;

@@ -68,11 +68,14 @@ class GrindingCell::World {
   void detect(const Pose& tool_in_blisk) {
     pairs_dispatched_ = 0;
     for (std::vector<Contact>& contacts : found_) contacts.clear();
-    for (const auto& part : parts_) part->body.setWorldTransform(toBullet(tool_in_blisk));
-    world_.performDiscreteCollisionDetection();
-    for (std::size_t part = 0; part < parts_.size(); ++part) {
-      if (parts_[part]->body.getActivationState() == DISABLE_SIMULATION) detectLarge(part);
+    for (const auto& part : parts_) {
+      part->body.setWorldTransform(toBullet(tool_in_blisk));
+      // Bullet does not move the boxes of bodies that are larger than a million units.
+      btVector3 min, max;
+      part->body.getAabb(min, max);
+      broadphase_.setAabb(part->body.getBroadphaseProxy(), min, max, &dispatcher_);
     }
+    world_.performDiscreteCollisionDetection();
   }
 
   std::size_t pairsDispatched() const { return pairs_dispatched_; }
@@ -159,17 +162,6 @@ class GrindingCell::World {
     const auto place = static_cast<std::size_t>(part.getUserIndex()) * targets_.size() +
                        static_cast<std::size_t>(target.getUserIndex());
     found_[place].assign(all.contacts().begin(), all.contacts().end());
-  }
-
-  /// Bullet ignores bodies with a bounding box of more than a million units, so their pairs run here.
-  void detectLarge(std::size_t part) {
-    for (const std::size_t target : {touched_[part], forbidden_[part]}) {
-      if (target == kNone) continue;
-      btCollisionAlgorithm* algorithm = nullptr;
-      collide(targets_[target]->body, parts_[part]->body, algorithm);
-      algorithm->~btCollisionAlgorithm();
-      dispatcher_.freeCollisionAlgorithm(algorithm);
-    }
   }
 
   btDefaultCollisionConfiguration configuration_;

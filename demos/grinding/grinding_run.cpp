@@ -97,13 +97,13 @@ class Grinding {
  private:
   void findContacts(std::size_t begin, std::span<PoseReport> poses) {
     const TimeAdded watch(run_.contact_seconds_per_pose);
-    parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
+    parallelFor(poses.size(), job_.threads, [&](std::size_t i, std::size_t worker) {
       PoseReport& report = poses[i];
       report.tool_in_blisk = job_.path[begin + i];
       report.contacts =
-          reduceContacts(cells_[worker]->contactsAt(report.tool_in_blisk), judge_.bladeOfTriangle());
+          reduceContacts(cells_[worker]->contactsAt(report.tool_in_blisk), judge_.bodyOfTriangle());
       for (const PartContact& found : report.contacts) {
-        report.blades.push_back(judge_.bladeOfTriangle()[found.contact.triangle_a]);
+        report.blades.push_back(judge_.bodyOfTriangle()[found.contact.triangle_a]);
       }
     });
   }
@@ -111,7 +111,7 @@ class Grinding {
   void findLoads(std::size_t begin, std::span<const PoseReport> poses) {
     run_.loads.resize(begin + poses.size());
     const std::size_t belt = run_.rules.grinding_part;
-    parallelFor(poses.size(), threadCount(job_.threads), [&](std::size_t i, std::size_t worker) {
+    parallelFor(poses.size(), job_.threads, [&](std::size_t i, std::size_t worker) {
       const auto deepest = std::ranges::find(poses[i].depths, belt, &PartDepth::part);
       if (deepest == poses[i].depths.end() || deepest->is_inside) return;
       run_.loads[begin + i] = spindles_[worker]->loadAt(poses[i].tool_in_blisk, deepest->depth);

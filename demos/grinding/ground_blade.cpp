@@ -20,7 +20,7 @@ std::optional<int> bladeTouchedMost(const ClusteredOctree& blisk, const Clustere
   for (std::size_t begin = 0; begin < path.size(); begin += kTouchesAtOnce) {
     if (watch.isStopped()) return std::nullopt;
     const std::size_t end = std::min(path.size(), begin + kTouchesAtOnce);
-    parallelFor(end - begin, threadCount(threads), [&](std::size_t i, std::size_t) {
+    parallelFor(end - begin, threads, [&](std::size_t i, std::size_t) {
       std::vector<TrianglePair> pairs;
       touchingPairs(blisk, belt, path[begin + i], pairs);
       for (const TrianglePair& pair : pairs) touched[begin + i].insert(blade_of_triangle[pair.a]);

@@ -63,7 +63,7 @@ Judge::Judge(std::shared_ptr<const ClusteredOctree> blisk, std::vector<ToolPart>
     : blisk_(std::move(blisk)),
       parts_(std::move(parts)),
       rules_(withBlades(std::move(rules), blade_of_triangle)),
-      threads_(threadCount(threads)),
+      threads_(threads),
       obstacles_(blisk_, blade_of_triangle, parts_.size(), rules_, fixtures),
       depths_(depths ? std::move(depths) : depthsUnder(rules_, blisk_, parts_, threads, fixtures)),
       motion_check_(blisk_, parts_, rules_, obstacles_, *depths_, threads) {}
@@ -79,7 +79,7 @@ void Judge::measureDepths(std::span<PoseReport> poses) {
     pose.depths = std::move(found[i]);
     pose.depth_blades.clear();
     for (const PartDepth& deepest : pose.depths) {
-      pose.depth_blades.push_back(bladeOfTriangle()[deepest.triangle_of_blisk]);
+      pose.depth_blades.push_back(bodyOfTriangle()[deepest.triangle_of_blisk]);
     }
   }
 }
@@ -134,7 +134,7 @@ PoseState Judge::stateAt(const Pose& pose, PoseCache& cache, std::size_t thread)
   for (const auto& [part, pair] : touches) {
     state.grinds = true;
     if (!depths_->isBeyond(part, pose, pair, cache.deep_corners[part], thread)) continue;
-    state.obstacle = Obstruction{part, bladeOfTriangle()[pair.a], true, false};
+    state.obstacle = Obstruction{part, bodyOfTriangle()[pair.a], true, false};
     return state;
   }
   return state;
@@ -151,7 +151,7 @@ std::optional<Obstruction> Judge::hitBy(std::size_t part, const Pose& pose, Pose
     triangle = pair->a;
   }
   if (triangle == kNoTriangle) return std::nullopt;
-  return Obstruction{part, bladeOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
+  return Obstruction{part, bodyOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
 }
 
 /// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse, or

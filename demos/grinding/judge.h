@@ -41,7 +41,7 @@ std::shared_ptr<PartDepths> depthsUnder(const VerdictRules& rules,
 
 class Judge {
  public:
-  /// `threads` as in parallelFor's threadCount; no answer depends on their number. Several judges of the same
+  /// `threads` as in parallelFor; no answer depends on their number. Several judges of the same
   /// blisk, parts and fixtures may share `depths`, one after the other, if the limits of all parts that may
   /// touch are the same; null makes them. Throws std::invalid_argument if the blades' numbers are not those
   /// of the blisk's mesh.
@@ -57,7 +57,7 @@ class Judge {
   const VerdictRules& rules() const { return rules_; }
   const Obstacles& obstacles() const { return obstacles_; }
   /// The body of each triangle of the surroundings. The blisk's triangles come first.
-  std::span<const int> bladeOfTriangle() const { return obstacles_.bodyOfTriangle(); }
+  std::span<const int> bodyOfTriangle() const { return obstacles_.bodyOfTriangle(); }
   DepthKind depthKind(std::size_t part) const { return depths_->kindOf(part); }
 
   /// Sets the depths. The poses must have their contacts.

@@ -16,14 +16,9 @@ using namespace detail;
 
 namespace {
 
-const PartDepth* depthOf(const PoseReport& pose, std::size_t part) {
-  const auto found = std::ranges::find(pose.depths, part, &PartDepth::part);
-  return found == pose.depths.end() ? nullptr : &*found;
-}
-
 bool isInside(const PoseReport& pose, std::size_t part) {
-  const PartDepth* const found = depthOf(pose, part);
-  return found && found->is_inside;
+  return std::ranges::any_of(pose.depths,
+                             [&](const PartDepth& depth) { return depth.part == part && depth.is_inside; });
 }
 
 /// Keeps the earlier of two findings on a motion.
@@ -49,10 +44,11 @@ struct MotionCheck::Stretch {
   std::size_t part = 0;
   double begin = 0.0, end = 1.0;  ///< fractions of the motion
   Touch at_begin = {}, at_end = {};
-  double path_length = 0.0;  ///< path length over the whole motion: no point that may touch goes farther
+  /// No point that may touch goes farther on the whole motion. None: not computed yet.
+  std::optional<double> path_length = {};
   bool is_proved = false;
 
-  double length() const { return (end - begin) * path_length; }
+  double length() const { return (end - begin) * path_length.value(); }
   double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
   /// Depths are known at both ends; from each end, half of the path length adds to them.
   double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
@@ -71,7 +67,7 @@ MotionCheck::MotionCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span
       rules_(rules),
       obstacles_(obstacles),
       depths_(depths),
-      threads_(threadCount(threads)) {
+      threads_(threads) {
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const bool may_touch = obstacles.mayTouchAny(part);
     far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
@@ -164,7 +160,7 @@ std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& fro
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
     Stretch stretch{.motion = motion, .report = &report, .part = part};
-    const PartDepth *const at_begin = depthOf(from, part), *const at_end = depthOf(to, part);
+    const PartDepth *const at_begin = depthInBlisk(from, part), *const at_end = depthInBlisk(to, part);
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
     if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts cover this
@@ -180,6 +176,14 @@ std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& fro
     stretches.push_back(std::move(stretch));
   }
   return stretches;
+}
+
+/// Not the depth in a fixture; null if the part does not touch the blisk.
+const PartDepth* MotionCheck::depthInBlisk(const PoseReport& pose, std::size_t part) const {
+  const auto found = std::ranges::find_if(pose.depths, [&](const PartDepth& depth) {
+    return depth.part == part && depth.triangle_of_blisk < blisk_->mesh().triangleCount();
+  });
+  return found == pose.depths.end() ? nullptr : &*found;
 }
 
 MotionCheck::Touch MotionCheck::touchOf(const PartDepth& depth) const {
@@ -215,7 +219,7 @@ void MotionCheck::halve(std::vector<Stretch>& unproved) {
   constexpr double kMinPart = 1.0 / 256;
   std::vector<Stretch> long_ones;
   for (Stretch& stretch : unproved) {
-    if (stretch.path_length == 0.0) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
+    if (!stretch.path_length) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
     const bool hopeful =
         depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
     const MotionReport& report = *stretch.report;

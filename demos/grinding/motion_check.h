@@ -54,6 +54,7 @@ class MotionCheck {
   std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MotionReport& report) const;
   bool isProved(const Stretch& stretch) const;
   void halve(std::vector<Stretch>& unproved);
+  const PartDepth* depthInBlisk(const PoseReport& pose, std::size_t part) const;
   Touch touchOf(const PartDepth& depth) const;
   void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MotionReport& report) const;
 

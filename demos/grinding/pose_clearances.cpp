@@ -65,7 +65,7 @@ Motion motionBetween(const Pose& from, const Pose& to) { return Motion(from, to)
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
                        std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads) {
   const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
-  parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
+  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
     ClearanceQuery query(obstacles, parts);
     const std::size_t end = std::min(poses.size(), (group + 1) * kPosesAtOnce);
     for (std::size_t i = group * kPosesAtOnce; i < end; ++i) {

@@ -8,11 +8,11 @@
 
 namespace octoblisk::demos {
 
-/// Reduces the contacts of each part with each blade with ContactPatches (octoblisk/contact_patches.h) to at
-/// most four per contact patch, ordered by part, then by blade. The deepest contact of a part with a blade is
-/// always kept, so a pose's verdict is the same as with all contacts. `blade_of_triangle` is for the blisk's
-/// mesh.
+/// Reduces the contacts of each part with each blade or fixture to at most four per contact patch
+/// (contact/contact_patches.h), ordered by part, then by body. The deepest contact of a part with a body is
+/// always kept, so a pose's verdict is the same as with all contacts. `body_of_triangle` is that of
+/// Surroundings (fixture.h).
 std::vector<PartContact> reduceContacts(std::span<const PartContact> contacts,
-                                        std::span<const int> blade_of_triangle);
+                                        std::span<const int> body_of_triangle);
 
 }  // namespace octoblisk::demos

@@ -28,7 +28,7 @@ std::vector<Points> partClouds(const PaperModel& model, std::size_t count, std::
   const bool has_hub = std::ranges::find(part, 0) != part.end();
   std::vector<Points> clouds(blades + has_hub);
   // The hub takes longest, so it comes first.
-  detail::parallelFor(clouds.size(), detail::threadCount(0), [&](std::size_t index, std::size_t) {
+  detail::parallelFor(clouds.size(), 0, [&](std::size_t index, std::size_t) {
     const std::size_t i = clouds.size() - 1 - index;
     const TriangleMesh mesh = partOf(*model.mesh, part, i < blades ? static_cast<int>(i) + 1 : 0);
     constexpr double kMaxOfHub = 4.0;

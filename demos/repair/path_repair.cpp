@@ -217,7 +217,7 @@ std::shared_ptr<const ClusteredOctree> groundBladeOf(const Judge& judge) {
   const TriangleMesh& mesh = judge.blisk().mesh();
   std::vector<TriangleMesh::Indices> ground;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const int blade = judge.bladeOfTriangle()[t];
+    const int blade = judge.bodyOfTriangle()[t];
     if (blade != 0 && blade == judge.rules().ground_blade) ground.push_back(mesh.triangles()[t]);
   }
   return ground.empty() ? nullptr : treeOfTriangles(mesh, std::move(ground));

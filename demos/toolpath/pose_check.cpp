@@ -51,14 +51,13 @@ std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i].signed_distance = found[i];
   }
   if (!options_.depth && !options_.continuous) return answers;
-  parallelFor(answers.size(), options_.threads == 0 ? threadCount(0) : options_.threads,
-              [&](std::size_t i, std::size_t worker) {
-                if (options_.depth) answers[i].depth = depthAt(asked[i], worker);
-                if (options_.continuous && begin + i > 0) {
-                  const Motion motion(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
-                  answers[i].hit_on_motion = sweep(fixed_, moving_, motion, options_.tolerance);
-                }
-              });
+  parallelFor(answers.size(), options_.threads, [&](std::size_t i, std::size_t worker) {
+    if (options_.depth) answers[i].depth = depthAt(asked[i], worker);
+    if (options_.continuous && begin + i > 0) {
+      const Motion motion(poses[begin + i - 1], asked[i], moving_.mesh().bounds().center());
+      answers[i].hit_on_motion = sweep(fixed_, moving_, motion, options_.tolerance);
+    }
+  });
   return answers;
 }
 

@@ -45,7 +45,7 @@ class Passes {
   }
 
   void seat(const WheelSeat& seat) {
-    parallelFor(normals_.size(), threadCount(0), [&](std::size_t i, std::size_t) {
+    parallelFor(normals_.size(), 0, [&](std::size_t i, std::size_t) {
       Pose& pose = path_.motions[i].tool_in_blisk;
       pose = seat.seated(pose, normals_[i], options_.depth);
     });

@@ -156,6 +156,27 @@ TEST(Fixture, aRowThatAllowsAnyBladeAllowsNoFixture) {
   EXPECT_EQ(run.poses[1].verdict, Verdict::interference);
 }
 
+TEST(Fixture, aMotionIntoOneIsJudgedForAPartThatMayTouchTheBlisk) {
+  const TriangleMesh blisk = block({5, 5, 5}, 1);
+  GrindingJob job;
+  job.blisk = treeOf(blisk);
+  job.blades.blade_of_triangle.assign(blisk.triangleCount(), 0);
+  job.parts = {{"bit", treeOf(block({1, 1, 1}, 1))}};
+  job.fixtures = {{"table", treeOf(moved(block({9, 9, 9}, 1), Vec3(0, 40, 0)))}};
+  job.rules = {.grinding_part = kNoPart,
+               .ground_blade = 0,
+               .max_depth = 3.0,
+               .allowed = {{std::nullopt, {BladeChoice::Kind::any, 0}}},
+               .near_miss = 0.5};
+  job.path = {at(0, 40, 0), at(0, 41, 0), at(0, 20, 0), at(0, 5.5, 0)};
+  const GrindingRun run = runGrinding(job);
+  EXPECT_EQ(run.poses[0].verdict, Verdict::interference);
+  EXPECT_EQ(run.poses[1].verdict, Verdict::interference);
+  EXPECT_EQ(run.poses[2].verdict, Verdict::clear);
+  EXPECT_EQ(run.poses[3].verdict, Verdict::intended_contact);
+  EXPECT_EQ(run.poses[3].motion.value().outcome, MotionReport::Outcome::free);
+}
+
 TEST_F(GrindCommand, obstaclesAreNamedInTheTablesAndInWords) {
   writeMesh(file("clamp.obj"), moved(block({30, 20, 60}, 2), Vec3(330, 40, 0)));
   writeMesh(file("table,1.obj"), moved(block({400, 400, 200}, 1), Vec3(0, 0, -320)));

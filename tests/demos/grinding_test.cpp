@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "demos/block.h"
 #include "grinding/reduce_contacts.h"
 #include "grinding/verdict.h"
 #include "models/belt_grinder.h"
@@ -133,6 +134,15 @@ struct Posts {
     }
   }
 };
+
+// Bullet does not move the boxes of bodies that are larger than a million units.
+TEST(GrindingCell, findsThePairsOfAHugePart) {
+  GrindingCell cell(treeOf(block({5, 5, 5}, 1)), {{"rod", treeOf(block({1, 1, 600000}, 1))}}, 0.5);
+  EXPECT_TRUE(cell.contactsAt(at(1000, 0, 0)).empty());
+  EXPECT_FALSE(cell.contactsAt(at(0, 0, 0)).empty());
+  EXPECT_FALSE(cell.contactsAt(at(5.5, 0, 0)).empty());
+  EXPECT_TRUE(cell.contactsAt(at(-1000, 0, 0)).empty());
+}
 
 TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt) {
   const Posts posts;

@@ -30,7 +30,7 @@ void parallelFor(std::size_t count, int threads,
   };
   {
     std::vector<std::jthread> helpers;
-    const std::size_t wanted = std::min(count, static_cast<std::size_t>(std::max(1, threads)));
+    const std::size_t wanted = std::min(count, static_cast<std::size_t>(threadCount(threads)));
     helpers.reserve(wanted);
     try {
       while (helpers.size() + 1 < wanted) helpers.emplace_back(work, helpers.size() + 1);

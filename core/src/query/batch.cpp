@@ -16,7 +16,7 @@ std::vector<Answer> answersFor(const Body& a, const Body& b, std::span<const Pos
                                const Ask& ask) {
   std::vector<Answer> answers(poses.size());
   const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
-  parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
+  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
     const std::size_t first = group * kPosesAtOnce, last = std::min(poses.size(), first + kPosesAtOnce);
     PathQuery query(a, b);
     for (std::size_t pose = first; pose < last; ++pose) answers[pose] = ask(query, poses[pose]);

@@ -82,7 +82,7 @@ std::vector<std::optional<RayHit>> closestHitAll(const ClusteredOctree& tree, st
   constexpr std::size_t kRaysAtOnce = 256;  // few descents idle at the end of a group; the load is balanced
   std::vector<std::optional<RayHit>> hits(rays.size());
   const std::size_t groups = (rays.size() + kRaysAtOnce - 1) / kRaysAtOnce;
-  parallelFor(groups, threadCount(threads), [&](std::size_t group, std::size_t) {
+  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
     const std::size_t first = group * kRaysAtOnce;
     const std::span<const Ray> of_group = rays.subspan(first, std::min(kRaysAtOnce, rays.size() - first));
     std::array<ClosestCrossing, kRaysAtOnce> closest;
