@@ -45,9 +45,8 @@ class ClusteredOctree {
   /// The tree refitted to a mesh with the same triangles but moved vertices. Every box keeps its axes and its
   /// triangles; its size and position are fitted again. Several times faster than building. Queries stay
   /// correct, but become slower the farther the vertices have moved. Deterministic. `threads`: see
-  /// BuildOptions.
-  /// Throws std::invalid_argument if the mesh is null, if the number of vertices or triangles differs, if a
-  /// triangle has other vertices, or if `threads` is negative.
+  /// BuildOptions. Throws std::invalid_argument if the mesh is null, if the number of vertices or triangles
+  /// differs, if a triangle has other vertices, or if `threads` is negative.
   ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) const&;
 
   /// The same, reusing this tree's memory unless another tree shares it: `tree =

@@ -13,8 +13,8 @@ namespace octoblisk {
 /// Replaces `found` with the contact of every triangle pair no farther apart than `threshold` (>= 0, mesh
 /// units), in ascending order of indices. Points and normals are in A's frame. Allocates nothing if the
 /// capacity of `found` suffices. A contact ignores the neighbours of its triangles. On a coarse mesh, a
-/// contact of bodies that barely meet may be as deep as a triangle is wide. SurfaceContacts leaves such
-/// contacts out.
+/// contact of bodies that barely meet may be as deep as a triangle is wide. The plugin leaves such contacts
+/// out.
 void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 

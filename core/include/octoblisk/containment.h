@@ -24,15 +24,15 @@ PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surf
 enum class Containment {
   apart,
   touching,    ///< the surfaces share a point
-  a_inside_b,  ///< A touches B's surface nowhere
+  a_inside_b,  ///< A does not touch B's surface
   b_inside_a,
   overlapping,  ///< the surfaces do not meet, yet only parts of A are in B: A or B has several parts or
                 ///< hollows
   unknown,      ///< the surfaces do not meet, and one is open
 };
 
-/// How two solids lie to each other. The verdict equals exact arithmetic on B's vertices posed in double
-/// precision. A solid in a hollow of the other is apart from it. Allocates nothing.
+/// How two solids lie relative to each other. The verdict equals exact arithmetic on B's vertices posed in
+/// double precision. A solid in a hollow of the other is apart from it. Allocates nothing.
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a);
 
 }  // namespace octoblisk

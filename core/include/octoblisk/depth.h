@@ -39,8 +39,8 @@ struct GougeDepth {
 
 /// The depths that matter to a caller of DepthQuery. The fewer, the faster the search.
 struct DepthsSought {
-  /// The search ignores what is not deeper than this by more than the tolerance. The upper bound is then at
-  /// most `above` + tolerance, if that is more than depth + tolerance.
+  /// The search ignores points whose depth is at most `above` + tolerance. The upper bound is at most the
+  /// greater of `above` and the depth, plus the tolerance.
   double above = 0.0;
   /// The search ends when it has found a greater depth. The upper bound is then infinite.
   double enough = std::numeric_limits<double>::infinity();
@@ -73,7 +73,6 @@ class DepthQuery {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  enum class Side : std::uint8_t { unknown, outside, inside, on_surface, undecided };
   enum class Mark : std::uint8_t { none, flat, crossing, inside };
 
   /// A corner of B's mesh, or of a part of one of its triangles.
@@ -83,7 +82,7 @@ class DepthQuery {
     double distance = std::numeric_limits<double>::infinity();  // to the foot
     std::uint32_t nearest = kNoTriangle;
     bool is_exact = false;  // no triangle of A is nearer
-    Side side = Side::unknown;
+    std::optional<PointLocation> location = {};  // where it is in A, once asked
   };
 
   /// A part of a triangle of B, and the triangles of A that meet it: met_[met_begin .. met_end).
@@ -102,7 +101,7 @@ class DepthQuery {
 
   void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                const DepthsSought& sought);
-  GougeDepth searched();
+  GougeDepth run();
   PointLocation located(const Vec3& point) const;
   PointLocation located(Corner& corner);
   bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }
@@ -123,7 +122,7 @@ class DepthQuery {
   void considerNear(Corner& corner, std::uint32_t triangle) const;
   void measure(Corner& corner) const;
   void findNearest(Corner& corner) const;
-  Side sideOf(Corner& corner);
+  PointLocation locationOf(Corner& corner);
   void keepDeeper(Corner& corner, std::uint32_t triangle_b);
   void keepCrossing(TrianglePair pair);
   void add(Part part);
@@ -145,7 +144,6 @@ class DepthQuery {
   Pose b_in_a_;
   double tolerance_ = 0.0;
   DepthsSought sought_;
-  double flatness_ = 0.0;  // a triangle of B within this distance of a triangle of A lies flat on it
   GougeDepth best_;
   double greatest_dropped_ = 0.0;  // the greatest bound among discarded parts
   std::uint32_t last_nearest_ = kNoTriangle;
@@ -156,8 +154,8 @@ class DepthQuery {
   std::optional<TrianglePair> touch_;    // two triangles that meet, if any do
   std::vector<Mark> mark_;               // per triangle of B
   std::vector<std::uint32_t> marked_;
-  std::vector<std::uint32_t> corner_of_b_;  // per corner of B: an index in corners_, or none
-  std::vector<std::uint32_t> known_;        // the corners of B that have an index
+  std::vector<std::uint32_t> index_of_corner_;  // per corner of B: its index in corners_, or none
+  std::vector<std::uint32_t> indexed_;          // the corners of B that have an index
   std::vector<bool> part_crosses_;          // per part of B's surface
   std::vector<std::uint32_t> open_;
   std::vector<Corner> corners_;

@@ -9,13 +9,13 @@ namespace octoblisk {
 
 class Convex;
 
-/// A box, grown by a distance, and a ball. Each contains a body, for bounds on its motion. Functions that
-/// take a Hold accept a tree or a convex body; a Hold keeps no reference to it. The bounds hold even if
-/// rotations are orthonormal to single precision only.
-class Hold {
+/// Two bounding volumes of a body, a box grown by a distance and a ball. They bound the motion of the body's
+/// points. A tree or a convex body converts to a BodyBounds, which keeps no reference to it. The bounds hold
+/// even if rotations are orthonormal to single precision only.
+class BodyBounds {
  public:
-  Hold(const ClusteredOctree& tree);
-  Hold(const Convex& convex);
+  BodyBounds(const ClusteredOctree& tree);
+  BodyBounds(const Convex& convex);
 
   /// The greatest distance of a point of the rotated body from the line through the body's `center` along
   /// `axis`, of unit length; never too small.
@@ -60,7 +60,7 @@ class Motion {
   /// Bounds the length of the path of any point of B, in mesh units. A fraction of the motion has the same
   /// fraction of the bound. It is |v| + |ω| r for the displacement v of the centre and the greatest distance
   /// r from the axis; the components of v along and across the axis are combined at right angles.
-  double lengthBound(const Hold& b) const;
+  double lengthBound(const BodyBounds& b) const;
 
   const Pose& from() const { return from_; }
   const Vec3& centerInB() const { return center_in_b_; }
@@ -85,12 +85,11 @@ class Motion {
 /// displacements v, the rotations ω, the greatest distances r from the axes and R from the centres, and the
 /// vector c from B's centre to A's:
 /// - in a frame that moves with A's centre without rotating: |ω_A| r_A + the lengthBound of B with A's
-/// displacement
-///   subtracted; and the same with A and B exchanged;
+///   displacement subtracted; and the same with A and B exchanged;
 /// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with the greater of c at the start and c at
-/// the end,
-///   because c changes linearly;
+///   the end, because c changes linearly;
 /// - in B's own frame, likewise.
-double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& b, const Motion& b_in_world);
+double relativeLengthBound(const BodyBounds& a, const Motion& a_in_world, const BodyBounds& b,
+                           const Motion& b_in_world);
 
 }  // namespace octoblisk

@@ -46,7 +46,7 @@ class PathQuery {
 
   const ClusteredOctree *a_, *b_;
   const Surface *surface_a_ = nullptr, *surface_b_ = nullptr;
-  Hold hold_of_b_;
+  BodyBounds bounds_of_b_;
   TrianglePair witness_;
   detail::NodePair nodes_;  // of the leaves that the witness is in; the roots if unknown
   bool met_ = false;        // whether the witness met at the previous pose

@@ -13,11 +13,11 @@ namespace octoblisk {
 
 /// Knows which triangles of a surface bound a solid. A triangle bounds a solid if
 ///   1. each of its edges belongs to one other triangle, which uses it the other way;
-///   2. it meets no triangle that shares no corner with it;
+///   2. it intersects only triangles that share a corner with it;
 ///   3. just outside of it the winding number is about 0: it lies within no other part of the surface.
-/// Triangles at open edges, at edges of more than two triangles (doubled surfaces), where the surface meets
-/// itself, and within a solid that another part bounds therefore bound nothing. Degenerate triangles bound
-/// nothing.
+/// Therefore these triangles bound nothing: triangles at open edges or at edges of more than two triangles
+/// (doubled surfaces), triangles that intersect the surface, triangles inside a solid that another part
+/// bounds, and degenerate triangles.
 ///
 /// Built once in O(n log n), plus one winding number, O(n), for each region of such triangles connected by
 /// edges. Only the kMaxRegions largest regions are examined; the triangles of the others bound nothing.

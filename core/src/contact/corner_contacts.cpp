@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/triangle_feature.h"
+
 namespace octoblisk::detail {
-namespace {
-
-bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
-  for (std::size_t v = 0; v < 3; ++v) {
-    if (normal.dot((triangle[(v + 1) % 3] - triangle[v]).cross(point - triangle[v])) < 0.0) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, double radius,
                        const Pose& convex_in_mesh, double threshold, std::size_t of_triangles,

@@ -1,46 +1,21 @@
 #include "contact/flat_contacts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "geometry/polygon.h"
 
 namespace octoblisk::detail {
 namespace {
 
 constexpr double kNearlyAlong = 0.98;  // the cosine of 11°
 
-/// The rest of a triangle after cuts by planes.
-class Polygon {
- public:
-  explicit Polygon(const Triangle& triangle) : count_(3) { std::ranges::copy(triangle, corners_.begin()); }
-
-  /// Keeps the side where normal · x <= offset.
-  void cut(const Vec3& normal, double offset) {
-    std::array<Vec3, kMaxCorners> kept;
-    std::size_t kept_count = 0;
-    for (std::size_t c = 0; c < count_; ++c) {
-      const Vec3 &from = corners_[c], &to = corners_[(c + 1) % count_];
-      const double beyond = normal.dot(from) - offset, next_beyond = normal.dot(to) - offset;
-      if (beyond <= 0.0 && kept_count < kMaxCorners) kept[kept_count++] = from;
-      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMaxCorners)
-        kept[kept_count++] = from + (to - from) * (beyond / (beyond - next_beyond));
-    }
-    corners_ = kept;
-    count_ = kept_count;
-  }
-
-  std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
-
- private:
-  static constexpr std::size_t kMaxCorners = 3 + HullFaceList::kMaxPoints;
-  std::array<Vec3, kMaxCorners> corners_;
-  std::size_t count_;
-};
+using FlatPolygon = Polygon<3 + HullFaceList::kMaxPoints>;
 
 bool isOf(const HullEdge& edge, std::size_t face) { return edge.left == face || edge.right == face; }
 
 /// Cuts off everything that is not over or under a face of the hull.
-void cutToFace(Polygon& polygon, std::size_t face, const HullFaces& hull, std::span<const Vec3> points) {
+void cutToFace(FlatPolygon& polygon, std::size_t face, const HullFaces& hull, std::span<const Vec3> points) {
   Vec3 sum = Vec3::Zero();
   double ends = 0.0;
   for (const HullEdge& edge : hull.edges) {
@@ -53,7 +28,8 @@ void cutToFace(Polygon& polygon, std::size_t face, const HullFaces& hull, std::s
     if (!isOf(edge, face)) continue;
     Vec3 outward = (points[edge.to] - points[edge.from]).cross(hull.faces[face].normal);
     if (outward.dot(middle - points[edge.from]) > 0.0) outward = -outward;
-    polygon.cut(outward, outward.dot(points[edge.from]));
+    const double offset = outward.dot(points[edge.from]);
+    polygon.cut([&](const Vec3& point) { return offset - outward.dot(point); });
   }
 }
 
@@ -73,7 +49,7 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
         hull.faces, {}, [&](const HullFace& of_hull) { return of_hull.normal.dot(normal); });
     const double along = face->normal.dot(normal);
     if (!(along > kNearlyAlong)) continue;
-    Polygon shared(triangle);
+    FlatPolygon shared(triangle);
     cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       const double gap = (face->normal.dot(corner) - face->offset) / along;

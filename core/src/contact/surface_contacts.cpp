@@ -26,7 +26,8 @@ template <typename Visit>
 void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
                   std::vector<std::uint32_t>& order, Visit&& visit) {
   const auto triangleOf = [&](std::uint32_t c) { return contacts[c].*triangle; };
-  if (!std::ranges::is_sorted(order, {}, triangleOf)) std::ranges::sort(order, {}, triangleOf);
+  const auto place = [&](std::uint32_t c) { return std::pair(triangleOf(c), c); };
+  if (!std::ranges::is_sorted(order, {}, place)) std::ranges::sort(order, {}, place);
   for (auto first = order.begin(); first != order.end();) {
     const auto last = std::find_if(first, order.end(),
                                    [&](std::uint32_t c) { return triangleOf(c) != triangleOf(*first); });

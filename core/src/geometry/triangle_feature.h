@@ -10,16 +10,25 @@
 namespace octoblisk::detail {
 
 /// The corners of the edge on which a point of a triangle lies, or the one corner: bit v for corner v. All
-/// three for a point inside. The normal is scaledNormal(triangle).
-inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
-  constexpr double kOn = 1e-6;  // relative to the triangle's size
+/// three for a point inside. The normal is scaledNormal(triangle). A point is on an edge if it is nearer than
+/// this fraction of the triangle's height.
+inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Vec3& point,
+                          double on_edge = 1e-6) {
   unsigned feature = 0;
   for (std::size_t v = 0; v < 3; ++v) {
     const Vec3 &from = triangle[(v + 1) % 3], &to = triangle[(v + 2) % 3];
     const double weight = normal.dot((to - from).cross(point - from));
-    if (weight > kOn * normal.squaredNorm()) feature |= 1u << v;
+    if (weight > on_edge * normal.squaredNorm()) feature |= 1u << v;
   }
   return feature;
+}
+
+/// Whether a point is over or under the triangle or its boundary. The normal is along scaledNormal(triangle).
+inline bool isOver(const Triangle& triangle, const Vec3& normal, const Vec3& point) {
+  for (std::size_t v = 0; v < 3; ++v) {
+    if (normal.dot((triangle[(v + 1) % 3] - triangle[v]).cross(point - triangle[v])) < 0.0) return false;
+  }
+  return true;
 }
 
 /// The ends of the edge of a feature, which must not be the whole triangle. For a corner, both ends are that

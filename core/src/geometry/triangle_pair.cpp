@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
 
+#include "geometry/polygon.h"
 #include "geometry/predicates.h"
 #include "geometry/segment_pair.h"
 
@@ -185,38 +185,6 @@ PointPair closestPair(const Triangle& a, const Triangle& b) {
   return found;
 }
 
-/// A triangle clipped by the prism over another. It would have at most six corners, but due to rounding, an
-/// edge of the polygon may seem to cross a side twice. A side then turns 3 corners into 4, 4 into 6, and 6
-/// into 9.
-struct Polygon {
-  std::array<Vec3, 9> corner;
-  int count = 0;
-
-  void add(const Vec3& point) {
-    assert(count < static_cast<int>(corner.size()));
-    corner[static_cast<std::size_t>(count++)] = point;
-  }
-};
-
-void clip(Polygon& polygon, const Vec3& inward, const Vec3& on_plane) {
-  std::array<double, 9> height;
-  bool is_cut = false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-    height[i] = inward.dot(polygon.corner[i] - on_plane);
-    is_cut |= height[i] < 0.0;
-  }
-  if (!is_cut) return;
-  const Polygon whole = polygon;
-  polygon.count = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(whole.count); ++i) {
-    const std::size_t next = i + 1 < static_cast<std::size_t>(whole.count) ? i + 1 : 0;
-    const Vec3 &from = whole.corner[i], &to = whole.corner[next];
-    if (height[i] >= 0.0) polygon.add(from);
-    if ((height[i] < 0.0) != (height[next] < 0.0))
-      polygon.add(from + (to - from) * (height[i] / (height[i] - height[next])));
-  }
-}
-
 /// How deep a triangle reaches below `face` within the prism over it.
 struct Penetration {
   double depth;
@@ -233,12 +201,13 @@ std::optional<Penetration> penetration(const Face& face, const Triangle& other) 
   };
   const Vec3& lowest = *std::ranges::min_element(other, {}, heightOf);
   if (face.isBelow(lowest)) return below(lowest);
-  Polygon polygon;
-  for (const Vec3& corner : other) polygon.add(corner);
-  for (std::size_t i = 0; i < 3 && polygon.count > 0; ++i) clip(polygon, face.inward[i], face.corner[i]);
+  Polygon<9> over_face(other);  // three cuts turn 3 corners into 4, 6 and 9 at most
+  for (std::size_t i = 0; i < 3; ++i) {
+    over_face.cut([&](const Vec3& point) { return face.inward[i].dot(point - face.corner[i]); });
+  }
   // The two meet. If rounding leaves nothing over the face, they meet at its rim.
-  if (polygon.count == 0) return Penetration{0.0, closestPair(face.corner, other).on_b};
-  const std::span<const Vec3> corners(polygon.corner.data(), static_cast<std::size_t>(polygon.count));
+  const std::span<const Vec3> corners = over_face.corners();
+  if (corners.empty()) return Penetration{0.0, closestPair(face.corner, other).on_b};
   return below(*std::ranges::min_element(corners, {}, heightOf));
 }
 

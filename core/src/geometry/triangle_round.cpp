@@ -6,18 +6,12 @@
 #include <optional>
 
 #include "geometry/segment_pair.h"
+#include "geometry/triangle_feature.h"
 
 namespace octoblisk::detail {
 namespace {
 
 constexpr double kTouching = 1e-12;  // relative to the size: nearer points have no direction between them
-
-bool isOverTriangle(const Triangle& triangle, const Vec3& facing, const Vec3& point) {
-  for (std::size_t v = 0; v < 3; ++v) {
-    if (facing.dot((triangle[(v + 1) % 3] - triangle[v]).cross(point - triangle[v])) < 0.0) return false;
-  }
-  return true;
-}
 
 /// The contact of a segment and a triangle.
 class SegmentContact {
@@ -44,7 +38,7 @@ class SegmentContact {
     for (std::size_t e = 0; e < 2; ++e) {
       const double height = std::abs(height_[e]);
       if (height < least - (nearest ? kTouching * size_ : 0.0) &&
-          isOverTriangle(triangle_, facing_, end_[e])) {
+          isOver(triangle_, facing_, end_[e])) {
         nearest = e;
         least = height;
       }
@@ -62,7 +56,7 @@ class SegmentContact {
   bool goesThrough() const {
     if (height_[0] * height_[1] > 0.0 || height_[0] == height_[1]) return false;
     const Vec3 crossing = end_[0] + (end_[1] - end_[0]) * (height_[0] / (height_[0] - height_[1]));
-    return isOverTriangle(triangle_, facing_, crossing);
+    return isOver(triangle_, facing_, crossing);
   }
 
   /// The best of all ways out, which are the sides of triangle − segment: two for the triangle's faces, and
@@ -138,7 +132,7 @@ MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const double height = facing.dot(point - triangle[0]);
   // If the point is nearer than the triangle is wide, the triangle's normal is more accurate than the
   // difference of two points.
-  const bool is_over = distance * distance < scaled.norm() && isOverTriangle(triangle, facing, point);
+  const bool is_over = distance * distance < scaled.norm() && isOver(triangle, facing, point);
   if (is_over || distance <= kTouching * (point - triangle[0]).norm()) {
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);
     return {std::abs(height), normal, closest, closest - std::abs(height) * normal};

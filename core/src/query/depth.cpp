@@ -46,17 +46,17 @@ GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b
     best_.gouging = Gouging::unknown;
     return best_;
   }
-  return searched();
+  return run();
 }
 
 GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance,
                                const DepthsSought& sought) {
   prepare(a.surface(), b, b_in_a, tolerance, sought);
   if (!a.isWhole()) boundary_ = &a;
-  return searched();
+  return run();
 }
 
-GougeDepth DepthQuery::searched() {
+GougeDepth DepthQuery::run() {
   findCrossings();
   if (!best_.is_known) {
     best_.gouging = Gouging::found;
@@ -71,9 +71,9 @@ GougeDepth DepthQuery::searched() {
 void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                          const DepthsSought& sought) {
   for (const std::uint32_t triangle : marked_) mark_[triangle] = Mark::none;
-  for (const std::uint32_t corner : known_) corner_of_b_[corner] = kNone;
+  for (const std::uint32_t corner : indexed_) index_of_corner_[corner] = kNone;
   marked_.clear();
-  known_.clear();
+  indexed_.clear();
   candidate_pairs_.clear();
   flat_.clear();
   crossings_.clear();
@@ -88,13 +88,12 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   b_in_a_ = b_in_a;
   tolerance_ = std::max(tolerance, 1e-12 * (treeOf(a.tree()).radius() + treeOf(b.tree()).radius()));
   sought_ = sought;
-  flatness_ = tolerance_;
   best_ = {};
   greatest_dropped_ = 0.0;
   last_nearest_ = kNoTriangle;
   if (mark_.size() < b.tree().mesh().triangleCount())
     mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
-  if (corner_of_b_.size() < b.cornerCount()) corner_of_b_.resize(b.cornerCount(), kNone);
+  if (index_of_corner_.size() < b.cornerCount()) index_of_corner_.resize(b.cornerCount(), kNone);
   part_crosses_.assign(b.partCount(), false);
 }
 
@@ -129,7 +128,7 @@ void DepthQuery::search() {
 
 void DepthQuery::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, std::uint32_t met_end) {
   Part part{{}, triangle, met_begin, met_end, 0, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < 3; ++i) part.corner[i] = corner_of_b_[b_->corners(triangle)[i]];
+  for (std::size_t i = 0; i < 3; ++i) part.corner[i] = index_of_corner_[b_->corners(triangle)[i]];
   for (std::size_t i = 0; i < 3; ++i) {
     Corner& corner = corners_[part.corner[i]];
     if (corner.nearest != kNoTriangle) {
@@ -146,10 +145,10 @@ void DepthQuery::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, st
 }
 
 std::uint32_t DepthQuery::addCorner(std::uint32_t corner_of_b) {
-  std::uint32_t& index = corner_of_b_[corner_of_b];
+  std::uint32_t& index = index_of_corner_[corner_of_b];
   if (index == kNone) {
     index = static_cast<std::uint32_t>(corners_.size());
-    known_.push_back(corner_of_b);
+    indexed_.push_back(corner_of_b);
     corners_.emplace_back().point = b_in_a_ * b_->position(corner_of_b);
   }
   return index;
@@ -184,24 +183,10 @@ void DepthQuery::findNearest(Corner& corner) const {
   }
 }
 
-DepthQuery::Side DepthQuery::sideOf(Corner& corner) {
-  if (corner.side == Side::unknown) {
-    switch (located(corner)) {
-      case PointLocation::inside:
-        corner.side = Side::inside;
-        break;
-      case PointLocation::on_surface:
-        corner.side = Side::on_surface;
-        break;
-      case PointLocation::outside:
-        corner.side = Side::outside;
-        break;
-      case PointLocation::unknown:
-        corner.side = Side::undecided;
-        best_.is_known = false;
-    }
-  }
-  return corner.side;
+PointLocation DepthQuery::locationOf(Corner& corner) {
+  if (!corner.location) corner.location = located(corner);
+  if (corner.location == PointLocation::unknown) best_.is_known = false;
+  return *corner.location;
 }
 
 PointLocation DepthQuery::located(const Vec3& point) const {
@@ -219,11 +204,11 @@ PointLocation DepthQuery::located(Corner& corner) {
 }
 
 void DepthQuery::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
-  if (corner.side == Side::outside || !corner.is_exact) return;
+  if (corner.location == PointLocation::outside || !corner.is_exact) return;
   const bool is_first = best_.triangle_b == kNoTriangle;
   if (!(corner.distance > best_.depth || is_first)) return;
-  const Side side = sideOf(corner);
-  if (side == Side::outside || side == Side::undecided) return;
+  const PointLocation location = locationOf(corner);
+  if (location == PointLocation::outside || location == PointLocation::unknown) return;
   best_.gouging = Gouging::found;
   best_.depth = corner.distance;
   best_.point_on_b = corner.point;

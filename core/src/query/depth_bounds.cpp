@@ -1,28 +1,11 @@
 #include "query/depth_bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
+#include "geometry/polygon.h"
+
 namespace octoblisk::detail {
-namespace {
-
-/// Keeps the part of the polygon where inward · (x − on_plane) >= 0.
-void clip(std::array<Vec3, 8>& polygon, std::size_t& count, const Vec3& inward, const Vec3& on_plane) {
-  const std::array<Vec3, 8> whole = polygon;
-  const std::size_t whole_count = count;
-  count = 0;
-  for (std::size_t i = 0; i < whole_count; ++i) {
-    const Vec3 &from = whole[i], &to = whole[(i + 1) % whole_count];
-    const double height_from = inward.dot(from - on_plane), height_to = inward.dot(to - on_plane);
-    if (height_from >= 0.0) polygon[count++] = from;
-    if ((height_from < 0.0) != (height_to < 0.0)) {
-      polygon[count++] = from + (to - from) * (height_from / (height_from - height_to));
-    }
-  }
-}
-
-}  // namespace
 
 void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corners) {
   const Vec3 scaled = scaledNormal(by);
@@ -31,22 +14,24 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
   for (std::size_t i = 0; i < 3; ++i) {
     size = std::max({size, of[i].cwiseAbs().maxCoeff(), by[i].cwiseAbs().maxCoeff()});
   }
-  std::array<Vec3, 8> polygon = {of[0], of[1], of[2]};
-  std::size_t count = 3;
+  Polygon<8> rest(of);
+  const auto cut = [&](const Vec3& inward, const Vec3& on_plane) {
+    rest.cut([&](const Vec3& point) { return inward.dot(point - on_plane); });
+  };
   // The thinner the triangle, the greater the rounding error of its normal.
   const double squared_edge =
       std::max({(by[1] - by[0]).squaredNorm(), (by[2] - by[1]).squaredNorm(), (by[0] - by[2]).squaredNorm()});
   if (length > 1e-12 * squared_edge) {  // otherwise keep all
     const double slack = 1e-14 * size * (1.0 + squared_edge / length);
     const Vec3 normal = scaled / length;
-    clip(polygon, count, normal, by[0] - slack * normal);
-    clip(polygon, count, -normal, by[0] + slack * normal);
+    cut(normal, by[0] - slack * normal);
+    cut(-normal, by[0] + slack * normal);
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 inward = normal.cross(by[(i + 1) % 3] - by[i]).normalized();
-      clip(polygon, count, inward, by[i] - slack * inward);
+      cut(inward, by[i] - slack * inward);
     }
   }
-  corners.insert(corners.end(), polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(count));
+  corners.insert(corners.end(), rest.corners().begin(), rest.corners().end());
 }
 
 double leastMean(std::span<const double> first, std::span<const double> second) {

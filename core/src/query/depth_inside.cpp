@@ -77,7 +77,7 @@ bool DepthQuery::meet(TrianglePair pair) const {
   return intersects(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
 }
 
-/// Whether the triangle of B is within the flatness of the triangle of A. The distance to a triangle is
+/// Whether the triangle of B is within the tolerance of the triangle of A. The distance to a triangle is
 /// convex, so it is greatest at a corner.
 bool DepthQuery::liesOn(TrianglePair pair) {
   if (!boundsSolid(pair.a)) return false;
@@ -85,7 +85,7 @@ bool DepthQuery::liesOn(TrianglePair pair) {
   double greatest = 0.0;
   for (const Vec3& corner : b_->tree().mesh().triangle(pair.b)) {
     greatest = std::max(greatest, octoblisk::distance(on, b_in_a_ * corner));
-    if (greatest > flatness_) return false;
+    if (greatest > tolerance_) return false;
   }
   greatest_dropped_ = std::max(greatest_dropped_, greatest);
   return true;
@@ -109,10 +109,10 @@ bool DepthQuery::isReachable(std::uint32_t corner) const {
 /// Marks the triangles of B that are wholly inside A. They are connected to an inside corner by triangles
 /// that do not cross A's surface.
 void DepthQuery::findInside() {
-  for (std::size_t i = 0, crossing_corners = known_.size(); i < crossing_corners; ++i) {
-    const std::uint32_t corner = known_[i];
-    if (corners_[corner_of_b_[corner]].side != Side::unknown) continue;
-    sideOf(corners_[corner_of_b_[corner]]);
+  for (std::size_t i = 0, crossing_corners = indexed_.size(); i < crossing_corners; ++i) {
+    const std::uint32_t corner = indexed_[i];
+    if (corners_[index_of_corner_[corner]].location) continue;
+    locationOf(corners_[index_of_corner_[corner]]);
     spread(corner);
   }
   for (std::size_t part = 0; part < b_->partCount(); ++part) {
@@ -122,17 +122,17 @@ void DepthQuery::findInside() {
     const PointLocation location = located(point);
     if (location == PointLocation::unknown) best_.is_known = false;
     if (location != PointLocation::inside) continue;
-    corners_[addCorner(corner)].side = Side::inside;
+    corners_[addCorner(corner)].location = PointLocation::inside;
     spread(corner);
   }
 }
 
-/// Gives this corner's side to the corners connected with it: to all of them if inside, but only to those of
-/// crossing triangles if outside, because the outside may be large and does not matter. If A's surface has
+/// Gives this corner's location to the corners connected with it: to all of them if inside, but only to those
+/// of crossing triangles if outside, because the outside may be large and does not matter. If A's surface has
 /// holes, B may leave A through one, so each corner is tested.
 void DepthQuery::spread(std::uint32_t from) {
-  const Side side = corners_[corner_of_b_[from]].side;
-  if (side == Side::on_surface || side == Side::undecided)
+  const PointLocation location = corners_[index_of_corner_[from]].location.value();
+  if (location == PointLocation::on_surface || location == PointLocation::unknown)
     return;  // all triangles around it are barriers, or may be
   open_.push_back(from);
   while (!open_.empty()) {
@@ -140,19 +140,20 @@ void DepthQuery::spread(std::uint32_t from) {
     open_.pop_back();
     for (const std::uint32_t triangle : b_->star(corner)) {
       if (isBarrier(triangle)) continue;
-      if (side == Side::inside && mark_[triangle] == Mark::none) {
+      if (location == PointLocation::inside && mark_[triangle] == Mark::none) {
         mark_[triangle] = Mark::inside;
         marked_.push_back(triangle);
       }
       for (const std::uint32_t next : b_->corners(triangle)) {
-        if (side == Side::outside && corner_of_b_[next] == kNone) continue;
+        if (location == PointLocation::outside && index_of_corner_[next] == kNone) continue;
         const std::uint32_t index = addCorner(next);
         Corner& neighbour = corners_[index];
-        if (neighbour.side == Side::unknown) {
-          if (boundary_ == nullptr) neighbour.side = side;
-          if (sideOf(neighbour) == side) open_.push_back(next);
+        if (!neighbour.location) {
+          if (boundary_ == nullptr) neighbour.location = location;
+          if (locationOf(neighbour) == location) open_.push_back(next);
         }
-        if (boundary_ && neighbour.side != side && neighbour.side != Side::on_surface) best_.is_known = false;
+        if (boundary_ && neighbour.location != location && neighbour.location != PointLocation::on_surface)
+          best_.is_known = false;
       }
     }
   }

@@ -47,7 +47,7 @@ double DepthQuery::boundOf(const Part& part) {
     for (const std::uint32_t other : part.corner) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
     }
-    const bool is_outside = corner.side == Side::outside;
+    const bool is_outside = corner.location == PointLocation::outside;
     if (boundary_) {  // sides may change where A has no surface
       if (!is_outside && !boundsSolid(corner.nearest)) best_.is_known = false;
       bound = std::min(bound, way + corner.distance);
@@ -102,7 +102,7 @@ double DepthQuery::boundByMovingOut(const Part& part) {
   double greatest = 0.0;
   for (const std::uint32_t index : part.corner) {
     const Corner& corner = corners_[index];
-    if (corner.side == Side::outside || corner.distance < greatest) continue;
+    if (corner.location == PointLocation::outside || corner.distance < greatest) continue;
     greatest = corner.distance;
     out = greatest > tolerance_ ? ((corner.foot - corner.point) / greatest) : outwards(corner.nearest);
   }
@@ -140,7 +140,7 @@ void DepthQuery::gatherExtremes(const Part& part) {
   extremes_.clear();
   bool is_whole = true;
   for (const std::uint32_t corner : part.corner) {
-    if (corners_[corner].side == Side::outside) {
+    if (corners_[corner].location == PointLocation::outside) {
       is_whole = false;
     } else {
       extremes_.push_back(corners_[corner].point);
@@ -200,7 +200,7 @@ void DepthQuery::divide(const Part& part) {
     considerNear(between, from.nearest);
     considerNear(between, to.nearest);
     measure(between);
-    if (part.met_begin == part.met_end) between.side = Side::inside;
+    if (part.met_begin == part.met_end) between.location = PointLocation::inside;
     corners_.push_back(between);
   }
   keepDeeper(corners_[middle], part.triangle);
@@ -218,17 +218,17 @@ void DepthQuery::divide(const Part& part) {
       }
       half.met_end = static_cast<std::uint32_t>(met_.size());
       if (half.met_begin == half.met_end) {  // the half is on one side
-        Side side = Side::unknown;
+        std::optional<PointLocation> location;
         for (const std::uint32_t corner : half.corner) {
-          const Side known = corners_[corner].side;
-          if (known != Side::inside && known != Side::outside) continue;
-          if (side != Side::unknown && side != known) best_.is_known = false;  // passes through a hole
-          side = known;
+          const auto known = corners_[corner].location;
+          if (known != PointLocation::inside && known != PointLocation::outside) continue;
+          if (location && location != known) best_.is_known = false;  // passes through a hole
+          location = known;
         }
-        if (side == Side::unknown) side = sideOf(corners_[middle]);
-        if (side == Side::outside) continue;
+        if (!location) location = locationOf(corners_[middle]);
+        if (location == PointLocation::outside) continue;
         for (const std::uint32_t corner : half.corner) {
-          corners_[corner].side = side;
+          corners_[corner].location = location;
           keepDeeper(corners_[corner], half.triangle);
         }
       }

@@ -31,8 +31,8 @@ Mat3 rotationAbout(const Vec3& axis, double angle) {
 
 /// Bounds the path length of a body's points if it rotates as in the motion and its centre moves by the
 /// advance: |advance along the axis, advance across the axis + angle · radius|.
-double lengthOfWay(const Hold& hold, const Motion& motion, const Vec3& advance) {
-  const double radius = hold.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
+double lengthOfWay(const BodyBounds& bounds, const Motion& motion, const Vec3& advance) {
+  const double radius = bounds.distanceFromAxis(motion.from().rotation, motion.centerInB(), motion.axis());
   const double along = advance.dot(motion.axis()), across = (advance - along * motion.axis()).norm();
   const double round = across + motion.angle() * radius;
   const double longer = std::max(std::abs(along), round), shorter = std::min(std::abs(along), round);
@@ -75,9 +75,10 @@ Motion Motion::ofPart(const Pose& part_in_b) const {
   return motion;
 }
 
-double Motion::lengthBound(const Hold& b) const { return lengthOfWay(b, *this, advance_); }
+double Motion::lengthBound(const BodyBounds& b) const { return lengthOfWay(b, *this, advance_); }
 
-double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& b, const Motion& b_in_world) {
+double relativeLengthBound(const BodyBounds& a, const Motion& a_in_world, const BodyBounds& b,
+                           const Motion& b_in_world) {
   const Vec3 way = b_in_world.advance() - a_in_world.advance();  // of B's centre from A's
   const double with_center_a = lengthOfWay(a, a_in_world, Vec3::Zero()) + lengthOfWay(b, b_in_world, way);
   const double with_center_b = lengthOfWay(b, b_in_world, Vec3::Zero()) + lengthOfWay(a, a_in_world, -way);
@@ -92,7 +93,7 @@ double relativeLengthBound(const Hold& a, const Motion& a_in_world, const Hold& 
   return std::min({with_center_a, with_center_b, in_a, in_b});
 }
 
-Hold::Hold(const ClusteredOctree& octree)
+BodyBounds::BodyBounds(const ClusteredOctree& octree)
     : center_(treeOf(octree).origin()), radius_(treeOf(octree).radius()) {
   const Tree& tree = treeOf(octree);
   const Obb box = tree.box(Tree::kRoot);
@@ -102,7 +103,7 @@ Hold::Hold(const ClusteredOctree& octree)
   }
 }
 
-Hold::Hold(const Convex& convex) {
+BodyBounds::BodyBounds(const Convex& convex) {
   const Aabb core = convex.coreBounds();
   for (unsigned corner = 0; corner < corners_.size(); ++corner) {
     for (int axis = 0; axis < 3; ++axis)
@@ -121,20 +122,20 @@ Hold::Hold(const Convex& convex) {
 // All distances are convex functions of the point, so the corners of the box have the greatest. Outside the
 // box, they grow by at most the distance from the box.
 
-double Hold::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
+double BodyBounds::distanceFromAxis(const Mat3& rotation, const Vec3& center, const Vec3& axis) const {
   const auto fromAxis = [&](const Vec3& point) { return (rotation * (point - center)).cross(axis).norm(); };
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, fromAxis(corner));
   return std::min(of_box + beyond_, fromAxis(center_) + radius_) + kBoxRounding * radius_;
 }
 
-double Hold::distanceFromPoint(const Vec3& point) const {
+double BodyBounds::distanceFromPoint(const Vec3& point) const {
   double of_box = 0.0;
   for (const Vec3& corner : corners_) of_box = std::max(of_box, (corner - point).norm());
   return std::min(of_box + beyond_, (center_ - point).norm() + radius_) + kBoxRounding * radius_;
 }
 
-double Hold::displacement(const Pose& from, const Pose& to) const {
+double BodyBounds::displacement(const Pose& from, const Pose& to) const {
   const Mat3 turn = to.rotation - from.rotation;
   const Vec3 shift = to.translation - from.translation;
   const auto displaced = [&](const Vec3& point) { return (turn * point + shift).norm(); };

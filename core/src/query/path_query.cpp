@@ -13,7 +13,7 @@ namespace octoblisk {
 
 using namespace detail;
 
-PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), hold_of_b_(b) {}
+PathQuery::PathQuery(const ClusteredOctree& a, const ClusteredOctree& b) : a_(&a), b_(&b), bounds_of_b_(b) {}
 
 PathQuery::PathQuery(const Surface& a, const Surface& b) : PathQuery(a.tree(), b.tree()) {
   if (!a.isClosed() && !b.isClosed()) {
@@ -83,7 +83,7 @@ bool PathQuery::provedBeyond(double distance, const Pose& b_in_a) const {
   if (!(proved_distance_ > distance)) return false;
   const double size =
       sizeOf(treeOf(*a_), treeOf(*b_)) + proof_pose_.translation.norm() + b_in_a.translation.norm();
-  return proved_distance_ - hold_of_b_.displacement(proof_pose_, b_in_a) >
+  return proved_distance_ - bounds_of_b_.displacement(proof_pose_, b_in_a) >
          distance + kDistanceRounding * size;
 }
 

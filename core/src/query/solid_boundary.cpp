@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "geometry/triangle_feature.h"
 #include "geometry/winding_number.h"
 #include "query/candidate_pairs.h"
 
@@ -15,19 +16,17 @@ using namespace detail;
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
 /// The only other triangle that uses the edge between two of the triangle's corners in the opposite
 /// direction; none if no triangle or several triangles use the edge.
 std::uint32_t neighbourAt(const Surface& surface, std::uint32_t triangle, std::uint32_t from,
                           std::uint32_t to) {
-  std::uint32_t found = kNone;
+  std::uint32_t found = kNoTriangle;
   for (const std::uint32_t other : surface.star(from)) {
     if (other == triangle) continue;
     const auto& corners = surface.corners(other);
     if (std::ranges::find(corners, to) == corners.end()) continue;
     const auto at = static_cast<std::size_t>(std::ranges::find(corners, to) - corners.begin());
-    if (found != kNone || corners[(at + 1) % 3] != from) return kNone;
+    if (found != kNoTriangle || corners[(at + 1) % 3] != from) return kNoTriangle;
     found = other;
   }
   return found;
@@ -49,20 +48,6 @@ double angleAt(const Triangle& triangle, std::size_t corner) {
   return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
 }
 
-/// The corners between which a point of a triangle lies, one bit each.
-unsigned featureOf(const Triangle& triangle, const Vec3& point) {
-  constexpr double kSnap = 1e-9;  // fraction of the triangle's height
-  const Vec3 normal = scaledNormal(triangle);
-  const double squared = normal.squaredNorm();
-  unsigned corners = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &next = triangle[(i + 1) % 3], &last = triangle[(i + 2) % 3];
-    const double weight = normal.dot((next - point).cross(last - point)) / squared;
-    if (weight > kSnap) corners |= 1u << i;
-  }
-  return corners;
-}
-
 }  // namespace
 
 SolidBoundary::SolidBoundary(const Surface& surface, int threads)
@@ -78,7 +63,7 @@ void SolidBoundary::findGoodEdges() {
     const auto& corners = surface_->corners(t);
     if (scaledNormal(surface_->tree().mesh().triangle(t)).isZero()) bounds_[t] = 0;
     for (std::size_t i = 0; i < 3 && bounds_[t] != 0; ++i) {
-      if (neighbourAt(*surface_, t, corners[i], corners[(i + 1) % 3]) == kNone) bounds_[t] = 0;
+      if (neighbourAt(*surface_, t, corners[i], corners[(i + 1) % 3]) == kNoTriangle) bounds_[t] = 0;
     }
   }
 }
@@ -115,7 +100,7 @@ void SolidBoundary::findRegions(int threads) {
   std::ranges::sort(regions, {}, [](const std::vector<std::uint32_t>& region) {
     return std::pair(~region.size(), region.front());  // largest first
   });
-  parallelFor(regions.size(), threadCount(threads), [&](std::size_t r, std::size_t) {
+  parallelFor(regions.size(), threads, [&](std::size_t r, std::size_t) {
     bool is_boundary = false;
     if (r < kMaxRegions) {
       const std::uint32_t largest = *std::ranges::max_element(
@@ -154,7 +139,8 @@ std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
   if (bounds_[at.triangle] == 0) return std::nullopt;
   const Triangle triangle = surface_->tree().mesh().triangle(at.triangle);
   const auto& corners = surface_->corners(at.triangle);
-  const unsigned feature = featureOf(triangle, at.point);
+  constexpr double kOnEdge = 1e-9;  // fraction of the triangle's height
+  const unsigned feature = featureOf(triangle, scaledNormal(triangle), at.point, kOnEdge);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     if (feature == (1u << i | 1u << next)) {

@@ -13,7 +13,7 @@ namespace {
 
 /// The most by which a computed distance to the body may be too large, apart from rounding.
 double errorOf(const ClusteredOctree&) { return 0.0; }
-double errorOf(const Convex& body) { return 2.0 * body.precision() * Hold(body).size(); }
+double errorOf(const Convex& body) { return 2.0 * body.precision() * BodyBounds(body).size(); }
 
 /// Conservative advancement. `length` bounds the change of the distance over the whole motion. `size` is that
 /// of the scene. `b_in_a_at` gives the pose at a fraction.
@@ -45,10 +45,10 @@ std::optional<TimeOfImpact> advance(const ClusteredOctree& a, const Body& b, dou
 template <typename Body>
 std::optional<TimeOfImpact> sweepOne(const ClusteredOctree& a, const Body& b, const Motion& b_in_a,
                                      double tolerance, const SweepOptions& options) {
-  const Hold hold_a(a), hold_b(b);
-  const double length = b_in_a.lengthBound(hold_b);
-  const double size =
-      hold_a.size() + hold_b.size() + b_in_a.from().translation.norm() + b_in_a.centerInB().norm() + length;
+  const BodyBounds bounds_a(a), bounds_b(b);
+  const double length = b_in_a.lengthBound(bounds_b);
+  const double size = bounds_a.size() + bounds_b.size() + b_in_a.from().translation.norm() +
+                      b_in_a.centerInB().norm() + length;
   return advance(a, b, length, size, tolerance, options,
                  [&](double fraction) { return b_in_a.at(fraction); });
 }
@@ -57,9 +57,9 @@ template <typename Body>
 std::optional<TimeOfImpact> sweepBoth(const ClusteredOctree& a, const Body& b, const Motion& a_in_world,
                                       const Motion& b_in_world, double tolerance,
                                       const SweepOptions& options) {
-  const Hold hold_a(a), hold_b(b);
-  const double length = relativeLengthBound(hold_a, a_in_world, hold_b, b_in_world);
-  double size = hold_a.size() + hold_b.size() + length;
+  const BodyBounds bounds_a(a), bounds_b(b);
+  const double length = relativeLengthBound(bounds_a, a_in_world, bounds_b, b_in_world);
+  double size = bounds_a.size() + bounds_b.size() + length;
   for (const Motion* motion : {&a_in_world, &b_in_world}) {
     size += motion->from().translation.norm() + motion->centerInB().norm() + motion->advance().norm();
   }
