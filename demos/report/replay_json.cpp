@@ -190,7 +190,7 @@ std::string replayJson(const Replay& replay, const ReplayMeshes& meshes, const R
   }
   if (left_out > 0) {
     notes.push_back("The picture omits " + withThousands(left_out) +
-                    " contacts, the shallowest of each pose; contacts.csv has all.");
+                    " contacts, the shallowest of each pose; contacts.csv has them.");
   }
   PageJson obstacles = PageJson::array();
   for (const Fixture& fixture : replay.fixtures) obstacles.push_back(fixture.name);

@@ -60,7 +60,7 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
   for (const auto& mesh : {testing::torus(3, 1, 24, 12), testing::boxMesh({10, 0.1, 0.2}), testing::fan(9, 8),
                            testing::soup(random, 30, 4, 1)}) {
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
-    const Hold hold(tree);
+    const BodyBounds bounds(tree);
     for (int i = 0; i < 200; ++i, ++cases) {
       const Pose from = testing::randomPose(random, 4.0);
       const Vec3 way = testing::randomPoint(random, 3.0), center = testing::randomPoint(random, 9.0),
@@ -74,9 +74,9 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
       tight += step > 0.6e-3 * bound;
       const double far = farthestVertex(*mesh, from, motion.at(1.0));
       ASSERT_LE(far, bound * (1.0 + 1e-9));
-      ASSERT_LE(far, hold.displacement(from, motion.at(1.0)) * (1.0 + 1e-12));
-      ASSERT_LE(step, hold.displacement(here, next) * (1.0 + 1e-9));
-      tight_displacements += step > 0.6 * hold.displacement(here, next);
+      ASSERT_LE(far, bounds.displacement(from, motion.at(1.0)) * (1.0 + 1e-12));
+      ASSERT_LE(step, bounds.displacement(here, next) * (1.0 + 1e-9));
+      tight_displacements += step > 0.6 * bounds.displacement(here, next);
     }
   }
   EXPECT_GT(tight, cases * 8 / 10);
@@ -152,21 +152,21 @@ TEST(RelativeMotion, noSurfaceOfAConvexBodyGoesFartherThanTheBound) {
   constexpr int kCases = 600;
   for (int i = 0; i < kCases; ++i) {
     const Convex& body = *bodies[i % 3];
-    const Hold hold(body);
+    const BodyBounds bounds(body);
     const Motion motion =
         Motion::about(testing::randomPose(random, 4.0), testing::randomPoint(random, 5.0),
                       testing::randomPoint(random, i % 2 ? 3.0 : 0.0), testing::randomPoint(random, 3.0));
-    const double bound = motion.lengthBound(hold), start = testing::uniform(random, 0.0, 0.999);
+    const double bound = motion.lengthBound(bounds), start = testing::uniform(random, 0.0, 0.999);
     const Pose here = motion.at(start), next = motion.at(start + 1e-3);
     double step = 0.0;
     for (int k = 0; k < 200; ++k) {
       const Vec3 direction = testing::randomRotation(random).col(0);
       const Vec3 point = body.support(direction) + body.radius() * direction;
       step = std::max(step, (here * point - next * point).norm());
-      ASSERT_LE((point - motion.centerInB()).norm(), hold.distanceFromPoint(motion.centerInB()));
+      ASSERT_LE((point - motion.centerInB()).norm(), bounds.distanceFromPoint(motion.centerInB()));
     }
     ASSERT_LE(step, 1e-3 * bound * (1.0 + 1e-9)) << i;
-    ASSERT_LE(step, hold.displacement(here, next) * (1.0 + 1e-9)) << i;
+    ASSERT_LE(step, bounds.displacement(here, next) * (1.0 + 1e-9)) << i;
     tight += step > 0.6e-3 * bound;
   }
   EXPECT_GT(tight, kCases * 7 / 10);
