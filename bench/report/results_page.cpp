@@ -53,7 +53,8 @@ std::string cellOf(const Row& row) {
   const std::string ratio = ratioText(row);
   if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
   for (const auto& [key, what] :
-       {std::pair("points_a_pose", "points per pose"), std::pair("contacts_a_step", "contacts per step")}) {
+       {std::pair("points_a_pose", "points per pose"), std::pair("contacts_a_step", "contacts per step"),
+        std::pair("inside", "in the blisk at the end")}) {
     if (row.contains(key)) text += std::string(", ") + significant(number(row, key)) + ' ' + what;
   }
   return text + differencesText(row);

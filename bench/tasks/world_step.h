@@ -19,14 +19,16 @@ inline Trial worldStepTrial(const Scene& scene, const Contender& contender, std:
     query->step();
     contacts += query->contactsOnBlisk();
   }
-  // Motion differs between worlds, but in none may a body fall through the floor or enter the blisk.
+  // Motion differs between worlds, but in none may a body fall through the floor or enter the blisk. The
+  // floor is Bullet's box, and no contender's.
   const ClusteredOctree tree = ClusteredOctree::build(scene.blisk);
   const Surface blisk(tree);
-  std::size_t lost = 0;
+  std::size_t inside = 0, below = 0;
   double height = 0.0;
   const std::vector<Vec3> positions = query->positions();
   for (const Vec3& position : positions) {
-    lost += position.z() < WorldStepQuery::kFloor || locate(blisk, position, Pose()) == PointLocation::inside;
+    below += position.z() < WorldStepQuery::kFloor;
+    inside += locate(blisk, position, Pose()) == PointLocation::inside;
     height += position.z() / static_cast<double>(positions.size());
   }
   return {.questions = steps,
@@ -35,8 +37,10 @@ inline Trial worldStepTrial(const Scene& scene, const Contender& contender, std:
                 if (k == 0) query->restart(bodies);
                 query->step();
               },
-          .differences = lost,
+          .differences = inside + below,
           .counters = {{"bodies", static_cast<double>(bodies)},
+                       {"inside", static_cast<double>(inside)},
+                       {"below_floor", static_cast<double>(below)},
                        {"contacts_a_step", static_cast<double>(contacts) / static_cast<double>(steps)},
                        {"mean_height", height}}};
 }
