@@ -137,11 +137,12 @@ struct Posts {
 
 // Bullet does not move the boxes of bodies that are larger than a million units.
 TEST(GrindingCell, findsThePairsOfAHugePart) {
-  GrindingCell cell(treeOf(block({5, 5, 5}, 1)), {{"rod", treeOf(block({1, 1, 600000}, 1))}}, 0.5);
-  EXPECT_TRUE(cell.contactsAt(at(1000, 0, 0)).empty());
-  EXPECT_FALSE(cell.contactsAt(at(0, 0, 0)).empty());
-  EXPECT_FALSE(cell.contactsAt(at(5.5, 0, 0)).empty());
-  EXPECT_TRUE(cell.contactsAt(at(-1000, 0, 0)).empty());
+  GrindingCell cell(treeOf(moved(block({5, 5, 5}, 1), Vec3(1000, 0, 0))),
+                    {{"rod", treeOf(block({1, 1, 600000}, 1))}}, 0.5);
+  EXPECT_TRUE(cell.contactsAt(at(0, 0, 0)).empty());
+  EXPECT_FALSE(cell.contactsAt(at(1000, 0, 0)).empty());
+  EXPECT_FALSE(cell.contactsAt(at(1005.5, 0, 0)).empty());
+  EXPECT_TRUE(cell.contactsAt(at(2000, 0, 0)).empty());
 }
 
 TEST(ReduceContacts, aShallowInterferenceIsNotHiddenByTheIntendedContactRoundIt) {
