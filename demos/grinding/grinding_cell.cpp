@@ -70,7 +70,8 @@ class GrindingCell::World {
     for (std::vector<Contact>& contacts : found_) contacts.clear();
     for (const auto& part : parts_) {
       part->body.setWorldTransform(toBullet(tool_in_blisk));
-      // Bullet does not move the boxes of bodies that are larger than a million units.
+      // Bullet does not move the boxes of bodies that are larger than a million units. It would also ignore
+      // the body, but addKinematicBody has turned deactivation off.
       btVector3 min, max;
       part->body.getAabb(min, max);
       broadphase_.setAabb(part->body.getBroadphaseProxy(), min, max, &dispatcher_);

@@ -89,7 +89,7 @@ double displacement(const btCollisionObjectWrapper& body, const Pose& from, cons
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
                      corner & 4 ? high.z() : low.z());
-    squared = std::max(squared, (turn * point + shift).squaredNorm());
+    squared = std::max((turn * point + shift).squaredNorm(), squared);  // keeps what is not a number
   }
   return std::sqrt(squared);
 }

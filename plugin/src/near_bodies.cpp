@@ -127,8 +127,8 @@ bool isInside(const Vec3& point_in_world, const Part& part) {
          isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
-/// Whether a piece of a mesh that is away from a solid's surface is inside the solid. The narrow phase asks
-/// for the same vertices (FarVerticesInSolid).
+/// Whether a piece of a mesh that is away from a solid's surface is inside the solid. If no triangles meet,
+/// the narrow phase asks for the same vertices, but only for those of the smaller mesh (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
   if (!solid.clusters->isSolid()) return false;
   const FarVertices& far = part.clusters->farVertices();

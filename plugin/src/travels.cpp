@@ -4,12 +4,21 @@
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <cmath>
 #include <limits>
 
 #include "body_parts.h"
 #include "octoblisk/motion.h"
 
 namespace octoblisk::detail {
+namespace {
+
+/// Not below the exact sum.
+double sumAbove(double a, double b) {
+  return b == 0.0 ? a : std::nextafter(a + b, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
 
 Travels::State Travels::stateOf(const btBroadphaseProxy& proxy) {
   const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
@@ -31,7 +40,12 @@ Travels::State Travels::stateOf(const btBroadphaseProxy& proxy) {
   return state;
 }
 
-double Travels::way(const State& from, const State& to) {
+bool Travels::isNumber(const State& state) {
+  return state.in_world.rotation.allFinite() && state.in_world.translation.allFinite() &&
+         (state.box.min.array() <= state.box.max.array()).all();
+}
+
+double Travels::distance(const State& from, const State& to) {
   const Vec3 of_min = to.box.min - from.box.min, of_max = to.box.max - from.box.max;
   const double of_box = of_min.cwiseAbs().cwiseMax(of_max.cwiseAbs()).norm();
   if (from.tree == to.tree && from.is_solid == to.is_solid && from.reach == to.reach) {
@@ -43,11 +57,13 @@ double Travels::way(const State& from, const State& to) {
 double Travels::of(const btBroadphaseProxy& proxy) {
   const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
   if (object.getCollisionShape()->isCompound()) return std::numeric_limits<double>::infinity();
-  const auto [known, is_new] = bodies_.try_emplace(&proxy);
-  Body& body = known->second;
-  if (body.look == look_) return body.travelled;
+  const auto known = bodies_.find(&proxy);
+  const bool is_new = known == bodies_.end();
+  if (!is_new && known->second.look == look_) return known->second.travelled;
   State now = stateOf(proxy);
-  if (!is_new) body.travelled += way(body.state, now);
+  if (!isNumber(now)) return std::numeric_limits<double>::infinity();
+  Body& body = is_new ? bodies_[&proxy] : known->second;
+  if (!is_new) body.travelled = sumAbove(body.travelled, distance(body.state, now));
   body.state = std::move(now);
   body.look = look_;
   return body.travelled;

@@ -24,8 +24,10 @@ class Travels {
   /// Call this when bodies may have moved.
   void beginLook() { ++look_; }
 
-  /// At least the way of any point that clustersMeet (near_bodies.h) uses for the body. Another shape, margin
-  /// or threshold counts as a way longer than the body. Infinite for compounds. The body must have a shape.
+  /// Never less than the distance that any point of the body's mesh, or of its box if it has no tree, has
+  /// moved, summed over the looks. Another shape, margin or threshold counts as a distance longer than the
+  /// body. Infinite for compounds, and where the pose or the box is not a number. The body must have a shape.
+  /// Keeps the body's tree alive until the next look at the body.
   double of(const btBroadphaseProxy& proxy);
 
   /// Call this before the proxy is deleted.
@@ -46,7 +48,8 @@ class Travels {
   };
 
   static State stateOf(const btBroadphaseProxy& proxy);
-  static double way(const State& from, const State& to);
+  static bool isNumber(const State& state);
+  static double distance(const State& from, const State& to);
 
   std::uint64_t look_ = 1;
   std::unordered_map<const btBroadphaseProxy*, Body> bodies_;

@@ -135,6 +135,27 @@ TEST(Broadphase, creepingBodiesMeetInTime) {
   EXPECT_GE(steps_apart, 1000);
 }
 
+// A pose that is not a number proves nothing about the poses before and after it.
+TEST(Broadphase, bodiesMeetAfterAPoseThatIsNotANumber) {
+  const auto ring = shapeOf(testing::torus(2, 0.5, 48, 24)),
+             small = shapeOf(testing::torus(0.8, 0.3, 24, 12));
+  const btTransform clear = at(0, 0, 0), touching = at(1.2, 0, 0), none = at(std::nan(""), 0, 0);
+  for (const btTransform& before : {clear, touching}) {
+    TightWorld tight;
+    btCollisionObject& outer = tight.add(*ring, at(0, 0, 0));
+    btCollisionObject& inner = tight.add(*small, before);
+    const auto isPairAt = [&](const btTransform& pose) {
+      inner.setWorldTransform(pose);
+      for (int i = 0; i < 3; ++i) tight.world.performDiscreteCollisionDetection();
+      return tight.has(outer, inner);
+    };
+    EXPECT_EQ(isPairAt(before), before == touching);
+    isPairAt(none);
+    EXPECT_TRUE(isPairAt(touching));
+    EXPECT_FALSE(isPairAt(clear));
+  }
+}
+
 TEST(Broadphase, shapesMarginsAndScalesAreReadAnew) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   btSphereShape sphere(btScalar(0.5)), large(btScalar(1.6));

@@ -11,9 +11,9 @@ namespace octoblisk::detail {
 int threadCount(int requested);
 
 /// Calls body(index, worker) once for each index below `count`, in any order, on up to threadCount(threads)
-/// threads including the caller's. `worker` numbers the thread from 0, so that each thread may have its own
-/// scratch memory. Returns after all calls have returned. After a call has thrown, no further calls start,
-/// and one of the exceptions is rethrown.
+/// threads including the caller's. `worker` < threadCount(threads) numbers the thread, so that each may have
+/// its own scratch memory. Returns after all calls have returned. After a call has thrown, no further calls
+/// start, and one of the exceptions is rethrown.
 void parallelFor(std::size_t count, int threads,
                  const std::function<void(std::size_t index, std::size_t worker)>& body);
 
