@@ -29,7 +29,7 @@ SupportPlanes::SupportPlanes(const ClusteredOctree& tree, int threads) : planes_
     direction[(axis + 1) % 3] = middle(row);
     direction[(axis + 2) % 3] = middle(column);
     const Vec3 normal = direction.normalized();
-    planes_[plane] = {normal, normal.dot(tree.mesh().vertices()[farthestVertex(tree, normal)])};
+    planes_[plane] = {normal, normal.dot(farthestVertex(tree, normal))};
   });
 }
 

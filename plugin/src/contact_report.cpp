@@ -45,9 +45,7 @@ int bladeOf(const btCollisionObject* object, TriangleId triangle, std::span<cons
 int order(const btCollisionObject* object) { return object->getBroadphaseHandle()->getUid(); }
 
 auto sortedBy(const ReportedContact& contact) {
-  const auto of = [](const ContactBody& body) {
-    return std::tuple(body.triangle.part, body.triangle.index);
-  };
+  const auto of = [](const ContactBody& body) { return std::tuple(body.triangle.part, body.triangle.index); };
   const auto place = [](const btVector3& v) { return std::tuple(v.x(), v.y(), v.z()); };
   return std::tuple(order(contact.a.object), order(contact.b.object), of(contact.a), of(contact.b),
                     contact.distance, place(contact.a.point), place(contact.b.point), place(contact.normal));

@@ -127,15 +127,13 @@ bool isInside(const Vec3& point_in_world, const Part& part) {
          isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
-/// Whether a piece of a mesh that is away from a solid's surface is inside the solid. If no triangles meet,
-/// the narrow phase asks for the same vertices, but only for those of the smaller mesh (FarVerticesInSolid).
+/// Whether one of a mesh's far vertices is inside another. The narrow phase asks for the same vertices of the
+/// smaller mesh (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
-  if (!solid.clusters->isSolid()) return false;
-  const FarVertices& far = part.clusters->farVertices();
-  for (std::size_t v = 0; v < FarVertices::kCount; ++v) {
-    if (far.represents_piece[v] && isInside(fromBullet(part.in_world) * far.positions[v], solid)) return true;
-  }
-  return false;
+  return solid.clusters->isSolid() &&
+         std::ranges::any_of(part.clusters->farVertices().positions, [&](const Vec3& vertex) {
+           return isInside(fromBullet(part.in_world) * vertex, solid);
+         });
 }
 
 bool meet(const Part& a, const Part& b, int depth, double ahead) {

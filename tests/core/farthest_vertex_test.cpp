@@ -21,7 +21,7 @@ TEST(FarthestVertex, equalsTheFarthestOfAllCorners) {
         for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
           for (const Vec3& corner : mesh->triangle(t)) expected = std::max(expected, direction.dot(corner));
         }
-        EXPECT_EQ(direction.dot(tree.mesh().vertices()[farthestVertex(tree, direction)]), expected);
+        EXPECT_EQ(direction.dot(farthestVertex(tree, direction)), expected);
       }
     }
   }

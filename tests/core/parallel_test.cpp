@@ -19,13 +19,13 @@ using namespace detail;
 namespace {
 
 TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {
-  for (const int threads : {1, 2, 3, 8}) {
+  for (const int threads : {0, 1, 2, 3, 8}) {
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{1000}}) {
       std::vector<std::atomic<int>> visits(count);
       std::atomic<bool> worker_is_known = true;
       parallelFor(count, threads, [&](std::size_t index, std::size_t worker) {
         ++visits[index];
-        if (worker >= static_cast<std::size_t>(threads)) worker_is_known = false;
+        if (worker >= static_cast<std::size_t>(threadCount(threads))) worker_is_known = false;
       });
       EXPECT_TRUE(std::ranges::all_of(visits, [](const std::atomic<int>& n) { return n == 1; }));
       EXPECT_TRUE(worker_is_known);

@@ -137,18 +137,24 @@ TEST(Fixture, aToolWhollyInsideOneInterferes) {
   }
 }
 
-TEST(Fixture, aRowThatAllowsAnyBladeAllowsNoFixture) {
+/// A bit that may touch a block of half extents 5 at the origin as deep as 3, and a table.
+GrindingJob bitBesideATable(TriangleMesh table) {
   const TriangleMesh blisk = block({5, 5, 5}, 1);
   GrindingJob job;
   job.blisk = treeOf(blisk);
   job.blades.blade_of_triangle.assign(blisk.triangleCount(), 0);
   job.parts = {{"bit", treeOf(block({1, 1, 1}, 1))}};
-  job.fixtures = {{"table", treeOf(moved(block({5, 5, 5}, 1), Vec3(0, 20, 0)))}};
+  job.fixtures = {{"table", treeOf(std::move(table))}};
   job.rules = {.grinding_part = kNoPart,
                .ground_blade = 0,
                .max_depth = 3.0,
                .allowed = {{std::nullopt, {BladeChoice::Kind::any, 0}}},
                .near_miss = 0.5};
+  return job;
+}
+
+TEST(Fixture, aRowThatAllowsAnyBladeAllowsNoFixture) {
+  GrindingJob job = bitBesideATable(moved(block({5, 5, 5}, 1), Vec3(0, 20, 0)));
   job.path = {at(0, 5.5, 0), at(0, 14.5, 0)};
   job.continuous = false;
   const GrindingRun run = runGrinding(job);
@@ -157,17 +163,7 @@ TEST(Fixture, aRowThatAllowsAnyBladeAllowsNoFixture) {
 }
 
 TEST(Fixture, aMotionIntoOneIsJudgedForAPartThatMayTouchTheBlisk) {
-  const TriangleMesh blisk = block({5, 5, 5}, 1);
-  GrindingJob job;
-  job.blisk = treeOf(blisk);
-  job.blades.blade_of_triangle.assign(blisk.triangleCount(), 0);
-  job.parts = {{"bit", treeOf(block({1, 1, 1}, 1))}};
-  job.fixtures = {{"table", treeOf(moved(block({9, 9, 9}, 1), Vec3(0, 40, 0)))}};
-  job.rules = {.grinding_part = kNoPart,
-               .ground_blade = 0,
-               .max_depth = 3.0,
-               .allowed = {{std::nullopt, {BladeChoice::Kind::any, 0}}},
-               .near_miss = 0.5};
+  GrindingJob job = bitBesideATable(moved(block({9, 9, 9}, 1), Vec3(0, 40, 0)));
   job.path = {at(0, 40, 0), at(0, 41, 0), at(0, 20, 0), at(0, 5.5, 0)};
   const GrindingRun run = runGrinding(job);
   EXPECT_EQ(run.poses[0].verdict, Verdict::interference);

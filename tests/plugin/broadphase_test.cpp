@@ -144,8 +144,10 @@ TEST(Broadphase, bodiesMeetAfterAPoseThatIsNotANumber) {
     TightWorld tight;
     btCollisionObject& outer = tight.add(*ring, at(0, 0, 0));
     btCollisionObject& inner = tight.add(*small, before);
+    inner.setCollisionFlags(0);  // Bullet leaves the box of a body that is not static where it was
     const auto isPairAt = [&](const btTransform& pose) {
       inner.setWorldTransform(pose);
+      inner.forceActivationState(ACTIVE_TAG);
       for (int i = 0; i < 3; ++i) tight.world.performDiscreteCollisionDetection();
       return tight.has(outer, inner);
     };

@@ -7,6 +7,7 @@
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
+#include "plugin/shape_over.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 
@@ -232,6 +233,25 @@ TEST(Shape, breakingThresholdIsSmallAndSettable) {
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), gContactBreakingThreshold);
   large.setContactBreakingThreshold(btScalar(0.5));
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), btScalar(0.5));
+}
+
+// Contacts are created within half of the smaller threshold, whichever body comes first.
+TEST(Shape, breakingThresholdOfAChildCountsInBothOrders) {
+  ClusteredOctreeShape usual = shapeOver(testing::boxMesh({1, 1, 1})),
+                       narrow = shapeOver(testing::boxMesh({1, 1, 1}));
+  narrow.setContactBreakingThreshold(btScalar(0.001));
+  btCompoundShape of_usual, of_narrow;
+  of_usual.addChildShape(btTransform::getIdentity(), &usual);
+  of_narrow.addChildShape(btTransform::getIdentity(), &narrow);
+  for (const bool narrow_is_first : {true, false}) {
+    for (const double gap : {0.0008, 0.0001}) {
+      testing::BulletWorld world;
+      world.add(narrow_is_first ? of_narrow : of_usual, 1, testing::at(0, 0, 0));
+      world.add(narrow_is_first ? of_usual : of_narrow, 1, testing::at(0.1, 0.2, 2 + gap));
+      world->performDiscreteCollisionDetection();
+      EXPECT_EQ(world.contactPoints() > 0, gap < 0.0005) << narrow_is_first << ' ' << gap;
+    }
+  }
 }
 
 }  // namespace

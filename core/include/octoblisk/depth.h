@@ -81,7 +81,7 @@ class DepthQuery {
     Vec3 foot = Vec3::Zero();  // the closest point on the nearest triangle of A found so far
     double distance = std::numeric_limits<double>::infinity();  // to the foot
     std::uint32_t nearest = kNoTriangle;
-    bool is_exact = false;  // no triangle of A is nearer
+    bool is_exact = false;                       // no triangle of A is nearer
     std::optional<PointLocation> location = {};  // where it is in A, once asked
   };
 
@@ -156,7 +156,7 @@ class DepthQuery {
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint32_t> index_of_corner_;  // per corner of B: its index in corners_, or none
   std::vector<std::uint32_t> indexed_;          // the corners of B that have an index
-  std::vector<bool> part_crosses_;          // per part of B's surface
+  std::vector<bool> part_crosses_;              // per part of B's surface
   std::vector<std::uint32_t> open_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> met_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/connected_pieces.h"
 #include "octoblisk/closest_point.h"
 #include "query/farthest_vertex.h"
 #include "query/locate_in_closed.h"
@@ -71,21 +70,14 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
 }
 
 FarVertices farVertices(const ClusteredOctree& tree) {
-  const std::vector<std::uint32_t> piece_of = connectedPieces(tree.mesh());
   FarVertices far;
-  std::vector<std::uint32_t> pieces;
   std::size_t count = 0;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
         const Vec3 direction(x, y, z);
         const double axes = direction.squaredNorm();
-        if (axes != 1.0 && axes != 3.0) continue;
-        const std::uint32_t vertex = farthestVertex(tree, direction);
-        far.positions[count] = tree.mesh().vertices()[vertex];
-        far.represents_piece[count] = std::ranges::find(pieces, piece_of[vertex]) == pieces.end();
-        pieces.push_back(piece_of[vertex]);
-        ++count;
+        if (axes == 1.0 || axes == 3.0) far.positions[count++] = farthestVertex(tree, direction);
       }
     }
   }
@@ -97,12 +89,10 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
                               std::vector<Contact>& ways_out) {
   ways_out.clear();
   for (std::size_t v = 0; v < in_a_.size(); ++v) {
-    if (!meet && !far_of_b.represents_piece[v]) continue;
     const Vec3 vertex = b_in_a * far_of_b.positions[v];
     if (!in_a_[v].contains(a, vertex)) continue;
     Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
-      if (meet) return vertex;
-      return b_in_a * b.mesh().vertices()[farthestVertex(b, b_in_a.rotation.transpose() * direction)];
+      return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
     out.triangle_b = 0;  // Bullet requires a triangle
     if (!meet) {

@@ -43,9 +43,6 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
 struct FarVertices {
   static constexpr std::size_t kCount = 14;
   std::array<Vec3, kCount> positions;
-  /// Whether the vertex is the first one of its connected piece of the mesh. If no triangles of two meshes
-  /// meet, it stands for its whole piece.
-  std::array<bool, kCount> represents_piece;
 };
 FarVertices farVertices(const ClusteredOctree& tree);
 

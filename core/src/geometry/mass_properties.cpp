@@ -1,10 +1,10 @@
 #include "octoblisk/mass_properties.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/position_hash.h"
 #include "geometry/principal_axes.h"
 
 namespace octoblisk {
@@ -12,6 +12,21 @@ namespace octoblisk {
 using namespace detail;
 
 namespace {
+
+/// A bijection that spreads every bit of the input over the whole output (splitmix64's last steps).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  return bits ^ (bits >> 31);
+}
+
+std::uint64_t hashOf(const Vec3& position) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15u;
+  for (const double coordinate : position) {
+    hash = mixed(hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) + 0x9e3779b97f4a7c15u;  // −0 is 0
+  }
+  return hash;
+}
 
 Aabb boundsOfTriangles(const TriangleMesh& mesh) {
   Aabb bounds;

@@ -37,8 +37,7 @@ class SegmentContact {
     double least = to_edges;
     for (std::size_t e = 0; e < 2; ++e) {
       const double height = std::abs(height_[e]);
-      if (height < least - (nearest ? kTouching * size_ : 0.0) &&
-          isOver(triangle_, facing_, end_[e])) {
+      if (height < least - (nearest ? kTouching * size_ : 0.0) && isOver(triangle_, facing_, end_[e])) {
         nearest = e;
         least = height;
       }

@@ -15,7 +15,7 @@ class FarthestVertex {
  public:
   FarthestVertex(const Tree& tree, const Vec3& direction) : tree_(tree), direction_(direction) {}
 
-  std::uint32_t find() {
+  Vec3 find() {
     visit(tree_.child(Tree::kRoot));
     return vertex_;
   }
@@ -28,7 +28,7 @@ class FarthestVertex {
 
   void visit(Child child) {
     if (child.isLeaf()) {
-      for (const std::uint32_t triangle : tree_.triangles(child)) visit(tree_.mesh().triangles()[triangle]);
+      for (const std::uint32_t triangle : tree_.triangles(child)) visit(tree_.mesh().triangle(triangle));
       return;
     }
     std::array<Branch, kLanes> branches;
@@ -41,16 +41,14 @@ class FarthestVertex {
     for (std::size_t k = 0; k < count && branches[k].reach >= reach_; ++k) visit(branches[k].child);
   }
 
-  void visit(const TriangleMesh::Indices& triangle) {
-    for (const std::uint32_t vertex : triangle) {
-      const double reach = direction_.dot(positionOf(vertex));
-      if (reach < reach_ || (reach == reach_ && !isBefore(positionOf(vertex), positionOf(vertex_)))) continue;
+  void visit(const Triangle& triangle) {
+    for (const Vec3& corner : triangle) {
+      const double reach = direction_.dot(corner);
+      if (reach < reach_ || (reach == reach_ && !isBefore(corner, vertex_))) continue;
       reach_ = reach;
-      vertex_ = vertex;
+      vertex_ = corner;
     }
   }
-
-  const Vec3& positionOf(std::uint32_t vertex) const { return tree_.mesh().vertices()[vertex]; }
 
   /// Of equally far vertices, the first by coordinates: the answer depends on the mesh alone.
   static bool isBefore(const Vec3& a, const Vec3& b) {
@@ -64,12 +62,12 @@ class FarthestVertex {
   const Tree& tree_;
   const Vec3 direction_;
   double reach_ = -std::numeric_limits<double>::infinity();
-  std::uint32_t vertex_ = 0;
+  Vec3 vertex_ = Vec3::Zero();
 };
 
 }  // namespace
 
-std::uint32_t farthestVertex(const ClusteredOctree& tree, const Vec3& direction) {
+Vec3 farthestVertex(const ClusteredOctree& tree, const Vec3& direction) {
   return FarthestVertex(treeOf(tree), direction).find();
 }
 

@@ -11,9 +11,9 @@
 namespace octoblisk {
 
 /// Pass this to an algorithm of registerAlgorithm (register.h) as the result of processCollision. It collects
-/// the contacts of all triangle pairs within reach and leaves the pair's manifolds unchanged, unless a shape has changed. The reach is
-/// that of a manifold: the contact breaking threshold, the margins, and m_closestPointDistanceThreshold. Do
-/// not pass it to other algorithms: they would find no manifold in it.
+/// the contacts of all triangle pairs within reach and leaves the pair's manifolds unchanged, unless a shape
+/// has changed. The reach is that of a manifold: the contact breaking threshold, the margins, and
+/// m_closestPointDistanceThreshold. Do not pass it to other algorithms: they would find no manifold in it.
 class AllContacts final : public btManifoldResult {
  public:
   AllContacts(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1)
