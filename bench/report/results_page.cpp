@@ -206,8 +206,8 @@ std::string ablationTable(const Rows& all) {
 }
 
 std::string limitTable(const Rows& all) {
-  MarkdownTable table({"query", "blisk", "OctoBlisk", "lower bound", "ratio", "exact tests needed",
-                       "exact tests made", "bytes needed", "bytes read"});
+  MarkdownTable table({"query", "blisk", "OctoBlisk", "lower bound", "ratio", "exact tests of the bound",
+                       "exact tests made", "bytes of the bound", "bytes read"});
   for (const char* query : {"boolean", "contacts", "distance", "ray"}) {
     const std::string task = std::string("limit-") + query;
     for (const std::string& scene : valuesOf(ofTask(all, task), "scene")) {

@@ -20,7 +20,7 @@ inline Trial worldStepTrial(const Scene& scene, const Contender& contender, std:
     contacts += query->contactsOnBlisk();
   }
   // Motion differs between worlds, but in none may a body fall through the floor or enter the blisk. The
-  // floor is Bullet's box, and no contender's.
+  // floor is Bullet's plane, and no contender's.
   const ClusteredOctree tree = ClusteredOctree::build(scene.blisk);
   const Surface blisk(tree);
   std::size_t inside = 0, below = 0;
