@@ -25,8 +25,8 @@ using namespace detail;
 
 namespace {
 
-/// The statistics of a broadphase that holds only the blisk.
-BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
+/// The volumes of a broadphase that holds only the blisk.
+BroadphaseVolumes volumesOf(const GrindingScene& scene, int depth) {
   ClusteredOctreeBroadphase broadphase(depth);
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
@@ -36,9 +36,9 @@ BroadphaseStatistics statisticsOf(const GrindingScene& scene, int depth) {
   btCollisionObject blisk;
   blisk.setCollisionShape(&shape);
   world.addCollisionObject(&blisk);
-  const BroadphaseStatistics statistics = broadphase.statistics();
+  const BroadphaseVolumes volumes = broadphase.volumes();
   world.removeCollisionObject(&blisk);
-  return statistics;
+  return volumes;
 }
 
 /// Volumes in mm³, and the fraction that they save against one box around everything.
@@ -72,7 +72,7 @@ void addRanges(const GrindingScene& scene, Rows& rows) {
     }
   }
   for (int depth = 0; depth <= kMaxDepth; ++depth) {
-    const double volume = statisticsOf(scene, depth).cluster_volume;
+    const double volume = volumesOf(scene, depth).of_clusters;
     const std::size_t boxes = scene.blisk->boxes(depth).size();
     const bool is_default = depth == ClusteredOctreeBroadphase::kDefaultDepth;
     std::printf("%-24s%8s%8zu%16s%10s%16.4g%9.1f%%\n",

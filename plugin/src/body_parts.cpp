@@ -6,20 +6,6 @@
 #include <typeinfo>
 
 namespace octoblisk::detail {
-namespace {
-
-/// Whether the shape, or a child of a compound at any depth, is as asked.
-template <typename Is>
-bool anyLeaf(const btCollisionShape& shape, const Is& is) {
-  if (!shape.isCompound()) return is(shape);
-  const auto& compound = static_cast<const btCompoundShape&>(shape);
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    if (anyLeaf(*compound.getChildShape(i), is)) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;

@@ -44,6 +44,17 @@ btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeSh
 /// The pose of a child, orthonormal in double precision.
 Pose poseOfChild(const btCompoundShape& compound, int child);
 
+/// Whether the shape, or a child of a compound at any depth, is as asked.
+template <typename Is>
+bool anyLeaf(const btCollisionShape& shape, const Is& is) {
+  if (!shape.isCompound()) return is(shape);
+  const auto& compound = static_cast<const btCompoundShape&>(shape);
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    if (anyLeaf(*compound.getChildShape(i), is)) return true;
+  }
+  return false;
+}
+
 /// Calls visit(part) for every part of our shape and, with `with_convex`, for every convex part. `corners`
 /// holds the corners of a convex part during its visit.
 template <typename Visit>

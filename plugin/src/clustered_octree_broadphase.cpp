@@ -2,11 +2,11 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
 #include <algorithm>
 #include <cassert>
 
+#include "body_parts.h"
 #include "near_bodies.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -22,14 +22,12 @@ namespace {
 
 double clusterVolume(const btCollisionShape& shape, int depth) {
   double volume = 0.0;
-  if (const auto* clusters = dynamic_cast<const ClusteredOctreeShape*>(&shape)) {
-    for (const Obb& box : clusters->tree().boxes(depth)) volume += box.volume();
-  } else if (shape.isCompound()) {
-    const auto& compound = static_cast<const btCompoundShape&>(shape);
-    for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-      volume += clusterVolume(*compound.getChildShape(i), depth);
+  anyLeaf(shape, [&](const btCollisionShape& leaf) {
+    if (const ClusteredOctreeShape* const clusters = asClusters(leaf)) {
+      for (const Obb& box : clusters->tree().boxes(depth)) volume += box.volume();
     }
-  }
+    return false;
+  });
   return volume;
 }
 
@@ -48,29 +46,29 @@ const btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache
   return &stages_->tight;
 }
 
-BroadphaseStatistics ClusteredOctreeBroadphase::statistics() const {
-  BroadphaseStatistics statistics{coarsePairs(), tightPairs()};
+BroadphaseVolumes ClusteredOctreeBroadphase::volumes() const {
+  BroadphaseVolumes volumes;
   for (const btDbvtProxy* first : stages_->boxes.m_stageRoots) {
     for (const btDbvtProxy* proxy = first; proxy; proxy = proxy->links[1]) {
       const auto* body = static_cast<const btCollisionObject*>(proxy->m_clientObject);
       if (!body || !body->getCollisionShape() || !holdsClusters(*body->getCollisionShape())) continue;
-      statistics.box_volume += fromBullet(proxy->m_aabbMax - proxy->m_aabbMin).prod();
-      statistics.cluster_volume += clusterVolume(*body->getCollisionShape(), std::max(depth_, 0));
+      volumes.of_boxes += fromBullet(proxy->m_aabbMax - proxy->m_aabbMin).prod();
+      volumes.of_clusters += clusterVolume(*body->getCollisionShape(), std::max(depth_, 0));
     }
   }
-  return statistics;
+  return volumes;
 }
 
 /// Whether the dispatcher handles our shape; tested once such a shape exists.
-bool ClusteredOctreeBroadphase::isAnswered(btDispatcher* dispatcher) {
+bool ClusteredOctreeBroadphase::hasAlgorithms(btDispatcher* dispatcher) {
   auto* const known = dynamic_cast<btCollisionDispatcher*>(dispatcher);
-  if (!has_our_shape_ || is_answered_ || !known) return true;
-  is_answered_ = isRegistered(known);
-  return is_answered_;
+  if (!has_our_shape_ || has_algorithms_ || !known) return true;
+  has_algorithms_ = isRegistered(known);
+  return has_algorithms_;
 }
 
 void ClusteredOctreeBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
-  assert(isAnswered(dispatcher) &&
+  assert(hasAlgorithms(dispatcher) &&
          "registerAlgorithm was not called on this dispatcher: bodies fall through");
   stages_->boxes.calculateOverlappingPairs(dispatcher);
   stages_->tight.refine(dispatcher);
@@ -81,7 +79,7 @@ btBroadphaseProxy* ClusteredOctreeBroadphase::createProxy(const btVector3& aabb_
                                                           void* client, int group, int mask,
                                                           btDispatcher* dispatcher) {
   const auto* const body = static_cast<const btCollisionObject*>(client);
-  has_our_shape_ |= body && dynamic_cast<const ClusteredOctreeShape*>(body->getCollisionShape());
+  has_our_shape_ |= body && body->getCollisionShape() && holdsClusters(*body->getCollisionShape());
   return stages_->boxes.createProxy(aabb_min, aabb_max, shape_type, client, group, mask, dispatcher);
 }
 

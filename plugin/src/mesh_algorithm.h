@@ -30,6 +30,10 @@ SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t trian
 /// later gives a body a shape of another type, the dispatcher's algorithm for the new types takes over.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
  public:
+  /// `mesh_is_body1`: the order of the pair is (other, mesh).
+  MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
+                const btCollisionObjectWrapper* body1, bool mesh_is_body1 = false);
+
   void processCollision(const btCollisionObjectWrapper* body0, const btCollisionObjectWrapper* body1,
                         const btDispatcherInfo& info, btManifoldResult* result) final;
   void getAllContactManifolds(btManifoldArray& array) final {
@@ -50,10 +54,6 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     const btCollisionShape& other;
     Pose other_in_mesh;
   };
-
-  /// `mesh_is_body1`: the order of the pair is (other, mesh).
-  MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
-                const btCollisionObjectWrapper* body1, bool mesh_is_body1);
 
  private:
   /// The types of the two bodies' shapes.

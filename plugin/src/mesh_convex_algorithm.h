@@ -11,9 +11,7 @@ namespace octoblisk::detail {
 
 class MeshConvexAlgorithm final : public MeshAlgorithm {
  public:
-  MeshConvexAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
-                      const btCollisionObjectWrapper* body1, bool mesh_is_body1)
-      : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
+  using MeshAlgorithm::MeshAlgorithm;
 
  private:
   void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;

@@ -11,9 +11,7 @@ namespace octoblisk::detail {
 
 class MeshMeshAlgorithm final : public MeshAlgorithm {
  public:
-  MeshMeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
-                    const btCollisionObjectWrapper* body1)
-      : MeshAlgorithm(info, body0, body1, false) {}
+  using MeshAlgorithm::MeshAlgorithm;
 
  private:
   void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;

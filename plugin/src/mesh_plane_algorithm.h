@@ -8,9 +8,7 @@ namespace octoblisk::detail {
 /// Ignores the plane's margin, as Bullet's convex-plane algorithm does.
 class MeshPlaneAlgorithm final : public MeshAlgorithm {
  public:
-  MeshPlaneAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* body0,
-                     const btCollisionObjectWrapper* body1, bool mesh_is_body1)
-      : MeshAlgorithm(info, body0, body1, mesh_is_body1) {}
+  using MeshAlgorithm::MeshAlgorithm;
 
  private:
   void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;

@@ -30,15 +30,6 @@ int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
 }
 
-/// Pairs that are kept apart use the same field: up to the bodies' summed travels of this length, as the bits
-/// of a float, they are proved to be apart; 0: nothing is proved.
-constexpr int kNotProved = 0;
-
-int bitsBelow(double length) {
-  const float nearest = float(length);
-  return std::bit_cast<int>(double(nearest) <= length ? nearest : std::nextafter(nearest, 0.0f));
-}
-
 /// The motion that a test of clusters allows for, as a part of the smaller body. More makes a test fail more
 /// often, less makes it expire sooner.
 constexpr double kAhead = 1.0 / 64.0;
@@ -62,21 +53,23 @@ bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int de
 
 void TightPairs::refine(btDispatcher* dispatcher) {
   holders_.forget();
-  travels_.beginLook();
+  travelled_.beginStep();
   promote(dispatcher);
   if (any_asked_) demote(dispatcher);
 }
 
-/// Whether clusters keep a pair apart. Tests them if the bodies may have met since the last test.
+/// Whether clusters keep a pair apart. Tests them if the bodies may have met since the last test. The pair's
+/// field, read as a double, holds the sum of the bodies' travelled distances up to which they are proved to
+/// be apart; null: nothing is proved.
 bool TightPairs::stayApart(btBroadphasePair& pair) {
   const btBroadphaseProxy &a = *pair.m_pProxy0, &b = *pair.m_pProxy1;
-  int& proved = pair.m_internalTmpValue;
+  void*& proved = pair.m_internalInfo1;
   if (!clustersDecide(a, b, holders_)) return false;
-  const double travelled = travels_.of(a) + travels_.of(b);
-  if (proved != kNotProved && travelled <= double(std::bit_cast<float>(proved))) return true;
+  const double travelled = travelled_.of(a) + travelled_.of(b);
+  if (proved && travelled <= std::bit_cast<double>(proved)) return true;
   const double ahead = kAhead * std::min(sizeOf(a), sizeOf(b));
   const bool is_proved = std::isfinite(travelled) && !clustersMeet(a, b, depth_, holders_, ahead);
-  proved = is_proved ? bitsBelow(travelled + ahead) : kNotProved;
+  proved = is_proved ? std::bit_cast<void*>(std::nextafter(travelled + ahead, 0.0)) : nullptr;
   return is_proved || !clustersMeet(a, b, depth_, holders_);
 }
 
@@ -148,7 +141,7 @@ void* TightPairs::removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy*
 }
 
 void TightPairs::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
-  travels_.forget(*proxy);
+  travelled_.forget(*proxy);
   apart_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
   Cache::removeOverlappingPairsContainingProxy(proxy, dispatcher);
 }

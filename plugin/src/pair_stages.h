@@ -5,7 +5,7 @@
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
 #include "near_bodies.h"
-#include "travels.h"
+#include "travelled_distances.h"
 
 namespace octoblisk::detail {
 
@@ -50,9 +50,9 @@ class TightPairs final : public btHashedOverlappingPairCache {
   bool any_asked_ = false;    // whether any pair of the array is tested by refine
   bool is_filtered_ = false;  // whether the pair being added has passed the filter
   ApartPairs apart_;
-  ClusterHolders holders_;     // valid since the last refine began
-  Travels travels_;            // looks once in each refine
-  btManifoldArray manifolds_;  // a buffer for the manifolds of a pair
+  ClusterHolders holders_;        // valid since the last refine began
+  TravelledDistances travelled_;  // a step is one refine
+  btManifoldArray manifolds_;     // a buffer for the manifolds of a pair
 };
 
 /// Both stages: from overlapping boxes to the pairs that Bullet sees.

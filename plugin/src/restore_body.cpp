@@ -41,6 +41,11 @@ void restore(const Data& saved, btRigidBody& body) {
   body.setDamping(btScalar(saved.m_linearDamping), btScalar(saved.m_angularDamping));
   body.setSleepingThresholds(btScalar(saved.m_linearSleepingThreshold),
                              btScalar(saved.m_angularSleepingThreshold));
+  body.setFriction(btScalar(object.m_friction));
+  body.setRollingFriction(btScalar(object.m_rollingFriction));
+  body.setRestitution(btScalar(object.m_restitution));
+  body.setCcdMotionThreshold(btScalar(object.m_ccdMotionThreshold));
+  body.setCcdSweptSphereRadius(btScalar(object.m_ccdSweptSphereRadius));
   body.forceActivationState(object.m_activationState1);
   body.setDeactivationTime(btScalar(object.m_deactivationTime));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "octoblisk/contacts.h"
@@ -141,6 +142,16 @@ TEST(ContactPatches, everyNormalIsWithin45DegreesOfAPatchsDeepest) {
       ASSERT_TRUE(std::ranges::any_of(patches, pushesAlike));
     }
   }
+}
+
+/// A normal that is zero or not a number is in the direction of nothing, not even of itself.
+TEST(ContactPatches, everyContactIsInAPatch) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Contact> contacts = {contactAt(Vec3::Zero(), Vec3::Zero(), -0.5, 0, 0),
+                                         contactAt(Vec3::UnitX(), Vec3(0, 0, nan), -0.4, 1, 0),
+                                         contactAt(Vec3::UnitY(), Vec3::UnitZ(), -0.3, 2, 0)};
+  ContactPatches reducer;
+  EXPECT_EQ(reducer.reduce(contacts, 0.0).size(), 3u);
 }
 
 }  // namespace

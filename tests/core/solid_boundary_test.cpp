@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/solid.h"
 #include "geometry/triangle_pair.h"
@@ -210,6 +211,22 @@ TEST(SolidBoundary, depthIsNotKnownWhereTheSurfaceIsDoubledOrMeetsItself) {
   }
   EXPECT_EQ(known, 0);
   EXPECT_GT(unknown, 5);
+}
+
+TEST(SolidBoundary, isNeitherAroundNorBelowWhatIsNowhere) {
+  const SharedMesh mesh = bumpy();
+  for (const bool is_holed : {false, true}) {
+    const Solid a(is_holed ? holed(*mesh) : mesh), b(mesh);
+    const SolidBoundary boundary(a.surface);
+    EXPECT_EQ(boundary.isWhole(), !is_holed);
+    for (const double far :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e30}) {
+      const Pose pose{Mat3::Identity(), Vec3(far, 0, 0)};
+      EXPECT_EQ(boundary.locate(pose.translation), PointLocation::outside) << far;
+      EXPECT_EQ(DepthQuery().deepest(boundary, b.surface, pose, 1e-6).gouging, Gouging::none) << far;
+      EXPECT_EQ(DepthQuery().deepest(b.surface, b.surface, pose, 1e-6).gouging, Gouging::none) << far;
+    }
+  }
 }
 
 }  // namespace

@@ -209,14 +209,14 @@ TEST(Broadphase, statisticsAreThoseOfTheBoxes) {
     world.performDiscreteCollisionDetection();
     double clusters = 0.0;
     for (const Obb& box : torus->tree().boxes(depth)) clusters += box.volume();
-    const BroadphaseStatistics statistics = broadphase.statistics();
-    EXPECT_EQ(statistics.coarse_pairs, 1);
-    EXPECT_EQ(statistics.tight_pairs, depth == 0 ? 1 : 0);
-    EXPECT_NEAR(statistics.cluster_volume, 3 * clusters, 1e-9 * clusters);
+    const BroadphaseVolumes volumes = broadphase.volumes();
+    EXPECT_EQ(broadphase.coarsePairs(), 1);
+    EXPECT_EQ(broadphase.tightPairs(), depth == 0 ? 1 : 0);
+    EXPECT_NEAR(volumes.of_clusters, 3 * clusters, 1e-9 * clusters);
     const double near = 2 * double(gContactBreakingThreshold);
-    EXPECT_NEAR(statistics.box_volume, (5 + near) * (5 + near) * ((1 + near) + (7 + near)), 0.5);
+    EXPECT_NEAR(volumes.of_boxes, (5 + near) * (5 + near) * ((1 + near) + (7 + near)), 0.5);
     const double root = torus->tree().stats().root_volume;
-    EXPECT_EQ(statistics.cluster_volume < 0.7 * (3 * root), depth == 2);
+    EXPECT_EQ(volumes.of_clusters < 0.7 * (3 * root), depth == 2);
   }
 }
 

@@ -140,6 +140,11 @@ TEST(Serialization, aBodyIsRestored) {
   body.setDamping(btScalar(0.25), btScalar(0.5));
   body.setSleepingThresholds(btScalar(0.125), btScalar(0.75));
   body.setLinearFactor(btVector3(1, 0, 1));
+  body.setFriction(btScalar(0.125));
+  body.setRollingFriction(btScalar(0.25));
+  body.setRestitution(btScalar(0.375));
+  body.setCcdMotionThreshold(btScalar(0.0625));
+  body.setCcdSweptSphereRadius(btScalar(0.03125));
   body.forceActivationState(DISABLE_DEACTIVATION);
   InMemorySerializer serializer;
   serializer.startSerialization();
@@ -157,6 +162,11 @@ TEST(Serialization, aBodyIsRestored) {
   EXPECT_EQ(other.getLinearSleepingThreshold(), body.getLinearSleepingThreshold());
   EXPECT_EQ(other.getAngularSleepingThreshold(), body.getAngularSleepingThreshold());
   EXPECT_EQ(other.getLinearFactor(), body.getLinearFactor());
+  EXPECT_EQ(other.getFriction(), body.getFriction());
+  EXPECT_EQ(other.getRollingFriction(), body.getRollingFriction());
+  EXPECT_EQ(other.getRestitution(), body.getRestitution());
+  EXPECT_EQ(other.getCcdMotionThreshold(), body.getCcdMotionThreshold());
+  EXPECT_EQ(other.getCcdSweptSphereRadius(), body.getCcdSweptSphereRadius());
   EXPECT_EQ(other.getActivationState(), DISABLE_DEACTIVATION);
 }
 

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "plugin/bullet_world.h"
@@ -222,6 +224,39 @@ TEST(Solid, aPairForgetsItsPointsWhenItsMeshBecomesASurface) {
     }
   }
   EXPECT_GT(differ, 100);
+}
+
+/// A unit box below z = 0. Its first triangle has no area and lies in the diagonal of its top.
+testing::SharedMesh boxWithASliver() {
+  std::vector<Vec3> corners;
+  for (int c = 0; c < 8; ++c) corners.emplace_back(c & 1, c >> 1 & 1, (c >> 2) - 1);
+  corners.emplace_back(0.5, 0.5, 0);
+  std::vector<TriangleMesh::Indices> triangles = {{4, 7, 8}, {4, 5, 7}, {4, 8, 6}, {8, 7, 6}};
+  for (const auto& [a, b, c, d] :
+       {std::array{0u, 2u, 3u, 1u}, {0u, 1u, 5u, 4u}, {1u, 3u, 7u, 5u}, {3u, 2u, 6u, 7u}, {2u, 0u, 4u, 6u}}) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  }
+  return std::make_shared<const TriangleMesh>(corners, triangles);
+}
+
+TEST(Solid, aTriangleWithoutAreaPushesOut) {
+  ClusteredOctreeShape box = shapeOver(boxWithASliver());
+  ASSERT_TRUE(box.isSolid());
+  btSphereShape ball(btScalar(0.2));
+  btCollisionObject box_object, ball_object;
+  box_object.setCollisionShape(&box);
+  ball_object.setCollisionShape(&ball);
+  // The ball's centre is inside by less than rounding, and the closest triangle is the first.
+  ball_object.setWorldTransform(at(0.25, 0.25, -1e-10));
+  BulletWorld world;
+  for (btCollisionObject* const object : {&box_object, &ball_object}) world->addCollisionObject(object);
+  world->performDiscreteCollisionDetection();
+  PairReport report;
+  world->contactPairTest(&box_object, &ball_object, report);
+  ASSERT_FALSE(report.points.empty());
+  EXPECT_NEAR(report.deepest(), -0.2 - double(box.getMargin()), 1e-6);
+  for (btCollisionObject* const object : {&box_object, &ball_object}) world->removeCollisionObject(object);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <LinearMath/btSerializer.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -208,6 +210,38 @@ TEST(WorldImporter, namesAndCollisionObjectsAreKept) {
   ASSERT_NE(ours(shape), nullptr);
   EXPECT_EQ(falling->getCollisionShape(), shape);
   EXPECT_STREQ(loaded.importer.getNameForPointer(shape), "ring");
+}
+
+/// The importer does not go on with a file whose shape threw.
+TEST(WorldImporter, makesBodiesAfterAFileThatThrew) {
+  constexpr float kMark = 1.234567f;
+  const std::vector<Vec3> corners = {Vec3(0, 0, 0), Vec3(double(kMark), 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  const std::vector<TriangleMesh::Indices> triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  ClusteredOctreeShape shape = shapeOver(std::make_shared<const TriangleMesh>(corners, triangles));
+  BulletWorld world;
+  world.add(shape, 1, at(0, 0, 0));
+  std::vector<char> file = saved(*world);
+  int marks = 0;
+  const auto spoil = [&](auto number) {
+    const auto mark = number;
+    for (std::size_t i = 0; i + sizeof number <= file.size(); ++i) {
+      std::memcpy(&number, &file[i], sizeof number);
+      if (number != mark) continue;
+      number = std::numeric_limits<decltype(number)>::quiet_NaN();
+      std::memcpy(&file[i], &number, sizeof number);
+      ++marks;
+    }
+  };
+  spoil(kMark);
+  spoil(double(kMark));
+  ASSERT_GT(marks, 0);
+  BulletWorld other;
+  WorldImporter importer(&*other);
+  EXPECT_ANY_THROW(importer.loadFileFromMemory(file.data(), int(file.size())));
+  btSphereShape ball(1);
+  EXPECT_TRUE(importer.createRigidBody(true, 1, at(0, 0, 0), &ball, "ball"));
+  EXPECT_EQ(other->getNumCollisionObjects(), 1);
+  importer.deleteAllData();
 }
 
 }  // namespace

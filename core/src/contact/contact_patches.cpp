@@ -87,11 +87,11 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   std::ranges::sort(order_, {}, [&](std::uint32_t i) { return byDepth(contacts[i]); });
 
   while (!order_.empty() && patches_.size() < kMaxPatches) {
-    const Vec3& deepest_normal = contacts[order_.front()].normal;
+    const std::uint32_t deepest = order_.front();
     members_.clear();
     members_.reserve(order_.size());
     std::erase_if(order_, [&](std::uint32_t i) {
-      const bool belongs = contacts[i].normal.dot(deepest_normal) >= kSameDirection;
+      const bool belongs = i == deepest || contacts[i].normal.dot(contacts[deepest].normal) >= kSameDirection;
       if (belongs) members_.push_back(i);
       return belongs;
     });

@@ -24,7 +24,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     const Triangle triangle = mesh.triangle(contact.triangle_a);
     const Vec3 normal = scaledNormal(triangle);
     places_.push_back({triangle, normal, featureOf(triangle, normal, contact.point_on_a),
-                       isSquare(normal, contact.normal)});
+                       isPerpendicular(normal, contact.normal)});
   }
   if (std::ranges::none_of(places_, &Place::isAskew)) return;
 
@@ -48,7 +48,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     corners_.forEachAt(from, [&](std::uint32_t other) {
       if (!(contacts[other].distance < contacts[c].distance - 1e-9 * size)) return false;
       const Place& shares = places_[other];
-      if (is_internal_[other] == 0 && !shares.is_square) return false;
+      if (is_internal_[other] == 0 && !shares.is_perpendicular) return false;
       if (!areSmooth(place.normal, shares.normal)) return false;
       if (!hasCorner(shares.triangle, from) || !hasCorner(shares.triangle, to)) return false;
       if (!leansOver(shares.triangle, from, to, -contacts[c].normal)) return false;

@@ -26,10 +26,10 @@ class InternalEdges {
   /// The position of a contact on its triangle.
   struct Place {
     Triangle triangle;
-    Vec3 normal;       // scaledNormal
-    unsigned feature;  // triangle_feature.h
-    bool is_square;    // whether the contact's normal is perpendicular to the triangle
-    bool isAskew() const { return !is_square && feature != 0b111u && feature != 0; }
+    Vec3 normal;            // scaledNormal
+    unsigned feature;       // triangle_feature.h
+    bool is_perpendicular;  // whether the contact's normal is perpendicular to the triangle
+    bool isAskew() const { return !is_perpendicular && feature != 0b111u && feature != 0; }
   };
 
   std::vector<Place> places_;         // per contact

@@ -19,9 +19,9 @@ template <typename Farthest>
 Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
   const ClosestPoint closest = *closestPoint(a, inside);
   const double on_surface = 1e-9 * a.mesh().bounds().halfExtents().norm();
-  const Vec3 inward = closest.distance > on_surface
-                          ? Vec3(inside - closest.point)
-                          : Vec3(-scaledNormal(a.mesh().triangle(closest.triangle)));
+  const Vec3 facing = scaledNormal(a.mesh().triangle(closest.triangle));
+  Vec3 inward = closest.distance > on_surface || facing.isZero(0.0) ? Vec3(inside - closest.point) : -facing;
+  if (inward.isZero(0.0)) inward = Vec3::UnitX();  // on a triangle without area
   Contact contact;
   contact.normal = inward.normalized();
   contact.point_on_a = closest.point;

@@ -76,7 +76,7 @@ void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
     Contact& contact = contacts[c];
     Vec3& normal = contact.normal;
     const Vec3 of_a = scaledNormal(pairs_[c].a), of_b = scaledNormal(pairs_[c].b);
-    if (isSquare(of_a, normal) || isSquare(of_b, normal)) continue;
+    if (isPerpendicular(of_a, normal) || isPerpendicular(of_b, normal)) continue;
     const auto cosineTo = [&](const Vec3& facing) {
       const double length = facing.norm();
       return length > 0.0 ? facing.dot(normal) / length : 0.0;
@@ -136,7 +136,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
     const Triangle& own = of_a ? pairs_[c].a : pairs_[c].b;
-    if (!(contact.distance < 0.0) || !isSquare(scaledNormal(own), contact.normal)) continue;
+    if (!(contact.distance < 0.0) || !isPerpendicular(scaledNormal(own), contact.normal)) continue;
     if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
     const Face face(own, contact.distance);
     const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
@@ -231,7 +231,7 @@ void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members op
     const Triangle& own = ownOf(c);
     if (removed_[c] != Removed::no) continue;
     const Vec3 normal = scaledNormal(own);
-    if (isSquare(normal, contact.normal)) continue;
+    if (isPerpendicular(normal, contact.normal)) continue;
     const unsigned feature = featureOf(own, normal, of_a ? contact.point_on_a : contact.point_on_b);
     if (feature == 0b111u || feature == 0) continue;
     if (corners_.empty()) {

@@ -40,7 +40,7 @@ inline std::array<std::size_t, 2> endsOf(unsigned feature) {
 
 /// Whether a direction is perpendicular to the triangle's face, up to sign; never if the triangle has no
 /// area. The normal is scaledNormal of the triangle.
-inline bool isSquare(const Vec3& normal, const Vec3& direction) {
+inline bool isPerpendicular(const Vec3& normal, const Vec3& direction) {
   constexpr double kSameDirection = 1.0 - 1e-6;
   return std::abs(normal.dot(direction)) > kSameDirection * normal.norm();
 }

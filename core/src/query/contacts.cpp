@@ -84,17 +84,6 @@ void sortByTriangles(std::vector<Contact>& found) {
   std::ranges::sort(found, {}, [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; });
 }
 
-}  // namespace
-
-void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
-              std::vector<Contact>& found) {
-  found.clear();
-  HWY_DYNAMIC_DISPATCH(appendContacts)(treeOf(a), treeOf(b), b_in_a, threshold, found);
-  sortByTriangles(found);
-}
-
-namespace {
-
 /// forEachTriangle(visit) calls `visit` for every triangle that may be near, as long as it returns false.
 template <typename ForEach>
 void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
@@ -115,6 +104,13 @@ void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b
 }
 
 }  // namespace
+
+void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
+              std::vector<Contact>& found) {
+  found.clear();
+  HWY_DYNAMIC_DISPATCH(appendContacts)(treeOf(a), treeOf(b), b_in_a, threshold, found);
+  sortByTriangles(found);
+}
 
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found) {

@@ -84,8 +84,9 @@ bool DepthQuery::liesOn(TrianglePair pair) {
   const Triangle on = a_->tree().mesh().triangle(pair.a);
   double greatest = 0.0;
   for (const Vec3& corner : b_->tree().mesh().triangle(pair.b)) {
-    greatest = std::max(greatest, octoblisk::distance(on, b_in_a_ * corner));
-    if (greatest > tolerance_) return false;
+    const double distance = octoblisk::distance(on, b_in_a_ * corner);
+    if (!(distance <= tolerance_)) return false;  // also if it is not a number
+    greatest = std::max(greatest, distance);
   }
   greatest_dropped_ = std::max(greatest_dropped_, greatest);
   return true;

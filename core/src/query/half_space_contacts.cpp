@@ -36,8 +36,7 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
     return false;
   });
   std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_b, c.triangle_a); });
-  const auto same_corner = [](const Contact& c, const Contact& d) { return c.triangle_b == d.triangle_b; };
-  found.erase(std::unique(found.begin(), found.end(), same_corner), found.end());
+  found.erase(std::ranges::unique(found, {}, &Contact::triangle_b).begin(), found.end());
   std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_a, c.triangle_b); });
   for (Contact& contact : found) contact.triangle_b = kNoTriangle;
 }

@@ -120,7 +120,8 @@ void SolidBoundary::findRegions(int threads) {
 
 PointLocation SolidBoundary::locate(const Vec3& point) const {
   if (whole_) return octoblisk::locate(*surface_, point);
-  return locate(point, closestPoint(surface_->tree(), point).value());
+  const std::optional<ClosestPoint> nearest = closestPoint(surface_->tree(), point);
+  return nearest ? locate(point, *nearest) : PointLocation::outside;  // farther than any mesh, or NaN
 }
 
 PointLocation SolidBoundary::locate(const Vec3& point, const ClosestPoint& nearest) const {

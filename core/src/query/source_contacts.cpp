@@ -201,17 +201,11 @@ void SourceContacts::numberTouched(std::vector<Contact>& found) {
   }
   for (Contact& contact : found) contact.triangle_b = number_[contact.triangle_b];
   std::ranges::sort(touched_, {}, byNumbers);
-  const auto same = [](const SourceTriangle& s, const SourceTriangle& t) {
-    return byNumbers(s) == byNumbers(t);
-  };
-  touched_.erase(std::unique(touched_.begin(), touched_.end(), same), touched_.end());
+  touched_.erase(std::ranges::unique(touched_, {}, byNumbers).begin(), touched_.end());
 
   const auto triangles = [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; };
   std::ranges::sort(found, {}, triangles);
-  const auto same_triangles = [&](const Contact& c, const Contact& d) {
-    return triangles(c) == triangles(d);
-  };
-  found.erase(std::unique(found.begin(), found.end(), same_triangles), found.end());
+  found.erase(std::ranges::unique(found, {}, triangles).begin(), found.end());
 }
 
 }  // namespace octoblisk

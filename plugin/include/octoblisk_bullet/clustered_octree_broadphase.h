@@ -11,16 +11,14 @@ namespace detail {
 struct PairStages;
 }  // namespace detail
 
-/// Statistics of a ClusteredOctreeBroadphase. Volumes are in world units cubed.
-struct BroadphaseStatistics {
-  int coarse_pairs = 0;  ///< pairs whose boxes overlap, and some whose boxes separated in the last steps
-  int tight_pairs = 0;   ///< the pairs among these that Bullet sees
+/// Volumes of a ClusteredOctreeBroadphase, in world units cubed.
+struct BroadphaseVolumes {
   /// The volume of the boxes, as Bullet has them, of all bodies whose shape is or contains a
   /// ClusteredOctreeShape.
-  double box_volume = 0.0;
+  double of_boxes = 0.0;
   /// The summed volume of the boxes of the clusters that represent these bodies, without margins. Other
   /// children of compounds are left out.
-  double cluster_volume = 0.0;
+  double of_clusters = 0.0;
 };
 
 /// Reports a pair with a ClusteredOctreeShape only if a cluster of the shape meets the other body's box or
@@ -55,10 +53,12 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
 
   int depth() const { return depth_; }
 
-  /// Current values. The pair counts are stored; the volumes are summed over all boxes on each call.
-  BroadphaseStatistics statistics() const;
+  /// The number of pairs whose boxes overlap, and some whose boxes separated in the last steps.
   int coarsePairs() const;
+  /// The number of these pairs that Bullet sees.
   int tightPairs() const;
+  /// Sums the volumes of all boxes on each call.
+  BroadphaseVolumes volumes() const;
 
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
   btOverlappingPairCache* getOverlappingPairCache() override;
@@ -80,11 +80,11 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   void printStats() override;
 
  private:
-  bool isAnswered(btDispatcher* dispatcher);
+  bool hasAlgorithms(btDispatcher* dispatcher);
 
   int depth_;
-  bool has_our_shape_ = false;  // whether a body with ClusteredOctreeShape was added
-  bool is_answered_ = false;    // whether the dispatcher has the shape's algorithms
+  bool has_our_shape_ = false;   // whether a body with ClusteredOctreeShape was added
+  bool has_algorithms_ = false;  // whether the dispatcher has the shape's algorithms
   std::unique_ptr<detail::PairStages> stages_;
 };
 

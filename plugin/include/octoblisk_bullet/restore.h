@@ -21,8 +21,8 @@ std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& 
                                                     const btStridingMeshInterface& mesh);
 
 /// Restores the state of a body whose pose is already restored: mass, inertia, velocities, damping, factors,
-/// the kinematic flag, and sleeping. If the mass changes between 0 and another value, the body must not be in
-/// a world.
+/// friction, restitution, the thresholds of motion clamping, collision flags, and sleeping. If the mass
+/// changes between 0 and another value, the body must not be in a world.
 void restoreBody(const btRigidBodyFloatData& saved, btRigidBody& body);
 void restoreBody(const btRigidBodyDoubleData& saved, btRigidBody& body);
 

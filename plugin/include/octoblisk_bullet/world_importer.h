@@ -24,13 +24,17 @@ class WorldImporter : public btBulletWorldImporter {
   using btBulletWorldImporter::btBulletWorldImporter;
 
   bool convertAllObjects(bParse::btBulletFile* file) override {
+    struct Reading {  // also ends if a shape throws
+      ~Reading() {
+        importer.file_ = nullptr;
+        importer.made_.clear();
+        importer.compounds_.clear();
+      }
+      WorldImporter& importer;
+    } reading{*this};
     file_ = file;
     next_body_ = next_object_ = 0;
-    const bool is_read = btBulletWorldImporter::convertAllObjects(file);
-    file_ = nullptr;
-    made_.clear();
-    compounds_.clear();
-    return is_read;
+    return btBulletWorldImporter::convertAllObjects(file);
   }
 
   btRigidBody* createRigidBody(bool is_dynamic, btScalar mass, const btTransform& pose,

@@ -1,4 +1,4 @@
-#include "travels.h"
+#include "travelled_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@ namespace {
 using testing::at;
 using testing::TightWorld;
 
-class OneBody : public ::testing::Test {
+class TravelledDistancesTest : public ::testing::Test {
  protected:
   double travelled() {
-    travels_.beginLook();
-    return travels_.of(*body_->getBroadphaseHandle());
+    travelled_.beginStep();
+    return travelled_.of(*body_->getBroadphaseHandle());
   }
   void moveTo(const btTransform& pose) {
     body_->setWorldTransform(pose);
@@ -27,12 +27,10 @@ class OneBody : public ::testing::Test {
   btSphereShape sphere_{btScalar(0.5)};
   TightWorld tight_;
   btCollisionObject* body_ = &tight_.add(*shape_, at(1, 2, 3));
-  Travels travels_;
+  TravelledDistances travelled_;
 };
 
-using TravelsOf = OneBody;
-
-TEST_F(TravelsOf, aBodyThatStaysAreNone) {
+TEST_F(TravelledDistancesTest, aBodyThatStaysTravelsNothing) {
   for (btCollisionShape* const shape :
        {static_cast<btCollisionShape*>(shape_.get()), static_cast<btCollisionShape*>(&sphere_)}) {
     body_->setCollisionShape(shape);
@@ -41,7 +39,7 @@ TEST_F(TravelsOf, aBodyThatStaysAreNone) {
   }
 }
 
-TEST_F(TravelsOf, aMeshAreTheWaysOfItsVertices) {
+TEST_F(TravelledDistancesTest, aMeshTravelsAsItsVertices) {
   std::mt19937_64 random(41);
   double before = travelled();
   for (int i = 0; i < 200; ++i) {
@@ -64,7 +62,7 @@ TEST_F(TravelsOf, aMeshAreTheWaysOfItsVertices) {
   }
 }
 
-TEST_F(TravelsOf, aBoxAreTheWaysOfItsCorners) {
+TEST_F(TravelledDistancesTest, aBoxTravelsAsItsCorners) {
   body_->setCollisionShape(&sphere_);
   moveTo(at(1, 2, 3));
   const double first = travelled();
@@ -73,7 +71,7 @@ TEST_F(TravelsOf, aBoxAreTheWaysOfItsCorners) {
   EXPECT_LE(travelled() - first, 0.25 * 1.8);
 }
 
-TEST_F(TravelsOf, aChangedShapeAreLongerThanTheBody) {
+TEST_F(TravelledDistancesTest, aChangeCountsAsMoreThanTheBody) {
   double before = travelled();
   const auto expectLong = [&](const char* change) {
     const double now = travelled();

@@ -19,15 +19,15 @@ namespace octoblisk::detail {
 
 /// The distance that each body has travelled since the first question about it. Two bodies that were farther
 /// apart than they have travelled since then are still apart.
-class Travels {
+class TravelledDistances {
  public:
   /// Call this when bodies may have moved.
-  void beginLook() { ++look_; }
+  void beginStep() { ++step_; }
 
   /// Never less than the distance that any point of the body's mesh, or of its box if it has no tree, has
-  /// moved, summed over the looks. Another shape, margin or threshold counts as a distance longer than the
+  /// moved, summed over the steps. Another shape, margin or threshold counts as a distance longer than the
   /// body. Infinite for compounds, and where the pose or the box is not a number. The body must have a shape.
-  /// Keeps the body's tree alive until the next look at the body.
+  /// Keeps the body's tree alive until the next question about the body.
   double of(const btBroadphaseProxy& proxy);
 
   /// Call this before the proxy is deleted.
@@ -44,14 +44,14 @@ class Travels {
   struct Body {
     State state;
     double travelled = 0.0;
-    std::uint64_t look = 0;
+    std::uint64_t step = 0;
   };
 
   static State stateOf(const btBroadphaseProxy& proxy);
   static bool isNumber(const State& state);
   static double distance(const State& from, const State& to);
 
-  std::uint64_t look_ = 1;
+  std::uint64_t step_ = 1;
   std::unordered_map<const btBroadphaseProxy*, Body> bodies_;
 };
 

@@ -1,4 +1,4 @@
-#include "travels.h"
+#include "travelled_distances.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
@@ -20,7 +20,7 @@ double sumAbove(double a, double b) {
 
 }  // namespace
 
-Travels::State Travels::stateOf(const btBroadphaseProxy& proxy) {
+TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& proxy) {
   const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
   const btCollisionShape& shape = *object.getCollisionShape();
   btVector3 min, max;
@@ -40,12 +40,12 @@ Travels::State Travels::stateOf(const btBroadphaseProxy& proxy) {
   return state;
 }
 
-bool Travels::isNumber(const State& state) {
+bool TravelledDistances::isNumber(const State& state) {
   return state.in_world.rotation.allFinite() && state.in_world.translation.allFinite() &&
          (state.box.min.array() <= state.box.max.array()).all();
 }
 
-double Travels::distance(const State& from, const State& to) {
+double TravelledDistances::distance(const State& from, const State& to) {
   const Vec3 of_min = to.box.min - from.box.min, of_max = to.box.max - from.box.max;
   const double of_box = of_min.cwiseAbs().cwiseMax(of_max.cwiseAbs()).norm();
   if (from.tree == to.tree && from.is_solid == to.is_solid && from.reach == to.reach) {
@@ -54,18 +54,18 @@ double Travels::distance(const State& from, const State& to) {
   return of_box + 2.0 * (from.box.halfExtents().norm() + to.box.halfExtents().norm());
 }
 
-double Travels::of(const btBroadphaseProxy& proxy) {
+double TravelledDistances::of(const btBroadphaseProxy& proxy) {
   const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
   if (object.getCollisionShape()->isCompound()) return std::numeric_limits<double>::infinity();
   const auto known = bodies_.find(&proxy);
   const bool is_new = known == bodies_.end();
-  if (!is_new && known->second.look == look_) return known->second.travelled;
+  if (!is_new && known->second.step == step_) return known->second.travelled;
   State now = stateOf(proxy);
   if (!isNumber(now)) return std::numeric_limits<double>::infinity();
   Body& body = is_new ? bodies_[&proxy] : known->second;
   if (!is_new) body.travelled = sumAbove(body.travelled, distance(body.state, now));
   body.state = std::move(now);
-  body.look = look_;
+  body.step = step_;
   return body.travelled;
 }
 
