@@ -86,10 +86,11 @@ double displacement(const btCollisionObjectWrapper& body, const Pose& from, cons
   const Mat3 turn = to.rotation - from.rotation;
   const Vec3 shift = to.translation - from.translation;
   double squared = 0.0;
+  // With a pose that is not a number, no corner's displacement is one, and std::max keeps the last of them.
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
                      corner & 4 ? high.z() : low.z());
-    squared = std::max((turn * point + shift).squaredNorm(), squared);  // keeps what is not a number
+    squared = std::max((turn * point + shift).squaredNorm(), squared);
   }
   return std::sqrt(squared);
 }

@@ -55,20 +55,19 @@ class Facing {
 /// Passes on the triangles of Bullet's callback.
 class Forward final : public btTriangleCallback {
  public:
-  Forward(const Facing& facing, void (*visit)(void* user, const SourceTriangle& triangle), void* user)
-      : facing_(facing), visit_(visit), user_(user) {}
+  Forward(const Facing& facing, FunctionRef<void(const SourceTriangle& triangle)> visit)
+      : facing_(facing), visit_(visit) {}
 
   void processTriangle(btVector3* corners, int part, int index) override {
     SourceTriangle triangle{
         {fromBullet(corners[0]), fromBullet(corners[1]), fromBullet(corners[2])}, part, index};
     facing_.correct(triangle.corners);
-    visit_(user_, triangle);
+    visit_(triangle);
   }
 
  private:
   const Facing& facing_;
-  void (*visit_)(void* user, const SourceTriangle& triangle);
-  void* user_;
+  FunctionRef<void(const SourceTriangle& triangle)> visit_;
 };
 
 class ConcaveSource final : public TriangleSource {
@@ -82,11 +81,11 @@ class ConcaveSource final : public TriangleSource {
 
   Aabb bounds() const override { return bounds_; }
 
-  void forEachTriangleIn(const Aabb& box, void (*visit)(void* user, const SourceTriangle& triangle),
-                         void* user) const override {
+  void forEachTriangleIn(const Aabb& box,
+                         FunctionRef<void(const SourceTriangle& triangle)> visit) const override {
     const double farthest = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
     const Vec3 slack = slack_ + Vec3::Constant(4.0 * double(SIMD_EPSILON) * farthest);
-    Forward forward(facing_, visit, user);
+    Forward forward(facing_, visit);
     shape_.processAllTriangles(&forward, toBullet(box.min - slack), toBullet(box.max + slack));
   }
 

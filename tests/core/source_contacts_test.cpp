@@ -96,12 +96,11 @@ TEST(SourceContacts, whatIsNotFiniteTouchesNothing) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       return {Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)};
     }
-    void forEachTriangleIn(const Aabb&, void (*visit)(void*, const SourceTriangle&),
-                           void* user) const override {
+    void forEachTriangleIn(const Aabb&, FunctionRef<void(const SourceTriangle&)> visit) const override {
       const double nan = std::numeric_limits<double>::quiet_NaN();
-      visit(user, {{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, nan, 0)}, 2, 1});
-      visit(user, {{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0)}, 2, 1});
-      visit(user, {{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0)}, 2, 1});  // again
+      visit({{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, nan, 0)}, 2, 1});
+      visit({{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0)}, 2, 1});
+      visit({{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0)}, 2, 1});  // again
     }
   };
   const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));

@@ -11,15 +11,14 @@ class MeshSource final : public TriangleSource {
   explicit MeshSource(const TriangleMesh& mesh) : mesh_(mesh) {}
 
   Aabb bounds() const override { return mesh_.bounds(); }
-  void forEachTriangleIn(const Aabb& box, void (*visit)(void*, const SourceTriangle&),
-                         void* user) const override {
+  void forEachTriangleIn(const Aabb& box, FunctionRef<void(const SourceTriangle&)> visit) const override {
     ++queries;
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
       Aabb bounds;
       for (const Vec3& corner : mesh_.triangle(t)) bounds.extend(corner);
       if ((bounds.min.array() > box.max.array()).any() || (box.min.array() > bounds.max.array()).any())
         continue;
-      visit(user, {mesh_.triangle(t), 0, static_cast<int>(t)});
+      visit({mesh_.triangle(t), 0, static_cast<int>(t)});
     }
   }
 

@@ -1,8 +1,7 @@
 // An interface to triangles that the caller stores and enumerates by bounding box.
 #pragma once
 
-#include <type_traits>
-
+#include "octoblisk/function_ref.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
@@ -21,21 +20,10 @@ class TriangleSource {
   /// A box, in the source's frame, that contains all triangles. It may be infinite.
   virtual Aabb bounds() const = 0;
 
-  /// Calls visit(user, triangle) once for every triangle whose bounds meet the box, in the source's frame,
+  /// Calls visit(triangle) once for every triangle whose bounds meet the box, in the source's frame,
   /// and possibly for others.
-  virtual void forEachTriangleIn(const Aabb& box, void (*visit)(void* user, const SourceTriangle& triangle),
-                                 void* user) const = 0;
-
-  /// The same for any callable that takes a triangle.
-  template <typename Visit>
-  void forEachTriangleIn(const Aabb& box, Visit&& visit) const {
-    forEachTriangleIn(
-        box,
-        [](void* user, const SourceTriangle& triangle) {
-          (*static_cast<std::remove_reference_t<Visit>*>(user))(triangle);
-        },
-        &visit);
-  }
+  virtual void forEachTriangleIn(const Aabb& box,
+                                 FunctionRef<void(const SourceTriangle& triangle)> visit) const = 0;
 };
 
 }  // namespace octoblisk

@@ -144,7 +144,7 @@ class FirstMeetings {
 };
 
 void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near, double last_fraction,
-                    AlongVisitor visitor, void* user) {
+                    AlongVisitor visit) {
   const Obb start{box.start.center + near.first * box.motion, box.start.axes, box.start.half_extents};
   const double share = near.last - near.first;
   LocalBox local(tree, start);
@@ -160,7 +160,7 @@ void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near
     for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
       const double first = firstMeeting(tree.mesh().triangle(triangle), box, slack_of_doubles);
       if (!(first <= wanted)) continue;
-      wanted = std::min(wanted, visitor(user, triangle, first));
+      wanted = std::min(wanted, visit(triangle, first));
       if (wanted < 0.0) return true;
     }
     return false;
@@ -182,10 +182,10 @@ MovingBox movingPoint(const Vec3& start, const Vec3& motion, double tolerance) {
 HWY_EXPORT(trianglesAlong);
 
 void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
-                          AlongVisitor visitor, void* user) {
+                          AlongVisitor visit) {
   if (!(last_fraction >= 0.0)) return;
   const std::optional<NearPart> near = nearPart(treeOf(tree), box);
-  if (near) HWY_DYNAMIC_DISPATCH(trianglesAlong)(treeOf(tree), box, *near, last_fraction, visitor, user);
+  if (near) HWY_DYNAMIC_DISPATCH(trianglesAlong)(treeOf(tree), box, *near, last_fraction, visit);
 }
 
 }  // namespace octoblisk::detail

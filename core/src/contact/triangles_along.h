@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/function_ref.h"
 
 namespace octoblisk::detail {
 
@@ -24,24 +24,12 @@ MovingBox movingPoint(const Vec3& start, const Vec3& motion, double tolerance);
 
 /// Receives a triangle and a fraction before which the box does not meet it. Returns the greatest fraction
 /// that is still of interest, or a negative number to stop.
-using AlongVisitor = double (*)(void* user, std::uint32_t triangle, double first_fraction);
+using AlongVisitor = FunctionRef<double(std::uint32_t triangle, double first_fraction)>;
 
-/// Calls the visitor for every triangle that the moving box may meet, and for few others, as long as its
-/// fraction is of interest. Triangles in boxes that are met earlier come first, roughly. Allocates nothing.
-/// Visits nothing if a number is not finite.
+/// Calls visit(triangle, first_fraction) for every triangle that the moving box may meet, and for few others,
+/// as long as its fraction is of interest. Triangles in boxes that are met earlier come first, roughly.
+/// Allocates nothing. Visits nothing if a number is not finite.
 void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
-                          AlongVisitor visitor, void* user);
-
-/// The same for any callable that takes a triangle's index and a fraction.
-template <typename Visit>
-void forEachTriangleAlong(const ClusteredOctree& tree, const MovingBox& box, double last_fraction,
-                          Visit&& visit) {
-  forEachTriangleAlong(
-      tree, box, last_fraction,
-      [](void* user, std::uint32_t triangle, double first_fraction) -> double {
-        return (*static_cast<std::remove_reference_t<Visit>*>(user))(triangle, first_fraction);
-      },
-      &visit);
-}
+                          AlongVisitor visit);
 
 }  // namespace octoblisk::detail

@@ -23,9 +23,9 @@ std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b
 }
 
 void candidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a,
-                    void (*visit)(void* user, CandidatePair pair), void* user) {
+                    FunctionRef<void(CandidatePair pair)> visit) {
   forEachCandidatePair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
-    visit(user, {pair, meets});
+    visit({pair, meets});
     return false;
   });
 }
@@ -50,8 +50,8 @@ std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, co
 }
 
 void detail::forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,
-                                  void (*visit)(void* user, CandidatePair pair), void* user) {
-  HWY_DYNAMIC_DISPATCH(candidatePairs)(a, b, b_in_a, visit, user);
+                                  FunctionRef<void(CandidatePair pair)> visit) {
+  HWY_DYNAMIC_DISPATCH(candidatePairs)(a, b, b_in_a, visit);
 }
 
 bool detail::meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair) {

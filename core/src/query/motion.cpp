@@ -141,8 +141,8 @@ double BodyBounds::displacement(const Pose& from, const Pose& to) const {
   const auto displaced = [&](const Vec3& point) { return (turn * point + shift).norm(); };
   const double ball = turn.norm() * radius_;
   double of_box = 0.0;
-  for (const Vec3& corner : corners_)
-    of_box = std::max(displaced(corner), of_box);  // keeps what is not a number
+  // With a pose that is not a number, no corner's displacement is one, and std::max keeps the last of them.
+  for (const Vec3& corner : corners_) of_box = std::max(displaced(corner), of_box);
   return std::min(of_box + kBoxRounding * ball + turn.norm() * beyond_, displaced(center_) + ball);
 }
 

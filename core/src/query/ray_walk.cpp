@@ -11,22 +11,20 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 constexpr std::size_t kRaysInTurn = 8;  // measured: 4 and 16 are slower
 
-void walk(const Tree& tree, const LocalRay& local, CandidateVisitor visitor, void* context) {
-  const auto visit = [visitor, context](std::uint32_t triangle) { return visitor(context, triangle); };
+void walk(const Tree& tree, const LocalRay& local, CandidateVisitor visit) {
   NoTally nothing;
   RayDescent(tree, local, visit, nothing).run();
 }
 
 /// The visitor of one of many rays.
 struct VisitorOfRay {
-  double operator()(std::uint32_t triangle) const { return visitor(context, ray, triangle); }
+  double operator()(std::uint32_t triangle) const { return visit(ray, triangle); }
 
-  RayCandidateVisitor visitor;
-  void* context;
+  RayCandidateVisitor visit;
   std::size_t ray;
 };
 
-void walkInTurn(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visitor, void* context) {
+void walkInTurn(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visit) {
   NoTally nothing;
   std::array<std::optional<RayDescent<VisitorOfRay, NoTally>>, kRaysInTurn> descents;
   std::size_t next = 0;
@@ -34,7 +32,7 @@ void walkInTurn(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor
     descent.reset();
     for (; !descent && next < rays.size(); ++next) {
       if (const std::optional<LocalRay> local = clipped(tree, rays[next]))
-        descent.emplace(tree, *local, VisitorOfRay{visitor, context, next}, nothing);
+        descent.emplace(tree, *local, VisitorOfRay{visit, next}, nothing);
     }
     return descent.has_value();
   };
@@ -58,13 +56,13 @@ namespace octoblisk::detail {
 HWY_EXPORT(walk);
 HWY_EXPORT(walkInTurn);
 
-void walkRay(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visitor, void* context) {
+void forEachCandidate(const Tree& tree, const Ray& ray, double rounding, CandidateVisitor visit) {
   const std::optional<LocalRay> local = clipped(tree, ray, rounding);
-  if (local) HWY_DYNAMIC_DISPATCH(walk)(tree, *local, visitor, context);
+  if (local) HWY_DYNAMIC_DISPATCH(walk)(tree, *local, visit);
 }
 
-void walkRays(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visitor, void* context) {
-  HWY_DYNAMIC_DISPATCH(walkInTurn)(tree, rays, visitor, context);
+void forEachCandidate(const Tree& tree, std::span<const Ray> rays, RayCandidateVisitor visit) {
+  HWY_DYNAMIC_DISPATCH(walkInTurn)(tree, rays, visit);
 }
 
 }  // namespace octoblisk::detail

@@ -10,12 +10,12 @@ HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
 bool trianglesIn(const Tree& tree, const Obb& box_in_tree, double reach,
-                 bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+                 FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, box_in_tree);
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
   return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) {
     for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
-      if (visit(user, triangle)) return true;
+      if (visit(triangle)) return true;
     }
     return false;
   });
@@ -32,8 +32,8 @@ using namespace detail;
 HWY_EXPORT(trianglesIn);
 
 bool forEachTriangleIn(const ClusteredOctree& tree, const Obb& box_in_tree, double reach,
-                       bool (*visit)(void* user, std::uint32_t triangle), void* user) {
-  return HWY_DYNAMIC_DISPATCH(trianglesIn)(treeOf(tree), box_in_tree, reach, visit, user);
+                       FunctionRef<bool(std::uint32_t triangle)> visit) {
+  return HWY_DYNAMIC_DISPATCH(trianglesIn)(treeOf(tree), box_in_tree, reach, visit);
 }
 
 }  // namespace octoblisk

@@ -12,14 +12,14 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& bounds,
                    const Pose& convex_in_tree, double reach,
-                   bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+                   FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
   const ConvexCull cull(tree.origin(), points, bounds, convex_in_tree, reach);
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
   return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) HWY_ATTR {
     const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
     for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
-      if (visit(user, triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+      if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
     }
     return false;
   });
@@ -36,11 +36,11 @@ using namespace detail;
 HWY_EXPORT(trianglesNear);
 
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
-                         double reach, bool (*visit)(void* user, std::uint32_t triangle), void* user) {
+                         double reach, FunctionRef<bool(std::uint32_t triangle)> visit) {
   std::array<Vec3, 8> room;
   const std::span<const Vec3> points = pointsRoundCore(convex, room);
   return HWY_DYNAMIC_DISPATCH(trianglesNear)(treeOf(tree), points, boundsOf(points), convex_in_tree,
-                                             reach + convex.radius(), visit, user);
+                                             reach + convex.radius(), visit);
 }
 
 }  // namespace octoblisk
