@@ -186,7 +186,7 @@ TEST(Broadphase, shapesMarginsAndScalesAreReadAnew) {
   EXPECT_TRUE(found());
 }
 
-TEST(Broadphase, statisticsAreThoseOfTheBoxes) {
+TEST(Broadphase, volumesAreThoseOfTheBoxes) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   torus->setMargin(0);
   btSphereShape sphere(btScalar(0.5));
