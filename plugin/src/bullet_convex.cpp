@@ -102,10 +102,9 @@ bool CoreCorners::update(const btConvexShape& shape) {
   const bool is_same = read_ == points_;
   std::swap(read_, points_);
   if (points_.empty()) {
-    readRims(shape, feet_);
-    middle_ = feet_.empty() ? middleOf(shape) : Vec3::Zero();
+    readRims(shape, rims_);
+    middle_ = rims_.empty() ? middleOf(shape) : Vec3::Zero();
   } else if (!is_same) {
-    feet_ = points_;
     middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) / double(points_.size());
   }
   if (is_same) return false;

@@ -25,10 +25,10 @@ class CoreCorners {
   const Vec3& middle() const { return middle_; }
   HullFaces faces() const { return faces_.view(); }
   /// The corners, or points on the rims of cylinders and cones; empty for other shapes.
-  std::span<const Vec3> feet() const { return feet_; }
+  std::span<const Vec3> feet() const { return points_.empty() ? rims_ : points_; }
 
  private:
-  std::vector<Vec3> points_, feet_, read_;
+  std::vector<Vec3> points_, rims_, read_;
   Vec3 middle_ = Vec3::Zero();
   HullFaceList faces_;
 };

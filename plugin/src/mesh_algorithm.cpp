@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <typeinfo>
 #include <utility>
 
 #include "body_parts.h"
@@ -173,10 +174,11 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double near = double(shapes.mesh.getMargin()) + marginOfOther(shapes.other) +
                       double(result->m_closestPointDistanceThreshold);
   // contactTest and similar functions use derived results.
-  const bool is_step = typeid(*result) == typeid(btManifoldResult);
-  if (auto* const all = is_step ? nullptr : dynamic_cast<AllContacts*>(result)) {
+  const std::type_info& result_type = typeid(*result);
+  const bool is_step = result_type == typeid(btManifoldResult);
+  if (result_type == typeid(AllContacts)) {
     findContacts(shapes, breaking + near, contacts_);
-    all->take(*mesh.getCollisionObject(), contacts_);
+    static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);
     return;
   }
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace octoblisk::detail {
@@ -116,19 +117,14 @@ class Polytope {
     return true;
   }
 
-  /// None if the face would have no area.
-  std::optional<PolytopeFace> faceOf(int i, int j, int k) const {
+  /// False if the face would have no area.
+  bool addFace(int i, int j, int k) {
     const Vec3 scaled = areaOf(i, j, k);
     const double length = scaled.norm();
-    if (!(length > 0.0)) return std::nullopt;
+    if (!(length > 0.0)) return false;
     const Vec3 normal = scaled / length;
-    return PolytopeFace{{i, j, k}, normal, normal.dot(point(i))};
-  }
-
-  bool addFace(int i, int j, int k) {
-    const std::optional<PolytopeFace> face = faceOf(i, j, k);
-    if (face) faces_[static_cast<std::size_t>(face_count_++)] = *face;
-    return face.has_value();
+    faces_[static_cast<std::size_t>(face_count_++)] = {{i, j, k}, normal, normal.dot(point(i))};
+    return true;
   }
 
   /// The edges of removed faces that have no twin among them.
@@ -164,48 +160,42 @@ class Polytope {
   /// vertex. Also replaces faces whose plane contains the vertex, because one of their edges in line with it
   /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
-    std::array<bool, kMaxFaces> replaced;
-    std::array<std::size_t, kMaxFaces> seeing;  // the faces that see the vertex
-    std::size_t seeing_count = 0;
-    int replaced_count = 0;
+    std::array<int, kMaxFaces> seeing;  // the faces that see the vertex; first those to replace
+    int seeing_count = 0, replaced_count = 0;
+    const auto seeingAt = [&](int s) -> int& { return seeing[static_cast<std::size_t>(s)]; };
+    const auto faceAt = [&](int f) -> PolytopeFace& { return faces_[static_cast<std::size_t>(f)]; };
     const double coplanar = kCoplanar * size_;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(face_count_); ++f) {
-      const PolytopeFace& face = faces_[f];
-      replaced[f] = false;
-      if (face.normal.dot(vertex.difference) >= face.distance - coplanar) seeing[seeing_count++] = f;
+    for (int f = 0; f < face_count_; ++f) {
+      if (faceAt(f).normal.dot(vertex.difference) < faceAt(f).distance - coplanar) continue;
+      seeingAt(seeing_count++) = f;
     }
     Rim rim;
-    const auto take = [&](std::size_t f) {
-      replaced[f] = true;
-      ++replaced_count;
-      rim.take(faces_[f]);
+    const auto replace = [&](int s) {
+      rim.take(faceAt(seeingAt(s)));
+      std::swap(seeingAt(s), seeingAt(replaced_count++));
     };
-    take(static_cast<std::size_t>(seen_face));
+    replace(static_cast<int>(std::find(seeing.begin(), seeing.end(), seen_face) - seeing.begin()));
     for (bool spreads = true; spreads;) {
       spreads = false;
-      for (std::size_t s = 0; s < seeing_count; ++s) {
-        const std::size_t f = seeing[s];
-        if (replaced[f] || !rim.touches(faces_[f])) continue;
-        take(f);
+      for (int s = replaced_count; s < seeing_count; ++s) {
+        if (!rim.touches(faceAt(seeingAt(s)))) continue;
+        replace(s);
         spreads = true;
       }
     }
-    if (face_count_ - replaced_count + rim.count > kMaxFaces || rim.count < 3) return false;
+    const int before = face_count_;
+    if (before - replaced_count + rim.count > kMaxFaces || rim.count < 3) return false;
     vertices_[static_cast<std::size_t>(count_)] = vertex;
-    std::array<PolytopeFace, kMaxFaces> added;
     for (int e = 0; e < rim.count; ++e) {
       const Edge& edge = rim.edge[static_cast<std::size_t>(e)];
-      const std::optional<PolytopeFace> face = faceOf(edge.from, edge.to, count_);
-      if (!face) return false;
-      added[static_cast<std::size_t>(e)] = *face;
+      if (addFace(edge.from, edge.to, count_)) continue;
+      face_count_ = before;
+      return false;
     }
     ++count_;
-    auto end = faces_.begin();
-    for (int f = 0; f < face_count_; ++f) {
-      if (!replaced[static_cast<std::size_t>(f)]) *end++ = faces_[static_cast<std::size_t>(f)];
-    }
-    end = std::copy_n(added.begin(), rim.count, end);
-    face_count_ = static_cast<int>(end - faces_.begin());
+    // The last faces take the places of those replaced, from the last place on.
+    std::sort(seeing.begin(), seeing.begin() + replaced_count, std::greater<>());
+    for (int s = 0; s < replaced_count; ++s) faceAt(seeingAt(s)) = faceAt(--face_count_);
     return true;
   }
 
@@ -256,7 +246,7 @@ class Polytope {
   const Triangle& triangle_;
   const Convex& convex_;
   std::array<SupportPoint, kMaxVertices + 1> vertices_;
-  std::array<PolytopeFace, kMaxFaces> faces_;
+  std::array<PolytopeFace, 2 * kMaxFaces> faces_;  // room for new faces beside those that they replace
   int count_ = 0;
   int face_count_ = 0;
   double size_ = 0.0;

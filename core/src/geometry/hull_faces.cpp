@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace octoblisk {
 
@@ -17,11 +15,36 @@ constexpr double kOutside = 1e-12;    // relative to its size: points no farther
 constexpr double kSamePlane = 1e-12;  // between unit normals
 constexpr std::size_t kMaxTriangles = 2 * HullFaceList::kMaxPoints;  // Euler: 2v − 4
 
+struct DirectedEdge {
+  std::uint32_t from, to;
+};
+
 struct HullTriangle {
+  static constexpr std::uint32_t kNoFace = ~0u;
+
+  std::array<DirectedEdge, 3> edges() const {
+    return {{{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}}};
+  }
+
   std::array<std::uint32_t, 3> corner;
   Vec3 normal;
   double offset;
   std::uint32_t face;
+};
+
+/// A small number for each edge, in each direction.
+class EdgeNumbers {
+ public:
+  static constexpr std::uint8_t kNone = 255;
+  static_assert(kMaxTriangles <= kNone);
+
+  EdgeNumbers() { numbers_.fill(kNone); }
+  std::uint8_t& of(std::uint32_t from, std::uint32_t to) {
+    return numbers_[from * HullFaceList::kMaxPoints + to];
+  }
+
+ private:
+  std::array<std::uint8_t, HullFaceList::kMaxPoints * HullFaceList::kMaxPoints> numbers_;
 };
 
 /// Extends a tetrahedron by the point that is farthest outside one of its faces, as long as there is one (C.
@@ -31,62 +54,73 @@ struct HullTriangle {
 class HullBuilder {
  public:
   explicit HullBuilder(std::span<const Vec3> points) : points_(points) {
-    for (const Vec3& point : points) size_ = std::max(size_, (point - points[0]).norm());
+    for (const Vec3& point : points) {
+      size_ = std::max(size_, (point - points[0]).norm());
+      rest_[rest_count_] = static_cast<std::uint32_t>(rest_count_);
+      ++rest_count_;
+    }
   }
 
   /// False if the points are flat or rounding has spoilt the hull.
   bool build() {
     if (!start()) return false;
     for (std::size_t t = 0; t < count_;) {
-      const auto outward = [&](std::uint32_t p) { return heightOver(triangles_[t], p); };
-      const std::uint32_t next = farthestBy(outward);
-      if (!(outward(next) > kOutside * size_)) {
+      const HullTriangle& triangle = triangles_[t];
+      const auto [height, next] =
+          farthestBy([&](const Vec3& point) { return triangle.normal.dot(point) - triangle.offset; });
+      if (!(height > kOutside * size_)) {
         ++t;
-        continue;
+      } else if (!add(takeCorner(next), t)) {
+        return false;
       }
-      if (corners_++ == HullFaceList::kMaxPoints || !add(next, t)) return false;
     }
-    return count_ == 2 * corners_ - 4;
+    return count_ == 2 * (points_.size() - rest_count_) - 4;
   }
 
   std::span<HullTriangle> triangles() { return {triangles_.data(), count_}; }
   double size() const { return size_; }
 
  private:
-  double heightOver(const HullTriangle& triangle, std::uint32_t p) const {
-    return triangle.normal.dot(points_[p]) - triangle.offset;
-  }
+  struct Farthest {
+    double measure;
+    std::size_t place;  // in rest_
+  };
 
+  /// Of the points that are not corners yet.
   template <typename Measure>
-  std::uint32_t farthestBy(const Measure& measure) const {
-    std::uint32_t best = 0;
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::uint32_t p = 0; p < points_.size(); ++p) {
-      const auto key = [&](std::uint32_t i) {
-        return std::tuple(points_[i].x(), points_[i].y(), points_[i].z());
-      };
-      const double found = measure(p);
-      if (found < most || (found == most && key(p) <= key(best))) continue;
-      most = found;
-      best = p;
+  Farthest farthestBy(const Measure& measure) const {
+    Farthest best = {-std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t place = 0; place < rest_count_; ++place) {
+      const Vec3& point = points_[rest_[place]];
+      const double found = measure(point);
+      if (found > best.measure || (found == best.measure && isBefore(points_[rest_[best.place]], point)))
+        best = {found, place};
     }
     return best;
   }
 
+  static bool isBefore(const Vec3& a, const Vec3& b) {
+    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+  }
+
+  std::uint32_t takeCorner(std::size_t place) {
+    const std::uint32_t corner = rest_[place];
+    rest_[place] = rest_[--rest_count_];
+    return corner;
+  }
+
   bool start() {
-    const std::uint32_t a = farthestBy([](std::uint32_t) { return 0.0; });
-    const std::uint32_t b = farthestBy([&](std::uint32_t p) { return (points_[p] - points_[a]).norm(); });
+    const auto take = [&](auto&& measure) { return takeCorner(farthestBy(measure).place); };
+    const std::uint32_t a = take([](const Vec3&) { return 0.0; });
+    const std::uint32_t b = take([&](const Vec3& point) { return (point - points_[a]).norm(); });
     const Vec3 along = (points_[b] - points_[a]).normalized();
-    std::uint32_t c =
-        farthestBy([&](std::uint32_t p) { return along.cross(points_[p] - points_[a]).norm(); });
+    const std::uint32_t c = take([&](const Vec3& point) { return along.cross(point - points_[a]).norm(); });
     const Vec3 area = along.cross(points_[c] - points_[a]);
     if (!(area.norm() > kFlatHull * size_)) return false;
     const Vec3 up = area.normalized();
-    const std::uint32_t d =
-        farthestBy([&](std::uint32_t p) { return std::abs(up.dot(points_[p] - points_[a])); });
+    const std::uint32_t d = take([&](const Vec3& point) { return std::abs(up.dot(point - points_[a])); });
     const double height = up.dot(points_[d] - points_[a]);
     if (!(std::abs(height) > kFlatHull * size_)) return false;
-    corners_ = 4;
     const std::uint32_t left = height > 0.0 ? c : b, right = height > 0.0 ? b : c;
     return addTriangle(a, left, right) && addTriangle(a, right, d) && addTriangle(right, left, d) &&
            addTriangle(left, a, d);
@@ -96,79 +130,50 @@ class HullBuilder {
   bool addTriangle(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     const Vec3 first = points_[j] - points_[i], second = points_[k] - points_[i];
     const Vec3 area = first.cross(second);
-    const double length = area.norm();
-    if (count_ == kMaxTriangles || !(length > kFlatHull * first.norm() * second.norm())) return false;
-    const Vec3 normal = area / length;
-    triangles_[count_++] = {{i, j, k}, normal, normal.dot(points_[i]), 0};
+    const double squared = area.squaredNorm();
+    if (count_ == kMaxTriangles ||
+        !(squared > kFlatHull * kFlatHull * first.squaredNorm() * second.squaredNorm())) {
+      return false;
+    }
+    const Vec3 normal = area / std::sqrt(squared);
+    triangles_[count_++] = {{i, j, k}, normal, normal.dot(points_[i]), HullTriangle::kNoFace};
     return true;
   }
 
   /// Replaces the triangles that the point is outside of with triangles that join their rim to the point. The
   /// first `done` triangles have no point outside; `done` becomes the number of these that stay.
   bool add(std::uint32_t point, std::size_t& done) {
-    std::array<std::pair<std::uint32_t, std::uint32_t>, 3 * kMaxTriangles> rim;
-    std::size_t rim_count = 0, kept = 0;
+    std::size_t removed = 0, kept = 0;
     const std::size_t were_done = done;
     for (std::size_t t = 0; t < count_; ++t) {
       if (t == were_done) done = kept;
       const HullTriangle& triangle = triangles_[t];
-      if (!(heightOver(triangle, point) > kOutside * size_)) {
-        triangles_[kept++] = triangle;
-        continue;
-      }
-      for (std::size_t v = 0; v < 3; ++v) {
-        const std::uint32_t from = triangle.corner[v], to = triangle.corner[(v + 1) % 3];
-        const auto end = rim.begin() + static_cast<std::ptrdiff_t>(rim_count);
-        const auto twin = std::find(rim.begin(), end, std::pair(to, from));
-        if (twin == end) {
-          rim[rim_count++] = {from, to};
-        } else {
-          *twin = rim[--rim_count];
+      if (triangle.normal.dot(points_[point]) - triangle.offset > kOutside * size_) {
+        for (const DirectedEdge& edge : triangle.edges()) {
+          removed_[removed++] = edge;
+          removed_for_.of(edge.from, edge.to) = static_cast<std::uint8_t>(point);
         }
+      } else {
+        if (kept != t) triangles_[kept] = triangle;
+        ++kept;
       }
     }
     count_ = kept;
-    for (std::size_t e = 0; e < rim_count; ++e) {
-      if (!addTriangle(rim[e].first, rim[e].second, point)) return false;
+    for (const auto& [from, to] : std::span(removed_).first(removed)) {
+      const bool is_rim = removed_for_.of(to, from) != point;
+      if (is_rim && !addTriangle(from, to, point)) return false;
     }
     return true;
   }
 
   std::span<const Vec3> points_;
+  std::array<std::uint32_t, HullFaceList::kMaxPoints> rest_;  // the points that are not corners
+  std::size_t rest_count_ = 0;
   std::array<HullTriangle, kMaxTriangles> triangles_;
-  std::size_t count_ = 0, corners_ = 0;
+  EdgeNumbers removed_for_;  // the point for which the triangle on the left of an edge was removed
+  std::size_t count_ = 0;
+  std::array<DirectedEdge, 3 * kMaxTriangles> removed_;  // edges of the triangles that a point removes
   double size_ = 0.0;
-};
-
-/// The triangles of a hull by their edges. Each edge has one triangle on either side.
-class EdgeTriangles {
- public:
-  EdgeTriangles() { left_.fill(kNone); }
-
-  /// False if rounding has given two triangles the same side of an edge.
-  bool add(const HullTriangle& triangle, std::size_t index) {
-    for (std::size_t v = 0; v < 3; ++v) {
-      std::uint8_t& left = of(triangle.corner[v], triangle.corner[(v + 1) % 3]);
-      if (left != kNone) return false;
-      left = static_cast<std::uint8_t>(index);
-    }
-    return true;
-  }
-
-  /// The triangle on the left of an edge; none if rounding has left none.
-  std::optional<std::size_t> leftOf(std::uint32_t from, std::uint32_t to) {
-    const std::uint8_t left = of(from, to);
-    return left == kNone ? std::nullopt : std::optional<std::size_t>(left);
-  }
-
- private:
-  static constexpr std::size_t kPoints = HullFaceList::kMaxPoints;
-  static constexpr std::uint8_t kNone = 255;
-  static_assert(kMaxTriangles <= kNone);
-
-  std::uint8_t& of(std::uint32_t from, std::uint32_t to) { return left_[from * kPoints + to]; }
-
-  std::array<std::uint8_t, kPoints * kPoints> left_;
 };
 
 }  // namespace
@@ -179,30 +184,54 @@ void HullFaceList::find(std::span<const Vec3> points) {
   if (points.size() < 4 || points.size() > kMaxPoints) return;
   HullBuilder hull(points);
   if (!hull.build()) return;
-  for (HullTriangle& triangle : hull.triangles()) {
-    const auto same = std::ranges::find_if(faces_, [&](const HullFace& face) {
-      return (face.normal - triangle.normal).squaredNorm() <= kSamePlane * kSamePlane;
-    });
-    triangle.face = static_cast<std::uint32_t>(same - faces_.begin());
-    if (same != faces_.end()) continue;
-    double offset = triangle.offset;
-    for (const Vec3& point : points) offset = std::max(offset, triangle.normal.dot(point));
-    if (offset - triangle.offset > 10.0 * kOutside * hull.size()) return faces_.clear(), edges_.clear();
-    faces_.push_back({triangle.normal, offset});
+  const std::span<HullTriangle> triangles = hull.triangles();
+  // Every edge has one triangle on either side, unless rounding has spoilt the hull.
+  EdgeNumbers left_of;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const auto& [from, to] : triangles[t].edges()) {
+      if (left_of.of(from, to) != EdgeNumbers::kNone) return;
+      left_of.of(from, to) = static_cast<std::uint8_t>(t);
+    }
   }
-  EdgeTriangles triangles;
-  for (std::size_t t = 0; t < hull.triangles().size(); ++t) {
-    if (!triangles.add(hull.triangles()[t], t)) return faces_.clear(), edges_.clear();
+  for (const HullTriangle& triangle : triangles) {
+    for (const auto& [from, to] : triangle.edges()) {
+      if (left_of.of(to, from) == EdgeNumbers::kNone) return;
+    }
   }
-  for (const HullTriangle& triangle : hull.triangles()) {
-    for (std::size_t v = 0; v < 3; ++v) {
-      const std::uint32_t from = triangle.corner[v], to = triangle.corner[(v + 1) % 3];
-      const auto other = triangles.leftOf(to, from);
-      if (!other) return faces_.clear(), edges_.clear();
-      const std::uint32_t across = hull.triangles()[*other].face;
-      if (from < to && across != triangle.face)
-        edges_.push_back(
-            {from, to, triangle.face, across, faces_[triangle.face].normal.dot(faces_[across].normal)});
+  const auto across = [&](const DirectedEdge& edge) -> HullTriangle& {
+    return triangles[left_of.of(edge.to, edge.from)];
+  };
+
+  Eigen::Array<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxPoints> coordinates(points.size(), 3);
+  for (std::size_t p = 0; p < points.size(); ++p) coordinates.row(Eigen::Index(p)) = points[p];
+  for (HullTriangle& first : triangles) {
+    if (first.face != HullTriangle::kNoFace) continue;
+    const Vec3& normal = first.normal;
+    const double offset = (coordinates.col(0) * normal.x() +
+                           (coordinates.col(1) * normal.y() + coordinates.col(2) * normal.z()))
+                              .maxCoeff();
+    if (offset - first.offset > 10.0 * kOutside * hull.size()) return faces_.clear(), edges_.clear();
+    first.face = static_cast<std::uint32_t>(faces_.size());
+    faces_.push_back({normal, std::max(offset, first.offset)});
+    std::array<const HullTriangle*, kMaxTriangles> coplanar;
+    coplanar[0] = &first;
+    for (std::size_t k = 0, count = 1; k < count; ++k) {
+      for (const DirectedEdge& edge : coplanar[k]->edges()) {
+        HullTriangle& other = across(edge);
+        if (other.face != HullTriangle::kNoFace) continue;
+        if ((other.normal - normal).squaredNorm() > kSamePlane * kSamePlane) continue;
+        other.face = first.face;
+        coplanar[count++] = &other;
+      }
+    }
+  }
+  for (const HullTriangle& triangle : triangles) {
+    for (const DirectedEdge& edge : triangle.edges()) {
+      const std::uint32_t other = across(edge).face;
+      if (edge.from < edge.to && other != triangle.face) {
+        edges_.push_back({edge.from, edge.to, triangle.face, other,
+                          faces_[triangle.face].normal.dot(faces_[other].normal)});
+      }
     }
   }
 }
