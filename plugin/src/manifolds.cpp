@@ -19,14 +19,19 @@ Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
   return mesh.in_world.inverse() * (mesh.body_in_world * on_body);
 }
 
-/// The squared distance from the patch's deepest point to the nearest point of the manifold; infinite if the
-/// manifold is empty.
-double squaredDistance(const ContactPatch& patch, const btPersistentManifold& manifold,
-                       const PatchesMesh& mesh) {
-  const Vec3 deepest = onMargin(patch.contacts[0], mesh);
+/// How much a manifold differs from a patch: the squared distance from the patch's deepest point to a point
+/// of the manifold, plus the squared difference of their normals, times the square of `length`. The least
+/// over the manifold's points; infinite if there are none.
+double squaredDifference(const ContactPatch& patch, const btPersistentManifold& manifold,
+                         const PatchesMesh& mesh, double length) {
+  const Contact& deepest = patch.contacts[0];
+  const Vec3 place = onMargin(deepest, mesh);
+  const Vec3 normal = (mesh.is_body1 ? -1.0 : 1.0) * (mesh.in_world.rotation * deepest.normal);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
-    least = std::min(least, (onMargin(manifold.getContactPoint(i), mesh) - deepest).squaredNorm());
+    const btManifoldPoint& point = manifold.getContactPoint(i);
+    const Vec3 turn = fromBullet(point.m_normalWorldOnB) - normal;
+    least = std::min(least, (onMargin(point, mesh) - place).squaredNorm() + (length * turn).squaredNorm());
   }
   return least;
 }
@@ -56,14 +61,15 @@ void Manifolds::match(std::span<const ContactPatch> patches, const PatchesMesh& 
   patches = patches.first(std::min(patches.size(), manifolds_.size()));
   std::array<bool, ContactPatches::kMaxPatches> matched{};
   for (std::size_t round = 0; round < patches.size(); ++round) {
-    // Match the closest remaining pair; the other patches get empty manifolds.
+    // Match the most similar remaining pair; the other patches get empty manifolds.
     std::size_t best_patch = 0, best_manifold = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < patches.size(); ++p) {
       if (matched[p]) continue;
       for (std::size_t m = 0; m < manifolds_.size(); ++m) {
         if (m < patches.size() && matched[m]) continue;
-        const double squared = squaredDistance(patches[p], *manifolds_[m], mesh);
+        const double squared =
+            squaredDifference(patches[p], *manifolds_[m], mesh, double(breaking_threshold));
         if (squared >= least) continue;
         least = squared;
         best_patch = p;

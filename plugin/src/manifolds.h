@@ -30,9 +30,9 @@ class Manifolds {
   Manifolds(const Manifolds&) = delete;
   Manifolds& operator=(const Manifolds&) = delete;
 
-  /// Gives each patch the manifold whose points are nearest to it, or else one without points. Removes points
-  /// that would block a contact of the patch. Empties the manifolds that no patch claims, and sets the
-  /// breaking threshold of all manifolds.
+  /// Gives each patch the manifold whose points and normals are most similar, or else one without points.
+  /// Removes points that would block a contact of the patch. Empties the manifolds that no patch claims, and
+  /// sets the breaking threshold of all manifolds.
   void match(std::span<const ContactPatch> patches, const PatchesMesh& mesh, btScalar breaking_threshold);
 
   /// The manifold of a patch in the last match(); null if the dispatcher's pool is exhausted.

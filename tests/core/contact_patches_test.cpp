@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "octoblisk/contacts.h"
@@ -52,6 +53,21 @@ TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   ASSERT_EQ(patches.size(), 1u);
   const auto isOfOther = [](const Contact& contact) { return contact.triangle_b == 2; };
   EXPECT_EQ(std::ranges::count_if(patches[0].points(), isOfOther), 2);
+}
+
+TEST(ContactPatches, theSidesOfAGrooveAreTwoPatches) {
+  const auto patchesAt = [](double degrees, double apart, double less_deep) {
+    const double angle = degrees * std::numbers::pi / 360.0;
+    const Vec3 left(std::sin(angle), 0, std::cos(angle)), right(-left.x(), 0, left.z());
+    const std::vector<Contact> contacts = {contactAt({0, 0, 0}, left, -0.5, 0, 9),
+                                           contactAt({apart, 0, 0}, right, -0.5 + less_deep, 1, 9)};
+    ContactPatches reducer;
+    return reducer.reduce(contacts, 1.0).size();
+  };
+  EXPECT_EQ(patchesAt(6, 0.5, 0.05), 2u);
+  EXPECT_EQ(patchesAt(4, 0.5, 0.05), 1u) << "hardly a groove";
+  EXPECT_EQ(patchesAt(6, 1.5, 0.05), 1u) << "apart, so that one patch keeps both";
+  EXPECT_EQ(patchesAt(6, 0.5, 0.15), 1u) << "only one side touches";
 }
 
 TEST(ContactPatches, contactsOfAPatchAreApart) {

@@ -75,6 +75,9 @@ TEST(FlatContacts, ofABoxThatCrossesASquare) {
         ASSERT_NE(contact, found.end()) << x << ' ' << y;
         const double deepest = std::ranges::min_element(found, {}, &Contact::distance)->distance;
         EXPECT_NEAR(contact->distance, std::max(-0.01 + std::tan(tilt) * y, deepest), 1e-3);
+        if (contact->distance > deepest) {
+          EXPECT_NEAR(contact->normal.z(), -1.0, 1e-12) << "the square's, although the box is askew";
+        }
       }
     }
     EXPECT_LE(found.size(), 2u + 2u * 5u);

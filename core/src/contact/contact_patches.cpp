@@ -8,6 +8,7 @@ namespace octoblisk::detail {
 namespace {
 
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
+constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
 
 auto byTriangles(const Contact& c) {
   const Vec3& p = c.point_on_a;
@@ -22,6 +23,10 @@ constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
 
 bool isWithin(double distance, const Vec3& a, const Vec3& b) {
   return (a - b).squaredNorm() <= distance * distance;
+}
+
+bool isAsDeep(const Contact& contact, const Contact& deepest, double spacing) {
+  return contact.distance <= deepest.distance + kHardlyDeeper * spacing;
 }
 
 }  // namespace
@@ -57,8 +62,8 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return best != nullptr;
   };
 
-  const double deep = contacts[members.front()].distance + kHardlyDeeper * spacing;
-  addBest(0.0, [&](const Contact& c) { return c.distance <= deep ? 1.0 : 0.0; });
+  const Contact& deepest = contacts[members.front()];
+  addBest(0.0, [&](const Contact& c) { return isAsDeep(c, deepest, spacing) ? 1.0 : 0.0; });
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
   const double flat = 1e-6 * base.squaredNorm();
@@ -87,13 +92,20 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   std::ranges::sort(order_, {}, [&](std::uint32_t i) { return byDepth(contacts[i]); });
 
   while (!order_.empty() && patches_.size() < kMaxPatches) {
-    const std::uint32_t deepest = order_.front();
+    const std::uint32_t first = order_.front();
+    const Contact& deepest = contacts[first];
+    const auto belongs = [&](const Contact& contact) {
+      const double cosine = contact.normal.dot(deepest.normal);
+      const bool is_other_side = cosine < kSameNormal && isAsDeep(contact, deepest, spacing) &&
+                                 isWithin(spacing, contact.point_on_a, deepest.point_on_a);
+      return cosine >= kSameDirection && !is_other_side;
+    };
     members_.clear();
     members_.reserve(order_.size());
     std::erase_if(order_, [&](std::uint32_t i) {
-      const bool belongs = i == deepest || contacts[i].normal.dot(contacts[deepest].normal) >= kSameDirection;
-      if (belongs) members_.push_back(i);
-      return belongs;
+      if (i != first && !belongs(contacts[i])) return false;
+      members_.push_back(i);
+      return true;
     });
     patches_.push_back(spread(contacts, members_, spacing));
   }

@@ -20,7 +20,9 @@ struct ContactPatch {
 };
 
 /// Groups contacts into patches. A patch consists of the deepest contact and all contacts whose normals are
-/// within 45° of its normal: between rigid bodies these have similar effects, wherever they are.
+/// within 45° of its normal: between rigid bodies these have similar effects, wherever they are. A contact
+/// that is near the deepest and about as deep, but whose normal differs by more than 5°, belongs to another
+/// patch: a body in a groove needs both sides.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;

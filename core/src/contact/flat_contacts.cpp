@@ -43,22 +43,29 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
   for (std::size_t c = 0; c < of_triangles; ++c) {
     const Contact of_triangle = contacts[c];
     const Triangle triangle = mesh_in_convex * mesh.triangle(of_triangle.triangle_a);
-    const Vec3 normal = mesh_in_convex.rotation * of_triangle.normal;
-    if (!(std::abs(scaledNormal(triangle).normalized().dot(normal)) > kNearlyAlong)) continue;
+    Vec3 normal = scaledNormal(triangle).normalized();
+    const double along_contact = normal.dot(mesh_in_convex.rotation * of_triangle.normal);
+    if (!(std::abs(along_contact) > kNearlyAlong)) continue;
+    if (along_contact < 0.0) normal = -normal;
     const auto face = std::ranges::max_element(
         hull.faces, {}, [&](const HullFace& of_hull) { return of_hull.normal.dot(normal); });
     const double along = face->normal.dot(normal);
     if (!(along > kNearlyAlong)) continue;
+    const Vec3 normal_in_mesh = convex_in_mesh.rotation * normal;
     FlatPolygon shared(triangle);
     cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       const double gap = (face->normal.dot(corner) - face->offset) / along;
-      // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
-      const double distance = std::max(gap - convex.radius(), of_triangle.distance);
-      if (distance > threshold) continue;
-      const Vec3 on_triangle = convex_in_mesh * corner;
-      contacts.push_back({on_triangle, on_triangle - distance * of_triangle.normal, of_triangle.normal,
-                          distance, of_triangle.triangle_a, kNoTriangle});
+      Contact contact{convex_in_mesh * corner, {},         normal_in_mesh, gap - convex.radius(),
+                      of_triangle.triangle_a,  kNoTriangle};
+      if (contact.distance > threshold) continue;
+      if (contact.distance < of_triangle.distance) {
+        // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
+        contact.distance = of_triangle.distance;
+        contact.normal = of_triangle.normal;
+      }
+      contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
+      contacts.push_back(contact);
     }
   }
 }
