@@ -19,9 +19,9 @@ Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
   return mesh.in_world.inverse() * (mesh.body_in_world * on_body);
 }
 
-/// How much a manifold differs from a patch: the squared distance from the patch's deepest point to a point
-/// of the manifold, plus the squared difference of their normals, times the square of `length`. The least
-/// over the manifold's points; infinite if there are none.
+/// The squared difference of a patch's first contact and the most similar point of a manifold, in place and
+/// normal; infinite if there are no points. Normals that differ by 1 count like places that are `length`
+/// apart. The manifold's normals are those of the last step.
 double squaredDifference(const ContactPatch& patch, const btPersistentManifold& manifold,
                          const PatchesMesh& mesh, double length) {
   const Contact& deepest = patch.contacts[0];

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <typeinfo>
 #include <utility>
 
@@ -176,6 +177,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   // contactTest and similar functions use derived results.
   const std::type_info& result_type = typeid(*result);
   const bool is_step = result_type == typeid(btManifoldResult);
+  static_assert(std::is_final_v<AllContacts>);
   if (result_type == typeid(AllContacts)) {
     findContacts(shapes, breaking + near, contacts_);
     static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);

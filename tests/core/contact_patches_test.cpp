@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "octoblisk/contacts.h"
 #include "shared/meshes.h"
@@ -55,19 +57,63 @@ TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   EXPECT_EQ(std::ranges::count_if(patches[0].points(), isOfOther), 2);
 }
 
+/// A contact with one side of a groove along y, whose normal is turned by some degrees from z.
+Contact sideOfGroove(double degrees, const Vec3& place, double distance, std::uint32_t a) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  return contactAt(place, {std::sin(angle), 0, std::cos(angle)}, distance, a, 9);
+}
+
+std::size_t countAll(std::span<const ContactPatch> patches) {
+  std::size_t count = 0;
+  for (const ContactPatch& patch : patches) count += patch.points().size();
+  return count;
+}
+
 TEST(ContactPatches, theSidesOfAGrooveAreTwoPatches) {
-  const auto patchesAt = [](double degrees, double apart, double less_deep) {
-    const double angle = degrees * std::numbers::pi / 360.0;
-    const Vec3 left(std::sin(angle), 0, std::cos(angle)), right(-left.x(), 0, left.z());
-    const std::vector<Contact> contacts = {contactAt({0, 0, 0}, left, -0.5, 0, 9),
-                                           contactAt({apart, 0, 0}, right, -0.5 + less_deep, 1, 9)};
+  const auto countsOf = [](double half, double apart, double less_deep) {
     ContactPatches reducer;
-    return reducer.reduce(contacts, 1.0).size();
+    const auto patches = reducer.reduce(std::vector{sideOfGroove(half, {0, 0, 0}, -0.5, 0),
+                                                    sideOfGroove(-half, {apart, 0, 0}, -0.5 + less_deep, 1)},
+                                        1.0);
+    return std::pair(patches.size(), countAll(patches));
   };
-  EXPECT_EQ(patchesAt(6, 0.5, 0.05), 2u);
-  EXPECT_EQ(patchesAt(4, 0.5, 0.05), 1u) << "hardly a groove";
-  EXPECT_EQ(patchesAt(6, 1.5, 0.05), 1u) << "apart, so that one patch keeps both";
-  EXPECT_EQ(patchesAt(6, 0.5, 0.15), 1u) << "only one side touches";
+  using Counts = std::pair<std::size_t, std::size_t>;  // of patches, of contacts
+  EXPECT_EQ(countsOf(3, 0.5, 0.05), Counts(2, 2));
+  EXPECT_EQ(countsOf(2, 0.5, 0.05), Counts(1, 1)) << "hardly a groove";
+  EXPECT_EQ(countsOf(3, 1.5, 0.05), Counts(1, 2)) << "apart, so that one patch keeps both";
+  EXPECT_EQ(countsOf(3, 0.5, 0.15), Counts(1, 1)) << "only one side touches";
+}
+
+/// A bar touches both sides at both of its ends.
+TEST(ContactPatches, bothSidesOfAGrooveAreKeptEverywhere) {
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(
+      std::vector{sideOfGroove(10, {0, 0, 0}, -0.5, 0), sideOfGroove(-10, {0.5, 0, 0}, -0.5, 1),
+                  sideOfGroove(10, {0, 9, 0}, -0.5, 2), sideOfGroove(-10, {0.5, 9, 0}, -0.5, 3)},
+      1.0);
+  EXPECT_EQ(patches.size(), 2u);
+  EXPECT_EQ(countAll(patches), 4u);
+}
+
+/// Bullet also takes contacts for one if only their points on B are near.
+TEST(ContactPatches, aCornerBetweenTwoWallsKeepsBoth) {
+  Contact left = sideOfGroove(10, {0, 0, 0}, 0.0, 0), right = sideOfGroove(-10, {3, 0, 0}, 0.0, 1);
+  left.point_on_b = right.point_on_b = Vec3(1.5, 0, 8);
+  ContactPatches reducer;
+  EXPECT_EQ(countAll(reducer.reduce(std::vector{left, right}, 1.0)), 2u);
+}
+
+TEST(ContactPatches, manySidesAtOnePlaceLeaveRoomForOtherPlaces) {
+  std::vector<Contact> contacts;
+  for (std::uint32_t k = 0; k < 25; ++k) {
+    const Vec3 normal(0.12 * (k % 5 - 2.0), 0.12 * (k / 5 - 2.0), 1.0);
+    contacts.push_back(contactAt(0.1 * normal, normal.normalized(), -0.5, k, 7));
+  }
+  contacts.push_back(contactAt({50, 0, 0}, Vec3::UnitX(), -0.1, 99, 8));
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(contacts, 1.0);
+  EXPECT_EQ(patches.size(), 3u);
+  EXPECT_EQ(patches.back().contacts[0].triangle_a, 99u);
 }
 
 TEST(ContactPatches, contactsOfAPatchAreApart) {

@@ -109,6 +109,7 @@ TEST(HullFaces, ofPointsInOnePlaneAndOnOneLine_vs_bruteforce) {
       hull.find(points);
       ASSERT_FALSE(hull.view().empty()) << "body " << b << ", turn " << turn;
       ASSERT_EQ(facesOf(hull.view(), points), facesByBruteForce(points)) << "body " << b;
+      EXPECT_EQ(hull.view().faces.size(), facesByBruteForce(points).size()) << "body " << b;
       expectWellFormed(hull.view(), points);
     }
   }

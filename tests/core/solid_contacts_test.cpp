@@ -59,6 +59,7 @@ TEST(FlatContacts, ofABoxThatCrossesASquare) {
     corners.emplace_back(c & 1 ? 0.4 : -0.4, c & 2 ? 0.5 : -0.5, c & 4 ? 0.3 : -0.3);
   }
   const ConvexHull box(corners, 0.01);
+  int askew = 0;
   for (const double tilt : {0.0, 0.02, -0.02}) {
     const Pose box_in_square{Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix(), {0, 0, 0.3}};
     std::vector<Contact> found;
@@ -75,13 +76,15 @@ TEST(FlatContacts, ofABoxThatCrossesASquare) {
         ASSERT_NE(contact, found.end()) << x << ' ' << y;
         const double deepest = std::ranges::min_element(found, {}, &Contact::distance)->distance;
         EXPECT_NEAR(contact->distance, std::max(-0.01 + std::tan(tilt) * y, deepest), 1e-3);
-        if (contact->distance > deepest) {
+        if (contact->distance > deepest + 1e-6) {
+          ++askew;
           EXPECT_NEAR(contact->normal.z(), -1.0, 1e-12) << "the square's, although the box is askew";
         }
       }
     }
     EXPECT_LE(found.size(), 2u + 2u * 5u);
   }
+  EXPECT_EQ(askew, 4);  // two corners of each tilted box
 }
 
 }  // namespace

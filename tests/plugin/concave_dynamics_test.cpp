@@ -152,7 +152,7 @@ bool areLinked(const Pose& a, const Pose& b, double radius) {
 
 constexpr double kRingRadius = 0.5, kRingTube = 0.12;  // of the rings of chains
 
-/// Tori with some links, nearly touching. The first one is static.
+/// A hanging chain: a static torus and `links` moving ones, nearly touching.
 std::vector<btRigidBody*> addChain(BulletWorld& world, btCollisionShape& torus, int links) {
   std::vector<btRigidBody*> rings;
   const btQuaternion upright(btVector3(1, 0, 0), SIMD_HALF_PI), across(btVector3(0, 0, 1), SIMD_HALF_PI);
@@ -164,8 +164,8 @@ std::vector<btRigidBody*> addChain(BulletWorld& world, btCollisionShape& torus, 
   return rings;
 }
 
-/// A corner of a ring lies in the groove at a corner of the next, and touches both sides. With one contact of
-/// the two, the rings rocked for as long as they were watched.
+/// A corner of each ring lies in a groove of the next and touches both sides. When one contact stood for
+/// both, the rings rocked without end at 20 iterations.
 TEST(ConcaveDynamics, aHangingChainFallsAsleep) {
   const auto shape = gallery::makeOurShape(testing::torus(kRingRadius, kRingTube, 32, 16));
   BulletWorld world;

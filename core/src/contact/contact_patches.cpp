@@ -25,8 +25,17 @@ bool isWithin(double distance, const Vec3& a, const Vec3& b) {
   return (a - b).squaredNorm() <= distance * distance;
 }
 
-bool isAsDeep(const Contact& contact, const Contact& deepest, double spacing) {
-  return contact.distance <= deepest.distance + kHardlyDeeper * spacing;
+/// Whether Bullet would take one contact for the other.
+bool areNear(const Contact& a, const Contact& b, double spacing) {
+  return isWithin(spacing, a.point_on_a, b.point_on_a) || isWithin(spacing, a.point_on_b, b.point_on_b);
+}
+
+bool areOfSameTriangles(const Contact& a, const Contact& b) {
+  return a.triangle_a == b.triangle_a && a.triangle_b == b.triangle_b;
+}
+
+bool isAsDeep(const Contact& contact, const Contact& other, double spacing) {
+  return contact.distance <= other.distance + kHardlyDeeper * spacing;
 }
 
 }  // namespace
@@ -50,10 +59,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
       if (!(value > least / kPreference)) continue;
       if (wasKept(contact)) value *= kPreference;
       if (!(value > least)) continue;
-      const auto isNear = [&](const Contact& added) {
-        return isWithin(spacing, added.point_on_a, contact.point_on_a) ||
-               isWithin(spacing, added.point_on_b, contact.point_on_b);
-      };
+      const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };
       if (std::ranges::any_of(patch.points(), isNear)) continue;
       least = value;
       best = &contact;
@@ -81,34 +87,55 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
   return patch;
 }
 
+/// For each contact of a patch, selects the one of the members near it that is about as deep and pushes in
+/// the most different direction: the other side of a groove. Empty if there are none.
+ContactPatch ContactPatches::otherSides(const ContactPatch& patch, std::span<const Contact> contacts,
+                                        Members members, double spacing) {
+  ContactPatch others;
+  for (const Contact& side : patch.points()) {
+    const Contact* best = nullptr;
+    double least = kSameNormal;
+    for (const std::uint32_t m : members) {
+      const Contact& contact = contacts[m];
+      const double cosine = contact.normal.dot(side.normal);
+      if (!(cosine < least) || areOfSameTriangles(contact, side)) continue;
+      if (!isAsDeep(contact, side, spacing) || !areNear(contact, side, spacing)) continue;
+      const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };
+      if (std::ranges::any_of(others.points(), isNear)) continue;
+      least = cosine;
+      best = &contact;
+    }
+    if (best) others.contacts[static_cast<std::size_t>(others.count++)] = *best;
+  }
+  return others;
+}
+
 std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> contacts, double spacing) & {
   kept_.clear();
   for (const ContactPatch& patch : patches_) {
     for (const Contact& contact : patch.points()) kept_.push_back(contact.point_on_a);
   }
   patches_.clear();
+  others_.clear();
   order_.resize(contacts.size());
   std::iota(order_.begin(), order_.end(), 0u);
   std::ranges::sort(order_, {}, [&](std::uint32_t i) { return byDepth(contacts[i]); });
 
   while (!order_.empty() && patches_.size() < kMaxPatches) {
-    const std::uint32_t first = order_.front();
-    const Contact& deepest = contacts[first];
-    const auto belongs = [&](const Contact& contact) {
-      const double cosine = contact.normal.dot(deepest.normal);
-      const bool is_other_side = cosine < kSameNormal && isAsDeep(contact, deepest, spacing) &&
-                                 isWithin(spacing, contact.point_on_a, deepest.point_on_a);
-      return cosine >= kSameDirection && !is_other_side;
-    };
+    const std::uint32_t deepest = order_.front();
     members_.clear();
     members_.reserve(order_.size());
     std::erase_if(order_, [&](std::uint32_t i) {
-      if (i != first && !belongs(contacts[i])) return false;
-      members_.push_back(i);
-      return true;
+      const bool belongs = i == deepest || contacts[i].normal.dot(contacts[deepest].normal) >= kSameDirection;
+      if (belongs) members_.push_back(i);
+      return belongs;
     });
     patches_.push_back(spread(contacts, members_, spacing));
+    const ContactPatch others = otherSides(patches_.back(), contacts, members_, spacing);
+    if (others.count > 0) others_.push_back(others);
   }
+  others_.resize(std::min(others_.size(), kMaxPatches - patches_.size()));
+  patches_.insert(patches_.end(), others_.begin(), others_.end());
   std::ranges::sort(patches_, {}, [](const ContactPatch& patch) { return byTriangles(patch.contacts[0]); });
   return patches_;
 }

@@ -20,18 +20,18 @@ struct ContactPatch {
 };
 
 /// Groups contacts into patches. A patch consists of the deepest contact and all contacts whose normals are
-/// within 45° of its normal: between rigid bodies these have similar effects, wherever they are. A contact
-/// that is near the deepest and about as deep, but whose normal differs by more than 5°, belongs to another
-/// patch: a body in a groove needs both sides.
+/// within 45° of its normal: between rigid bodies these have similar effects, wherever they are. A body in a
+/// groove touches both sides, so a patch may have a second one: contacts near its own that are about as deep,
+/// but push in directions that differ by more than 5°.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
 
-  /// Returns at most kMaxPatches patches, the deepest ones, by ascending triangles. The contacts of a patch
-  /// are more than `spacing` apart on A and on B. Contacts near those of the last call are preferred to
-  /// others that are only slightly deeper or wider apart, so that a resting body keeps its contacts. The
-  /// order of the contacts does not matter. The result is valid until the next call. Allocates nothing once
-  /// warm.
+  /// Returns at most kMaxPatches patches, the deepest ones and then second ones, by ascending triangles. The
+  /// contacts of a patch are more than `spacing` apart on A and on B. Contacts near those of the last call
+  /// are preferred to others that are only slightly deeper or wider apart, so that a resting body keeps its
+  /// contacts. The order of the contacts does not matter. The result is valid until the next call. Allocates
+  /// nothing once warm.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 
   /// Returns the patches of the last call.
@@ -41,11 +41,14 @@ class ContactPatches {
   using Members = std::span<const std::uint32_t>;
 
   ContactPatch spread(std::span<const Contact> contacts, Members members, double spacing) const;
+  static ContactPatch otherSides(const ContactPatch& patch, std::span<const Contact> contacts,
+                                 Members members, double spacing);
 
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> members_;
   std::vector<ContactPatch> patches_;
-  std::vector<Vec3> kept_;  // the points on A of the contacts of the last call
+  std::vector<ContactPatch> others_;  // second patches
+  std::vector<Vec3> kept_;            // the points on A of the contacts of the last call
 };
 
 }  // namespace octoblisk::detail

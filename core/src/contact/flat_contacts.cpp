@@ -56,16 +56,15 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
     cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       const double gap = (face->normal.dot(corner) - face->offset) / along;
-      Contact contact{convex_in_mesh * corner, {},         normal_in_mesh, gap - convex.radius(),
-                      of_triangle.triangle_a,  kNoTriangle};
-      if (contact.distance > threshold) continue;
-      if (contact.distance < of_triangle.distance) {
-        // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
-        contact.distance = of_triangle.distance;
-        contact.normal = of_triangle.normal;
-      }
-      contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
-      contacts.push_back(contact);
+      const double clearance = gap - convex.radius();
+      if (clearance > threshold) continue;
+      // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
+      const bool is_too_far_in = clearance < of_triangle.distance;
+      const double distance = is_too_far_in ? of_triangle.distance : clearance;
+      const Vec3& out = is_too_far_in ? of_triangle.normal : normal_in_mesh;
+      const Vec3 on_triangle = convex_in_mesh * corner;
+      contacts.push_back(
+          {on_triangle, on_triangle - distance * out, out, distance, of_triangle.triangle_a, kNoTriangle});
     }
   }
 }

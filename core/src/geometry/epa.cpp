@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace octoblisk::detail {
 namespace {
@@ -158,15 +159,18 @@ class Polytope {
 
   /// Replaces the faces that see the new vertex, spreading from one that does, by faces from their rim to the
   /// vertex. Also replaces faces whose plane contains the vertex, because one of their edges in line with it
-  /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim.
+  /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim or
+  /// makes a face without area, or if there are too many faces.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
-    std::array<int, kMaxFaces> seeing;  // the faces that see the vertex; first those to replace
+    std::array<int, kMaxFaces> seeing;  // faces that see the vertex, the replaced ones first
     int seeing_count = 0, replaced_count = 0;
     const auto seeingAt = [&](int s) -> int& { return seeing[static_cast<std::size_t>(s)]; };
     const auto faceAt = [&](int f) -> PolytopeFace& { return faces_[static_cast<std::size_t>(f)]; };
     const double coplanar = kCoplanar * size_;
+    seeingAt(seeing_count++) = seen_face;
     for (int f = 0; f < face_count_; ++f) {
-      if (faceAt(f).normal.dot(vertex.difference) < faceAt(f).distance - coplanar) continue;
+      const PolytopeFace& face = faceAt(f);
+      if (f == seen_face || face.normal.dot(vertex.difference) < face.distance - coplanar) continue;
       seeingAt(seeing_count++) = f;
     }
     Rim rim;
@@ -174,7 +178,7 @@ class Polytope {
       rim.take(faceAt(seeingAt(s)));
       std::swap(seeingAt(s), seeingAt(replaced_count++));
     };
-    replace(static_cast<int>(std::find(seeing.begin(), seeing.end(), seen_face) - seeing.begin()));
+    replace(0);
     for (bool spreads = true; spreads;) {
       spreads = false;
       for (int s = replaced_count; s < seeing_count; ++s) {
@@ -193,7 +197,7 @@ class Polytope {
       return false;
     }
     ++count_;
-    // The last faces take the places of those replaced, from the last place on.
+    // The last faces fill the places of the replaced ones. In descending order, no replaced face is moved.
     std::sort(seeing.begin(), seeing.begin() + replaced_count, std::greater<>());
     for (int s = 0; s < replaced_count; ++s) faceAt(seeingAt(s)) = faceAt(--face_count_);
     return true;

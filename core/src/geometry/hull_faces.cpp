@@ -4,15 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
 namespace octoblisk {
 
 namespace {
 
-constexpr double kFlatHull = 1e-9;    // relative to the hull's size; a thinner hull has no good faces
-constexpr double kOutside = 1e-12;    // relative to its size: points no farther out are in the face
-constexpr double kSamePlane = 1e-12;  // between unit normals
+constexpr double kFlatHull = 1e-9;  // relative to the hull's size; a thinner hull has no good faces
+constexpr double kOutside = 1e-12;  // relative to its size: points no farther out are in the face
 constexpr std::size_t kMaxTriangles = 2 * HullFaceList::kMaxPoints;  // Euler: 2v − 4
 
 struct DirectedEdge {
@@ -32,7 +32,7 @@ struct HullTriangle {
   std::uint32_t face;
 };
 
-/// A small number for each edge, in each direction.
+/// A number below 255 for each directed edge.
 class EdgeNumbers {
  public:
   static constexpr std::uint8_t kNone = 255;
@@ -176,6 +176,22 @@ class HullBuilder {
   double size_ = 0.0;
 };
 
+/// False if rounding has given an edge no triangle on one side, or two.
+bool findNeighbors(std::span<const HullTriangle> triangles, EdgeNumbers& left_of) {
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const auto& [from, to] : triangles[t].edges()) {
+      std::uint8_t& left = left_of.of(from, to);
+      if (left != EdgeNumbers::kNone) return false;
+      left = static_cast<std::uint8_t>(t);
+    }
+  }
+  return std::ranges::all_of(triangles, [&](const HullTriangle& triangle) {
+    return std::ranges::all_of(triangle.edges(), [&](const DirectedEdge& edge) {
+      return left_of.of(edge.to, edge.from) != EdgeNumbers::kNone;
+    });
+  });
+}
+
 }  // namespace
 
 void HullFaceList::find(std::span<const Vec3> points) {
@@ -183,55 +199,38 @@ void HullFaceList::find(std::span<const Vec3> points) {
   edges_.clear();
   if (points.size() < 4 || points.size() > kMaxPoints) return;
   HullBuilder hull(points);
-  if (!hull.build()) return;
-  const std::span<HullTriangle> triangles = hull.triangles();
-  // Every edge has one triangle on either side, unless rounding has spoilt the hull.
-  EdgeNumbers left_of;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const auto& [from, to] : triangles[t].edges()) {
-      if (left_of.of(from, to) != EdgeNumbers::kNone) return;
-      left_of.of(from, to) = static_cast<std::uint8_t>(t);
-    }
-  }
-  for (const HullTriangle& triangle : triangles) {
-    for (const auto& [from, to] : triangle.edges()) {
-      if (left_of.of(to, from) == EdgeNumbers::kNone) return;
-    }
-  }
+  EdgeNumbers left_of;  // the triangle on the left of an edge
+  if (!hull.build() || !findNeighbors(hull.triangles(), left_of)) return;
   const auto across = [&](const DirectedEdge& edge) -> HullTriangle& {
-    return triangles[left_of.of(edge.to, edge.from)];
+    return hull.triangles()[left_of.of(edge.to, edge.from)];
   };
-
-  Eigen::Array<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMaxPoints> coordinates(points.size(), 3);
-  for (std::size_t p = 0; p < points.size(); ++p) coordinates.row(Eigen::Index(p)) = points[p];
-  for (HullTriangle& first : triangles) {
+  for (HullTriangle& first : hull.triangles()) {
     if (first.face != HullTriangle::kNoFace) continue;
-    const Vec3& normal = first.normal;
-    const double offset = (coordinates.col(0) * normal.x() +
-                           (coordinates.col(1) * normal.y() + coordinates.col(2) * normal.z()))
-                              .maxCoeff();
-    if (offset - first.offset > 10.0 * kOutside * hull.size()) return faces_.clear(), edges_.clear();
+    double offset = first.offset;
+    for (const Vec3& point : points) offset = std::max(offset, first.normal.dot(point));
+    if (offset - first.offset > 10.0 * kOutside * hull.size()) return faces_.clear();
     first.face = static_cast<std::uint32_t>(faces_.size());
-    faces_.push_back({normal, std::max(offset, first.offset)});
+    faces_.push_back({first.normal, offset});
+    // By the corners, because the normal of a thin triangle is inaccurate.
+    const auto isInPlane = [&](std::uint32_t corner) {
+      return std::abs(first.normal.dot(points[corner]) - first.offset) <= kOutside * hull.size();
+    };
     std::array<const HullTriangle*, kMaxTriangles> coplanar;
     coplanar[0] = &first;
     for (std::size_t k = 0, count = 1; k < count; ++k) {
       for (const DirectedEdge& edge : coplanar[k]->edges()) {
         HullTriangle& other = across(edge);
-        if (other.face != HullTriangle::kNoFace) continue;
-        if ((other.normal - normal).squaredNorm() > kSamePlane * kSamePlane) continue;
+        if (other.face != HullTriangle::kNoFace || !std::ranges::all_of(other.corner, isInPlane)) continue;
         other.face = first.face;
         coplanar[count++] = &other;
       }
     }
   }
-  for (const HullTriangle& triangle : triangles) {
+  for (const HullTriangle& triangle : hull.triangles()) {
     for (const DirectedEdge& edge : triangle.edges()) {
-      const std::uint32_t other = across(edge).face;
-      if (edge.from < edge.to && other != triangle.face) {
-        edges_.push_back({edge.from, edge.to, triangle.face, other,
-                          faces_[triangle.face].normal.dot(faces_[other].normal)});
-      }
+      const std::uint32_t left = triangle.face, right = across(edge).face;
+      if (edge.from < edge.to && left != right)
+        edges_.push_back({edge.from, edge.to, left, right, faces_[left].normal.dot(faces_[right].normal)});
     }
   }
 }
