@@ -188,8 +188,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
       !(relativeDisplacement(mesh, other, *other_in_mesh_, shapes.other_in_mesh) <= kStill * breaking)) {
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
-    findContacts(shapes, reach, contacts_);
-    toSurfaceContacts(shapes, reach, contacts_);
+    findSurfaceContacts(shapes, reach, contacts_);
     patches_.reduce(contacts_, breaking);
   }
   showPatches(shapes, mesh, other, breaking, info.m_timeStep, *result);

@@ -76,9 +76,10 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// `reach`, in the mesh's frame.
   virtual void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
-  /// Converts the contacts that findContacts has just found within `reach` to contacts of the surfaces,
-  /// without effects of internal edges.
-  virtual void toSurfaceContacts(const PosedShapes&, double, std::vector<Contact>&) {}
+  /// The same, but contacts of the surfaces, without effects of internal edges.
+  virtual void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+    findContacts(shapes, reach, found);
+  }
 
   /// Discards everything that is known about the shapes' triangles.
   virtual void trianglesHaveMoved() {}

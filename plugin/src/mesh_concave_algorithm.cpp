@@ -104,7 +104,9 @@ void MeshConcaveAlgorithm::findContacts(const PosedShapes& shapes, double reach,
   source_contacts_.find(shapes.mesh.tree(), source, shapes.other_in_mesh, reach, found);
 }
 
-void MeshConcaveAlgorithm::toSurfaceContacts(const PosedShapes& shapes, double, std::vector<Contact>& found) {
+void MeshConcaveAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
+                                               std::vector<Contact>& found) {
+  findContacts(shapes, reach, found);
   surface_contacts_.filter(
       found, [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {

@@ -16,7 +16,7 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
 
  private:
   void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void toSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   /// The shape does not report changes.
   bool readOther(const btCollisionShape&) override { return false; }
   double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }

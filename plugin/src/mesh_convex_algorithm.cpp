@@ -29,8 +29,9 @@ void MeshConvexAlgorithm::findContacts(const PosedShapes& shapes, double reach, 
   contacts(shapes.mesh.tree(), convex, shapes.other_in_mesh, reach, near_, found);
 }
 
-void MeshConvexAlgorithm::toSurfaceContacts(const PosedShapes& shapes, double reach,
-                                            std::vector<Contact>& found) {
+void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
+                                              std::vector<Contact>& found) {
+  findContacts(shapes, reach, found);
   const ClusteredOctree& tree = shapes.mesh.tree();
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const Pose& convex_in_mesh = shapes.other_in_mesh;

@@ -15,7 +15,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
 
  private:
   void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void toSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   bool readOther(const btCollisionShape& other) override;
   void trianglesHaveMoved() override {
     near_.forget();

@@ -25,13 +25,11 @@ void MeshMeshAlgorithm::findContacts(const PosedShapes& shapes, double reach, st
   contacts(shapes.mesh.tree(), clusters(shapes.other).tree(), shapes.other_in_mesh, reach, found);
 }
 
-void MeshMeshAlgorithm::toSurfaceContacts(const PosedShapes& shapes, double reach,
-                                          std::vector<Contact>& found) {
+void MeshMeshAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
+                                            std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = clusters(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  surface_contacts_.filter(
-      found, [&](const Contact& contact) { return shape_a.tree().mesh().triangle(contact.triangle_a); },
-      [&](const Contact& contact) { return b_in_a * shape_b.tree().mesh().triangle(contact.triangle_b); });
+  surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }
 

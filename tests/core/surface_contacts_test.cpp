@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "octoblisk/contacts.h"
 #include "shared/brute_force.h"
@@ -22,9 +23,11 @@ using testing::uniform;
 
 /// The contacts of two meshes before and after the filter.
 struct Found {
+  double threshold;
   std::vector<Contact> all, kept;
 
-  Found(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold) {
+  Found(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double within)
+      : threshold(within) {
     contacts(a, b, b_in_a, threshold, all);
     kept = all;
     SurfaceContacts surfaces;
@@ -166,6 +169,36 @@ TEST(SurfaceContacts, sheetsHaveTwoSides) {
       }
     }
   }
+}
+
+/// Triangle pairs that are left out before their contacts are computed make no difference.
+TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
+  std::mt19937_64 random(100);
+  const std::vector<testing::SharedMesh> meshes = {
+      testing::bumpySphere(random, 1.0, 0.2, 24), testing::torus(1.0, 0.4, 24, 16),
+      testing::boxMesh({0.8, 0.5, 0.3}), testing::waveSheet(3, 0.2, 60)};
+  std::vector<ClusteredOctree> trees;
+  for (const testing::SharedMesh& mesh : meshes) trees.push_back(ClusteredOctree::build(mesh));
+  int clear = 0, meeting = 0, filtered = 0;
+  SurfaceContacts surfaces;
+  std::vector<Contact> at_once;
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const ClusteredOctree &a = trees[i % 4], &b = trees[i / 4 % 4];
+    Pose pose = testing::randomPose(random, 0.0);
+    pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.4, 2.8);
+    const Found found(a, b, pose, uniform(random, 0.01, 0.2));
+    surfaces.find(a, b, pose, found.threshold, at_once);
+    const auto asTuple = [](const Contact& c) {
+      return std::tuple(c.triangle_a, c.triangle_b, c.distance, c.normal, c.point_on_a, c.point_on_b);
+    };
+    ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
+    if (found.all.empty()) continue;
+    ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
+    filtered += 2 * found.kept.size() < found.all.size();
+  }
+  EXPECT_GT(clear, 100);
+  EXPECT_GT(meeting, 200);
+  EXPECT_GT(filtered, 400);
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     corners_.add(places_[c].triangle, c);
     order_[c] = c;
   }
-  corners_.sort();
   std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
   is_internal_.assign(contacts.size(), 0);
   for (const std::uint32_t c : order_) {
@@ -45,15 +44,13 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     const auto [first, second] = endsOf(place.feature);
     const Vec3 &from = triangle[first], &to = triangle[second];
     const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
-    corners_.forEachAt(from, [&](std::uint32_t other) {
+    is_internal_[c] = corners_.anyAt(from, [&](std::uint32_t other) {
       if (!(contacts[other].distance < contacts[c].distance - 1e-9 * size)) return false;
       const Place& shares = places_[other];
       if (is_internal_[other] == 0 && !shares.is_perpendicular) return false;
       if (!areSmooth(place.normal, shares.normal)) return false;
       if (!hasCorner(shares.triangle, from) || !hasCorner(shares.triangle, to)) return false;
-      if (!leansOver(shares.triangle, from, to, -contacts[c].normal)) return false;
-      is_internal_[c] = 1;
-      return true;
+      return leansOver(shares.triangle, from, to, -contacts[c].normal);
     });
   }
   std::size_t kept = 0;

@@ -9,22 +9,33 @@
 
 #include "geometry/triangle_feature.h"
 #include "geometry/triangle_pair.h"
+#include "query/near_pairs.h"
+#include "tree/tree.h"
 
 namespace octoblisk::detail {
 namespace {
 
 /// The sine of a tilt of a contact's normal that means nothing: 0.6°.
 constexpr double kSlightTilt = 0.01;
+/// The sine of the angle by which a point must be behind a face's plane.
+constexpr double kBehind = 1e-3;
 
-std::uint32_t rootOf(std::vector<std::uint32_t>& parent, std::uint32_t contact) {
-  while (parent[contact] != contact) contact = parent[contact] = parent[parent[contact]];
-  return contact;
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+auto trianglesOf(const Contact& contact) { return TrianglePair{contact.triangle_a, contact.triangle_b}; }
+
+/// Whether two triangles are nearer than `distance`, which is above 0.
+bool areWithin(double distance, const Triangle& a, const Triangle& b) {
+  const auto isOfB = [&](const Vec3& corner) { return hasCorner(b, corner); };
+  return std::ranges::any_of(a, isOfB) || contactOf(a, b).distance < distance;
 }
 
-/// Sorts the contacts by one of their triangles and calls visit(contacts) for the contacts of each triangle.
+/// Calls visit(contacts) for the contacts of each triangle A or B.
 template <typename Visit>
 void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
                   std::vector<std::uint32_t>& order, Visit&& visit) {
+  order.resize(contacts.size());
+  std::iota(order.begin(), order.end(), 0u);
   const auto triangleOf = [&](std::uint32_t c) { return contacts[c].*triangle; };
   const auto place = [&](std::uint32_t c) { return std::pair(triangleOf(c), c); };
   if (!std::ranges::is_sorted(order, {}, place)) std::ranges::sort(order, {}, place);
@@ -53,15 +64,96 @@ bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
   return !other.facing.isZero() && isBelow(face, other) && isBelow(other, face);
 }
 
+void SurfaceContacts::clear() {
+  surface_a_.clear();
+  surface_b_.clear();
+  pairs_.clear();
+  skipped_.clear();
+}
+
+SurfaceContacts::Pair SurfaceContacts::add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b,
+                                           const Triangle& b) {
+  return {surface_a_.add(index_a, a), surface_b_.add(index_b, b)};
+}
+
+void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
+                           double threshold, std::vector<Contact>& found) {
+  found.clear();
+  clear();
+  nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
+  for (const NearPair& near : near_) {
+    const auto [triangle_a, triangle_b] = near.triangles;
+    pairs_.push_back(
+        add(triangle_a, a.mesh().triangle(triangle_a), triangle_b, b_in_a * b.mesh().triangle(triangle_b)));
+  }
+  const bool may_meet =
+      std::ranges::any_of(near_, [](const NearPair& near) { return near.meeting != Meeting::no; });
+  order_.clear();
+  for (std::uint32_t n = 0; n < near_.size(); ++n) {
+    if (isSurelyInner(near_[n], pairs_[n], may_meet)) {
+      skipped_.push_back(pairs_[n]);
+    } else {
+      order_.push_back(n);
+    }
+  }
+  std::ranges::sort(order_, {}, [&](std::uint32_t n) { return near_[n].triangles; });
+  of_contacts_.clear();
+  for (const std::uint32_t n : order_) {
+    const Pair& pair = pairs_[n];
+    const std::optional<Contact> contact =
+        contactWithin(threshold, near_[n], surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
+    if (!contact) continue;
+    found.push_back(*contact);
+    of_contacts_.push_back(pair);
+  }
+  pairs_.swap(of_contacts_);
+  filter(found);
+}
+
+/// Whether markInner would remove the contact of a pair, by bounds of its distance and direction. With
+/// `keep_past`, false for pairs that markPast may remove: their contacts decide about others.
+bool SurfaceContacts::isSurelyInner(const NearPair& near, const Pair& pair, bool keep_past) const {
+  constexpr double kPerpendicular = 1.5e-3;  // the sine of isPerpendicular's tolerance
+  if (near.meeting != Meeting::no) return false;
+  const Triangle &a = surface_a_.triangle(pair.a), &b = surface_b_.triangle(pair.b);
+  const auto [on_a, on_b] = near.features.places(a, b);
+  const Vec3 way = on_b.point - on_a.point, facing_a = scaledNormal(a), facing_b = scaledNormal(b);
+  const double squared = way.squaredNorm(), length = std::sqrt(squared);
+  // The planes through the nearest corners along the way are between the triangles.
+  const auto alongWay = [&](const Vec3& corner) { return way.dot(corner - on_a.point); };
+  const double gap = std::min({alongWay(b[0]), alongWay(b[1]), alongWay(b[2])}) -
+                     std::max({alongWay(a[0]), alongWay(a[1]), alongWay(a[2])});
+  const double least = gap / length;
+  if (!(least > 0.0)) return false;
+  // The differences of points of two convex bodies are a convex set. So the direction between points that are
+  // nearly the closest ones is off by at most this sine.
+  const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
+  const auto isPerpendicularTo = [&](const Vec3& facing) {
+    const double tilt = kPerpendicular + error;
+    return facing.cross(way).squaredNorm() <= tilt * tilt * squared * facing.squaredNorm();
+  };
+  const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
+                           const Vec3& facing, const Vec3& other) {
+    return own.feature != 0b111u && !isPerpendicularTo(facing) &&
+           surface.comesNearer(number, own.feature, own.point, other, least, kSlightTilt + error);
+  };
+  if (keep_past) {
+    const auto mayBeBehind = [&](const Vec3& facing, const Vec3& towards) {
+      return towards.dot(facing) < -(kBehind - error) * length * facing.norm();
+    };
+    if (mayBeBehind(facing_a, way) || mayBeBehind(facing_b, -way)) return false;
+  }
+  return isInner(surface_a_, pair.a, on_a, facing_a, on_b.point) ||
+         isInner(surface_b_, pair.b, on_b, facing_b, on_a.point);
+}
+
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
-  if (contacts.size() < 2) return;
+  if (contacts.empty() || contacts.size() + skipped_.size() < 2) return;
+  removed_.assign(contacts.size(), Removed::no);
   removeLongWays(contacts);
   join(contacts);
   markPast(contacts);
-  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
-               [&](Members opposite_one) { markInner(contacts, opposite_one, true); });
-  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
-               [&](Members opposite_one) { markInner(contacts, opposite_one, false); });
+  markInner(contacts);
   keepDeepest(contacts);
   dropRemoved(contacts);
   alignWithFaces(contacts);
@@ -75,7 +167,8 @@ void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact& contact = contacts[c];
     Vec3& normal = contact.normal;
-    const Vec3 of_a = scaledNormal(pairs_[c].a), of_b = scaledNormal(pairs_[c].b);
+    const Vec3 of_a = scaledNormal(surface_a_.triangle(pairs_[c].a)),
+               of_b = scaledNormal(surface_b_.triangle(pairs_[c].b));
     if (isPerpendicular(of_a, normal) || isPerpendicular(of_b, normal)) continue;
     const auto cosineTo = [&](const Vec3& facing) {
       const double length = facing.norm();
@@ -103,25 +196,15 @@ void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
   pairs_.resize(kept);
 }
 
-/// Keeps all contacts, in the given order.
-void SurfaceContacts::reset(std::size_t contacts) {
-  removed_.assign(contacts, Removed::no);
-  for (auto* indices : {&by_a_, &by_b_}) {
-    indices->resize(contacts);
-    std::iota(indices->begin(), indices->end(), 0u);
-  }
-}
-
 /// This comes first, because the depths of these contacts are meaningless.
 void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
-  reset(contacts.size());
-  forEachOfOne(&Contact::triangle_b, contacts, by_b_,
+  if (std::ranges::none_of(contacts, [](const Contact& contact) { return contact.distance < 0.0; })) return;
+  forEachOfOne(&Contact::triangle_b, contacts, order_,
                [&](Members opposite_one) { markLongWays(contacts, opposite_one, true); });
-  forEachOfOne(&Contact::triangle_a, contacts, by_a_,
+  forEachOfOne(&Contact::triangle_a, contacts, order_,
                [&](Members opposite_one) { markLongWays(contacts, opposite_one, false); });
-  const std::size_t before = contacts.size();
   dropRemoved(contacts);
-  if (contacts.size() < before) reset(contacts.size());
+  removed_.assign(contacts.size(), Removed::no);
 }
 
 /// Marks contacts with one triangle of the other body that are perpendicular to a face of this body although
@@ -135,7 +218,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
   faces_.clear();
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
-    const Triangle& own = of_a ? pairs_[c].a : pairs_[c].b;
+    const Triangle& own = of_a ? surface_a_.triangle(pairs_[c].a) : surface_b_.triangle(pairs_[c].b);
     if (!(contact.distance < 0.0) || !isPerpendicular(scaledNormal(own), contact.normal)) continue;
     if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
     const Face face(own, contact.distance);
@@ -148,11 +231,11 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
     const auto isShortWay = [&](const Face& other) {
       if (other.contact_distance <= -half_way) return false;
       if (other.depthOf(deepest) < half_way && isConvex(face, other) &&
-          closestPoints(other.triangle, {deepest, deepest, deepest}).distance < half_way) {
+          distance(other.triangle, deepest) < half_way) {
         return true;
       }
       if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
-      return *is_out && isConvex(face, other) && contactOf(own, other.triangle).distance < half_way;
+      return *is_out && isConvex(face, other) && areWithin(half_way, own, other.triangle);
     };
     if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = Removed::long_way;
   }
@@ -172,23 +255,31 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
     shallowest_.resize(kMax);
   }
   for (const std::uint32_t c : shallowest_) {
-    faces_.emplace_back(of_a ? pairs_[c].a : pairs_[c].b, contacts[c].distance);
+    faces_.emplace_back(of_a ? surface_a_.triangle(pairs_[c].a) : surface_b_.triangle(pairs_[c].b),
+                        contacts[c].distance);
   }
 }
 
-/// Groups contacts that are connected by triangles. The root of a group is its deepest contact.
+/// Groups pairs that are connected by triangles.
 void SurfaceContacts::join(const std::vector<Contact>& contacts) {
-  parent_.resize(contacts.size());
+  parent_.resize(surface_a_.size() + surface_b_.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
-  const auto joinAll = [&](Members of_one) {
-    for (const std::uint32_t c : of_one.subspan(1)) {
-      std::uint32_t a = rootOf(parent_, of_one.front()), b = rootOf(parent_, c);
-      if (contacts[b].distance < contacts[a].distance) std::swap(a, b);
-      parent_[b] = a;
-    }
-  };
-  forEachOfOne(&Contact::triangle_a, contacts, by_a_, joinAll);
-  forEachOfOne(&Contact::triangle_b, contacts, by_b_, joinAll);
+  for (const Pair& pair : pairs_) connect(pair);
+  for (const Pair& pair : skipped_) connect(pair);
+  deepest_.assign(parent_.size(), kNone);
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
+    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
+  }
+}
+
+std::uint32_t SurfaceContacts::rootOf(std::uint32_t node) {
+  while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+  return node;
+}
+
+void SurfaceContacts::connect(const Pair& pair) {
+  parent_[rootOf(surface_a_.size() + pair.b)] = rootOf(pair.a);
 }
 
 /// Restores the deepest contact of each group that was removed entirely, and the deepest contact of all.
@@ -196,11 +287,11 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
   removed_[static_cast<std::size_t>(deepest)] = Removed::no;
   stays_.assign(parent_.size(), false);
-  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (removed_[c] == Removed::no) stays_[rootOf(parent_, c)] = true;
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    if (removed_[c] == Removed::no) stays_[groupOf(pairs_[c])] = true;
   }
-  for (std::uint32_t c = 0; c < parent_.size(); ++c) {
-    if (parent_[c] == c && !stays_[c]) removed_[c] = Removed::no;
+  for (std::uint32_t node = 0; node < parent_.size(); ++node) {
+    if (deepest_[node] != kNone && !stays_[node]) removed_[deepest_[node]] = Removed::no;
   }
 }
 
@@ -208,11 +299,11 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
 /// connected to contacts whose triangles meet.
 void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
-  constexpr double kBehind = 1e-3;
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
-    if (!isApart(contact) || isApart(contacts[rootOf(parent_, c)])) continue;
-    const Vec3 facing_a = scaledNormal(pairs_[c].a), facing_b = scaledNormal(pairs_[c].b);
+    if (!isApart(contact) || isApart(contacts[deepest_[groupOf(pairs_[c])]])) continue;
+    const Vec3 facing_a = scaledNormal(surface_a_.triangle(pairs_[c].a)),
+               facing_b = scaledNormal(surface_b_.triangle(pairs_[c].b));
     if (contact.normal.dot(facing_a) > kBehind * facing_a.norm() ||
         contact.normal.dot(facing_b) < -kBehind * facing_b.norm()) {
       removed_[c] = Removed::past;
@@ -220,40 +311,41 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   }
 }
 
-/// Marks contacts with one triangle of the other body that are at an angle to this body's triangle, at an
-/// edge or corner beyond which another triangle of this body leans towards the other body.
-void SurfaceContacts::markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
-  if (opposite_one.size() < 2) return;
-  const auto ownOf = [&](std::uint32_t c) -> const Triangle& { return of_a ? pairs_[c].a : pairs_[c].b; };
-  corners_.clear();
-  for (const std::uint32_t c : opposite_one) {
-    const Contact& contact = contacts[c];
-    const Triangle& own = ownOf(c);
-    if (removed_[c] != Removed::no) continue;
-    const Vec3 normal = scaledNormal(own);
-    if (isPerpendicular(normal, contact.normal)) continue;
-    const unsigned feature = featureOf(own, normal, of_a ? contact.point_on_a : contact.point_on_b);
-    if (feature == 0b111u || feature == 0) continue;
-    if (corners_.empty()) {
-      for (const std::uint32_t o : opposite_one) corners_.add(ownOf(o), o);
-      corners_.sort();
-    }
-    const auto [first, second] = endsOf(feature);
-    const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
-    const double size = (own[1] - own[0]).norm() + (own[2] - own[0]).norm();
-    corners_.forEachAt(own[first], [&](std::uint32_t o) {
-      const Contact& other = contacts[o];
-      // A triangle that is wholly past the face is deeper than one that meets it.
-      const bool is_nearer = contact.distance > 0.0 ? other.distance < contact.distance - 1e-9 * size
-                                                    : other.distance <= 0.0 || removed_[o] == Removed::past;
-      if (o == c || !is_nearer) return false;
-      const Triangle& shares = ownOf(o);
-      if (!hasCorner(shares, own[first]) || !hasCorner(shares, own[second])) return false;
-      if (!leansOver(shares, own[first], own[second], towards, kSlightTilt)) return false;
+void SurfaceContacts::markInner(const std::vector<Contact>& contacts) {
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    if (removed_[c] == Removed::no && (isInner(contacts, c, true) || isInner(contacts, c, false)))
       removed_[c] = Removed::inner;
-      return true;
-    });
   }
+}
+
+/// Whether a contact is at an angle to a body's triangle, at an edge or corner beyond which another triangle
+/// of this body leans towards the other body, and comes nearer or meets it.
+bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const {
+  const Contact& contact = contacts[c];
+  const LocalSurface& surface = of_a ? surface_a_ : surface_b_;
+  const std::uint32_t number = of_a ? pairs_[c].a : pairs_[c].b;
+  const Triangle& own = surface.triangle(number);
+  const Vec3 &point = of_a ? contact.point_on_a : contact.point_on_b,
+             &opposite = of_a ? contact.point_on_b : contact.point_on_a;
+  const Vec3 normal = scaledNormal(own);
+  if (isPerpendicular(normal, contact.normal)) return false;
+  const unsigned feature = featureOf(own, normal, point);
+  if (feature == 0b111u || feature == 0) return false;
+  if (contact.distance > 0.0) {
+    const double rounding = 1e-9 * ((own[1] - own[0]).norm() + (own[2] - own[0]).norm());
+    const double nearer = std::max(contact.distance - rounding, 0.5 * contact.distance);
+    return surface.comesNearer(number, feature, point, opposite, nearer, kSlightTilt);
+  }
+  const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
+  return surface.leansBeyond(number, feature, towards, kSlightTilt, [&](std::uint32_t other) {
+    TrianglePair pair{contact.triangle_a, contact.triangle_b};
+    (of_a ? pair.a : pair.b) = surface.index(other);
+    const auto found = std::ranges::lower_bound(contacts, pair, {}, trianglesOf);
+    if (found == contacts.end() || trianglesOf(*found) != pair) return false;
+    // A triangle that is wholly past the face is deeper than one that meets it.
+    return found->distance <= 0.0 ||
+           removed_[static_cast<std::size_t>(found - contacts.begin())] == Removed::past;
+  });
 }
 
 }  // namespace octoblisk::detail

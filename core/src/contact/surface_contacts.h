@@ -5,9 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "contact/shared_corners.h"
+#include "contact/local_surface.h"
+#include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
+#include "query/near_pair.h"
 
 namespace octoblisk::detail {
 
@@ -24,23 +26,32 @@ namespace octoblisk::detail {
 ///   tilts their normals, each in its own direction.
 class SurfaceContacts {
  public:
+  /// Replaces `found` with the contacts of the surfaces A and B within `threshold`, in ascending order of
+  /// triangles: those of octoblisk::contacts, filtered. Most pairs of triangles beyond whose edges the
+  /// surfaces come nearer are left out before their contacts are computed. Allocates nothing once warm.
+  void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
+            std::vector<Contact>& found);
+
   /// Makes normals that are slightly tilted perpendicular to a face; distances stay. Removes the
-  /// other kinds from the contacts of A and B and keeps the order. Of the contacts that do not
-  /// push the long way, it keeps the deepest of all and at least one of each connected group. Triangles face
-  /// outward. A contact whose triangles are apart stays, whichever way they face, if it is connected to no
-  /// contact whose triangles meet: thin sheets have two sides. `triangle_a(contact)` and
-  /// `triangle_b(contact)` return the triangles in the frame of the contacts. Shared corners must be equal to
-  /// the last bit. Allocates nothing once warm.
+  /// other kinds from the contacts of A and B, which are in ascending order of triangles, and keeps the
+  /// order. Of the contacts that do not push the long way, it keeps the deepest of all and at least one of
+  /// each connected group. Triangles face outward. A contact whose triangles are apart stays, whichever way
+  /// they face, if it is connected to no contact whose triangles meet: thin sheets have two sides.
+  /// `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame of the contacts.
+  /// Shared corners must be equal to the last bit. Allocates nothing once warm.
   template <typename TriangleA, typename TriangleB>
   void filter(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
-    pairs_.clear();
-    for (const Contact& contact : contacts) pairs_.push_back({triangle_a(contact), triangle_b(contact)});
+    clear();
+    for (const Contact& contact : contacts) {
+      pairs_.push_back(add(contact.triangle_a, triangle_a(contact), contact.triangle_b, triangle_b(contact)));
+    }
     filter(contacts);
   }
 
  private:
+  /// The numbers of two triangles in surface_a_ and surface_b_.
   struct Pair {
-    Triangle a, b;
+    std::uint32_t a, b;
   };
   struct Face {
     Face(const Triangle& of, double contact);
@@ -52,27 +63,38 @@ class SurfaceContacts {
   };
   using Members = std::span<const std::uint32_t>;
 
+  void clear();
+  Pair add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b, const Triangle& b);
+  bool isSurelyInner(const NearPair& near, const Pair& pair, bool keep_past) const;
   void filter(std::vector<Contact>& contacts);
   void alignWithFaces(std::vector<Contact>& contacts) const;
-  void reset(std::size_t contacts);
   void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);
   void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   static bool isConvex(const Face& face, const Face& other);
   void join(const std::vector<Contact>& contacts);
+  void connect(const Pair& pair);
+  std::uint32_t rootOf(std::uint32_t node);
+  std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
   void markPast(const std::vector<Contact>& contacts);
-  void markInner(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
+  void markInner(const std::vector<Contact>& contacts);
+  bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const;
 
-  std::vector<Pair> pairs_;  // per contact
-  SharedCorners corners_;    // of the triangles of some contacts
+  LocalSurface surface_a_, surface_b_;
+  std::vector<NearPair> near_;
+  std::vector<Pair> pairs_;  // per near pair, then per contact
+  std::vector<Pair> of_contacts_;
+  std::vector<Pair> skipped_;  // pairs whose contacts were not computed
   /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner };
   std::vector<Removed> removed_;
-  std::vector<std::uint32_t> by_a_, by_b_, parent_, shallowest_;
-  std::vector<Face> faces_;  // faces that meet a triangle
-  std::vector<bool> stays_;  // per root: whether a contact of its group stays
+  std::vector<std::uint32_t> order_, shallowest_;
+  std::vector<Face> faces_;             // faces that meet a triangle
+  std::vector<std::uint32_t> parent_;   // per triangle of surface_a_, then of surface_b_
+  std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
+  std::vector<bool> stays_;             // per root: whether a contact of its group stays
 };
 
 }  // namespace octoblisk::detail

@@ -1,4 +1,4 @@
-// Bounds of the distances of triangle pairs, in single precision: eight pairs at a time, of any leaves.
+// The distances of triangle pairs, in single precision: eight pairs at a time, of any leaves.
 // Included once for each target (simd-inl.h).
 #if defined(OCTOBLISK_QUERY_PAIR_DISTANCES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_QUERY_PAIR_DISTANCES_INL_H
@@ -12,6 +12,7 @@
 
 #include "query/closest_pair.h"
 #include "query/leaf_pair-inl.h"
+#include "query/near_pair.h"
 #include "simd/triangle8-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,28 +40,69 @@ class PairDistances {
   /// Bounds of the true distances; arbitrary beyond the pairs.
   HWY_INLINE DistanceBounds8 bounds() const {
     const Triangle8 of_a = triangles(of_a_), of_b = triangles(of_b_);
-    Float8 squared(1e38f);
-    for (int v = 0; v < 3; ++v) {
-      for (int w = 0; w < 3; ++w) {
-        squared =
-            min(squared, squaredSegmentDistance(of_a.edge[v], of_b.edge[w], of_a.corner[v] - of_b.corner[w]));
-      }
-      squared = min(
-          squared, min(squaredFaceDistance(of_a.corner[v], of_b), squaredFaceDistance(of_b.corner[v], of_a)));
-    }
-    // If segments are nearly parallel, rounding moves the closest points along them. At worst, when the sine
-    // is about the root of the rounding error, this loses 60 units in the last place of their squared length.
-    const Float8 lost = Float8(0x1p-18f) * max(of_a.longest, of_b.longest);
+    const Closest closest(of_a, of_b);
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
     DistanceBounds8 result;
-    ((sqrt(max(squared - lost, Float8(0.0f))) - max(of_a.thin, of_b.thin)) * size - rounding)
-        .store(result.least.data());
-    (sqrt(squared) * size + rounding).store(result.most.data());
+    least(of_a, of_b, closest, size, rounding).store(result.least.data());
+    (sqrt(closest.squared) * size + rounding).store(result.most.data());
     return result;
+  }
+
+  /// Writes those of the pairs that may be within `limit`, and their closest features. Returns their number.
+  HWY_INLINE std::uint32_t nearPairs(float limit, std::array<NearPair, kLanes>& near) const {
+    const Triangle8 of_a = triangles(of_a_), of_b = triangles(of_b_);
+    const Closest closest(of_a, of_b);
+    const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
+    const unsigned far = less(Float8(limit), least(of_a, of_b, closest, size, rounding));
+    float which[kLanes], along_a[kLanes], along_b[kLanes];
+    closest.which.store(which);
+    closest.along_a.store(along_a);
+    closest.along_b.store(along_b);
+    std::uint32_t count = 0;
+    for (unsigned left = ((1u << count_) - 1u) & ~far; left != 0; left &= left - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      near[count++] = {pairs_[k], Meeting::no, {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]}};
+    }
+    return count;
   }
 
  private:
   using Corners = std::array<std::array<float, kLanes>, 9>;  // [3 · corner + coordinate][pair]
+
+  /// The squared distances, up to rounding, and the closest features (near_pair.h).
+  struct Closest {
+    Float8 squared = Float8(1e38f), which = Float8(0.0f), along_a = Float8(0.0f), along_b = Float8(0.0f);
+
+    HWY_INLINE Closest(const Triangle8& of_a, const Triangle8& of_b) {
+      const Float8 corner(0.0f);
+      for (int v = 0; v < 3; ++v) {
+        for (int w = 0; w < 3; ++w) {
+          const auto edges = closestOnSegments(of_a.edge[v], of_b.edge[w], of_a.corner[v] - of_b.corner[w]);
+          keepCloser(edges.squared, ClosestFeatures::ofEdges(v, w), edges.s, edges.t);
+        }
+        keepCloser(squaredFaceDistance(of_a.corner[v], of_b), ClosestFeatures::ofCornerOfA(v), corner,
+                   corner);
+        keepCloser(squaredFaceDistance(of_b.corner[v], of_a), ClosestFeatures::ofCornerOfB(v), corner,
+                   corner);
+      }
+    }
+
+    HWY_INLINE void keepCloser(const Float8& other, int features, const Float8& s, const Float8& t) {
+      which = select(other, squared, Float8(static_cast<float>(features)), which);
+      along_a = select(other, squared, s, along_a);
+      along_b = select(other, squared, t, along_b);
+      squared = min(squared, other);
+    }
+  };
+
+  /// Lower bounds of the true distances. If segments are nearly parallel, rounding moves the closest points
+  /// along them. At worst, when the sine is about the root of the rounding error, this loses 60 units in the
+  /// last place of their squared length.
+  static HWY_INLINE Float8 least(const Triangle8& of_a, const Triangle8& of_b, const Closest& closest,
+                                 const Float8& size, const Float8& rounding) {
+    const Float8 lost = Float8(0x1p-18f) * max(of_a.longest, of_b.longest);
+    return (sqrt(max(closest.squared - lost, Float8(0.0f))) - max(of_a.thin, of_b.thin)) * size - rounding;
+  }
 
   HWY_INLINE Triangle8 triangles(const Corners& corners) const {
     const Float8 unit = Float8::load(unit_.data());

@@ -27,16 +27,22 @@ struct Edge8 {
       : along(edge), squared(dot(edge, edge)), reciprocal(Float8(1.0f) / nonzero(squared)) {}
 };
 
-/// The squared distances between the segments p + s·u and q + t·v, with s and t in [0, 1] and `offset` = p −
-/// q (C. Ericson, Real-Time Collision Detection, 5.1.9). Never less than the true distances, up to rounding.
-HWY_INLINE Float8 squaredSegmentDistance(const Edge8& u, const Edge8& v, const Vec8& offset) {
+/// The closest points p + s·u and q + t·v of two segments, and their squared distance.
+struct ClosestOnSegments8 {
+  Float8 squared, s, t;
+};
+
+/// The closest points of the segments p + s·u and q + t·v, with s and t in [0, 1] and `offset` = p − q
+/// (C. Ericson, Real-Time Collision Detection, 5.1.9). The distance is never less than the true one, up to
+/// rounding. s and t are exactly 0 or 1 at ends of the segments.
+HWY_INLINE ClosestOnSegments8 closestOnSegments(const Edge8& u, const Edge8& v, const Vec8& offset) {
   const Float8 uv = dot(u.along, v.along), u_offset = dot(u.along, offset), v_offset = dot(v.along, offset);
   const Float8 start =
       clamped01((uv * v_offset - u_offset * v.squared) / nonzero(u.squared * v.squared - uv * uv));
   const Float8 t = clamped01((uv * start + v_offset) * v.reciprocal);
   const Float8 s = clamped01((uv * t - u_offset) * u.reciprocal);
   const Vec8 apart = offset + u.along * s - v.along * t;
-  return dot(apart, apart);
+  return {dot(apart, apart), s, t};
 }
 
 /// Eight triangles with the data that distances need.

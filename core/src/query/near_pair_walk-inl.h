@@ -1,0 +1,63 @@
+// Finds the triangle pairs of two trees that are near each other, leaf by leaf. Included once for each target
+// (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_NEAR_PAIR_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_NEAR_PAIR_WALK_INL_H
+#undef OCTOBLISK_QUERY_NEAR_PAIR_WALK_INL_H
+#else
+#define OCTOBLISK_QUERY_NEAR_PAIR_WALK_INL_H
+#endif
+
+#include "query/pair_distances-inl.h"
+#include "query/traversal-inl.h"
+#include "query/triangle_filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Calls visit(NearPair) for each triangle pair that may be within `threshold`; with a threshold of 0, only
+/// if it may meet.
+template <typename Visit>
+void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, Visit&& visit) {
+  const LocalPose pose(a, b, b_in_a);
+  const float limit = pose.limit(threshold);
+  PairDistances apart;
+  std::array<NearPair, kLanes> near;
+  const auto visitApart = [&]() HWY_ATTR {
+    const std::uint32_t count = apart.nearPairs(limit, near);
+    for (std::uint32_t k = 0; k < count; ++k) visit(near[k]);
+    apart.clear();
+  };
+  walkPairs<TraversalStack>(
+      a, b, pose, NodePair(), WidestGap(), [&] { return limit; },
+      [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        const LeafPair leaves(a, b, pose, slot_a, slot_b);
+        auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
+        if (bounds.of_a == 0) return false;
+        const TriangleLanes triangles_of_b(leaves);
+        for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
+          const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
+          const auto heights = triangles_of_b.heights(i);
+          const unsigned close = triangles_of_b.within(limit, heights, bounds.of[i]);
+          if (close == 0) continue;
+          const auto [meet, open] = triangles_of_b.meet(heights, close);
+          for (unsigned left = threshold > 0.0 ? close : meet | open; left != 0; left &= left - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+            if (((meet | open) >> j & 1u) != 0) {
+              const bool surely = (meet >> j & 1u) != 0;
+              visit(NearPair{
+                  {leaves.triangleA(i), leaves.triangleB(j)}, surely ? Meeting::yes : Meeting::maybe, {}});
+            } else {
+              apart.add(leaves, i, j);
+              if (apart.isFull()) visitApart();
+            }
+          }
+        }
+        return false;
+      });
+  if (apart.count() != 0) visitApart();
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
