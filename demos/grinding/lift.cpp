@@ -6,12 +6,13 @@
 namespace octoblisk::demos {
 
 bool mayBeNested(const SolidBoundary& a, const octoblisk::Surface& b, const Pose& b_in_a) {
-  for (std::size_t k = 0; k < b.partCount(); ++k) {
-    if (a.locate(b_in_a * b.position(b.cornerOfPart(k))) != PointLocation::outside) return true;
+  for (std::size_t k = 0; k < b.componentCount(); ++k) {
+    if (a.locate(b_in_a * b.position(b.cornerOfComponent(k))) != PointLocation::outside) return true;
   }
   const octoblisk::Surface& surface = a.surface();
-  for (std::size_t k = 0; b.isClosed() && k < surface.partCount(); ++k) {
-    if (locate(b, surface.position(surface.cornerOfPart(k)), b_in_a) == PointLocation::inside) return true;
+  for (std::size_t k = 0; b.isClosed() && k < surface.componentCount(); ++k) {
+    if (locate(b, surface.position(surface.cornerOfComponent(k)), b_in_a) == PointLocation::inside)
+      return true;
   }
   return false;
 }

@@ -227,8 +227,8 @@ bool PartDepths::isNested(std::size_t part, const FixedSolid& fixture, const Pos
   const octoblisk::Surface &surface = part_surfaces_[part], &fixed = fixture.surface;
   if (collide(fixed.tree(), surface.tree(), tool_in_blisk)) return false;
   if (fixed.isClosed()) return mayBeNested(fixture.boundary, surface, tool_in_blisk);
-  for (std::size_t k = 0; surface.isClosed() && k < fixed.partCount(); ++k) {
-    const Vec3& corner = fixed.position(fixed.cornerOfPart(k));
+  for (std::size_t k = 0; surface.isClosed() && k < fixed.componentCount(); ++k) {
+    const Vec3& corner = fixed.position(fixed.cornerOfComponent(k));
     if (locate(surface, corner, tool_in_blisk) == PointLocation::inside) return true;
   }
   return false;

@@ -8,6 +8,7 @@
 
 #include "contact/triangles_along.h"
 #include "octoblisk_bullet/convert.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -62,9 +63,7 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   const btTransform to_triangles = sweep.m_triangleToWorld.inverse();
   const Pose from = fromBullet(to_triangles * sweep.m_convexShapeFrom);
   const Pose to = fromBullet(to_triangles * sweep.m_convexShapeTo);
-  btVector3 low, high;
-  sweep.m_convexShape->getAabb(btTransform::getIdentity(), low, high);
-  const Aabb bounds{fromBullet(low), fromBullet(high)};
+  const Aabb bounds = shapeBounds(*sweep.m_convexShape);
   MovingBox box;
   box.motion = to.translation - from.translation;
   if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {

@@ -18,6 +18,7 @@
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -82,16 +83,14 @@ class ShownSides {
 
 /// An upper bound of how far points of a body move between two poses in another body's frame.
 double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
-  btVector3 min, max;
-  body.m_shape->getAabb(btTransform::getIdentity(), min, max);
-  const Vec3 low = fromBullet(min), high = fromBullet(max);
+  const Aabb box = shapeBounds(*body.m_shape);
   const Mat3 turn = to.rotation - from.rotation;
   const Vec3 shift = to.translation - from.translation;
   double squared = 0.0;
   // With a pose that is not a number, no corner's displacement is one, and std::max keeps the last of them.
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 point(corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
-                     corner & 4 ? high.z() : low.z());
+    const Vec3 point(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+                     corner & 4 ? box.max.z() : box.min.z());
     squared = std::max((turn * point + shift).squaredNorm(), squared);
   }
   return std::sqrt(squared);

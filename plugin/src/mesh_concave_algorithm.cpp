@@ -11,15 +11,10 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 namespace {
-
-Aabb localBounds(const btConcaveShape& shape) {
-  btVector3 min, max;
-  shape.getAabb(btTransform::getIdentity(), min, max);
-  return {fromBullet(min), fromBullet(max)};
-}
 
 /// The direction in which the triangles of a shape face.
 class Facing {
@@ -73,7 +68,7 @@ class Forward final : public btTriangleCallback {
 class ConcaveSource final : public TriangleSource {
  public:
   explicit ConcaveSource(const btConcaveShape& shape)
-      : shape_(shape), facing_(shape), bounds_(localBounds(shape)) {
+      : shape_(shape), facing_(shape), bounds_(shapeBounds(shape)) {
     if (shape.getShapeType() != GIMPACT_SHAPE_PROXYTYPE) return;
     // GImpact rounds its boxes and the query box to the nearest of 65,535 steps across its bounds grown by 1.
     slack_ = 1.01 * (2.0 * bounds_.halfExtents() + Vec3::Constant(2.0)) / 65535.0;

@@ -5,16 +5,14 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
-#include "octoblisk_bullet/convert.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 
 bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
   const auto& shape = static_cast<const btConvexShape&>(other);
   const bool has_other_corners = core_.update(shape);
-  btVector3 min, max;
-  shape.getAabb(btTransform::getIdentity(), min, max);
-  const Aabb bounds{fromBullet(min), fromBullet(max)};
+  const Aabb bounds = shapeBounds(shape);
   const btScalar margin = shape.getMarginNonVirtual();
   const bool has_other_size = bounds.min != bounds_.min || bounds.max != bounds_.max || margin != margin_;
   bounds_ = bounds;

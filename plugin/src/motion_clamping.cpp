@@ -11,6 +11,7 @@
 
 #include "octoblisk_bullet/step_motion.h"
 #include "part_sweep.h"
+#include "shape_bounds.h"
 
 namespace octoblisk {
 
@@ -31,9 +32,8 @@ double farthestFromOrigin(const btCollisionShape& shape) {
   if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
     return BodyBounds(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
   }
-  btVector3 low, high;
-  shape.getAabb(btTransform::getIdentity(), low, high);
-  return fromBullet(low).cwiseAbs().cwiseMax(fromBullet(high).cwiseAbs()).norm();
+  const Aabb box = shapeBounds(shape);
+  return box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
 }
 
 /// A box that contains the body on its whole motion, grown by the contact breaking threshold.
@@ -46,10 +46,7 @@ Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves)
     box.extend(motion.from().translation + motion.advance());
     reach += farthestFromOrigin(shape);
   } else {
-    btVector3 low, high;
-    shape.getAabb(object.getWorldTransform(), low, high);
-    box.extend(fromBullet(low));
-    box.extend(fromBullet(high));
+    box = shapeBounds(shape, object.getWorldTransform());
   }
   return {box.min.array() - reach, box.max.array() + reach};
 }

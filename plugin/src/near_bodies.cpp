@@ -15,6 +15,7 @@
 #include "contact/solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 
@@ -38,10 +39,9 @@ struct Part {
 };
 
 Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
-  btVector3 min, max;
-  shape.getAabb(in_world, min, max);
+  const Aabb box = shapeBounds(shape, in_world);
   const Vec3 near = Vec3::Constant(double(gContactBreakingThreshold));  // as Bullet grows boxes
-  return {asClusters(shape), in_world, {fromBullet(min) - near, fromBullet(max) + near}};
+  return {asClusters(shape), in_world, {box.min - near, box.max + near}};
 }
 
 constexpr int kFewChildren = 16;  // up to this number, testing each child is faster than a lookup

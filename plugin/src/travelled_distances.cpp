@@ -9,6 +9,7 @@
 
 #include "body_parts.h"
 #include "octoblisk/motion.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -23,11 +24,9 @@ double sumAbove(double a, double b) {
 TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& proxy) {
   const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
   const btCollisionShape& shape = *object.getCollisionShape();
-  btVector3 min, max;
-  shape.getAabb(object.getWorldTransform(), min, max);
   State state;
   state.in_world = fromBullet(object.getWorldTransform());
-  state.box = {fromBullet(min), fromBullet(max)};
+  state.box = shapeBounds(shape, object.getWorldTransform());
   state.box.extend(fromBullet(proxy.m_aabbMin));
   state.box.extend(fromBullet(proxy.m_aabbMax));
   state.reach = double(gContactBreakingThreshold);

@@ -30,7 +30,7 @@ double volumeOfSolid(const SharedMesh& mesh, int euler_characteristic) {
   const Surface surface(tree);
   EXPECT_TRUE(surface.isClosed());
   EXPECT_TRUE(surface.isOriented());
-  EXPECT_EQ(surface.partCount(), 1u);
+  EXPECT_EQ(surface.componentCount(), 1u);
   const auto triangles = static_cast<int>(mesh->triangleCount());
   EXPECT_EQ(static_cast<int>(surface.cornerCount()) - triangles / 2, euler_characteristic);
   for (std::size_t t = 0; t < mesh->triangleCount(); ++t)

@@ -21,7 +21,7 @@ struct Facts {
 Facts factsOf(const SharedMesh& mesh) {
   const ClusteredOctree tree = ClusteredOctree::build(mesh);
   const Surface surface(tree);
-  return {surface.isClosed(), surface.isOriented(), surface.cornerCount(), surface.partCount()};
+  return {surface.isClosed(), surface.isOriented(), surface.cornerCount(), surface.componentCount()};
 }
 
 /// Gives each triangle its own three vertices, like an STL file, with zeros of either sign.
@@ -90,13 +90,13 @@ TEST(Surface, starsHoldTheTrianglesRoundACorner) {
       const Triangle triangle = voxels.mesh->triangle(t);
       EXPECT_TRUE(std::ranges::count(triangle, surface.position(corner)));
       EXPECT_TRUE(std::ranges::count(surface.corners(t), corner));
-      EXPECT_EQ(surface.part(surface.corners(t)[0]), surface.part(corner));
+      EXPECT_EQ(surface.component(surface.corners(t)[0]), surface.component(corner));
       ++listed;
     }
   }
   EXPECT_EQ(listed, 3 * voxels.mesh->triangleCount());
-  for (std::size_t part = 0; part < surface.partCount(); ++part) {
-    EXPECT_EQ(surface.part(surface.cornerOfPart(part)), part);
+  for (std::size_t component = 0; component < surface.componentCount(); ++component) {
+    EXPECT_EQ(surface.component(surface.cornerOfComponent(component)), component);
   }
 }
 

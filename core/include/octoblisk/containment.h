@@ -26,8 +26,7 @@ enum class Containment {
   touching,    ///< the surfaces share a point
   a_inside_b,  ///< A does not touch B's surface
   b_inside_a,
-  overlapping,  ///< the surfaces do not meet, yet only parts of A are in B: A or B has several parts or
-                ///< hollows
+  overlapping,  ///< the surfaces do not meet, yet only some of A is in B: A or B has several components
   unknown,      ///< the surfaces do not meet, and one is open
 };
 

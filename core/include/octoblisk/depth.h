@@ -156,7 +156,7 @@ class DepthQuery {
   std::vector<std::uint32_t> marked_;
   std::vector<std::uint32_t> index_of_corner_;  // per corner of B: its index in corners_, or none
   std::vector<std::uint32_t> indexed_;          // the corners of B that have an index
-  std::vector<bool> part_crosses_;              // per part of B's surface
+  std::vector<bool> component_crosses_;         // per component of B's surface
   std::vector<std::uint32_t> open_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> met_;

@@ -38,16 +38,16 @@ class Surface {
   }
   const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
 
-  /// A part is a set of triangles connected by corners. One of its corners identifies it.
-  std::size_t partCount() const { return part_corner_.size(); }
-  std::uint32_t cornerOfPart(std::size_t part) const { return part_corner_[part]; }
-  std::uint32_t part(std::uint32_t corner) const { return part_[corner]; }
+  /// A component is a set of triangles connected by corners. One of its corners represents it.
+  std::size_t componentCount() const { return component_corner_.size(); }
+  std::uint32_t cornerOfComponent(std::size_t component) const { return component_corner_[component]; }
+  std::uint32_t component(std::uint32_t corner) const { return component_[corner]; }
 
  private:
   void weld();
   void gatherStars();
   void checkEdges();
-  void findParts();
+  void findComponents();
 
   const ClusteredOctree* tree_;
   bool closed_ = true;
@@ -56,8 +56,8 @@ class Surface {
   std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
   std::vector<std::uint32_t> star_begin_;
   std::vector<std::uint32_t> stars_;
-  std::vector<std::uint32_t> part_;  // per corner
-  std::vector<std::uint32_t> part_corner_;
+  std::vector<std::uint32_t> component_;  // per corner
+  std::vector<std::uint32_t> component_corner_;
 };
 
 }  // namespace octoblisk

@@ -20,15 +20,16 @@ double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
   return kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
 }
 
-/// The numbers of parts of one surface inside and outside the other solid.
-struct PartCount {
+/// The numbers of components of one surface inside and outside the other solid.
+struct ComponentCount {
   std::size_t inside = 0, outside = 0;
 };
 
-PartCount countParts(const Surface& of, const Pose& of_in_a, const Surface& in, const Pose& in_in_a) {
-  PartCount count;
-  for (std::size_t part = 0; part < of.partCount(); ++part) {
-    const Vec3 point = of_in_a * of.position(of.cornerOfPart(part));
+ComponentCount countComponents(const Surface& of, const Pose& of_in_a, const Surface& in,
+                               const Pose& in_in_a) {
+  ComponentCount count;
+  for (std::size_t component = 0; component < of.componentCount(); ++component) {
+    const Vec3 point = of_in_a * of.position(of.cornerOfComponent(component));
     ++(locate(in, point, in_in_a) == PointLocation::inside ? count.inside : count.outside);
   }
   return count;
@@ -61,11 +62,12 @@ PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surf
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a) {
   if (collide(a.tree(), b.tree(), b_in_a)) return Containment::touching;
   if (!a.isClosed() || !b.isClosed()) return Containment::unknown;
-  // Each part of a surface is now wholly inside or outside the other solid. Where A and B share a point, the
-  // shared region is bounded by a part of A's surface in B or one of B's in A; likewise for the region of B
-  // that is not in A.
+  // Each component of a surface is now wholly inside or outside the other solid. Where A and B share a point,
+  // the shared region is bounded by a component of A's surface in B or one of B's in A; likewise for the
+  // region of B that is not in A.
   const Pose identity;
-  const PartCount of_a = countParts(a, identity, b, b_in_a), of_b = countParts(b, b_in_a, a, identity);
+  const ComponentCount of_a = countComponents(a, identity, b, b_in_a),
+                       of_b = countComponents(b, b_in_a, a, identity);
   if (of_a.inside == 0 && of_b.inside == 0) return Containment::apart;
   if (of_a.inside == 0 && of_b.outside == 0) return Containment::b_inside_a;
   if (of_b.inside == 0 && of_a.outside == 0) return Containment::a_inside_b;

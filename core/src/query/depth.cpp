@@ -94,7 +94,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   if (mark_.size() < b.tree().mesh().triangleCount())
     mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
   if (index_of_corner_.size() < b.cornerCount()) index_of_corner_.resize(b.cornerCount(), kNone);
-  part_crosses_.assign(b.partCount(), false);
+  component_crosses_.assign(b.componentCount(), false);
 }
 
 void DepthQuery::search() {

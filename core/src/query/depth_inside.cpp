@@ -55,7 +55,7 @@ bool DepthQuery::findCopy() {
   if (!meet({0, 0})) return false;
   touch_ = {0, 0};
   marked_.push_back(0);
-  part_crosses_.assign(part_crosses_.size(), true);
+  component_crosses_.assign(component_crosses_.size(), true);
   return true;
 }
 
@@ -95,7 +95,7 @@ bool DepthQuery::liesOn(TrianglePair pair) {
 /// Marks a triangle that the search for inside triangles does not pass.
 void DepthQuery::noteBarrier(std::uint32_t triangle) {
   marked_.push_back(triangle);
-  for (const std::uint32_t corner : b_->corners(triangle)) part_crosses_[b_->part(corner)] = true;
+  for (const std::uint32_t corner : b_->corners(triangle)) component_crosses_[b_->component(corner)] = true;
 }
 
 bool DepthQuery::isBarrier(std::uint32_t triangle) const {
@@ -116,9 +116,9 @@ void DepthQuery::findInside() {
     locationOf(corners_[index_of_corner_[corner]]);
     spread(corner);
   }
-  for (std::size_t part = 0; part < b_->partCount(); ++part) {
-    if (part_crosses_[part]) continue;
-    const std::uint32_t corner = b_->cornerOfPart(part);
+  for (std::size_t component = 0; component < b_->componentCount(); ++component) {
+    if (component_crosses_[component]) continue;
+    const std::uint32_t corner = b_->cornerOfComponent(component);
     const Vec3 point = b_in_a_ * b_->position(corner);
     const PointLocation location = located(point);
     if (location == PointLocation::unknown) best_.is_known = false;

@@ -12,7 +12,7 @@ Surface::Surface(const ClusteredOctree& tree) : tree_(&tree) {
   weld();
   gatherStars();
   checkEdges();
-  findParts();
+  findComponents();
 }
 
 void Surface::weld() {
@@ -82,23 +82,23 @@ void Surface::checkEdges() {
   }
 }
 
-void Surface::findParts() {
+void Surface::findComponents() {
   constexpr std::uint32_t kNone = 0xffffffffu;
-  part_.assign(vertex_.size(), kNone);
+  component_.assign(vertex_.size(), kNone);
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < vertex_.size(); ++first) {
-    if (part_[first] != kNone) continue;
-    const auto part = static_cast<std::uint32_t>(part_corner_.size());
-    part_corner_.push_back(first);
-    part_[first] = part;
+    if (component_[first] != kNone) continue;
+    const auto component = static_cast<std::uint32_t>(component_corner_.size());
+    component_corner_.push_back(first);
+    component_[first] = component;
     open.push_back(first);
     while (!open.empty()) {
       const std::uint32_t corner = open.back();
       open.pop_back();
       for (const std::uint32_t t : star(corner)) {
         for (const std::uint32_t next : corners_[t]) {
-          if (part_[next] != kNone) continue;
-          part_[next] = part;
+          if (component_[next] != kNone) continue;
+          component_[next] = component;
           open.push_back(next);
         }
       }
