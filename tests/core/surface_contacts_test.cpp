@@ -10,6 +10,7 @@
 
 #include "octoblisk/contacts.h"
 #include "shared/brute_force.h"
+#include "shared/hard_meshes.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
 
@@ -171,7 +172,93 @@ TEST(SurfaceContacts, sheetsHaveTwoSides) {
   }
 }
 
-/// Triangle pairs that are left out before their contacts are computed make no difference.
+/// A flat floor of strips, each of two triangles that are a thousand times as long as wide.
+TEST(SurfaceContacts, aBoxOverNarrowStripsIsPushedUpAlone) {
+  constexpr std::uint32_t kStrips = 1000;
+  std::vector<Vec3> vertices;
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::uint32_t i = 0; i <= kStrips; ++i) {
+    const double x = -1.0 + 2.0 * i / kStrips;
+    vertices.insert(vertices.end(), {Vec3(x, -1.0, 0.0), Vec3(x, 1.0, 0.0)});
+    if (i == kStrips) continue;
+    triangles.insert(triangles.end(), {{2 * i, 2 * i + 2, 2 * i + 3}, {2 * i, 2 * i + 3, 2 * i + 1}});
+  }
+  const ClusteredOctree floor =
+      ClusteredOctree::build(std::make_shared<TriangleMesh>(std::move(vertices), std::move(triangles)));
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.1, 0.08, 0.05}));
+  std::mt19937_64 random(101);
+  SurfaceContacts surfaces;
+  std::vector<Contact> at_once;
+  for (int i = 0; i < 30; ++i) {
+    const double gap = uniform(random, 1e-4, 1e-2);
+    Pose pose = testing::randomPose(random, 0.0);
+    double lowest = 0.0;
+    for (const Vec3& vertex : box.mesh().vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    pose.translation = Vec3(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), gap - lowest);
+    const Found found(floor, box, pose, 2.0 * gap);
+    surfaces.find(floor, box, pose, found.threshold, at_once);
+    ASSERT_GT(found.all.size(), found.kept.size());
+    for (const auto& contacts : {found.kept, at_once}) {
+      ASSERT_FALSE(contacts.empty());
+      for (const Contact& contact : contacts) ASSERT_LT(contact.normal.z(), -0.99) << "case " << i;
+    }
+  }
+}
+
+/// Around a tip, single precision sees all corners at one place.
+TEST(SurfaceContacts, aTipTooFineForSinglePrecisionIsFound) {
+  const auto large = std::make_shared<TriangleMesh>(std::vector<Vec3>{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
+                                                    std::vector<TriangleMesh::Indices>{{0, 1, 2}});
+  const ClusteredOctree a = ClusteredOctree::build(large);
+  std::mt19937_64 random(102);
+  SurfaceContacts surfaces;
+  std::vector<Contact> found;
+  for (int i = 0; i < 2000; ++i) {
+    const double height = std::pow(10.0, uniform(random, -11, -8));
+    std::vector<Vec3> vertices = {{0, 0, 0.1}};
+    for (int c = 0; c < 3; ++c) {
+      vertices.emplace_back(Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 0.1, 1)) *
+                                height +
+                            vertices[0]);
+    }
+    const auto tip = std::make_shared<TriangleMesh>(
+        std::move(vertices), std::vector<TriangleMesh::Indices>{{1, 2, 0}, {2, 3, 0}, {3, 1, 0}});
+    const ClusteredOctree b = ClusteredOctree::build(tip);
+    surfaces.find(a, b, Pose(), 0.2, found);
+    ASSERT_FALSE(found.empty()) << "case " << i;
+    ASSERT_NEAR(testing::deepest(found), 0.1, 1e-14);
+  }
+}
+
+/// On meshes with every defect, of any size, the deepest contact stays.
+TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
+  std::mt19937_64 random(103);
+  const auto hardMesh = [&](double size) {
+    const auto kind = static_cast<testing::MeshKind>(random() % testing::kMeshKinds);
+    return testing::placed(*testing::hardMesh(random, kind), size, testing::randomPoint(random, 10.0 * size));
+  };
+  int clear = 0, meeting = 0;
+  SurfaceContacts surfaces;
+  std::vector<Contact> at_once;
+  for (int i = 0; i < 3000; ++i) {
+    const double size = std::pow(10.0, uniform(random, -6, 6));
+    const ClusteredOctree a = ClusteredOctree::build(hardMesh(size)),
+                          b = ClusteredOctree::build(hardMesh(size));
+    Pose pose{testing::randomRotation(random), Vec3::Zero()};
+    const Vec3 away = testing::randomRotation(random).col(0) * uniform(random, 0.0, 3.0) * size;
+    pose.translation = a.mesh().bounds().center() - pose * b.mesh().bounds().center() + away;
+    const Found found(a, b, pose, size * std::pow(10.0, uniform(random, -3, 0)));
+    surfaces.find(a, b, pose, found.threshold, at_once);
+    ASSERT_EQ(at_once.empty(), found.kept.empty()) << "case " << i;
+    if (at_once.empty()) continue;
+    ASSERT_EQ(testing::deepest(at_once), testing::deepest(found.kept)) << "case " << i;
+    ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
+  }
+  EXPECT_GT(clear, 150);
+  EXPECT_GT(meeting, 500);
+}
+
+/// On round bodies, the triangle pairs that are left out make no difference.
 TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
   std::mt19937_64 random(100);
   const std::vector<testing::SharedMesh> meshes = {

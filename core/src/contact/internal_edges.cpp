@@ -32,7 +32,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   corners_.reserve(contacts.size());
   order_.resize(contacts.size());
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    corners_.add(places_[c].triangle, c);
+    corners_.addCorners(places_[c].triangle, c);
     order_[c] = c;
   }
   std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });

@@ -1,6 +1,8 @@
 // The part of a surface that is near another body.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -10,26 +12,26 @@
 
 namespace octoblisk::detail {
 
-/// Some triangles of a surface, numbered from 0, and which of them share a corner. Corners are shared if
-/// their positions are equal to the last bit. Allocates nothing once warm.
+/// Some triangles of a surface, numbered from 0, and which of them share corners and edges: those whose
+/// positions are equal to the last bit. Allocates nothing once warm.
 class LocalSurface {
  public:
   void clear() {
     triangles_.clear();
     corners_.clear();
+    edges_.clear();
+    numbers_.clear();
   }
 
   /// Adds a triangle unless it has been added before. `index` identifies it. Returns its number.
   std::uint32_t add(std::uint32_t index, const Triangle& triangle) {
-    std::uint32_t number = 0;
-    const auto isIt = [&](std::uint32_t other) {
-      number = other;
-      return triangles_[other].index == index;
-    };
-    if (corners_.anyAt(triangle[0], isIt)) return number;
+    if (2 * triangles_.size() >= numbers_.size()) grow();
+    std::uint32_t& number = numbers_[slotOf(index)];
+    if (number != kNone) return number;
     number = size();
     triangles_.push_back({triangle, index});
-    corners_.add(triangle, number);
+    corners_.addCorners(triangle, number);
+    edges_.addEdges(triangle, number);
     return number;
   }
 
@@ -37,45 +39,58 @@ class LocalSurface {
   const Triangle& triangle(std::uint32_t number) const { return triangles_[number].corners; }
   std::uint32_t index(std::uint32_t number) const { return triangles_[number].index; }
 
-  /// Whether beyond an edge or corner of a triangle, by at least `least_sine`, another triangle leans in
-  /// `direction` for which accept(number) is true.
+  /// Whether, beyond an edge or corner of a triangle, another triangle leans in `direction`, by at least
+  /// `least_sine`, for which accept(number) is true.
   template <typename Accept>
   bool leansBeyond(std::uint32_t triangle, unsigned feature, const Vec3& direction, double least_sine,
                    Accept&& accept) const {
     const Triangle& own = triangles_[triangle].corners;
     const auto [first, second] = endsOf(feature);
-    return corners_.anyAt(own[first], [&](std::uint32_t other) {
+    const Vec3 &from = own[first], &to = own[second];
+    const auto isIt = [&](std::uint32_t other) {
       if (other == triangle) return false;
       const Triangle& shares = triangles_[other].corners;
-      return hasCorner(shares, own[first]) && hasCorner(shares, own[second]) &&
-             leansOver(shares, own[first], own[second], direction, least_sine) && accept(other);
-    });
+      return hasCorner(shares, from) && hasCorner(shares, to) &&
+             leansOver(shares, from, to, direction, least_sine) && accept(other);
+    };
+    return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }
 
-  /// Whether the surface comes nearer than `distance` to a point beyond an edge or corner of a triangle, and
-  /// leans towards the point there by at least `least_sine`. `from` is a point of this edge or corner.
+  /// Whether, beyond an edge or corner of a triangle, another triangle leans towards `point`, by at least
+  /// `least_sine`, and is nearer to it than `limit`. `from` is a point of this edge or corner.
   bool comesNearer(std::uint32_t triangle, unsigned feature, const Vec3& from, const Vec3& point,
-                   double distance, double least_sine) const {
-    const Vec3 way = point - from;
-    return leansBeyond(triangle, feature, way.normalized(), least_sine, [&](std::uint32_t other) {
-      return std::ranges::any_of(triangles_[other].corners, [&](const Vec3& corner) {
-        const Vec3 along = corner - from;
-        const double most = along.squaredNorm();
-        if (!(most > 0.0)) return false;
-        const double fraction = std::clamp(along.dot(way) / most, 0.0, 1.0);
-        return (fraction * along - way).squaredNorm() < distance * distance;
-      });
+                   double limit, double least_sine) const {
+    return leansBeyond(triangle, feature, (point - from).normalized(), least_sine, [&](std::uint32_t other) {
+      return distance(triangles_[other].corners, point) < limit;
     });
   }
 
  private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
   struct Numbered {
     Triangle corners;
     std::uint32_t index;
   };
 
+  /// The slot of a triangle in the table of numbers, or the empty slot for it.
+  std::size_t slotOf(std::uint32_t index) const {
+    const std::size_t last = numbers_.size() - 1;
+    std::size_t slot = index * 0x9e3779b9u & last;
+    while (numbers_[slot] != kNone && triangles_[numbers_[slot]].index != index) slot = (slot + 1) & last;
+    return slot;
+  }
+
+  void grow() {
+    numbers_.assign(std::max<std::size_t>(32, 2 * numbers_.size()), kNone);
+    for (std::uint32_t number = 0; number < size(); ++number) {
+      numbers_[slotOf(triangles_[number].index)] = number;
+    }
+  }
+
   std::vector<Numbered> triangles_;
-  SharedCorners corners_;
+  std::vector<std::uint32_t> numbers_;  // a table, at most half full, by indices
+  SharedCorners corners_, edges_;
 };
 
 }  // namespace octoblisk::detail

@@ -1,4 +1,4 @@
-// Finds the triangles that share a corner.
+// Finds the triangles that share a corner or an edge.
 #pragma once
 
 #include <algorithm>
@@ -18,52 +18,45 @@ inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
 class SharedCorners {
  public:
   void clear() {
-    corners_.clear();
+    places_.clear();
     first_.clear();
   }
-  void reserve(std::size_t triangles) { corners_.reserve(3 * triangles); }
+  void reserve(std::size_t triangles) { places_.reserve(3 * triangles); }
 
   /// `index` identifies the triangle.
-  void add(const Triangle& triangle, std::uint32_t index) {
-    for (const Vec3& corner : triangle) corners_.push_back({keyOf(corner), index, kNone});
-    if (areFew()) return;
-    if (corners_.size() > first_.size()) {
-      first_.assign(2 * std::bit_ceil(corners_.size()), kNone);
-      for (std::uint32_t c = 0; c < corners_.size(); ++c) chain(c);
-    } else {
-      for (std::size_t c = corners_.size() - 3; c < corners_.size(); ++c)
-        chain(static_cast<std::uint32_t>(c));
-    }
+  void addCorners(const Triangle& triangle, std::uint32_t index) {
+    for (const Vec3& corner : triangle) add(keyOf(corner), index);
+  }
+  void addEdges(const Triangle& triangle, std::uint32_t index) {
+    for (std::size_t v = 0; v < 3; ++v) add(keyOf(triangle[v]) + keyOf(triangle[(v + 1) % 3]), index);
   }
 
-  /// Calls visit(index) for each triangle that has a corner at the position, and for few others, until a call
-  /// returns true. Returns whether one did.
+  /// Calls visit(index) for each triangle that has the corner, and for few others, until a call returns true.
+  /// Returns whether one did.
   template <typename Visit>
-  bool anyAt(const Vec3& position, Visit&& visit) const {
-    const double key = keyOf(position);
-    if (areFew()) {
-      return std::ranges::any_of(
-          corners_, [&](const Corner& corner) { return corner.key == key && visit(corner.index); });
-    }
-    for (std::uint32_t c = first_[slotOf(key)]; c != kNone; c = corners_[c].next) {
-      if (corners_[c].key == key && visit(corners_[c].index)) return true;
-    }
-    return false;
+  bool anyAt(const Vec3& corner, Visit&& visit) const {
+    return anyWith(keyOf(corner), visit);
+  }
+  /// The same for an edge.
+  template <typename Visit>
+  bool anyAlong(const Vec3& from, const Vec3& to, Visit&& visit) const {
+    return anyWith(keyOf(from) + keyOf(to), visit);
   }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  struct Corner {
+  /// A corner or an edge of a triangle.
+  struct Place {
     double key;
     std::uint32_t index;
-    std::uint32_t next;  // corner in the same slot
+    std::uint32_t next;  // place in the same slot
   };
 
-  /// Looking at all of a few corners takes less time than a table.
+  /// Looking at all of a few places takes less time than a table.
   bool areFew() const {
     constexpr std::size_t kFew = 48;
-    return corners_.size() <= kFew;
+    return places_.size() <= kFew;
   }
 
   /// Equal for equal positions, almost never for different ones.
@@ -76,14 +69,37 @@ class SharedCorners {
     return mixed >> (64 - std::countr_zero(first_.size()));
   }
 
-  void chain(std::uint32_t corner) {
-    std::uint32_t& first = first_[slotOf(corners_[corner].key)];
-    corners_[corner].next = first;
-    first = corner;
+  void add(double key, std::uint32_t index) {
+    places_.push_back({key, index, kNone});
+    if (areFew()) return;
+    if (places_.size() <= first_.size()) {
+      chain(places_.size() - 1);
+    } else {
+      first_.assign(2 * std::bit_ceil(places_.size()), kNone);
+      for (std::size_t place = 0; place < places_.size(); ++place) chain(place);
+    }
   }
 
-  std::vector<Corner> corners_;
-  std::vector<std::uint32_t> first_;  // per slot of the table: the corner added last; empty if there are few
+  void chain(std::size_t place) {
+    std::uint32_t& first = first_[slotOf(places_[place].key)];
+    places_[place].next = first;
+    first = static_cast<std::uint32_t>(place);
+  }
+
+  template <typename Visit>
+  bool anyWith(double key, Visit&& visit) const {
+    if (areFew()) {
+      return std::ranges::any_of(places_,
+                                 [&](const Place& place) { return place.key == key && visit(place.index); });
+    }
+    for (std::uint32_t place = first_[slotOf(key)]; place != kNone; place = places_[place].next) {
+      if (places_[place].key == key && visit(places_[place].index)) return true;
+    }
+    return false;
+  }
+
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> first_;  // per slot of the table: the place added last; empty if there are few
 };
 
 }  // namespace octoblisk::detail

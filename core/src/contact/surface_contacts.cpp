@@ -17,8 +17,6 @@ namespace {
 
 /// The sine of a tilt of a contact's normal that means nothing: 0.6°.
 constexpr double kSlightTilt = 0.01;
-/// The sine of the angle by which a point must be behind a face's plane.
-constexpr double kBehind = 1e-3;
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -30,7 +28,15 @@ bool areWithin(double distance, const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(a, isOfB) || contactOf(a, b).distance < distance;
 }
 
-/// Calls visit(contacts) for the contacts of each triangle A or B.
+/// A triangle that is nearer by no more than this may be as near. Covers a point of a triangle and a point
+/// of the other body.
+double roundingOf(const Triangle& triangle, const Vec3& own, const Vec3& other) {
+  const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
+  const double farthest = std::max(own.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff());
+  return 1e-9 * (size + (other - own).norm()) + 1e-14 * farthest;
+}
+
+/// Overwrites `order`, and calls visit(contacts) for the contacts of each triangle A or B.
 template <typename Visit>
 void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
                   std::vector<std::uint32_t>& order, Visit&& visit) {
@@ -86,11 +92,14 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
     pairs_.push_back(
         add(triangle_a, a.mesh().triangle(triangle_a), triangle_b, b_in_a * b.mesh().triangle(triangle_b)));
   }
-  const bool may_meet =
-      std::ranges::any_of(near_, [](const NearPair& near) { return near.meeting != Meeting::no; });
+  findGroups();
+  meets_.assign(parent_.size(), false);
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    if (near_[n].meeting != Meeting::no) meets_[groupOf(pairs_[n])] = true;
+  }
   order_.clear();
   for (std::uint32_t n = 0; n < near_.size(); ++n) {
-    if (isSurelyInner(near_[n], pairs_[n], may_meet)) {
+    if (!meets_[groupOf(pairs_[n])] && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
       skipped_.push_back(pairs_[n]);
     } else {
       order_.push_back(n);
@@ -110,48 +119,45 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
   filter(found);
 }
 
-/// Whether markInner would remove the contact of a pair, by bounds of its distance and direction. With
-/// `keep_past`, false for pairs that markPast may remove: their contacts decide about others.
-bool SurfaceContacts::isSurelyInner(const NearPair& near, const Pair& pair, bool keep_past) const {
+/// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
+/// surely comes nearer beyond the edge or corner where they are closest.
+bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
+                                    double threshold) const {
   constexpr double kPerpendicular = 1.5e-3;  // the sine of isPerpendicular's tolerance
-  if (near.meeting != Meeting::no) return false;
   const Triangle &a = surface_a_.triangle(pair.a), &b = surface_b_.triangle(pair.b);
-  const auto [on_a, on_b] = near.features.places(a, b);
-  const Vec3 way = on_b.point - on_a.point, facing_a = scaledNormal(a), facing_b = scaledNormal(b);
+  const auto [on_a, on_b] = features.places(a, b);
+  const Vec3 way = on_b.point - on_a.point;
   const double squared = way.squaredNorm(), length = std::sqrt(squared);
+  if (!(length <= threshold)) return false;
   // The planes through the nearest corners along the way are between the triangles.
   const auto alongWay = [&](const Vec3& corner) { return way.dot(corner - on_a.point); };
   const double gap = std::min({alongWay(b[0]), alongWay(b[1]), alongWay(b[2])}) -
                      std::max({alongWay(a[0]), alongWay(a[1]), alongWay(a[2])});
   const double least = gap / length;
   if (!(least > 0.0)) return false;
-  // The differences of points of two convex bodies are a convex set. So the direction between points that are
-  // nearly the closest ones is off by at most this sine.
+  // The differences of points of two triangles are a convex set. So the direction between points that are
+  // nearly the closest ones is off by an angle with at most this tangent.
   const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
-  const auto isPerpendicularTo = [&](const Vec3& facing) {
-    const double tilt = kPerpendicular + error;
-    return facing.cross(way).squaredNorm() <= tilt * tilt * squared * facing.squaredNorm();
-  };
   const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
-                           const Vec3& facing, const Vec3& other) {
-    return own.feature != 0b111u && !isPerpendicularTo(facing) &&
-           surface.comesNearer(number, own.feature, own.point, other, least, kSlightTilt + error);
+                           const Vec3& other) {
+    if (own.feature == 0b111u) return false;
+    const Triangle& triangle = surface.triangle(number);
+    const Vec3 facing = scaledNormal(triangle);
+    const double tilt = kPerpendicular + error;
+    if (!(facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm())) return false;
+    const double limit = least - roundingOf(triangle, own.point, other);
+    return limit > 0.0 &&
+           surface.comesNearer(number, own.feature, own.point, other, limit, kSlightTilt + error);
   };
-  if (keep_past) {
-    const auto mayBeBehind = [&](const Vec3& facing, const Vec3& towards) {
-      return towards.dot(facing) < -(kBehind - error) * length * facing.norm();
-    };
-    if (mayBeBehind(facing_a, way) || mayBeBehind(facing_b, -way)) return false;
-  }
-  return isInner(surface_a_, pair.a, on_a, facing_a, on_b.point) ||
-         isInner(surface_b_, pair.b, on_b, facing_b, on_a.point);
+  return isInner(surface_a_, pair.a, on_a, on_b.point) || isInner(surface_b_, pair.b, on_b, on_a.point);
 }
 
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.empty() || contacts.size() + skipped_.size() < 2) return;
   removed_.assign(contacts.size(), Removed::no);
   removeLongWays(contacts);
-  join(contacts);
+  findGroups();
+  findDeepest(contacts);
   markPast(contacts);
   markInner(contacts);
   keepDeepest(contacts);
@@ -261,11 +267,16 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
 }
 
 /// Groups pairs that are connected by triangles.
-void SurfaceContacts::join(const std::vector<Contact>& contacts) {
+void SurfaceContacts::findGroups() {
   parent_.resize(surface_a_.size() + surface_b_.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
-  for (const Pair& pair : pairs_) connect(pair);
-  for (const Pair& pair : skipped_) connect(pair);
+  for (const auto* const pairs : {&pairs_, &skipped_}) {
+    for (const Pair& pair : *pairs) parent_[rootOf(surface_a_.size() + pair.b)] = rootOf(pair.a);
+  }
+}
+
+/// Finds the deepest contact of each group.
+void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts) {
   deepest_.assign(parent_.size(), kNone);
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
@@ -276,10 +287,6 @@ void SurfaceContacts::join(const std::vector<Contact>& contacts) {
 std::uint32_t SurfaceContacts::rootOf(std::uint32_t node) {
   while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
   return node;
-}
-
-void SurfaceContacts::connect(const Pair& pair) {
-  parent_[rootOf(surface_a_.size() + pair.b)] = rootOf(pair.a);
 }
 
 /// Restores the deepest contact of each group that was removed entirely, and the deepest contact of all.
@@ -299,6 +306,7 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
 /// connected to contacts whose triangles meet.
 void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   const auto isApart = [](const Contact& contact) { return contact.distance > 0.0; };
+  constexpr double kBehind = 1e-3;
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!isApart(contact) || isApart(contacts[deepest_[groupOf(pairs_[c])]])) continue;
@@ -331,14 +339,11 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   if (isPerpendicular(normal, contact.normal)) return false;
   const unsigned feature = featureOf(own, normal, point);
   if (feature == 0b111u || feature == 0) return false;
-  if (contact.distance > 0.0) {
-    const double rounding = 1e-9 * ((own[1] - own[0]).norm() + (own[2] - own[0]).norm());
-    const double nearer = std::max(contact.distance - rounding, 0.5 * contact.distance);
-    return surface.comesNearer(number, feature, point, opposite, nearer, kSlightTilt);
-  }
+  const double limit = contact.distance - roundingOf(own, point, opposite);
+  if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, kSlightTilt);
   const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
   return surface.leansBeyond(number, feature, towards, kSlightTilt, [&](std::uint32_t other) {
-    TrianglePair pair{contact.triangle_a, contact.triangle_b};
+    TrianglePair pair = trianglesOf(contact);
     (of_a ? pair.a : pair.b) = surface.index(other);
     const auto found = std::ranges::lower_bound(contacts, pair, {}, trianglesOf);
     if (found == contacts.end() || trianglesOf(*found) != pair) return false;

@@ -27,8 +27,9 @@ namespace octoblisk::detail {
 class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`, in ascending order of
-  /// triangles: those of octoblisk::contacts, filtered. Most pairs of triangles beyond whose edges the
-  /// surfaces come nearer are left out before their contacts are computed. Allocates nothing once warm.
+  /// triangles: what filter leaves of octoblisk::contacts. Most contacts that filter would remove are not
+  /// computed in the first place. Where the closest points of two triangles are not unique, the contacts kept
+  /// may differ from those of filter. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 
@@ -65,7 +66,7 @@ class SurfaceContacts {
 
   void clear();
   Pair add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b, const Triangle& b);
-  bool isSurelyInner(const NearPair& near, const Pair& pair, bool keep_past) const;
+  bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold) const;
   void filter(std::vector<Contact>& contacts);
   void alignWithFaces(std::vector<Contact>& contacts) const;
   void dropRemoved(std::vector<Contact>& contacts);
@@ -73,8 +74,8 @@ class SurfaceContacts {
   void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   static bool isConvex(const Face& face, const Face& other);
-  void join(const std::vector<Contact>& contacts);
-  void connect(const Pair& pair);
+  void findGroups();
+  void findDeepest(const std::vector<Contact>& contacts);
   std::uint32_t rootOf(std::uint32_t node);
   std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
@@ -94,7 +95,7 @@ class SurfaceContacts {
   std::vector<Face> faces_;             // faces that meet a triangle
   std::vector<std::uint32_t> parent_;   // per triangle of surface_a_, then of surface_b_
   std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
-  std::vector<bool> stays_;             // per root: whether a contact of its group stays
+  std::vector<bool> meets_, stays_;  // per root: whether triangles of its group meet, a contact of it stays
 };
 
 }  // namespace octoblisk::detail
