@@ -22,6 +22,22 @@ namespace octoblisk {
 class WorldImporter : public btBulletWorldImporter {
  public:
   using btBulletWorldImporter::btBulletWorldImporter;
+  using btBulletWorldImporter::loadFileFromMemory;
+
+  /// These two do what Bullet's do, and free the file even if a shape throws.
+  bool loadFile(const char* name, const char* swapped_name = nullptr) {
+    bParse::btBulletFile file(name);
+    const bool is_read = loadFileFromMemory(&file);
+    if (swapped_name) {
+      if (is_read) file.preSwap();
+      file.writeFile(swapped_name);
+    }
+    return is_read;
+  }
+  bool loadFileFromMemory(char* memory, int size) {
+    bParse::btBulletFile file(memory, size);
+    return loadFileFromMemory(&file);
+  }
 
   bool convertAllObjects(bParse::btBulletFile* file) override {
     struct Reading {  // also ends if a shape throws
