@@ -6,6 +6,7 @@
 #include <new>
 
 #include "contact/contact_patches.h"
+#include "contact/surface_contacts.h"
 #include "contact/triangles_along.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
@@ -107,6 +108,25 @@ TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {
   queryAll();
   EXPECT_EQ(allocations, before);
   EXPECT_GT(hits, 10u);
+}
+
+TEST(Allocation, warmQueriesOfSurfacesAllocateNothing) {
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
+  SurfaceContacts query;
+  std::vector<Contact> found;
+  std::size_t hits = 0;
+  const auto queryAll = [&] {
+    std::mt19937_64 random(64);
+    for (int i = 0; i < 51; ++i) {  // an odd number: buffers that are exchanged change places
+      query.find(ring, ring, testing::randomPose(random, 1.2), 0.05, found);
+      hits += !found.empty();
+    }
+  };
+  queryAll();
+  const std::size_t before = allocations;
+  queryAll();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hits, 50u);
 }
 
 TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {

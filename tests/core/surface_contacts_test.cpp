@@ -258,7 +258,7 @@ TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
   EXPECT_GT(meeting, 500);
 }
 
-/// On round bodies, the triangle pairs that are left out make no difference.
+/// On ordinary bodies, leaving out triangle pairs makes no difference.
 TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
   std::mt19937_64 random(100);
   const std::vector<testing::SharedMesh> meshes = {

@@ -5,8 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <random>
+#include <string>
 #include <vector>
 
 #include "plugin/bullet_world.h"
@@ -210,6 +215,34 @@ TEST(WorldImporter, namesAndCollisionObjectsAreKept) {
   ASSERT_NE(ours(shape), nullptr);
   EXPECT_EQ(falling->getCollisionShape(), shape);
   EXPECT_STREQ(loaded.importer.getNameForPointer(shape), "ring");
+}
+
+std::vector<char> contentOf(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// As Bullet's importer: a file that cannot be read is not written again.
+TEST(WorldImporter, readsFilesByName) {
+  const std::string start = ::testing::TempDir() + "octoblisk_" + std::to_string(std::random_device{}());
+  const std::string name = start + "_saved.bullet", swapped = start + "_swapped.bullet";
+  ClusteredOctreeShape shape = shapeOver(testing::torus(1, 0.4, 12, 8));
+  BulletWorld world;
+  world.add(shape, 1, at(0, 0, 0));
+  const std::vector<char> content = saved(*world);
+  std::ofstream(name, std::ios::binary).write(content.data(), std::streamsize(content.size()));
+  std::ofstream(swapped) << "kept";
+  BulletWorld other;
+  WorldImporter importer(&*other);
+  EXPECT_FALSE(importer.loadFile((start + "_missing.bullet").c_str(), swapped.c_str()));
+  EXPECT_EQ(contentOf(swapped).size(), 4u);
+  EXPECT_TRUE(importer.loadFile(name.c_str(), swapped.c_str()));
+  EXPECT_EQ(contentOf(swapped).size(), content.size());
+  ASSERT_EQ(importer.getNumRigidBodies(), 1);
+  EXPECT_TRUE(dynamic_cast<ClusteredOctreeShape*>(importer.getRigidBodyByIndex(0)->getCollisionShape()));
+  importer.deleteAllData();
+  std::filesystem::remove(name);
+  std::filesystem::remove(swapped);
 }
 
 /// The importer does not go on with a file whose shape threw.

@@ -12,8 +12,8 @@
 
 namespace octoblisk::detail {
 
-/// Some triangles of a surface, numbered from 0, and which of them share corners and edges: those whose
-/// positions are equal to the last bit. Allocates nothing once warm.
+/// Some triangles of a surface, numbered from 0, and which of them share corners and edges. Corners are the
+/// same if their positions are equal. Allocates nothing once warm.
 class LocalSurface {
  public:
   void clear() {
@@ -39,8 +39,8 @@ class LocalSurface {
   const Triangle& triangle(std::uint32_t number) const { return triangles_[number].corners; }
   std::uint32_t index(std::uint32_t number) const { return triangles_[number].index; }
 
-  /// Whether, beyond an edge or corner of a triangle, another triangle leans in `direction`, by at least
-  /// `least_sine`, for which accept(number) is true.
+  /// Whether another triangle beyond an edge or corner leans in `direction`, by an angle with at least this
+  /// sine. Considers only triangles for which accept(number) is true.
   template <typename Accept>
   bool leansBeyond(std::uint32_t triangle, unsigned feature, const Vec3& direction, double least_sine,
                    Accept&& accept) const {
@@ -56,8 +56,8 @@ class LocalSurface {
     return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }
 
-  /// Whether, beyond an edge or corner of a triangle, another triangle leans towards `point`, by at least
-  /// `least_sine`, and is nearer to it than `limit`. `from` is a point of this edge or corner.
+  /// Whether another triangle beyond an edge or corner leans towards `point`, and is nearer to it than
+  /// `limit`. `from` is a point of this edge or corner.
   bool comesNearer(std::uint32_t triangle, unsigned feature, const Vec3& from, const Vec3& point,
                    double limit, double least_sine) const {
     return leansBeyond(triangle, feature, (point - from).normalized(), least_sine, [&](std::uint32_t other) {
@@ -76,7 +76,7 @@ class LocalSurface {
   /// The slot of a triangle in the table of numbers, or the empty slot for it.
   std::size_t slotOf(std::uint32_t index) const {
     const std::size_t last = numbers_.size() - 1;
-    std::size_t slot = index * 0x9e3779b9u & last;
+    std::size_t slot = index * 0x9e3779b9u >> (32 - std::countr_zero(numbers_.size()));
     while (numbers_[slot] != kNone && triangles_[numbers_[slot]].index != index) slot = (slot + 1) & last;
     return slot;
   }
@@ -89,7 +89,7 @@ class LocalSurface {
   }
 
   std::vector<Numbered> triangles_;
-  std::vector<std::uint32_t> numbers_;  // a table, at most half full, by indices
+  std::vector<std::uint32_t> numbers_;  // hash table from index to number, at most half full
   SharedCorners corners_, edges_;
 };
 

@@ -14,7 +14,8 @@ inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();
 }
 
-/// Triangles by the positions of their corners. Allocates nothing once warm.
+/// Finds triangles by their corners, or by their edges; one object is for one of the two. Allocates nothing
+/// once warm.
 class SharedCorners {
  public:
   void clear() {

@@ -28,12 +28,16 @@ bool areWithin(double distance, const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(a, isOfB) || contactOf(a, b).distance < distance;
 }
 
-/// A triangle that is nearer by no more than this may be as near. Covers a point of a triangle and a point
-/// of the other body.
-double roundingOf(const Triangle& triangle, const Vec3& own, const Vec3& other) {
-  const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
-  const double farthest = std::max(own.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff());
-  return 1e-9 * (size + (other - own).norm()) + 1e-14 * farthest;
+/// Slack for the rounding of distances between two triangles, and between their neighbours.
+double roundingOf(const Triangle& a, const Triangle& b) {
+  double farthest = 0.0, longest = 0.0;
+  for (const Triangle* const triangle : {&a, &b}) {
+    for (const Vec3& corner : *triangle) {
+      farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());
+      longest = std::max(longest, (corner - a[0]).squaredNorm());
+    }
+  }
+  return 1e-9 * std::sqrt(longest) + 1e-14 * farthest;
 }
 
 /// Overwrites `order`, and calls visit(contacts) for the contacts of each triangle A or B.
@@ -92,14 +96,15 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
     pairs_.push_back(
         add(triangle_a, a.mesh().triangle(triangle_a), triangle_b, b_in_a * b.mesh().triangle(triangle_b)));
   }
+  // Where triangles of a group meet, contacts that filter removes decide about others.
   findGroups();
-  meets_.assign(parent_.size(), false);
+  may_meet_.assign(parent_.size(), false);
   for (std::size_t n = 0; n < near_.size(); ++n) {
-    if (near_[n].meeting != Meeting::no) meets_[groupOf(pairs_[n])] = true;
+    if (near_[n].meeting != Meeting::no) may_meet_[groupOf(pairs_[n])] = true;
   }
   order_.clear();
   for (std::uint32_t n = 0; n < near_.size(); ++n) {
-    if (!meets_[groupOf(pairs_[n])] && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
+    if (!may_meet_[groupOf(pairs_[n])] && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
       skipped_.push_back(pairs_[n]);
     } else {
       order_.push_back(n);
@@ -115,7 +120,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
     found.push_back(*contact);
     of_contacts_.push_back(pair);
   }
-  pairs_.swap(of_contacts_);
+  pairs_.assign(of_contacts_.begin(), of_contacts_.end());
   filter(found);
 }
 
@@ -125,11 +130,16 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
                                     double threshold) const {
   constexpr double kPerpendicular = 1.5e-3;  // the sine of isPerpendicular's tolerance
   const Triangle &a = surface_a_.triangle(pair.a), &b = surface_b_.triangle(pair.b);
-  const auto [on_a, on_b] = features.places(a, b);
+  const auto places = features.places(a, b);
+  const PlaceOnTriangle &on_a = places.first, &on_b = places.second;
+  const auto isOn = [](const PlaceOnTriangle& place, const Triangle& triangle) {
+    return place.feature != 0b111u || isOver(triangle, scaledNormal(triangle), place.point);
+  };
+  if (!isOn(on_a, a) || !isOn(on_b, b)) return false;  // single precision was wrong
   const Vec3 way = on_b.point - on_a.point;
   const double squared = way.squaredNorm(), length = std::sqrt(squared);
   if (!(length <= threshold)) return false;
-  // The planes through the nearest corners along the way are between the triangles.
+  // Two planes perpendicular to the way separate the triangles by this gap.
   const auto alongWay = [&](const Vec3& corner) { return way.dot(corner - on_a.point); };
   const double gap = std::min({alongWay(b[0]), alongWay(b[1]), alongWay(b[2])}) -
                      std::max({alongWay(a[0]), alongWay(a[1]), alongWay(a[2])});
@@ -138,16 +148,15 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
   // The differences of points of two triangles are a convex set. So the direction between points that are
   // nearly the closest ones is off by an angle with at most this tangent.
   const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
+  const double limit = least - roundingOf(a, b);
+  if (!(limit > 0.0)) return false;
   const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
                            const Vec3& other) {
     if (own.feature == 0b111u) return false;
-    const Triangle& triangle = surface.triangle(number);
-    const Vec3 facing = scaledNormal(triangle);
+    const Vec3 facing = scaledNormal(surface.triangle(number));
     const double tilt = kPerpendicular + error;
     if (!(facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm())) return false;
-    const double limit = least - roundingOf(triangle, own.point, other);
-    return limit > 0.0 &&
-           surface.comesNearer(number, own.feature, own.point, other, limit, kSlightTilt + error);
+    return surface.comesNearer(number, own.feature, own.point, other, limit, kSlightTilt + error);
   };
   return isInner(surface_a_, pair.a, on_a, on_b.point) || isInner(surface_b_, pair.b, on_b, on_a.point);
 }
@@ -339,7 +348,8 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   if (isPerpendicular(normal, contact.normal)) return false;
   const unsigned feature = featureOf(own, normal, point);
   if (feature == 0b111u || feature == 0) return false;
-  const double limit = contact.distance - roundingOf(own, point, opposite);
+  const double limit =
+      contact.distance - roundingOf(surface_a_.triangle(pairs_[c].a), surface_b_.triangle(pairs_[c].b));
   if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, kSlightTilt);
   const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
   return surface.leansBeyond(number, feature, towards, kSlightTilt, [&](std::uint32_t other) {

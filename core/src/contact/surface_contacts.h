@@ -28,8 +28,8 @@ class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`, in ascending order of
   /// triangles: what filter leaves of octoblisk::contacts. Most contacts that filter would remove are not
-  /// computed in the first place. Where the closest points of two triangles are not unique, the contacts kept
-  /// may differ from those of filter. Allocates nothing once warm.
+  /// computed in the first place. Where the closest points of two triangles are not unique, or nearly so,
+  /// find may keep other contacts than filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 
@@ -85,9 +85,9 @@ class SurfaceContacts {
 
   LocalSurface surface_a_, surface_b_;
   std::vector<NearPair> near_;
-  std::vector<Pair> pairs_;  // per near pair, then per contact
-  std::vector<Pair> of_contacts_;
-  std::vector<Pair> skipped_;  // pairs whose contacts were not computed
+  std::vector<Pair> pairs_;        // per near pair, then per contact
+  std::vector<Pair> of_contacts_;  // the pairs per contact while they are computed
+  std::vector<Pair> skipped_;      // pairs whose contacts were not computed
   /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner };
   std::vector<Removed> removed_;
@@ -95,7 +95,8 @@ class SurfaceContacts {
   std::vector<Face> faces_;             // faces that meet a triangle
   std::vector<std::uint32_t> parent_;   // per triangle of surface_a_, then of surface_b_
   std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
-  std::vector<bool> meets_, stays_;  // per root: whether triangles of its group meet, a contact of it stays
+  std::vector<bool> may_meet_;          // per root: whether triangles of its group may meet
+  std::vector<bool> stays_;             // per root: whether a contact of its group stays
 };
 
 }  // namespace octoblisk::detail

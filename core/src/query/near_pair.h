@@ -60,7 +60,7 @@ enum class Meeting : std::uint8_t { no, maybe, yes };
 struct NearPair {
   TrianglePair triangles;
   Meeting meeting = Meeting::maybe;
-  ClosestFeatures features;  ///< if they do not meet
+  ClosestFeatures features;  ///< only if meeting is no
 };
 
 /// The contact of two near triangles; none if they are farther apart than `threshold`.

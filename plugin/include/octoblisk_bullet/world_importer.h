@@ -24,15 +24,16 @@ class WorldImporter : public btBulletWorldImporter {
   using btBulletWorldImporter::btBulletWorldImporter;
   using btBulletWorldImporter::loadFileFromMemory;
 
-  /// These two do what Bullet's do, and free the file even if a shape throws.
+  /// These two do what Bullet's do, and free the file even if a shape throws. Bullet's are not virtual: call
+  /// these on a WorldImporter.
   bool loadFile(const char* name, const char* swapped_name = nullptr) {
     bParse::btBulletFile file(name);
-    const bool is_read = loadFileFromMemory(&file);
+    if (!loadFileFromMemory(&file)) return false;
     if (swapped_name) {
-      if (is_read) file.preSwap();
+      file.preSwap();
       file.writeFile(swapped_name);
     }
-    return is_read;
+    return true;
   }
   bool loadFileFromMemory(char* memory, int size) {
     bParse::btBulletFile file(memory, size);
