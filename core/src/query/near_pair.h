@@ -1,7 +1,6 @@
 // Two triangles that are near each other, and where they are closest.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
