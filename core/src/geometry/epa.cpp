@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace octoblisk::detail {
 namespace {
 
 constexpr int kMaxVertices = 96;
-constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4
+constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4; below 256
 constexpr double kFlat = 1e-10;      // relative to the polytope's size; anything thinner is not a polytope
 constexpr double kCoplanar = 1e-12;  // relative to its size: a vertex this near to a face's plane is in it
 
@@ -118,88 +120,81 @@ class Polytope {
     return true;
   }
 
-  /// False if the face would have no area.
-  bool addFace(int i, int j, int k) {
+  /// None if the face would have no area.
+  std::optional<PolytopeFace> faceOf(int i, int j, int k) const {
     const Vec3 scaled = areaOf(i, j, k);
     const double length = scaled.norm();
-    if (!(length > 0.0)) return false;
+    if (!(length > 0.0)) return std::nullopt;
     const Vec3 normal = scaled / length;
-    faces_[static_cast<std::size_t>(face_count_++)] = {{i, j, k}, normal, normal.dot(point(i))};
-    return true;
+    return PolytopeFace{{i, j, k}, normal, normal.dot(point(i))};
   }
 
-  /// The edges of removed faces that have no twin among them.
-  struct Rim {
-    std::array<Edge, 3 * kMaxFaces> edge;
-    int count = 0;
+  static std::array<Edge, 3> edgesOf(const PolytopeFace& face) {
+    const auto& [i, j, k] = face.vertex;
+    return {{{i, j}, {j, k}, {k, i}}};
+  }
 
-    Edge* twin(const Edge& of) {
-      const auto end = edge.begin() + count;
-      const auto found = std::find_if(
-          edge.begin(), end, [&](const Edge& other) { return other.from == of.to && other.to == of.from; });
-      return found == end ? nullptr : &*found;
-    }
-    bool touches(const PolytopeFace& face) {
-      for (std::size_t e = 0; e < 3; ++e) {
-        if (twin({face.vertex[e], face.vertex[(e + 1) % 3]})) return true;
-      }
-      return false;
-    }
-    void take(const PolytopeFace& face) {
-      for (std::size_t e = 0; e < 3; ++e) {
-        const Edge added{face.vertex[e], face.vertex[(e + 1) % 3]};
-        if (Edge* const same = twin(added)) {
-          *same = edge[static_cast<std::size_t>(--count)];
-        } else {
-          edge[static_cast<std::size_t>(count++)] = added;
-        }
-      }
-    }
-  };
+  PolytopeFace& faceAt(int f) { return faces_[static_cast<std::size_t>(f)]; }
+
+  /// The number of the face on the left of an edge.
+  std::uint8_t& leftOf(int from, int to) {
+    return left_of_[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)];
+  }
+
+  void put(int f, const PolytopeFace& face) {
+    faceAt(f) = face;
+    for (const Edge& edge : edgesOf(face)) leftOf(edge.from, edge.to) = static_cast<std::uint8_t>(f);
+  }
+
+  bool addFace(int i, int j, int k) {
+    const std::optional<PolytopeFace> face = faceOf(i, j, k);
+    if (face) put(face_count_++, *face);
+    return face.has_value();
+  }
 
   /// Replaces the faces that see the new vertex, spreading from one that does, by faces from their rim to the
   /// vertex. Also replaces faces whose plane contains the vertex, because one of their edges in line with it
   /// would make a face without area. False, with the polytope unchanged, if rounding leaves no proper rim or
   /// makes a face without area, or if there are too many faces.
   bool addVertex(const SupportPoint& vertex, int seen_face) {
-    std::array<int, kMaxFaces> seeing;  // faces that see the vertex, the replaced ones first
-    int seeing_count = 0, replaced_count = 0;
-    const auto seeingAt = [&](int s) -> int& { return seeing[static_cast<std::size_t>(s)]; };
-    const auto faceAt = [&](int f) -> PolytopeFace& { return faces_[static_cast<std::size_t>(f)]; };
+    std::array<int, kMaxFaces> replaced;
+    int replaced_count = 0, rim_count = 0;
+    std::array<bool, kMaxFaces> is_replaced{};
+    std::array<PolytopeFace, kMaxFaces> added;
+    std::array<bool, kMaxVertices> is_on_rim{};
     const double coplanar = kCoplanar * size_;
-    seeingAt(seeing_count++) = seen_face;
-    for (int f = 0; f < face_count_; ++f) {
-      const PolytopeFace& face = faceAt(f);
-      if (f == seen_face || face.normal.dot(vertex.difference) < face.distance - coplanar) continue;
-      seeingAt(seeing_count++) = f;
-    }
-    Rim rim;
-    const auto replace = [&](int s) {
-      rim.take(faceAt(seeingAt(s)));
-      std::swap(seeingAt(s), seeingAt(replaced_count++));
+    const auto replace = [&](int f) {
+      is_replaced[static_cast<std::size_t>(f)] = true;
+      replaced[static_cast<std::size_t>(replaced_count++)] = f;
     };
-    replace(0);
-    for (bool spreads = true; spreads;) {
-      spreads = false;
-      for (int s = replaced_count; s < seeing_count; ++s) {
-        if (!rim.touches(faceAt(seeingAt(s)))) continue;
-        replace(s);
-        spreads = true;
+    vertices_[static_cast<std::size_t>(count_)] = vertex;
+    replace(seen_face);
+    for (int r = 0; r < replaced_count; ++r) {
+      for (const Edge& edge : edgesOf(faceAt(replaced[static_cast<std::size_t>(r)]))) {
+        const int across = leftOf(edge.to, edge.from);
+        if (is_replaced[static_cast<std::size_t>(across)]) continue;
+        if (faceAt(across).normal.dot(vertex.difference) >= faceAt(across).distance - coplanar) {
+          replace(across);
+          continue;
+        }
+        const std::optional<PolytopeFace> face = faceOf(edge.from, edge.to, count_);
+        if (!face || std::exchange(is_on_rim[static_cast<std::size_t>(edge.from)], true)) return false;
+        added[static_cast<std::size_t>(rim_count++)] = *face;
       }
     }
-    const int before = face_count_;
-    if (before - replaced_count + rim.count > kMaxFaces || rim.count < 3) return false;
-    vertices_[static_cast<std::size_t>(count_)] = vertex;
-    for (int e = 0; e < rim.count; ++e) {
-      const Edge& edge = rim.edge[static_cast<std::size_t>(e)];
-      if (addFace(edge.from, edge.to, count_)) continue;
-      face_count_ = before;
-      return false;
-    }
+    if (face_count_ - replaced_count + rim_count > kMaxFaces || rim_count < 3) return false;
     ++count_;
-    // The last faces fill the places of the replaced ones. In descending order, no replaced face is moved.
-    std::sort(seeing.begin(), seeing.begin() + replaced_count, std::greater<>());
-    for (int s = 0; s < replaced_count; ++s) faceAt(seeingAt(s)) = faceAt(--face_count_);
+    for (int e = 0; e < rim_count; ++e) {
+      put(e < replaced_count ? replaced[static_cast<std::size_t>(e)] : face_count_++,
+          added[static_cast<std::size_t>(e)]);
+    }
+    // The last faces fill the places that are left. In descending order, no replaced face is moved.
+    std::sort(replaced.begin() + std::min(rim_count, replaced_count), replaced.begin() + replaced_count,
+              std::greater<>());
+    for (int r = rim_count; r < replaced_count; ++r) {
+      const int last = --face_count_, place = replaced[static_cast<std::size_t>(r)];
+      if (place != last) put(place, faceAt(last));
+    }
     return true;
   }
 
@@ -249,8 +244,9 @@ class Polytope {
 
   const Triangle& triangle_;
   const Convex& convex_;
-  std::array<SupportPoint, kMaxVertices + 1> vertices_;
-  std::array<PolytopeFace, 2 * kMaxFaces> faces_;  // room for new faces beside those that they replace
+  std::array<SupportPoint, kMaxVertices> vertices_;
+  std::array<PolytopeFace, kMaxFaces> faces_;
+  std::array<std::array<std::uint8_t, kMaxVertices>, kMaxVertices> left_of_;  // of the polytope's edges only
   int count_ = 0;
   int face_count_ = 0;
   double size_ = 0.0;
