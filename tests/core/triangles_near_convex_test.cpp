@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/triangle_convex.h"
+#include "shared/hard_meshes.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -85,6 +87,39 @@ TEST(TrianglesNearConvex, areNeverMissed_compact) {
 TEST(TrianglesNearConvex, areNeverMissed_inASoup) {
   std::mt19937_64 random(92);
   expectAllThatAreNear(ClusteredOctree::build(testing::soup(random, 2000, 2.0, 0.3)), 2.5, 0.4);
+}
+
+TEST(TrianglesNearConvex, onlyThoseNearAPoint_ofHardMeshes) {
+  std::mt19937_64 random(93);
+  std::size_t within = 0, handed = 0, all = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto kind = static_cast<testing::MeshKind>(i % testing::kMeshKinds);
+    const double size = std::pow(10.0, uniform(random, -6.0, 6.0));
+    const double far = i % 2 == 0 ? 0.0 : size * std::pow(10.0, uniform(random, 0.0, 4.0));
+    const SharedMesh mesh = testing::placed(*testing::hardMesh(random, kind), size, randomPoint(random, far));
+    BuildOptions options;
+    if (i % 3 == 0) options.storage = Storage::compact;
+    const ClusteredOctree tree = ClusteredOctree::build(mesh, options);
+    const double away = size * std::pow(10.0, uniform(random, -4.0, 0.0));
+    const Vec3 point = mesh->vertices().front() + randomPoint(random, away);
+    const Pose pose = {testing::randomRotation(random), randomPoint(random, far)};
+    // Exactly as far as one of the triangles.
+    std::vector<double> distances;
+    for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t)
+      distances.push_back((closestPoint(mesh->triangle(t), point) - point).norm());
+    const double farthest = distances[std::size_t(uniform(random, 0.0, double(distances.size())))];
+    const double radius = i % 4 == 0 ? 0.0 : uniform(random, 0.0, farthest);
+    const auto found = near(tree, ConvexHull({pose.inverse() * point}, radius), pose, farthest - radius);
+    for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
+      if (!(distances[t] <= farthest - 1e-15 * (size + far))) continue;
+      ++within;
+      ASSERT_TRUE(std::ranges::binary_search(found, t)) << "case " << i << ", triangle " << t;
+    }
+    handed += found.size();
+    all += mesh->triangleCount();
+  }
+  EXPECT_LT(handed, within * 11 / 10);
+  EXPECT_LT(within, all * 7 / 10);
 }
 
 TEST(TrianglesNearConvex, noneOfAPoseThatIsNone) {

@@ -64,8 +64,6 @@ class ConvexCull {
     unsigned near = (1u << count) - 1u;
     near &= ~beyondBounds(corner, reach);
     if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
-    if (count_ == 1)
-      return near;  // for a single point, the exact distance is cheaper than a search for a plane
     return notParted(near, corner, reach);
   }
 

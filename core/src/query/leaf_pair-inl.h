@@ -13,6 +13,7 @@
 
 #include "query/local_pose.h"
 #include "simd/simd-inl.h"
+#include "simd/unit.h"
 #include "tree/node_boxes-inl.h"
 #include "tree/tree.h"
 
@@ -141,11 +142,8 @@ class LeafPair {
 
   /// The combined rounding error of a corner of A and one of B along each axis.
   float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
-  /// A power of two that scales all lengths to about 1, so that their powers neither overflow nor underflow.
-  float unit() const {
-    constexpr std::uint32_t kExponent = 0x7f800000u, kOfOne = 0x3f800000u;
-    return std::bit_cast<float>(2 * kOfOne - (std::bit_cast<std::uint32_t>(size_) & kExponent));
-  }
+  /// Scales all lengths to about 1.
+  float unit() const { return unitOf(size_); }
   /// The rounding error of a height over a triangle's plane, or of a gap along a unit vector.
   float planeRounding() const { return 0x1p-16f * size_ + 4.0f * doubles_; }
 

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 
 #include "query/convex_cull-inl.h"
+#include "query/point_cull-inl.h"
 #include "query/triangle_bundle.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,13 +17,16 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span<const Vec3> core,
           const Aabb& bounds, const Pose& convex_in_tree, double reach, std::vector<std::uint32_t>& found) {
-  const ConvexCull cull(origin, core, bounds, convex_in_tree, reach);
-  for (const TriangleBundle& bundle : bundles) {
-    for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count); near != 0;
-         near &= near - 1) {
-      found.push_back(bundle.triangles[static_cast<std::size_t>(std::countr_zero(near))]);
+  const auto siftBy = [&](const auto& cull) HWY_ATTR {
+    for (const TriangleBundle& bundle : bundles) {
+      for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count); near != 0;
+           near &= near - 1) {
+        found.push_back(bundle.triangles[static_cast<std::size_t>(std::countr_zero(near))]);
+      }
     }
-  }
+  };
+  if (core.size() == 1) return siftBy(PointCull(origin, core[0], convex_in_tree, reach));
+  siftBy(ConvexCull(origin, core, bounds, convex_in_tree, reach));
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -106,9 +110,12 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
     bounds_ = boundsOf(core_);
     forget();
   }
-  const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
   const double of_core = reach + convex.radius();
-  if (!(of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_)) {
+  const auto areKept = [&] {
+    const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
+    return of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_;
+  };
+  if (kept_reach_ == kNothing || !areKept()) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
     gather(tree, convex, convex_in_tree, reach, reserve);
     last_at_ = convex_in_tree;

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "query/convex_cull-inl.h"
+#include "query/point_cull-inl.h"
 #include "query/traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,15 +15,19 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
                    const Pose& convex_in_tree, double reach,
                    FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
-  const ConvexCull cull(tree.origin(), points, bounds, convex_in_tree, reach);
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
-  return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) HWY_ATTR {
-    const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
-    for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
-      if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
-    }
-    return false;
-  });
+  const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
+    return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
+      const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
+      for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
+        if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+      }
+      return false;
+    });
+  };
+  if (points.size() == 1)
+    return walk(GapOfPoint(), PointCull(tree.origin(), points[0], convex_in_tree, reach));
+  return walk(WidestGap(), ConvexCull(tree.origin(), points, bounds, convex_in_tree, reach));
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

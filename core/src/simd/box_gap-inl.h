@@ -78,6 +78,24 @@ struct WidestGap {
   HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const { return widestGap(boxes, box); }
 };
 
+/// The distances of the eight boxes to the centre of `box`, for traversals with a point. Infinite for empty
+/// boxes.
+struct GapOfPoint {
+  HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const {
+    const Vec8 offset{Float8(box.center.x()) - Float8::load(boxes.center[0]),
+                      Float8(box.center.y()) - Float8::load(boxes.center[1]),
+                      Float8(box.center.z()) - Float8::load(boxes.center[2])};
+    Float8 squared(0.0f);
+    for (int j = 0; j < 3; ++j) {
+      const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
+                      Float8::load(boxes.axes[2][j])};
+      const Float8 outside = max(abs(dot(axis, offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
+      squared = squared + outside * outside;
+    }
+    return sqrt(squared);
+  }
+};
+
 /// A lower bound of the squared distances of the eight boxes to `box`.
 HWY_INLINE Float8 squaredDistanceBound(const Box8& boxes, const BoxF& box) {
   const FaceGaps gaps = faceGaps(boxes, box);

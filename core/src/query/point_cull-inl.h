@@ -1,0 +1,72 @@
+// Tests a point against eight triangles of a leaf at once: which of them are certainly too far away. Included
+// once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_POINT_CULL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_POINT_CULL_INL_H
+#undef OCTOBLISK_QUERY_POINT_CULL_INL_H
+#else
+#define OCTOBLISK_QUERY_POINT_CULL_INL_H
+#endif
+
+#include "base/rounding.h"
+#include "simd/triangle8-inl.h"
+#include "simd/unit.h"
+#include "tree/node_boxes-inl.h"
+#include "tree/tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Like ConvexCull, for a body whose core is a point. Computes all eight distances in single precision.
+class PointCull {
+ public:
+  /// Boxes are relative to `origin`.
+  PointCull(const Vec3& origin, const Vec3& point, const Pose& convex_in_tree, double reach)
+      : point_(convex_in_tree * point - origin),
+        reach_(reach + kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + point.norm())) {
+  }
+
+  /// A bit for each triangle of the leaf that may be within reach.
+  HWY_INLINE unsigned near(const Tree& tree, Slot slot) const {
+    LeafVertices room;
+    Box8 box_room(Box8::Unset{});
+    return near(boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane)), tree.leafVertices(slot, room),
+                tree.child(slot).count());
+  }
+
+  /// The same for any triangles whose corners are in rows (leaf_vertices.h) in the frame of a box.
+  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
+    const Vec3 in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
+    const double size = in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());
+    const Float8 unit(unitOf(static_cast<float>(size)));
+    const auto corner = [&](std::uint32_t v) HWY_ATTR {
+      const float* x = rows + 3 * v * count;
+      const auto along = [&](std::uint32_t axis) HWY_ATTR {
+        return (Float8::load(x + axis * count) - Float8(static_cast<float>(in_box[axis]))) * unit;
+      };
+      return Vec8(along(0), along(1), along(2));
+    };
+    const Triangle8 triangles(corner(0), corner(1), corner(2));
+    const Vec8 point(Float8(0.0f), Float8(0.0f), Float8(0.0f));
+    Float8 squared = squaredFaceDistance(point, triangles);
+    for (int v = 0; v < 3; ++v)
+      squared = min(squared, squaredEdgeDistance(triangles.corner[v], triangles.edge[v]));
+    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_)));
+    return ((1u << count) - 1u) & ~less(reach * unit, sqrt(squared) - triangles.thin);
+  }
+
+ private:
+  /// The squared distance of the origin to the edge that starts at `from`.
+  static HWY_INLINE Float8 squaredEdgeDistance(const Vec8& from, const Edge8& edge) {
+    const Float8 part = clamped01((Float8(0.0f) - dot(from, edge.along)) * edge.reciprocal);
+    const Vec8 closest = from + edge.along * part;
+    return dot(closest, closest);
+  }
+
+  Vec3 point_;  // in the tree's local frame
+  double reach_;
+};
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
