@@ -107,9 +107,14 @@ bool CoreCorners::update(const btConvexShape& shape) {
   } else if (!is_same) {
     middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) / double(points_.size());
   }
-  if (is_same) return false;
-  faces_.find(points_);
-  return true;
+  if (!is_same) has_faces_ = false;
+  return !is_same;
+}
+
+HullFaces CoreCorners::faces() {
+  if (!has_faces_) faces_.find(points_);
+  has_faces_ = true;
+  return faces_.view();
 }
 
 Vec3 BulletConvex::support(const Vec3& direction) const {

@@ -23,7 +23,8 @@ class CoreCorners {
   /// A point inside: the mean of the points, the origin of a cylinder or cone, otherwise a mean of support
   /// points.
   const Vec3& middle() const { return middle_; }
-  HullFaces faces() const { return faces_.view(); }
+  /// Of the hull of points(); found by the first call after a change, because most bodies are near nothing.
+  HullFaces faces();
   /// The corners, or points on the rims of cylinders and cones; empty for other shapes.
   std::span<const Vec3> feet() const { return points_.empty() ? rims_ : points_; }
 
@@ -31,13 +32,14 @@ class CoreCorners {
   std::vector<Vec3> points_, rims_, read_;
   Vec3 middle_ = Vec3::Zero();
   HullFaceList faces_;
+  bool has_faces_ = false;
 };
 
 /// A convex shape of Bullet as a Convex: both are a core and a margin around it. The corners must be up to
 /// date.
 class BulletConvex final : public Convex {
  public:
-  BulletConvex(const btConvexShape& shape, const CoreCorners& core)
+  BulletConvex(const btConvexShape& shape, CoreCorners& core)
       : shape_(shape), core_(core), margin_(double(shape.getMarginNonVirtual())) {}
 
   Vec3 support(const Vec3& direction) const override;
@@ -49,7 +51,7 @@ class BulletConvex final : public Convex {
 
  private:
   const btConvexShape& shape_;
-  const CoreCorners& core_;
+  CoreCorners& core_;
   const double margin_;
 };
 

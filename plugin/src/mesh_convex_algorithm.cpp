@@ -24,7 +24,9 @@ bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
 
 void MeshConvexAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
-  contacts(shapes.mesh.tree(), convex, shapes.other_in_mesh, reach, near_, found);
+  const ClusteredOctree& tree = shapes.mesh.tree();
+  contacts(tree, near_.find(tree, convex, shapes.other_in_mesh, reach), convex, shapes.other_in_mesh, reach,
+           found);
 }
 
 void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,

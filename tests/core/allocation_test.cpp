@@ -18,6 +18,7 @@
 #include "octoblisk/raycast.h"
 #include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
+#include "octoblisk/triangle_cache.h"
 #include "shared/mesh_source.h"
 #include "shared/meshes.h"
 
@@ -66,7 +67,7 @@ TEST(Allocation, warmQueriesAllocateNothing) {
       patches.reduce(found, 0.01);
       contacts(fan, box, pose, 0.05, found);
       patches.reduce(found, 0.01);
-      contacts(fan, box, pose, 0.05, near, found);
+      contacts(fan, near.find(fan, box, pose, 0.05), box, pose, 0.05, found);
       const Ray ray{.origin = pose.translation, .direction = pose.rotation.col(0)};
       allHits(ring, ray, ray_hits);
       hits += anyHit(fan, ray) + closestHit(ring, ray).has_value();

@@ -46,7 +46,7 @@ void expectEqual(const std::vector<Contact>& found, const std::vector<Contact>& 
 std::vector<Contact> checkedContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& pose,
                                      double reach, TriangleCache& near) {
   std::vector<Contact> found, expected;
-  contacts(tree, convex, pose, reach, near, found);
+  contacts(tree, near.find(tree, convex, pose, reach), convex, pose, reach, found);
   contacts(tree, convex, pose, reach, expected);
   expectEqual(found, expected);
   return found;

@@ -1,12 +1,13 @@
 // All contacts between two bodies, including near misses.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/convex.h"
-#include "octoblisk/triangle_cache.h"
 
 namespace octoblisk {
 
@@ -22,8 +23,9 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 
-/// The same, and faster if the body has moved little since the last query with the same `near`.
-void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
-              TriangleCache& near, std::vector<Contact>& found);
+/// The same for some triangles of A, which a TriangleCache (triangle_cache.h) finds fast for a body that
+/// moves little.
+void contacts(const ClusteredOctree& a, std::span<const std::uint32_t> triangles_of_a, const Convex& b,
+              const Pose& b_in_a, double threshold, std::vector<Contact>& found);
 
 }  // namespace octoblisk

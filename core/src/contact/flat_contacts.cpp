@@ -37,6 +37,7 @@ void cutToFace(FlatPolygon& polygon, std::size_t face, const HullFaces& hull, st
 
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                      double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
+  if (of_triangles == 0) return;
   const HullFaces hull = convex.faces();
   if (hull.empty()) return;
   const Pose mesh_in_convex = convex_in_mesh.inverse();

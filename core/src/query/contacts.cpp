@@ -75,11 +75,11 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
                      [&](auto&& visit) { forEachTriangleNear(a, b, b_in_a, threshold, visit); });
 }
 
-void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
-              TriangleCache& near, std::vector<Contact>& found) {
-  findConvexContacts(a, b, b_in_a, threshold, found, [&](auto&& visit) {
-    for (const std::uint32_t triangle : near.find(a, b, b_in_a, threshold)) visit(triangle);
-  });
+void contacts(const ClusteredOctree& a, std::span<const std::uint32_t> triangles_of_a, const Convex& b,
+              const Pose& b_in_a, double threshold, std::vector<Contact>& found) {
+  found.reserve(triangles_of_a.size());
+  findConvexContacts(a, b, b_in_a, threshold, found,
+                     [&](auto&& visit) { std::ranges::for_each(triangles_of_a, visit); });
 }
 
 }  // namespace octoblisk
