@@ -24,7 +24,8 @@ bool holdsClusters(const btCollisionShape& shape) {
 
 btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeShape* part) {
   const btScalar of_body = body.getContactBreakingThreshold(gContactBreakingThreshold);
-  return part ? std::min(of_body, part->getContactBreakingThreshold(gContactBreakingThreshold)) : of_body;
+  if (!part || part == &body) return of_body;
+  return std::min(of_body, part->getContactBreakingThreshold(gContactBreakingThreshold));
 }
 
 Pose poseOfChild(const btCompoundShape& compound, int child) {

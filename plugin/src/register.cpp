@@ -15,6 +15,7 @@
 #include <new>
 #include <vector>
 
+#include "body_parts.h"
 #include "mesh_concave_algorithm.h"
 #include "mesh_convex_algorithm.h"
 #include "mesh_mesh_algorithm.h"
@@ -40,7 +41,14 @@ bool has(const btCollisionObjectWrapper* body) {
   return dynamic_cast<const Shape*>(body->getCollisionShape()) != nullptr;
 }
 
-bool hasOurShape(const btCollisionObjectWrapper* body) { return has<ClusteredOctreeShape>(body); }
+template <>
+bool has<btConvexShape>(const btCollisionObjectWrapper* body) {
+  return body->getCollisionShape()->isConvex();
+}
+
+bool hasOurShape(const btCollisionObjectWrapper* body) {
+  return asClusters(*body->getCollisionShape()) != nullptr;
+}
 
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;

@@ -27,15 +27,14 @@ class InternalEdges {
   struct Place {
     Triangle triangle;
     Vec3 normal;            // scaledNormal
-    unsigned feature;       // triangle_feature.h
+    unsigned feature;       // triangle_feature.h; only if not perpendicular
     bool is_perpendicular;  // whether the contact's normal is perpendicular to the triangle
-    bool isAskew() const { return !is_perpendicular && feature != 0b111u && feature != 0; }
+    bool is_internal;
   };
 
   std::vector<Place> places_;         // per contact
   SharedCorners corners_;             // of the triangles of the contacts
-  std::vector<std::uint32_t> order_;  // of the contacts, deepest first
-  std::vector<char> is_internal_;
+  std::vector<std::uint32_t> askew_;  // contacts at an edge or a corner of their triangle, deepest first
 };
 
 }  // namespace octoblisk::detail

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 
 #include "octoblisk/triangle_mesh.h"
 
@@ -39,10 +38,11 @@ inline std::array<std::size_t, 2> endsOf(unsigned feature) {
 }
 
 /// Whether a direction is perpendicular to the triangle's face, up to sign; never if the triangle has no
-/// area. The normal is scaledNormal of the triangle.
+/// area. The normal is scaledNormal of the triangle; the direction is a unit vector.
 inline bool isPerpendicular(const Vec3& normal, const Vec3& direction) {
   constexpr double kSameDirection = 1.0 - 1e-6;
-  return std::abs(normal.dot(direction)) > kSameDirection * normal.norm();
+  const double along = normal.dot(direction);
+  return along * along > kSameDirection * kSameDirection * normal.squaredNorm();
 }
 
 /// Whether a direction from an edge or a corner (both ends equal) leans over a triangle that has this edge or

@@ -127,12 +127,13 @@ MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const Vec3 closest = closestPoint(triangle, point);
   const Vec3 apart = closest - point;
   const double distance = apart.norm();
-  const Vec3 scaled = scaledNormal(triangle), facing = scaled.normalized();
-  const double height = facing.dot(point - triangle[0]);
+  const Vec3 scaled = scaledNormal(triangle);
   // If the point is nearer than the triangle is wide, the triangle's normal is more accurate than the
   // difference of two points.
-  const bool is_over = distance * distance < scaled.norm() && isOver(triangle, facing, point);
+  const bool is_over = distance * distance < scaled.norm() && isOver(triangle, scaled, point);
   if (is_over || distance <= kTouching * (point - triangle[0]).norm()) {
+    const Vec3 facing = scaled.normalized();
+    const double height = facing.dot(point - triangle[0]);
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);
     return {std::abs(height), normal, closest, closest - std::abs(height) * normal};
   }
