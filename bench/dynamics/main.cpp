@@ -55,13 +55,18 @@ void run(const Options& options) {
       Row row = {
           {"task", "dynamics"}, {"scene", entry.name}, {"contender", nameOf(kind)}, {"shows", entry.shows}};
       row.update(measured(*scene, size.steps));
+      const Row first = row["asleep_after_steps"];
+      Row& sleeps = row["asleep_after_steps"] = Row::array({first});
+      if (!options.quick) {
+        for (const int bodies : entry.more_bodies)
+          sleeps.push_back(stepsUntilAsleep(*entry.make(kind, bodies), size.steps));
+      }
       std::printf(
           "%-15s %-10s %8.2f ms per step, asleep after %s, late %.3g J, depth %.3g m, %d points in %d, "
           "lost %d %s\n",
-          entry.name.c_str(), nameOf(kind), row["step_ms"].get<double>(),
-          row["asleep_after_steps"].dump().c_str(), row["late_energy_j"].get<double>(),
-          row["depth_m"].get<double>(), row["points"].get<int>(), row["manifolds"].get<int>(),
-          row["lost"].get<int>(), row["figures"].dump().c_str());
+          entry.name.c_str(), nameOf(kind), row["step_ms"].get<double>(), sleeps.dump().c_str(),
+          row["late_energy_j"].get<double>(), row["depth_m"].get<double>(), row["points"].get<int>(),
+          row["manifolds"].get<int>(), row["lost"].get<int>(), row["figures"].dump().c_str());
       std::fflush(stdout);
       rows.push_back(std::move(row));
     }

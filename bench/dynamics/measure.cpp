@@ -52,4 +52,12 @@ Row measured(DynamicsScene& scene, int steps) {
   return row;
 }
 
+Row stepsUntilAsleep(DynamicsScene& scene, int steps) {
+  for (int step = 1; step <= steps; ++step) {
+    scene.step();
+    if (scene.asleep() == scene.bodies()) return step;
+  }
+  return {};
+}
+
 }  // namespace octoblisk::bench

@@ -12,4 +12,7 @@ namespace octoblisk::bench {
 /// depth_over_time_m.
 Row measured(DynamicsScene& scene, int steps);
 
+/// The number of steps after which all bodies are asleep; null if some body is still awake.
+Row stepsUntilAsleep(DynamicsScene& scene, int steps);
+
 }  // namespace octoblisk::bench

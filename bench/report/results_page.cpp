@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "report/markdown.h"
 #include "report/power_law.h"
@@ -239,6 +240,23 @@ std::string paperTable(const Rows& all) {
   return table.text();
 }
 
+/// When all bodies were asleep; of several runs the median, the least and the most.
+std::string sleepText(const Row& row) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  std::vector<double> steps;
+  for (const Row& after : row["asleep_after_steps"])
+    steps.push_back(after.is_null() ? kNever : after.get<double>());
+  std::ranges::sort(steps);
+  const auto text = [](double after) {
+    return after == kNever ? "never" : std::to_string(std::llround(after));
+  };
+  if (steps.front() == kNever)
+    return "never (" + partText(number(row, "asleep"), number(row, "bodies")) + ")";
+  const std::string median = text(steps[steps.size() / 2]);
+  if (steps.size() == 1) return median;
+  return median + " (" + text(steps.front()) + " to " + text(steps.back()) + ")";
+}
+
 std::string dynamicsTable(const Rows& all) {
   MarkdownTable table({"scene", "shape", "time per step", "steps until all sleep", "late kinetic energy, J",
                        "depth, mm", "points", "manifolds", "lost", "further figures"});
@@ -247,12 +265,9 @@ std::string dynamicsTable(const Rows& all) {
     const Row figures = row.value("figures", Row::object());  // items() refers to it
     for (const auto& [name, value] : figures.items())
       beside += (beside.empty() ? "" : ", ") + name + ' ' + significant(value.get<double>(), 3);
-    const double asleep_after = number(row, "asleep_after_steps");
     const auto countText = [&](const char* key) { return std::to_string(std::llround(number(row, key))); };
     table.add({row["scene"].get<std::string>(), row.value("contender", ""),
-               timeText(1e3 * number(row, "step_ms")),
-               asleep_after > 0.0 ? countText("asleep_after_steps")
-                                  : "never (" + partText(number(row, "asleep"), number(row, "bodies")) + ")",
+               timeText(1e3 * number(row, "step_ms")), sleepText(row),
                significant(number(row, "late_energy_j")), significant(1e3 * number(row, "depth_m")),
                countText("points"), countText("manifolds"), countText("lost"), beside});
   }

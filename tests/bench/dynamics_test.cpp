@@ -102,6 +102,9 @@ TEST(Dynamics, tellsWhenAllSleep) {
   ASSERT_TRUE(row["asleep_after_steps"].is_number()) << row;
   EXPECT_GT(row["asleep_after_steps"].get<int>(), 120);  // Bullet waits 2 s
   EXPECT_LT(row["asleep_after_steps"].get<int>(), 180);
+  Boxes again({{0, 0, 0.25}, {1, 0, 0.25}}), falling({{0, 0, 30}});
+  EXPECT_EQ(stepsUntilAsleep(again, 300), row["asleep_after_steps"]);
+  EXPECT_TRUE(stepsUntilAsleep(falling, 100).is_null());
   EXPECT_EQ(row["asleep"], 2);
   EXPECT_EQ(row["points"], 8);
   EXPECT_EQ(row["manifolds"], 2);

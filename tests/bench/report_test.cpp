@@ -130,7 +130,7 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
                     {"bodies", 5},
                     {"asleep", 2},
                     {"step_ms", 0.25},
-                    {"asleep_after_steps", nullptr},
+                    {"asleep_after_steps", Row::array({nullptr})},
                     {"late_energy_j", 0.002},
                     {"depth_m", 0.0015},
                     {"points", 20},
@@ -143,18 +143,22 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
                     {"commit", "1a2b3c4"}};
   Row plane = ours;
   plane["contender"] = "plane";
-  plane["asleep_after_steps"] = 321;
-  const Rows rows = {ours, plane};
+  plane["asleep_after_steps"] = Row::array({321});
+  Row pile = ours;
+  pile["scene"] = "pile";
+  pile["asleep_after_steps"] = Row::array({500, nullptr, 300, 400, 700});
+  const Rows rows = {ours, plane, pile};
   const std::string table = dynamicsTable(rows);
   EXPECT_NE(table.find("| tower | octoblisk | 250 µs | never (2 of 5) | 0.0020 | 1.5 | 20 | 5 | 1 | "
                        "creep_mm 12.3, top_m 2.50 |"),
             std::string::npos)
       << table;
   EXPECT_NE(table.find("| tower | plane | 250 µs | 321 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| pile | octoblisk | 250 µs | 500 (300 to never) |"), std::string::npos) << table;
   EXPECT_EQ(dynamicsTable({}), "");
 
   const ResultsPage page = resultsPage(rows, Row());
-  ASSERT_EQ(page.time_plots.size(), 1u);
+  ASSERT_EQ(page.time_plots.size(), 2u);
   EXPECT_TRUE(page.plots.empty());
   EXPECT_EQ(page.time_plots[0].file, "dynamics-tower.svg");
   EXPECT_NE(page.text.find("![tower](dynamics-tower.svg)"), std::string::npos);
