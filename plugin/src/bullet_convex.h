@@ -36,7 +36,7 @@ class CoreCorners {
 };
 
 /// A convex shape of Bullet as a Convex: both are a core and a margin around it. The corners must be up to
-/// date.
+/// date. For one thread at a time, because faces() changes them.
 class BulletConvex final : public Convex {
  public:
   BulletConvex(const btConvexShape& shape, CoreCorners& core)

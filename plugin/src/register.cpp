@@ -41,6 +41,7 @@ bool has(const btCollisionObjectWrapper* body) {
   return dynamic_cast<const Shape*>(body->getCollisionShape()) != nullptr;
 }
 
+// A dynamic_cast would take longer.
 template <>
 bool has<btConvexShape>(const btCollisionObjectWrapper* body) {
   return body->getCollisionShape()->isConvex();

@@ -17,6 +17,28 @@ using namespace detail;
 
 namespace {
 
+/// Near each side of the bounds, where the way out is in another direction.
+TEST(PointInSolid, nearEachSide_vs_locate) {
+  std::mt19937_64 random(82);
+  const ClusteredOctree tree = ClusteredOctree::build(testing::bumpySphere(random, 1.0, 0.4, 24));
+  const Surface surface(tree);
+  const Aabb& bounds = tree.mesh().bounds();
+  for (int side = 0; side < 6; ++side) {
+    int inside = 0;
+    constexpr int kPoints = 500;
+    for (int i = 0; i < kPoints; ++i) {
+      Vec3 point = bounds.center() + 0.3 * testing::randomPoint(random, 1.0);
+      const double depth = testing::uniform(random, 0.0, 0.5);
+      point[side / 2] = side % 2 == 0 ? bounds.min[side / 2] + depth : bounds.max[side / 2] - depth;
+      const bool is_inside = locate(surface, point) == PointLocation::inside;
+      ASSERT_EQ(isInSolid(tree, point), is_inside) << "side " << side << ", point " << i;
+      inside += is_inside;
+    }
+    EXPECT_GE(inside, kPoints * 2 / 10) << "side " << side;
+    EXPECT_LE(inside, kPoints * 9 / 10) << "side " << side;
+  }
+}
+
 /// Follows a point that wanders through a torus in steps of all lengths.
 TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));

@@ -122,6 +122,15 @@ TEST(TrianglesNearConvex, onlyThoseNearAPoint_ofHardMeshes) {
   EXPECT_LT(within, all * 7 / 10);
 }
 
+TEST(TrianglesNearConvex, ofAPointThatIsVeryFar) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  for (const double far : {1e3, 1e12, 1e19, 2e19, 1e24, 1e28}) {
+    const Pose pose{Mat3::Identity(), {0.0, far, 0.0}};
+    EXPECT_EQ(near(tree, ConvexHull({Vec3::Zero()}, far), pose, far).size(), 12u) << far;
+    EXPECT_TRUE(near(tree, ConvexHull({Vec3::Zero()}, 0.5 * far), pose, 0.25 * far).empty()) << far;
+  }
+}
+
 TEST(TrianglesNearConvex, noneOfAPoseThatIsNone) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
   Pose pose;

@@ -23,8 +23,8 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
               std::vector<Contact>& found);
 
-/// The same for some triangles of A, which a TriangleCache (triangle_cache.h) finds fast for a body that
-/// moves little.
+/// The same, but only for the given triangles of A. A TriangleCache (triangle_cache.h) finds those near a
+/// body that moves little.
 void contacts(const ClusteredOctree& a, std::span<const std::uint32_t> triangles_of_a, const Convex& b,
               const Pose& b_in_a, double threshold, std::vector<Contact>& found);
 

@@ -20,23 +20,23 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   if (contacts.size() < 2) return;
   places_.clear();
   places_.reserve(contacts.size());
-  askew_.clear();
-  askew_.reserve(contacts.size());
+  at_an_angle_.clear();
+  at_an_angle_.reserve(contacts.size());
   for (const Contact& contact : contacts) {
     const Triangle triangle = mesh.triangle(contact.triangle_a);
     const Vec3 normal = scaledNormal(triangle);
     const bool is_perpendicular = isPerpendicular(normal, contact.normal);
     const unsigned feature = is_perpendicular ? 0b111u : featureOf(triangle, normal, contact.point_on_a);
-    if (feature != 0b111u && feature != 0) askew_.push_back(static_cast<std::uint32_t>(places_.size()));
+    if (feature != 0b111u && feature != 0) at_an_angle_.push_back(static_cast<std::uint32_t>(places_.size()));
     places_.push_back({triangle, normal, feature, is_perpendicular, false});
   }
-  if (askew_.empty()) return;
+  if (at_an_angle_.empty()) return;
 
   corners_.clear();
   corners_.reserve(contacts.size());
   for (std::uint32_t c = 0; c < contacts.size(); ++c) corners_.addCorners(places_[c].triangle, c);
-  std::ranges::sort(askew_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
-  for (const std::uint32_t c : askew_) {
+  std::ranges::sort(at_an_angle_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
+  for (const std::uint32_t c : at_an_angle_) {
     Place& place = places_[c];
     const Triangle& triangle = place.triangle;
     const auto [first, second] = endsOf(place.feature);

@@ -27,14 +27,14 @@ class InternalEdges {
   struct Place {
     Triangle triangle;
     Vec3 normal;            // scaledNormal
-    unsigned feature;       // triangle_feature.h; only if not perpendicular
+    unsigned feature;       // triangle_feature.h; all corners if perpendicular
     bool is_perpendicular;  // whether the contact's normal is perpendicular to the triangle
     bool is_internal;
   };
 
-  std::vector<Place> places_;         // per contact
-  SharedCorners corners_;             // of the triangles of the contacts
-  std::vector<std::uint32_t> askew_;  // contacts at an edge or a corner of their triangle, deepest first
+  std::vector<Place> places_;               // per contact
+  SharedCorners corners_;                   // of the triangles of the contacts
+  std::vector<std::uint32_t> at_an_angle_;  // contacts that push so from an edge or a corner, deepest first
 };
 
 }  // namespace octoblisk::detail

@@ -36,13 +36,13 @@ Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& fart
 bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
   const Aabb& bounds = tree.mesh().bounds();
   if (!isIn(bounds, point)) return false;
-  // The shortest way out of the bounds meets the fewest boxes.
+  // Usually, the shortest way out of the bounds meets the fewest boxes.
   Eigen::Index axis_down, axis_up;
   const double down = (point - bounds.min).minCoeff(&axis_down), up = (bounds.max - point).minCoeff(&axis_up);
   const Eigen::Index axis = down < up ? axis_down : axis_up;
-  Pose turn{Mat3::Zero(), Vec3::Zero()};  // by right angles, so exactly; the way out becomes +x
-  turn.rotation(0, axis) = down < up ? -1.0 : 1.0;
-  turn.rotation(1, (axis + 1) % 3) = turn.rotation(0, axis);
+  const double sense = down < up ? -1.0 : 1.0;
+  Pose turn{Mat3::Zero(), Vec3::Zero()};  // by right angles, so without rounding; the way out becomes +x
+  turn.rotation(0, axis) = turn.rotation(1, (axis + 1) % 3) = sense;
   turn.rotation(2, (axis + 2) % 3) = 1.0;
   return locateInClosed(tree, turn * point, turn) == PointLocation::inside;
 }

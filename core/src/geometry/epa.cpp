@@ -13,7 +13,8 @@ namespace octoblisk::detail {
 namespace {
 
 constexpr int kMaxVertices = 96;
-constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4; below 256
+constexpr int kMaxFaces = 2 * kMaxVertices;  // Euler: 2v − 4
+static_assert(kMaxFaces <= 256);             // an index of a face is a byte
 constexpr double kFlat = 1e-10;      // relative to the polytope's size; anything thinner is not a polytope
 constexpr double kCoplanar = 1e-12;  // relative to its size: a vertex this near to a face's plane is in it
 
@@ -136,19 +137,19 @@ class Polytope {
 
   PolytopeFace& faceAt(int f) { return faces_[static_cast<std::size_t>(f)]; }
 
-  /// The number of the face on the left of an edge.
+  /// The index of the face on the left of a directed edge, as seen from outside.
   std::uint8_t& leftOf(int from, int to) {
     return left_of_[static_cast<std::size_t>(from)][static_cast<std::size_t>(to)];
   }
 
-  void put(int f, const PolytopeFace& face) {
+  void setFace(int f, const PolytopeFace& face) {
     faceAt(f) = face;
     for (const Edge& edge : edgesOf(face)) leftOf(edge.from, edge.to) = static_cast<std::uint8_t>(f);
   }
 
   bool addFace(int i, int j, int k) {
     const std::optional<PolytopeFace> face = faceOf(i, j, k);
-    if (face) put(face_count_++, *face);
+    if (face) setFace(face_count_++, *face);
     return face.has_value();
   }
 
@@ -160,7 +161,7 @@ class Polytope {
     std::array<int, kMaxFaces> replaced;
     int replaced_count = 0, rim_count = 0;
     std::array<bool, kMaxFaces> is_replaced{};
-    std::array<PolytopeFace, kMaxFaces> added;
+    std::array<PolytopeFace, kMaxVertices> added;
     std::array<bool, kMaxVertices> is_on_rim{};
     const double coplanar = kCoplanar * size_;
     const auto replace = [&](int f) {
@@ -178,22 +179,24 @@ class Polytope {
           continue;
         }
         const std::optional<PolytopeFace> face = faceOf(edge.from, edge.to, count_);
-        if (!face || std::exchange(is_on_rim[static_cast<std::size_t>(edge.from)], true)) return false;
+        bool& was_on_rim = is_on_rim[static_cast<std::size_t>(edge.from)];
+        if (!face || was_on_rim) return false;
+        was_on_rim = true;
         added[static_cast<std::size_t>(rim_count++)] = *face;
       }
     }
     if (face_count_ - replaced_count + rim_count > kMaxFaces || rim_count < 3) return false;
     ++count_;
     for (int e = 0; e < rim_count; ++e) {
-      put(e < replaced_count ? replaced[static_cast<std::size_t>(e)] : face_count_++,
-          added[static_cast<std::size_t>(e)]);
+      setFace(e < replaced_count ? replaced[static_cast<std::size_t>(e)] : face_count_++,
+              added[static_cast<std::size_t>(e)]);
     }
     // The last faces fill the places that are left. In descending order, no replaced face is moved.
     std::sort(replaced.begin() + std::min(rim_count, replaced_count), replaced.begin() + replaced_count,
               std::greater<>());
     for (int r = rim_count; r < replaced_count; ++r) {
       const int last = --face_count_, place = replaced[static_cast<std::size_t>(r)];
-      if (place != last) put(place, faceAt(last));
+      if (place != last) setFace(place, faceAt(last));
     }
     return true;
   }
@@ -246,7 +249,8 @@ class Polytope {
   const Convex& convex_;
   std::array<SupportPoint, kMaxVertices> vertices_;
   std::array<PolytopeFace, kMaxFaces> faces_;
-  std::array<std::array<std::uint8_t, kMaxVertices>, kMaxVertices> left_of_;  // of the polytope's edges only
+  std::array<std::array<std::uint8_t, kMaxVertices>, kMaxVertices>
+      left_of_;  // valid for edges of the polytope
   int count_ = 0;
   int face_count_ = 0;
   double size_ = 0.0;

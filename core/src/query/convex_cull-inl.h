@@ -37,15 +37,8 @@ class ConvexCull {
     for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
   }
 
-  /// A bit for each triangle of the leaf that may be within reach.
-  HWY_INLINE unsigned near(const Tree& tree, Slot slot) const {
-    LeafVertices room;
-    Box8 box_room(Box8::Unset{});
-    return near(boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane)), tree.leafVertices(slot, room),
-                tree.child(slot).count());
-  }
-
-  /// The same for any triangles whose corners are in rows (leaf_vertices.h) in the frame of a box.
+  /// A bit for each triangle that may be within reach. The corners are in rows (leaf_vertices.h) in the frame
+  /// of a box.
   HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
     const Vec3 shift = tree_in_center_ * box.center.cast<double>();
     const Eigen::Matrix3f turn = (tree_in_center_.rotation * box.axes.cast<double>()).cast<float>();

@@ -25,32 +25,26 @@ class PointCull {
         reach_(reach + kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + point.norm())) {
   }
 
-  /// A bit for each triangle of the leaf that may be within reach.
-  HWY_INLINE unsigned near(const Tree& tree, Slot slot) const {
-    LeafVertices room;
-    Box8 box_room(Box8::Unset{});
-    return near(boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane)), tree.leafVertices(slot, room),
-                tree.child(slot).count());
-  }
-
-  /// The same for any triangles whose corners are in rows (leaf_vertices.h) in the frame of a box.
+  /// A bit for each triangle that may be within reach. The corners are in rows (leaf_vertices.h) in the frame
+  /// of a box.
   HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
-    const Vec3 in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
-    const double size = in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());
+    const Vec3 point_in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
+    const double size = point_in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());
     const Float8 unit(unitOf(static_cast<float>(size)));
     const auto corner = [&](std::uint32_t v) HWY_ATTR {
       const float* x = rows + 3 * v * count;
       const auto along = [&](std::uint32_t axis) HWY_ATTR {
-        return (Float8::load(x + axis * count) - Float8(static_cast<float>(in_box[axis]))) * unit;
+        return (Float8::load(x + axis * count) - Float8(static_cast<float>(point_in_box[axis]))) * unit;
       };
       return Vec8(along(0), along(1), along(2));
     };
     const Triangle8 triangles(corner(0), corner(1), corner(2));
-    const Vec8 point(Float8(0.0f), Float8(0.0f), Float8(0.0f));
-    Float8 squared = squaredFaceDistance(point, triangles);
+    const Vec8 origin(Float8(0.0f), Float8(0.0f), Float8(0.0f));  // the point
+    Float8 squared = squaredFaceDistance(origin, triangles);
     for (int v = 0; v < 3; ++v)
       squared = min(squared, squaredEdgeDistance(triangles.corner[v], triangles.edge[v]));
-    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_)));
+    constexpr double kSubnormal = 0x1p-120;  // above the steps of subnormal numbers
+    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_) + kSubnormal));
     return ((1u << count) - 1u) & ~less(reach * unit, sqrt(squared) - triangles.thin);
   }
 

@@ -19,13 +19,18 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
   const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
     return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
       const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
-      for (unsigned near = cull.near(tree, slot); near != 0; near &= near - 1) {
+      Box8 box_room(Box8::Unset{});
+      LeafVertices room;
+      const BoxF box = boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane));
+      const float* const rows = tree.leafVertices(slot, room);
+      for (unsigned near = cull.near(box, rows, tree.child(slot).count()); near != 0; near &= near - 1) {
         if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
       }
       return false;
     });
   };
-  if (points.size() == 1)
+  constexpr double kSquared = 1e18;  // the squares of larger gaps overflow
+  if (points.size() == 1 && local.size < kSquared)
     return walk(GapOfPoint(), PointCull(tree.origin(), points[0], convex_in_tree, reach));
   return walk(WidestGap(), ConvexCull(tree.origin(), points, bounds, convex_in_tree, reach));
 }

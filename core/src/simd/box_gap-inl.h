@@ -1,5 +1,5 @@
-// Lower bounds of the distance between one oriented box and eight others. Included once for each target
-// (simd-inl.h).
+// Lower bounds of the distance between an oriented box, or a point, and eight boxes. Included once for each
+// target (simd-inl.h).
 #if defined(OCTOBLISK_SIMD_BOX_GAP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCTOBLISK_SIMD_BOX_GAP_INL_H
 #undef OCTOBLISK_SIMD_BOX_GAP_INL_H
