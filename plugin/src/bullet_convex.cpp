@@ -7,7 +7,7 @@
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <algorithm>
-#include <initializer_list>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -51,34 +51,18 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
   }
 }
 
-/// Points on the rims of a shape's core, if it is a cylinder or a cone.
-void readRims(const btConvexShape& shape, std::vector<Vec3>& rims) {
+/// The rims of a shape's core, if it is a cylinder or a cone.
+void readRims(const btConvexShape& shape, std::vector<Rim>& rims) {
   rims.clear();
-  const auto addRim = [&](int axis, double height, double radius) {
-    constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
-    for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{{1, 0},
-                                                                               {kDiagonal, kDiagonal},
-                                                                               {0, 1},
-                                                                               {-kDiagonal, kDiagonal},
-                                                                               {-1, 0},
-                                                                               {-kDiagonal, -kDiagonal},
-                                                                               {0, -1},
-                                                                               {kDiagonal, -kDiagonal}}) {
-      Vec3 point = height * Vec3::Unit(axis);
-      point[(axis + 1) % 3] = radius * x;
-      point[(axis + 2) % 3] = radius * y;
-      rims.push_back(point);
-    }
-  };
   if (shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE) {
     const auto& cylinder = static_cast<const btCylinderShape&>(shape);
     const int axis = cylinder.getUpAxis();
     const Vec3 half = fromBullet(cylinder.getHalfExtentsWithoutMargin());
     const double radius = half[axis == 0 ? 1 : 0];  // the one that Bullet takes
-    for (const double side : {-1.0, 1.0}) addRim(axis, side * half[axis], radius);
+    for (const double side : {-1.0, 1.0}) rims.push_back({axis, side * half[axis], radius});
   } else if (shape.getShapeType() == CONE_SHAPE_PROXYTYPE) {
     const auto& cone = static_cast<const btConeShape&>(shape);
-    addRim(cone.getConeUpIndex(), -0.5 * double(cone.getHeight()), double(cone.getRadius()));
+    rims.push_back({cone.getConeUpIndex(), -0.5 * double(cone.getHeight()), double(cone.getRadius())});
   }
 }
 
@@ -109,6 +93,29 @@ bool CoreCorners::update(const btConvexShape& shape) {
   }
   if (!is_same) has_faces_ = false;
   return !is_same;
+}
+
+std::span<const Vec3> CoreCorners::feet(const Vec3& towards) {
+  if (!points_.empty()) return points_;
+  constexpr double kLeastTilt = 0.2;  // the sine of 12°
+  constexpr int kAround = 8;
+  feet_.clear();
+  for (const Rim& rim : rims_) {
+    const Vec3 middle = rim.height * Vec3::Unit(rim.axis);
+    Vec3 across = towards;
+    across[rim.axis] = 0.0;
+    if (across.norm() > kLeastTilt) {
+      // Other points of a rim that rolls would brake it: they come down, but the rim does not.
+      feet_.push_back(middle + rim.radius * across.normalized());
+      continue;
+    }
+    const Vec3 u = Vec3::Unit((rim.axis + 1) % 3), v = Vec3::Unit((rim.axis + 2) % 3);
+    for (int k = 0; k < kAround; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kAround;
+      feet_.push_back(middle + rim.radius * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+  }
+  return feet_;
 }
 
 HullFaces CoreCorners::faces() {

@@ -11,6 +11,12 @@
 
 namespace octoblisk::detail {
 
+/// A circle around an axis of the frame, on which a cylinder or a cone stands.
+struct Rim {
+  int axis;
+  double height, radius;
+};
+
 /// The core of a convex shape: its corners, if it is the hull of a few points, and the points on which it may
 /// stand.
 class CoreCorners {
@@ -25,11 +31,14 @@ class CoreCorners {
   const Vec3& middle() const { return middle_; }
   /// Of the hull of points(); found by the first call after a change, because most bodies are near nothing.
   HullFaces faces();
-  /// The corners, or points on the rims of cylinders and cones; empty for other shapes.
-  std::span<const Vec3> feet() const { return points_.empty() ? rims_ : points_; }
+  /// The points on which the body may stand if it is pushed along a unit vector: the corners. Of each rim of
+  /// a cylinder or a cone, the farthest point, or points all around if the rim is nearly perpendicular to the
+  /// vector. Empty for other shapes. Valid until the next call.
+  std::span<const Vec3> feet(const Vec3& towards);
 
  private:
-  std::vector<Vec3> points_, rims_, read_;
+  std::vector<Vec3> points_, read_, feet_;
+  std::vector<Rim> rims_;
   Vec3 middle_ = Vec3::Zero();
   HullFaceList faces_;
   bool has_faces_ = false;

@@ -90,7 +90,9 @@ TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
     const ConvexHull hull(corners);
     std::vector<Contact> found;
     contacts(floor, hull, Pose(), 0.02, found);
-    addCornerContacts(floor.mesh(), hull.points(), hull.radius(), Pose(), 0.02, found.size(), found);
+    addCornerContacts(
+        floor.mesh(), [&](const Vec3&) { return hull.points(); }, hull.radius(), Pose(), 0.02, found.size(),
+        found);
     for (const Vec3& corner : corners) {
       if (corner.z() > 0.02) continue;
       const auto same = std::ranges::find_if(
@@ -114,7 +116,9 @@ TEST(CornerContacts, aLyingCapsuleRestsOnBothEnds) {
     const ConvexHull capsule({middle - half, middle + half}, radius);
     std::vector<Contact> found;
     contacts(floor, capsule, Pose(), 0.02, found);
-    addCornerContacts(floor.mesh(), capsule.points(), capsule.radius(), Pose(), 0.02, found.size(), found);
+    addCornerContacts(
+        floor.mesh(), [&](const Vec3&) { return capsule.points(); }, capsule.radius(), Pose(), 0.02,
+        found.size(), found);
     for (const Vec3& end : capsule.points()) {
       const auto below = std::ranges::find_if(found, [&](const Contact& contact) {
         return (contact.point_on_b - (end - Vec3(0, 0, radius))).norm() < 1e-6;

@@ -62,6 +62,29 @@ TEST(Dynamics, nothingBumpsAgainstTheEdgesOfAFlatFloor) {
   EXPECT_LT(bumpOf(wheel, 0.5), 0.06);
 }
 
+/// Bullet's own mesh takes up to half of the speed at 1/60 s.
+TEST(Dynamics, aCylinderThatRollsKeepsItsSpeed) {
+  constexpr double kRadius = 0.5, kSeconds = 4.0;
+  for (const int cells : {1, 80}) {
+    auto floor = shapeOver(testing::waveSheet(20, 0.0, cells));
+    for (const double time_step : {1.0 / 60.0, 1.0 / 240.0}) {
+      for (const double speed : {1.0, 3.0}) {
+        btCylinderShape cylinder(btVector3(btScalar(kRadius), btScalar(0.4), btScalar(kRadius)));
+        BulletWorld world;
+        world.add(floor, 0, at(0, 0, 0));
+        btRigidBody& body = world.add(cylinder, 1, at(-8, 0.13, kRadius));
+        body.setActivationState(DISABLE_DEACTIVATION);
+        body.setLinearVelocity(btVector3(btScalar(speed), 0, 0));
+        body.setAngularVelocity(btVector3(0, btScalar(speed / kRadius), 0));
+        world.step(static_cast<int>(kSeconds / time_step), time_step);
+        EXPECT_NEAR(double(body.getLinearVelocity().x()) / speed, 1.0, 0.05)
+            << cells << " cells, " << time_step << " s, " << speed << " m/s";
+        EXPECT_NEAR(double(body.getWorldTransform().getOrigin().x()), -8.0 + speed * kSeconds, 0.5);
+      }
+    }
+  }
+}
+
 TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
   auto floor = shapeOver(testing::waveSheet(10, 0.3, 60));
   auto torus = shapeOver(testing::torus(1.5, 0.4, 32, 16));

@@ -7,10 +7,9 @@
 
 namespace octoblisk::detail {
 
-void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, double radius,
-                       const Pose& convex_in_mesh, double threshold, std::size_t of_triangles,
-                       std::vector<Contact>& contacts) {
-  if (feet.size() < 2 || contacts.empty()) return;
+void addCornerContacts(const TriangleMesh& mesh, Feet feet, double radius, const Pose& convex_in_mesh,
+                       double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
+  if (contacts.empty()) return;
   constexpr double kGrazing = 0.1;
   const double deepest = std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
   for (std::size_t c = 0; c < of_triangles; ++c) {
@@ -22,7 +21,7 @@ void addCornerContacts(const TriangleMesh& mesh, std::span<const Vec3> feet, dou
     const double along = normal.dot(of_triangle.normal);
     if (!(std::abs(along) > kGrazing)) continue;
     if (along < 0.0) normal = -normal;
-    for (const Vec3& point : feet) {
+    for (const Vec3& point : feet(convex_in_mesh.rotation.transpose() * normal)) {
       const Vec3 foot = convex_in_mesh * point;
       const double height = (triangle[0] - foot).dot(normal), distance = height - radius;
       if (distance > threshold || distance < deepest || !isOver(triangle, facing, foot)) continue;
