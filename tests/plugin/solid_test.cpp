@@ -92,6 +92,35 @@ TEST(Solid, whatIsInsideComesOut) {
 }
 
 /// A cavity is outside.
+/// Each triangle pushes the capsule sideways.
+TEST(Solid, aCapsuleThatPiercesABallComesOut) {
+  std::mt19937_64 random(83);
+  auto ball = shapeOver(testing::bumpySphere(random, 1.0, 0.0, 24));
+  ball.setMargin(0);
+  constexpr double kRadius = 0.1, kHalfHeight = 0.3;
+  btCapsuleShapeZ capsule(btScalar(kRadius), btScalar(2.0 * kHalfHeight));
+  int pierces = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Mat3 rotation = testing::randomRotation(random);
+    const Vec3 outward = rotation.col(2);
+    const double center = testing::uniform(random, 1.02, 1.5);
+    BulletWorld world;
+    world.add(ball, 0, at(0, 0, 0));
+    btRigidBody& body = world.add(capsule, 1, toBullet(Pose{rotation, center * outward}));
+    body.setGravity(btVector3(0, 0, 0));
+    body.setDamping(btScalar(0.9), btScalar(0.9));
+    pierces += center - kHalfHeight < 1.0 - 2.0 * kRadius;
+    world.step(720);
+    const Pose pose = fromBullet(body.getWorldTransform());
+    double nearest = std::numeric_limits<double>::infinity();
+    for (double along = -kHalfHeight; along <= kHalfHeight; along += 0.01)
+      nearest = std::min(nearest, (pose * Vec3(0.0, 0.0, along)).norm());
+    EXPECT_GT(nearest, 1.0 + kRadius - 0.03) << i << ", from " << center;
+  }
+  EXPECT_GE(pierces, 4);
+  EXPECT_LE(pierces, 16);
+}
+
 TEST(Solid, aHollowIsOutside) {
   // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the cavity.
   std::vector<Vec3> vertices;

@@ -60,14 +60,27 @@ bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
                      PointInSolid& middle, std::vector<Contact>& contacts) {
   const Vec3 center = convex_in_mesh * convex.middle();
+  const auto farthestOfConvex = [&](const Vec3& direction) -> Vec3 {
+    return convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * direction) +
+           convex.radius() * direction;
+  };
   if (middle.contains(tree, center)) {
-    const Contact out = wayOutFrom(tree, center, [&](const Vec3& direction) -> Vec3 {
-      return convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * direction) +
-             convex.radius() * direction;
-    });
+    const Contact out = wayOutFrom(tree, center, farthestOfConvex);
     std::erase_if(contacts, [&](const Contact& contact) { return contact.normal.dot(out.normal) <= 0.0; });
     contacts.push_back(out);
     return;
+  }
+  // Triangles that the core pierces push it sideways. The way out of its end leads to its middle.
+  Vec3 towards_end = Vec3::Zero();
+  for (const Contact& contact : contacts) {
+    if (contact.distance <= -convex.radius()) towards_end += contact.point_on_a - center;
+  }
+  if (!towards_end.isZero(0.0)) {
+    const Vec3 end = convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * towards_end);
+    if (end != center && isInSolid(tree, end)) {
+      const Contact out = wayOutFrom(tree, end, farthestOfConvex);
+      if (out.normal.dot(center - out.point_on_a) < 0.0) contacts.push_back(out);
+    }
   }
   const auto pushesThrough = [&](const Contact& contact) {
     const double behind = contact.normal.dot(center - contact.point_on_a);
