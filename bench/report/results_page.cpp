@@ -127,6 +127,23 @@ std::string machineText(const Rows& rows, const Row& context) {
   return text + '\n';
 }
 
+/// When all bodies were asleep; of several runs the median, the least and the most.
+std::string sleepText(const Row& row) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  std::vector<double> steps;
+  for (const Row& after : row["asleep_after_steps"])
+    steps.push_back(after.is_null() ? kNever : after.get<double>());
+  std::ranges::sort(steps);
+  const auto text = [](double after) {
+    return after == kNever ? "never" : std::to_string(std::llround(after));
+  };
+  if (steps.front() == kNever)
+    return "never (" + partText(number(row, "asleep"), number(row, "bodies")) + ")";
+  const std::string median = text(steps[steps.size() / 2]);
+  if (steps.size() == 1) return median;
+  return median + " (" + text(steps.front()) + " to " + text(steps.back()) + ")";
+}
+
 }  // namespace
 
 std::string taskTable(const Rows& all, const std::string& task) {
@@ -238,23 +255,6 @@ std::string paperTable(const Rows& all) {
                partText(number(row, "false_alarms"), clear), partText(number(row, "missed"), poses - clear)});
   }
   return table.text();
-}
-
-/// When all bodies were asleep; of several runs the median, the least and the most.
-std::string sleepText(const Row& row) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  std::vector<double> steps;
-  for (const Row& after : row["asleep_after_steps"])
-    steps.push_back(after.is_null() ? kNever : after.get<double>());
-  std::ranges::sort(steps);
-  const auto text = [](double after) {
-    return after == kNever ? "never" : std::to_string(std::llround(after));
-  };
-  if (steps.front() == kNever)
-    return "never (" + partText(number(row, "asleep"), number(row, "bodies")) + ")";
-  const std::string median = text(steps[steps.size() / 2]);
-  if (steps.size() == 1) return median;
-  return median + " (" + text(steps.front()) + " to " + text(steps.back()) + ")";
 }
 
 std::string dynamicsTable(const Rows& all) {

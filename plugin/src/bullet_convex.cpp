@@ -7,7 +7,6 @@
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -98,7 +97,9 @@ bool CoreCorners::update(const btConvexShape& shape) {
 std::span<const Vec3> CoreCorners::feet(const Vec3& towards) {
   if (!points_.empty()) return points_;
   constexpr double kLeastTilt = 0.2;  // the sine of 12°
-  constexpr int kAround = 8;
+  constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+  constexpr double kAround[8][2] = {{1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+                                    {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
   feet_.clear();
   for (const Rim& rim : rims_) {
     const Vec3 middle = rim.height * Vec3::Unit(rim.axis);
@@ -109,10 +110,10 @@ std::span<const Vec3> CoreCorners::feet(const Vec3& towards) {
       feet_.push_back(middle + rim.radius * across.normalized());
       continue;
     }
-    const Vec3 u = Vec3::Unit((rim.axis + 1) % 3), v = Vec3::Unit((rim.axis + 2) % 3);
-    for (int k = 0; k < kAround; ++k) {
-      const double angle = 2.0 * std::numbers::pi * k / kAround;
-      feet_.push_back(middle + rim.radius * (std::cos(angle) * u + std::sin(angle) * v));
+    for (const auto& [x, y] : kAround) {
+      Vec3& point = feet_.emplace_back(middle);
+      point[(rim.axis + 1) % 3] = rim.radius * x;
+      point[(rim.axis + 2) % 3] = rim.radius * y;
     }
   }
   return feet_;

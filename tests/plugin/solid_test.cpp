@@ -91,7 +91,6 @@ TEST(Solid, whatIsInsideComesOut) {
   }
 }
 
-/// A cavity is outside.
 /// Each triangle pushes the capsule sideways.
 TEST(Solid, aCapsuleThatPiercesABallComesOut) {
   std::mt19937_64 random(83);
@@ -121,6 +120,7 @@ TEST(Solid, aCapsuleThatPiercesABallComesOut) {
   EXPECT_LE(pierces, 16);
 }
 
+/// A cavity is outside.
 TEST(Solid, aHollowIsOutside) {
   // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the cavity.
   std::vector<Vec3> vertices;
