@@ -41,8 +41,9 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
     case CONVEX_HULL_SHAPE_PROXYTYPE: {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
       const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
-      for (int i = 0; i < hull.getNumPoints(); ++i)
-        corners.emplace_back(fromBullet(hull.getUnscaledPoints()[i]).cwiseProduct(scaling));
+      corners.resize(static_cast<std::size_t>(hull.getNumPoints()));
+      const btVector3* point = hull.getUnscaledPoints();
+      for (Vec3& corner : corners) corner = fromBullet(*point++).cwiseProduct(scaling);
       break;
     }
     default:

@@ -96,10 +96,11 @@ double displacement(const btCollisionObjectWrapper& body, const Pose& from, cons
   return std::sqrt(squared);
 }
 
-/// An upper bound of how far the touching points of the two bodies have moved relative to each other.
-double relativeDisplacement(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
-                            const Pose& from, const Pose& to) {
-  return std::min(displacement(other, from, to), displacement(mesh, from.inverse(), to.inverse()));
+/// Whether the touching points of the two bodies have certainly moved by at most `limit` relative to each
+/// other.
+bool areStill(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, const Pose& from,
+              const Pose& to, double limit) {
+  return displacement(other, from, to) <= limit || displacement(mesh, from.inverse(), to.inverse()) <= limit;
 }
 
 /// A contact of A and B after B has moved in A's frame.
@@ -184,7 +185,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   }
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
-      !(relativeDisplacement(mesh, other, *other_in_mesh_, shapes.other_in_mesh) <= kStill * breaking)) {
+      !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
     findSurfaceContacts(shapes, reach, contacts_);

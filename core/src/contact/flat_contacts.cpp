@@ -1,7 +1,7 @@
 #include "contact/flat_contacts.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/polygon.h"
 
@@ -13,6 +13,16 @@ constexpr double kNearlyAlong = 0.98;  // the cosine of 11°
 using FlatPolygon = Polygon<3 + HullFaceList::kMaxPoints>;
 
 bool isOf(const HullEdge& edge, std::size_t face) { return edge.left == face || edge.right == face; }
+
+/// The face whose normal is nearest to a unit vector, and the cosine between them.
+std::pair<std::size_t, double> faceAlong(const HullFaces& hull, const Vec3& direction) {
+  std::pair<std::size_t, double> best(0, -2.0);
+  for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+    const double along = hull.faces[f].normal.dot(direction);
+    if (along > best.second) best = {f, along};
+  }
+  return best;
+}
 
 /// Cuts off everything that is not over or under a face of the hull.
 void cutToFace(FlatPolygon& polygon, std::size_t face, const HullFaces& hull, std::span<const Vec3> points) {
@@ -43,20 +53,19 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
   const Pose mesh_in_convex = convex_in_mesh.inverse();
   for (std::size_t c = 0; c < of_triangles; ++c) {
     const Contact of_triangle = contacts[c];
-    const Triangle triangle = mesh_in_convex * mesh.triangle(of_triangle.triangle_a);
-    Vec3 normal = scaledNormal(triangle).normalized();
-    const double along_contact = normal.dot(mesh_in_convex.rotation * of_triangle.normal);
+    const Triangle triangle = mesh.triangle(of_triangle.triangle_a);
+    Vec3 normal_in_mesh = scaledNormal(triangle).normalized();
+    const double along_contact = normal_in_mesh.dot(of_triangle.normal);
     if (!(std::abs(along_contact) > kNearlyAlong)) continue;
-    if (along_contact < 0.0) normal = -normal;
-    const auto face = std::ranges::max_element(
-        hull.faces, {}, [&](const HullFace& of_hull) { return of_hull.normal.dot(normal); });
-    const double along = face->normal.dot(normal);
+    if (along_contact < 0.0) normal_in_mesh = -normal_in_mesh;
+    const Vec3 normal = mesh_in_convex.rotation * normal_in_mesh;
+    const auto [number, along] = faceAlong(hull, normal);
     if (!(along > kNearlyAlong)) continue;
-    const Vec3 normal_in_mesh = convex_in_mesh.rotation * normal;
-    FlatPolygon shared(triangle);
-    cutToFace(shared, static_cast<std::size_t>(face - hull.faces.begin()), hull, convex.points());
+    const HullFace& face = hull.faces[number];
+    FlatPolygon shared(mesh_in_convex * triangle);
+    cutToFace(shared, number, hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
-      const double gap = (face->normal.dot(corner) - face->offset) / along;
+      const double gap = (face.normal.dot(corner) - face.offset) / along;
       const double clearance = gap - convex.radius();
       if (clearance > threshold) continue;
       // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.

@@ -96,10 +96,15 @@ class ConvexCull {
   /// The triangles of `near` that remain after a search for a plane between each triangle and the body: a few
   /// steps of the conditional gradient on their Minkowski difference (M. Frank, P. Wolfe, 1956).
   HWY_INLINE unsigned notParted(unsigned near, const Vec8 (&corner)[3], const Float8& reach) const {
-    constexpr int kSteps = 8;
+    constexpr int kSteps = 4;
     const Float8 zero(0.0f), one(1.0f), tiny(std::numeric_limits<float>::min());
     Vec8 apart = (corner[0] + corner[1] + corner[2]) * Float8(1.0f / 3.0f);  // a point of the difference
-    for (int step = 0; near != 0 && step < kSteps; ++step) {
+    unsigned open = near;
+    for (int step = 0; step < kSteps; ++step) {
+      // At least the length, however short: its square may underflow.
+      const Float8 length = sqrt(dot(apart, apart) + tiny);
+      open &= less(reach, length);  // the others are within reach
+      if (open == 0) break;
       Float8 low = dot(apart, corner[0]);
       Vec8 on_triangle = corner[0];
       for (int c = 1; c < 3; ++c) {
@@ -115,8 +120,9 @@ class ConvexCull {
         on_body = either(high, along, point, on_body);
         high = max(high, along);
       }
-      // At least the length, however short: its square may underflow.
-      near &= ~less(reach * sqrt(dot(apart, apart) + tiny), low - high);
+      const unsigned parted = open & less(reach * length, low - high);
+      near &= ~parted;
+      open &= ~parted;
       const Vec8 way = (on_triangle - on_body) - apart;
       const Float8 part = min(one, max(zero, (zero - dot(apart, way)) / (dot(way, way) + tiny)));
       apart = apart + way * part;
