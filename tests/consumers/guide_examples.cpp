@@ -118,6 +118,12 @@ void runCore() {
   expect(isCompact(treeFrom(file, mesh)), "core: mapped");
   expect(treeFrom(file, wider).mesh().triangleCount() == 256, "core: built for another mesh");
   std::filesystem::remove(file);
+
+  const octoblisk::ConvexHull ball({octoblisk::Vec3::Zero()}, 0.25);
+  std::vector<octoblisk::Pose> down(3);
+  for (std::size_t k = 0; k < down.size(); ++k) down[k].translation = {2, 0, 0.6 - 0.1 * double(k)};
+  const std::vector<double> clear = clearances(tree, ball, down, 0.1);
+  expect(clear[0] == 0.1 && isNear(clear[1], 0.05, 1e-6) && isNear(clear[2], -0.05, 1e-6), "core: a ball comes down on a ring");
 }
 
 void runThreads() {
