@@ -33,8 +33,7 @@ const std::vector<DynamicsEntry>& dynamicsEntries() {
        {8, 60},
        makeMixedPile,
        {60, 62, 66, 68}},
-      // Ten of Bullet's own cylinders do not stay upright for 20 s on its plane or box either.
-      {"tower", "five cylinders on a floor", {octoblisk, bvh, plane}, {5, 1200}, {3, 60}, makeTower},
+      {"towers", "eight towers of ten cylinders", {octoblisk, bvh, plane}, {80, 1200}, {10, 60}, makeTowers},
       {"chain", "ten linked tori", {octoblisk, gimpact}, {10, 1200}, {3, 60}, makeChain},
       {"channel",
        "60 bodies in a channel",

@@ -33,8 +33,9 @@ std::unique_ptr<DynamicsScene> makeTeddyPile(ShapeKind kind, int bodies);
 /// Tori, gears, U-profiles and bumpy stones on a concave floor. The floor is a mesh too.
 std::unique_ptr<DynamicsScene> makeMixedPile(ShapeKind kind, int bodies);
 
-/// Cylinders stacked on a flat floor of triangles. They never sleep.
-std::unique_ptr<DynamicsScene> makeTower(ShapeKind kind, int cylinders);
+/// Towers of ten flat cylinders on flat floors of triangles, placed with offsets of up to 1 mm. They never
+/// sleep. `cylinders` is a multiple of ten.
+std::unique_ptr<DynamicsScene> makeTowers(ShapeKind kind, int cylinders);
 
 /// Linked tori that hang from a fixed one.
 std::unique_ptr<DynamicsScene> makeChain(ShapeKind kind, int links);

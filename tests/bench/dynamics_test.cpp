@@ -55,6 +55,13 @@ TEST(Dynamics, everySceneRunsWithEveryShape) {
   }
 }
 
+TEST(Dynamics, towersOfTenStandOnTriangles) {
+  const auto towers = makeTowers(ShapeKind::octoblisk, 80);
+  for (int step = 0; step < 1200; ++step) towers->step();
+  EXPECT_EQ(towers->lost(), 0);
+  EXPECT_EQ(towers->asleep(), 0);
+}
+
 TEST(Dynamics, theSameRunTwice) {
   const auto first = makeMixedPile(ShapeKind::octoblisk, 8), second = makeMixedPile(ShapeKind::octoblisk, 8);
   for (int step = 0; step < 60; ++step) {
