@@ -42,8 +42,9 @@ void readCorners(const btConvexShape& shape, std::vector<Vec3>& corners) {
       const auto& hull = static_cast<const btConvexHullShape&>(shape);
       const Vec3 scaling = fromBullet(hull.getLocalScalingNV());
       corners.resize(static_cast<std::size_t>(hull.getNumPoints()));
-      const btVector3* point = hull.getUnscaledPoints();
-      for (Vec3& corner : corners) corner = fromBullet(*point++).cwiseProduct(scaling);
+      const btVector3* const points = hull.getUnscaledPoints();
+      for (std::size_t p = 0; p < corners.size(); ++p)
+        corners[p] = fromBullet(points[p]).cwiseProduct(scaling);
       break;
     }
     default:

@@ -31,6 +31,8 @@ class CoreCorners {
   const Vec3& middle() const { return middle_; }
   /// Of the hull of points(); found by the first call after a change, because most bodies are near nothing.
   HullFaces faces();
+  /// Whether the body has corners or rims; a sphere has none.
+  bool hasFeet() const { return points_.size() > 1 || !rims_.empty(); }
   /// The points on which the body may stand if it is pushed along a unit vector: the corners. Of each rim of
   /// a cylinder or a cone, the farthest point, or points all around if the rim is nearly perpendicular to the
   /// vector. Empty for other shapes. Valid until the next call.

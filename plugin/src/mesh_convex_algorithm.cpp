@@ -38,7 +38,7 @@ void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double 
   if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, middle_, found);
   const std::size_t of_triangles = found.size();
   addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, of_triangles, found);
-  if (core_.points().size() != 1) {  // a sphere has no corners
+  if (core_.hasFeet()) {
     const auto feet = [this](const Vec3& towards) { return core_.feet(towards); };
     addCornerContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, reach, of_triangles, found);
   }

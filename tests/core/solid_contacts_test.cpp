@@ -1,8 +1,11 @@
 // Tests the contacts that closed meshes and flat faces add to those of triangles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include "contact/flat_contacts.h"
 #include "contact/solid.h"
@@ -58,6 +61,63 @@ TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
   }
   EXPECT_GE(inside, kSteps * 3 / 10);
   EXPECT_LE(inside, kSteps * 8 / 10);
+}
+
+/// The penetration depth of two boxes, by separating axes; below 0 if they are apart.
+double boxDepth(const Vec3& half_a, const Vec3& half_b, const Pose& b_in_a) {
+  std::vector<Vec3> axes;
+  for (int i = 0; i < 3; ++i) {
+    axes.insert(axes.end(), {Vec3::Unit(i), b_in_a.rotation.col(i)});
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 axis = Vec3::Unit(i).cross(b_in_a.rotation.col(j));
+      if (axis.norm() > 1e-6) axes.push_back(axis.normalized());
+    }
+  }
+  double depth = std::numeric_limits<double>::infinity();
+  for (const Vec3& axis : axes) {
+    const double reach =
+        half_a.dot(axis.cwiseAbs()) + half_b.dot((b_in_a.rotation.transpose() * axis).cwiseAbs());
+    depth = std::min(depth, reach - std::abs(axis.dot(b_in_a.translation)));
+  }
+  return depth;
+}
+
+/// Boxes that dip into a block, often beyond its edges, with a corner inside.
+TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
+  std::mt19937_64 random(83);
+  int poses = 0, with_way_out = 0;
+  for (const double radius : {0.0, 0.04}) {
+    for (int i = 0; i < 4000; ++i) {
+      const auto halfExtents = [&](double least) -> Vec3 {
+        return {testing::uniform(random, least, 1.0), testing::uniform(random, least, 1.0),
+                testing::uniform(random, least, 0.5)};
+      };
+      const Vec3 half_a = halfExtents(0.1), half_b = halfExtents(0.05);
+      const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh(half_a));
+      const ConvexHull box(testing::boxMesh(half_b)->vertices(), radius);
+      const Vec3 way = testing::randomRotation(random).col(0);
+      Pose pose{testing::randomRotation(random), half_a.norm() * way};
+      const double depth = testing::uniform(random, 0.0, 0.05);
+      // A step inward by the gap is never too far.
+      for (int k = 0; k < 60; ++k) pose.translation += (boxDepth(half_a, half_b, pose) - depth) * way;
+      if (isInSolid(tree, pose.translation)) continue;
+      const double exact = boxDepth(half_a, half_b, pose) + radius;
+      std::vector<Contact> found;
+      contacts(tree, box, pose, 0.0, found);
+      const auto greatestDepth = [&] {
+        return found.empty() ? 0.0 : -std::ranges::min(found, {}, &Contact::distance).distance;
+      };
+      const double before = greatestDepth();
+      const std::size_t of_triangles = found.size();
+      PointInSolid middle;
+      toSolidContacts(tree, box, pose, middle, found);
+      ++poses;
+      with_way_out += found.size() > of_triangles;
+      ASSERT_LE(greatestDepth(), std::max(before, exact) + 1e-9) << "radius " << radius << ", pose " << i;
+    }
+  }
+  EXPECT_GT(poses, 6000);
+  EXPECT_GT(with_way_out, poses / 5);
 }
 
 TEST(ThinThickness, ofClosedForms) {

@@ -7,7 +7,7 @@
 
 namespace octoblisk::detail {
 
-void addCornerContacts(const TriangleMesh& mesh, Feet feet, double radius, const Pose& convex_in_mesh,
+void addCornerContacts(const TriangleMesh& mesh, FindFeet feet, double radius, const Pose& convex_in_mesh,
                        double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
   if (contacts.empty()) return;
   constexpr double kGrazing = 0.1;

@@ -14,7 +14,7 @@ bool isIn(const Aabb& box, const Vec3& point) {
 }
 
 /// A contact that pushes B out of A along the line from a point inside to the closest point of the surface.
-/// `farthest_of_b(direction)` is the farthest point of B.
+/// `farthest_of_b(direction)` is the farthest point of B, or of the part of B that is to get out.
 template <typename Farthest>
 Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
   const ClosestPoint closest = *closestPoint(a, inside);
@@ -78,7 +78,8 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
   if (!towards_end.isZero(0.0)) {
     const Vec3 end = convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * towards_end);
     if (end != center && isInSolid(tree, end)) {
-      const Contact out = wayOutFrom(tree, end, farthestOfConvex);
+      const Contact out = wayOutFrom(
+          tree, end, [&](const Vec3& direction) -> Vec3 { return end + convex.radius() * direction; });
       if (out.normal.dot(center - out.point_on_a) < 0.0) contacts.push_back(out);
     }
   }

@@ -35,7 +35,8 @@ class PointInSolid {
 /// - If B's middle is inside A, B leaves through the point of the surface that is closest to the middle. This
 ///   contact is added, and the contacts that push against it are removed.
 /// - If B's middle is outside A and an end of its core is inside, the closest point of the surface to the end
-///   gets a contact as well, if that way out leads to the middle.
+///   gets a contact as well, if that way out leads to the middle. It is as deep as the end and the radius
+///   around it.
 /// - If B's middle is outside A, contacts that would push B through the solid are removed, if others touch. A
 ///   contact does so if the middle is behind its plane by no more than the contact's depth.
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,

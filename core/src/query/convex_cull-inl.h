@@ -98,12 +98,13 @@ class ConvexCull {
   HWY_INLINE unsigned notParted(unsigned near, const Vec8 (&corner)[3], const Float8& reach) const {
     constexpr int kSteps = 4;
     const Float8 zero(0.0f), one(1.0f), tiny(std::numeric_limits<float>::min());
-    Vec8 apart = (corner[0] + corner[1] + corner[2]) * Float8(1.0f / 3.0f);  // a point of the difference
+    // A point of the difference, if the middle of the points' box is in the body.
+    Vec8 apart = (corner[0] + corner[1] + corner[2]) * Float8(1.0f / 3.0f);
     unsigned open = near;
     for (int step = 0; step < kSteps; ++step) {
       // At least the length, however short: its square may underflow.
       const Float8 length = sqrt(dot(apart, apart) + tiny);
-      open &= less(reach, length);  // the others are within reach
+      open &= less(reach, length);  // the others are within reach, or may be
       if (open == 0) break;
       Float8 low = dot(apart, corner[0]);
       Vec8 on_triangle = corner[0];
