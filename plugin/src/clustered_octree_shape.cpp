@@ -17,6 +17,7 @@
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
+#include "query/farthest_vertex.h"
 
 namespace octoblisk {
 
@@ -36,7 +37,8 @@ std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleM
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
-double defaultMargin(const ClusteredOctree& tree, bool is_solid) {
+/// A margin that is thin in comparison with the mesh.
+double thinMargin(const ClusteredOctree& tree, bool is_solid) {
   if (!is_solid) return 0.0;
   return std::min(0.01 * tree.mesh().bounds().halfExtents().maxCoeff(), 0.1 * thinThickness(tree));
 }
@@ -80,7 +82,15 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   far_vertices_ = std::make_shared<const FarVertices>(detail::farVertices(*tree));
   tree_ = std::move(tree);
-  if (has_default_margin_) m_collisionMargin = btScalar(defaultMargin(*tree_, mass_properties_->is_solid));
+  thin_margin_ = btScalar(thinMargin(*tree_, mass_properties_->is_solid));
+  updateDefaultMargin();
+}
+
+void ClusteredOctreeShape::updateDefaultMargin() {
+  if (!has_default_margin_) return;
+  const bool has_threshold = contact_breaking_threshold_ >= 0;
+  const btScalar breaking = has_threshold ? contact_breaking_threshold_ : gContactBreakingThreshold;
+  m_collisionMargin = std::min(thin_margin_, breaking / 2);
 }
 
 void ClusteredOctreeShape::refit(const btStridingMeshInterface* mesh_interface) {
@@ -110,12 +120,21 @@ btScalar ClusteredOctreeShape::getContactBreakingThreshold(btScalar default_fact
   return std::min(gContactBreakingThreshold, getAngularMotionDisc() * default_factor);
 }
 
+void ClusteredOctreeShape::setContactBreakingThreshold(btScalar threshold) {
+  contact_breaking_threshold_ = threshold;
+  updateDefaultMargin();
+}
+
 void ClusteredOctreeShape::setMargin(btScalar margin) {
   has_default_margin_ = false;
   btConcaveShape::setMargin(margin);
 }
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && mass_properties_->is_solid; }
+
+btVector3 ClusteredOctreeShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
+  return toBullet(farthestVertex(*tree_, fromBullet(direction)));
+}
 
 void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,
                                    btVector3& aabb_max) const {

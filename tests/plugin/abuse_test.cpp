@@ -200,6 +200,31 @@ TYPED_TEST(Abuse, shapesOfMovingBodiesAreExchanged) {
   }
 }
 
+/// Bullet keeps its algorithm of two convex shapes for the pair of a box and the body on it.
+TYPED_TEST(Abuse, convexBodiesOnEachOtherGetOurShape) {
+  btSphereShape ball(btScalar(0.3));
+  btBoxShape box(toBullet(Vec3(0.6, 0.6, 0.15)));
+  World<TypeParam> world;
+  world.add(this->floor_, 0, at(0, 0, 0));
+  std::vector<btRigidBody*> upper;
+  for (int i = 0; i < 16; ++i) {
+    const btTransform low = lying(i), high = low * at(0.05, 0, 0.5);
+    world.add(box, 1, low);
+    upper.push_back(&world.add(i % 2 == 0 ? static_cast<btCollisionShape&>(ball) : box, 1, high));
+  }
+  world.step(60);
+  int on_boxes = 0;
+  for (btRigidBody* const body : upper) {
+    on_boxes += body->getWorldTransform().getOrigin().z() > btScalar(0.4);
+    body->setCollisionShape(&this->ring_);
+    body->activate();
+  }
+  EXPECT_GE(on_boxes, 8);
+  world.step(240);
+  for (const btRigidBody* const body : upper)
+    EXPECT_GT(double(body->getWorldTransform().getOrigin().z()), 0.2);
+}
+
 TYPED_TEST(Abuse, shapesOfStaticBodiesAreExchanged) {
   auto waves = shapeOver(testing::waveSheet(6, 0.05, 24));
   BulletMesh source(*floorMesh());

@@ -85,6 +85,28 @@ TEST(Dynamics, aCylinderThatRollsKeepsItsSpeed) {
   }
 }
 
+/// At this speed, a body keeps its contacts for several steps. The floor's middle is far away.
+TEST(Dynamics, keptContactsDoNotSpeedUpABodyThatRolls) {
+  constexpr double kRadius = 0.1, kSpeed = 0.1;
+  auto floor = shapeOver(testing::waveSheet(60, 0.0, 80));
+  btCapsuleShape capsule(btScalar(kRadius), btScalar(1.8));
+  btCylinderShape cylinder(btVector3(btScalar(kRadius), 1, btScalar(kRadius)));
+  for (btConvexShape* const shape : std::initializer_list<btConvexShape*>{&capsule, &cylinder}) {
+    for (const bool is_floor_first : {true, false}) {
+      BulletWorld world;
+      if (is_floor_first) world.add(floor, 0, at(0, 0, 0));
+      btRigidBody& body = world.add(*shape, 1, at(-20.13, 0.07, kRadius));
+      if (!is_floor_first) world.add(floor, 0, at(0, 0, 0));
+      body.setActivationState(DISABLE_DEACTIVATION);
+      body.setLinearVelocity(btVector3(btScalar(kSpeed), 0, 0));
+      body.setAngularVelocity(btVector3(0, btScalar(kSpeed / kRadius), 0));
+      world.step(20 * 240, 1.0 / 240.0);
+      EXPECT_NEAR(double(body.getLinearVelocity().x()), kSpeed, 0.25 * kSpeed)
+          << shape->getName() << ", floor first " << is_floor_first;
+    }
+  }
+}
+
 TEST(Dynamics, aMovingTorusRestsOnAWavyMesh) {
   auto floor = shapeOver(testing::waveSheet(10, 0.3, 60));
   auto torus = shapeOver(testing::torus(1.5, 0.4, 32, 16));

@@ -197,14 +197,21 @@ TEST(Shape, aClosedMeshHasAMargin) {
     const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
     return double(shape.getMargin());
   };
-  EXPECT_NEAR(marginOf(testing::boxMesh({3, 2, 1})), 0.03, 1e-6);
-  EXPECT_NEAR(marginOf(testing::boxMesh({3, 2, 0.01})), 0.002, 1e-6);
+  EXPECT_NEAR(marginOf(testing::boxMesh({0.3, 0.2, 0.1})), 0.003, 1e-7);
+  EXPECT_NEAR(marginOf(testing::boxMesh({0.3, 0.2, 0.001})), 0.0002, 1e-7);
+  EXPECT_NEAR(marginOf(testing::boxMesh({300, 200, 100})), 0.01, 1e-7);
   EXPECT_EQ(marginOf(testing::waveSheet(3, 1, 8)), 0);
 
   ClusteredOctreeShape shape(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({3, 2, 1}))));
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({0.3, 0.2, 0.1}))));
   shape.setLocalScaling(btVector3(2, 1, 1));
-  EXPECT_NEAR(shape.getMargin(), 0.06, 1e-6);
+  EXPECT_NEAR(shape.getMargin(), 0.006, 1e-7);
+  shape.setContactBreakingThreshold(btScalar(0.008));
+  EXPECT_NEAR(shape.getMargin(), 0.004, 1e-7);
+  shape.setLocalScaling(btVector3(1000, 1000, 1000));
+  EXPECT_NEAR(shape.getMargin(), 0.004, 1e-7);
+  shape.setContactBreakingThreshold(20);
+  EXPECT_NEAR(shape.getMargin(), 3, 1e-4);
   shape.setMargin(0);
   shape.setLocalScaling(btVector3(1, 1, 1));
   EXPECT_EQ(shape.getMargin(), 0);

@@ -72,13 +72,15 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// In a step, contacts are created within half this distance and kept within all of it, in world units.
   /// contactTest and contactPairTest find contacts within all of it. Bullet uses the smaller threshold of the
   /// two shapes. Default: gContactBreakingThreshold (0.02), or 1/50 of the shape's radius if that is smaller.
-  void setContactBreakingThreshold(btScalar threshold) { contact_breaking_threshold_ = threshold; }
+  /// The threshold also limits the default margin.
+  void setContactBreakingThreshold(btScalar threshold);
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
   /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
-  /// layer, so their meshes stay apart. Default: 0 for an open mesh. For a closed mesh, 1/100 of its greatest
-  /// half extent, or 1/10 of the thickness of its thin parts if that is less; scaling and refit change it.
-  /// With a margin of 0, contacts lie exactly on the triangles.
+  /// layer, so their meshes stay apart. Default: 0 for an open mesh. For a closed mesh, the least of 1/100 of
+  /// its greatest half extent, 1/10 of the thickness of its thin parts, and half the contact breaking
+  /// threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts lie exactly on
+  /// the triangles.
   void setMargin(btScalar margin) override;
 
   /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.
@@ -120,6 +122,11 @@ ClusteredOctreeShape final : public btConcaveShape {
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
+  /// The farthest vertex in a direction. Bullet's algorithm for two convex shapes calls it, as it calls that of
+  /// btTriangleMeshShape, if setCollisionShape gave a convex body this shape and its pairs were not cleaned.
+  /// Until such a pair ends, the shape acts as its convex hull.
+  virtual btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const;
+
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers
   /// create a btBvhTriangleMeshShape from it; WorldImporter (world_importer.h) restores this shape. Vertices
   /// are written as doubles whatever Bullet's precision is, so that a saved tree (octoblisk/tree_blob.h) fits
@@ -132,6 +139,7 @@ ClusteredOctreeShape final : public btConcaveShape {
  private:
   ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling, const BuildOptions& options);
   void use(std::shared_ptr<const ClusteredOctree> tree);
+  void updateDefaultMargin();
 
   BuildOptions options_;
   std::shared_ptr<const TriangleMesh> unscaled_;
@@ -143,6 +151,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   std::shared_ptr<const detail::FarVertices> far_vertices_;
   bool may_be_solid_ = true;
   bool has_default_margin_ = true;
+  btScalar thin_margin_ = 0;  // of the mesh; the default margin is no greater
 };
 
 }  // namespace octoblisk
