@@ -159,9 +159,15 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
 
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const double fraction = movers_[islandOf(i)].fraction;
-    if (!movers_[i].moved || fraction >= 1.0) continue;
-    movers_[i].moved->proceedToTransform(toBullet(movers_[i].motion.at(fraction)));
-    clamped_.push_back({movers_[i].moved, btScalar(fraction)});
+    btRigidBody* const body = movers_[i].moved;
+    if (!body || fraction >= 1.0) continue;
+    body->proceedToTransform(toBullet(movers_[i].motion.at(fraction)));
+    // Forces have acted for the whole step, but the body has moved for a part of it.
+    const btScalar left = btScalar(1.0 - fraction) * dt;
+    body->setLinearVelocity(body->getLinearVelocity() - left * body->getInvMass() * body->getTotalForce());
+    body->setAngularVelocity(body->getAngularVelocity() -
+                             left * (body->getInvInertiaTensorWorld() * body->getTotalTorque()));
+    clamped_.push_back({body, btScalar(fraction)});
   }
 }
 

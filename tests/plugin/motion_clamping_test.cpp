@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
@@ -129,6 +130,42 @@ TEST(MotionClamping, withDefaultMarginsTheNextDetectionMakesContacts) {
     world->removeAction(&clamping);
   }
   EXPECT_GT(clamped, 30);
+}
+
+/// Bodies in a pile are moved back in most steps, and gravity acts in all of them.
+TEST(MotionClamping, aPileGainsNoEnergy) {
+  constexpr double kStep = 1.0 / 60.0;
+  auto floor = shapeOver(testing::waveSheet(8, 0.0, 8));
+  auto ring = shapeOver(testing::torus(0.4, 0.06, 32, 12));
+  std::mt19937_64 random(97);
+  MotionClamping clamping;
+  BulletWorld world;
+  world->addAction(&clamping);
+  world.add(floor, 0, at(0, 0, 0));
+  std::vector<btRigidBody*> rings;
+  for (int i = 0; i < 12; ++i) {
+    const Vec3 place(0.1 * (i % 3), 0.1 * (i % 2), 0.7 + 0.5 * i);
+    rings.push_back(&world.add(ring, 1, toBullet(Pose{testing::randomRotation(random), place})));
+    rings.back()->setCcdMotionThreshold(btScalar(0.06));
+  }
+  const auto energy = [&] {
+    double sum = world.kineticEnergy();
+    for (const btRigidBody* body : rings) sum += 9.81 * double(body->getWorldTransform().getOrigin().z());
+    return sum;
+  };
+  const double start = energy();
+  double least = start, risen = 0.0;
+  int clamped = 0;
+  for (int step = 0; step < 360; ++step) {
+    world.step(1, kStep);
+    clamped += clamping.clamped().size() > 2;
+    risen = std::max(risen, energy() - least);
+    least = std::min(least, energy());
+  }
+  world->removeAction(&clamping);
+  EXPECT_GT(clamped, 40);
+  EXPECT_LT(least, 0.3 * start);
+  EXPECT_LT(risen, 0.01 * start);
 }
 
 TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {

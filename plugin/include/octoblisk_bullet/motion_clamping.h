@@ -13,10 +13,10 @@ namespace octoblisk {
 
 /// Bullet's own motion clamping uses a sphere embedded in a convex body. This one uses the exact shapes. If a
 /// body would hit another body within a step, it is moved back to where it first comes near that body, and
-/// keeps its velocity. In the next step, Bullet finds the contacts, and the solver bounces or stops the body.
-/// MotionClamping is an action, because a world calls actions right after it has moved its bodies. Add it
-/// before other actions that move bodies or change velocities. Set `setCcdMotionThreshold` of a body to half
-/// its thickness, in world units. docs/limits.md has an example.
+/// keeps the velocity that it had there. In the next step, Bullet finds the contacts, and the solver bounces
+/// or stops the body. MotionClamping is an action, because a world calls actions right after it has moved its
+/// bodies. Add it before other actions that move bodies or change velocities. Set `setCcdMotionThreshold` of
+/// a body to half its thickness, in world units. docs/limits.md has an example.
 ///
 /// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
 /// convex. The clamping considers pairs of bodies whose filters let them collide, if at least one has a
@@ -34,10 +34,11 @@ namespace octoblisk {
 /// only the other body's threshold.
 ///
 /// Cost: a clamped body loses the rest of the step. It moves less than its velocity says: once per impact,
-/// and in every step in which it slides, rolls or spins in contact by more than the threshold. Gravity still
-/// accelerates it for the whole step, so the energy of a pile of clamped bodies may rise. Dynamic bodies
-/// whose paths in the step come near each other share one fraction, so that none moves into a place that
-/// another should have left. Two bodies that both lack a part of our shape do not share a fraction.
+/// and in every step in which it slides, rolls or spins in contact by more than the threshold. Its velocity
+/// loses what gravity and other forces did in the rest of the step, so that the energy of a pile does not
+/// rise. Dynamic bodies whose paths in the step come near each other share one fraction, so that none moves
+/// into a place that another should have left. Two bodies that both lack a part of our shape do not share a
+/// fraction.
 ///
 /// Limits: two convex bodies or parts are left to Bullet. Parts of other shapes neither stop nor are stopped.
 /// Kinematic bodies and links of multibodies count where they are at the end of the step. Displacements by
