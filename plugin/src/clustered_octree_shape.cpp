@@ -13,11 +13,11 @@
 #include "contact/solid.h"
 #include "contact/thickness.h"
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/convex.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
-#include "query/farthest_vertex.h"
 
 namespace octoblisk {
 
@@ -133,7 +133,7 @@ void ClusteredOctreeShape::setMargin(btScalar margin) {
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && mass_properties_->is_solid; }
 
 btVector3 ClusteredOctreeShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
-  return toBullet(farthestVertex(*tree_, fromBullet(direction)));
+  return toBullet(farthest(far_vertices_->positions, fromBullet(direction)));
 }
 
 void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,

@@ -122,9 +122,10 @@ ClusteredOctreeShape final : public btConcaveShape {
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
-  /// The farthest vertex in a direction. Bullet's algorithm for two convex shapes calls it, as it calls that of
-  /// btTriangleMeshShape, if setCollisionShape gave a convex body this shape and its pairs were not cleaned.
-  /// Until such a pair ends, the shape acts as its convex hull.
+  /// The farthest of the vertices that are farthest out along axes and diagonals. Bullet's algorithm of two
+  /// convex shapes calls it, as it calls that of btTriangleMeshShape, if setCollisionShape gave a convex body
+  /// this shape and its pairs were not cleaned. Until such a pair ends, the shape acts as the hull of these
+  /// vertices.
   virtual btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const;
 
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers
