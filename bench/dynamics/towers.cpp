@@ -20,7 +20,7 @@ class Towers final : public DynamicsScene {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> offset(-1e-3, 1e-3), yaw(-3.0, 3.0);
     for (int i = 0; i < cylinders; ++i) {
-      const Vec3 foot(kApart * (i / kHigh), 0, 0);
+      const Vec3 foot = footOf(i);
       if (i % kHigh == 0) add(floor_shape, floor, 0, placed(foot));
       const double x = offset(random), y = offset(random);
       const Mat3 turn = Eigen::AngleAxisd(yaw(random), Vec3::UnitZ()).toRotationMatrix();
@@ -37,7 +37,7 @@ class Towers final : public DynamicsScene {
         ++fallen;
         continue;
       }
-      const Vec3 foot(kApart * static_cast<double>(first / kHigh), 0, 0);
+      const Vec3 foot = footOf(static_cast<int>(first));
       for (const Body& body : tower)
         creep = std::max(creep, (body.pose().translation - foot).head<2>().norm());
     }
@@ -48,6 +48,8 @@ class Towers final : public DynamicsScene {
   static constexpr int kHigh = 10;
   static constexpr double kRadius = 1.0, kHalfHeight = 0.5, kApart = 30.0;  ///< m
 
+  /// Of the tower that cylinder i belongs to.
+  static Vec3 footOf(int i) { return {kApart * (i / kHigh), 0, 0}; }
   static double heightOf(int i) { return kHalfHeight * (2 * (i % kHigh) + 1); }
 
   /// A cylinder is lost if it is no longer on the one below.

@@ -103,14 +103,12 @@ bool areStill(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapp
   return displacement(other, from, to) <= limit || displacement(mesh, from.inverse(), to.inverse()) <= limit;
 }
 
-/// A contact of A and B after B has moved in A's frame. The smaller body may roll on the other: the place of
-/// touch moves along with its centre, but does not turn with it.
-Contact afterMotion(Contact contact, const Pose& b_in_a, const Pose& b_in_a_before) {
-  const Pose motion = b_in_a * b_in_a_before.inverse();
-  const Vec3 of_b_rolling = b_in_a.translation - b_in_a_before.translation,
-             of_a_rolling = motion.rotation * contact.point_on_a - contact.point_on_a;
-  const Vec3 shift = of_b_rolling.norm() < of_a_rolling.norm() ? of_b_rolling : of_a_rolling;
-  contact.distance = (contact.point_on_a - motion * contact.point_on_b).dot(contact.normal);
+/// A contact of A and B after B has moved in A's frame, and its origin by `shift_of_b`. The smaller body may
+/// roll on the other: the place of touch moves along with its centre, but does not turn with it.
+Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_of_b) {
+  const Vec3 if_a_rolls = motion_of_b.rotation * contact.point_on_a - contact.point_on_a;
+  const Vec3 shift = shift_of_b.norm() < if_a_rolls.norm() ? shift_of_b : if_a_rolls;
+  contact.distance = (contact.point_on_a - motion_of_b * contact.point_on_b).dot(contact.normal);
   contact.point_on_a += shift - shift.dot(contact.normal) * contact.normal;
   contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
   return contact;
@@ -219,6 +217,8 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
                                 const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
                                 btManifoldResult& result) {
   const double mesh_margin = double(shapes.mesh.getMargin()), other_margin = marginOfOther(shapes.other);
+  const Pose motion = shapes.other_in_mesh * other_in_mesh_->inverse();
+  const Vec3 shift = shapes.other_in_mesh.translation - other_in_mesh_->translation;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const btCollisionObject* const body0 = (mesh_is_body1_ ? other : mesh).getCollisionObject();
   const std::span<const ContactPatch> patches = patches_.last();
@@ -231,7 +231,7 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
     if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does
     result.setPersistentManifold(manifold);
     for (const Contact& found : patches[p].points()) {
-      const Contact contact = afterMotion(found, shapes.other_in_mesh, *other_in_mesh_);
+      const Contact contact = afterMotion(found, motion, shift);
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
       const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
       const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;

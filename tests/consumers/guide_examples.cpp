@@ -123,7 +123,8 @@ void runCore() {
   std::vector<octoblisk::Pose> down(3);
   for (std::size_t k = 0; k < down.size(); ++k) down[k].translation = {2, 0, 0.6 - 0.1 * double(k)};
   const std::vector<double> clear = clearances(tree, ball, down, 0.1);
-  expect(clear[0] == 0.1 && isNear(clear[1], 0.05, 1e-6) && isNear(clear[2], -0.05, 1e-6), "core: a ball comes down on a ring");
+  expect(clear[0] == 0.1 && isNear(clear[1], 0.05, 1e-6) && isNear(clear[2], -0.05, 1e-6),
+         "core: a ball comes down on a ring");
 }
 
 void runThreads() {
