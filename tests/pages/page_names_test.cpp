@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -149,6 +150,19 @@ TEST(Pages, chartsNameFilesThatExist) {
       expectFile(std::filesystem::exists(kProject / "demos" / (name + ".h")), name);
     }
     EXPECT_GE(files, 8);
+  }
+}
+
+/// Mermaid ends a statement at the end of its line.
+TEST(Pages, flowChartsHaveOneStatementALine) {
+  for (const CodeBlock& block : blocksOf(Kind::flow_chart)) {
+    std::istringstream lines(block.text);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_EQ(std::ranges::count(line, '"') % 2, 0) << block.place() << ": " << line;
+      const std::size_t first = line.find_first_not_of(' ');
+      EXPECT_TRUE(first == std::string::npos || std::isalpha(static_cast<unsigned char>(line[first])))
+          << block.place() << ": " << line;
+    }
   }
 }
 
