@@ -32,8 +32,7 @@ double farthestFromOrigin(const btCollisionShape& shape) {
   if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
     return BodyBounds(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
   }
-  const Aabb box = shapeBounds(shape);
-  return box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
+  return shapeBounds(shape).farthestFromOrigin();
 }
 
 /// A box that contains the body on its whole motion, grown by the contact breaking threshold.
@@ -49,6 +48,13 @@ Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves)
     box = shapeBounds(shape, object.getWorldTransform());
   }
   return {box.min.array() - reach, box.max.array() + reach};
+}
+
+/// The velocity before an impulse was added. A contact may have stopped the impulse, or a part of it.
+btVector3 without(const btVector3& impulse, const btVector3& velocity) {
+  const btScalar squared = impulse.length2();
+  if (!(squared > 0)) return velocity;
+  return velocity - std::clamp(velocity.dot(impulse) / squared, btScalar(0), btScalar(1)) * impulse;
 }
 
 /// The body, if Bullet has moved it by its velocities over the whole step; else null. If Bullet's own
@@ -164,9 +170,10 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
     body->proceedToTransform(toBullet(movers_[i].motion.at(fraction)));
     // Forces have acted for the whole step, but the body has moved for a part of it.
     const btScalar left = btScalar(1.0 - fraction) * dt;
-    body->setLinearVelocity(body->getLinearVelocity() - left * body->getInvMass() * body->getTotalForce());
-    body->setAngularVelocity(body->getAngularVelocity() -
-                             left * (body->getInvInertiaTensorWorld() * body->getTotalTorque()));
+    body->setLinearVelocity(
+        without(left * body->getInvMass() * body->getTotalForce(), body->getLinearVelocity()));
+    body->setAngularVelocity(without(left * (body->getInvInertiaTensorWorld() * body->getTotalTorque()),
+                                     body->getAngularVelocity()));
     clamped_.push_back({body, btScalar(fraction)});
   }
 }

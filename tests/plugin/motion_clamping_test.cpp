@@ -168,6 +168,32 @@ TEST(MotionClamping, aPileGainsNoEnergy) {
   EXPECT_LT(risen, 0.01 * start);
 }
 
+/// A contact stops the push in the same step, so moving the body back must not take it from the velocity.
+TEST(MotionClamping, aPushAtAWallDoesNotThrowTheBodyOff) {
+  auto wall = shapeOver(testing::boxMesh({0.1, 50, 5}));
+  auto cube = shapeOver(testing::boxMesh({0.5, 0.5, 0.5}));
+  for (const double force : {10.0, 1000.0}) {
+    MotionClamping clamping;
+    BulletWorld world;
+    world->setGravity(btVector3(0, 0, 0));
+    world->addAction(&clamping);
+    world.add(wall, 0, at(0, 0, 0)).setFriction(0);
+    btRigidBody& body = world.add(cube, 1, at(0.6 + double(wall.getMargin() + cube.getMargin()), -20, 0));
+    body.setFriction(0);
+    body.setAngularFactor(0);
+    body.setActivationState(DISABLE_DEACTIVATION);
+    body.setLinearVelocity(btVector3(0, 30, 0));
+    body.setCcdMotionThreshold(btScalar(0.05));
+    world.step(10);
+    body.applyCentralForce(btVector3(btScalar(-force), 0, 0));
+    world.step(1);
+    EXPECT_FALSE(clamping.clamped().empty());
+    world.step(20);
+    EXPECT_LT(std::abs(body.getLinearVelocity().x()), 0.01) << force;
+    world->removeAction(&clamping);
+  }
+}
+
 TEST_F(ThinRing, stopsAtARingThatComesTheOtherWay) {
   // Both move 5/6 per step, at least three times their thickness, and bounce.
   for (const bool clamped : {false, true}) {
