@@ -15,8 +15,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 namespace {
 
 void check(const BladeTable& table, std::size_t number) {
@@ -61,14 +59,17 @@ void reportContacts(btDispatcher& dispatcher, std::vector<ReportedContact>& foun
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       const btManifoldPoint& point = manifold.getContactPoint(p);
-      if (point.getDistance() > up_to) continue;
+      // For a bounce, bounceAtTouch has overwritten point.getDistance().
+      const btVector3 between = point.getPositionWorldOnA() - point.getPositionWorldOnB();
+      const btScalar distance = between.dot(point.m_normalWorldOnB);
+      if (distance > up_to) continue;
       const auto body = [&](const btCollisionObject* object, int part, int index, const btVector3& on) {
         return ContactBody{object, {part, index}, bladeOf(object, {part, index}, blades), on};
       };
       ReportedContact contact{
           body(manifold.getBody0(), point.m_partId0, point.m_index0, point.getPositionWorldOnA()),
           body(manifold.getBody1(), point.m_partId1, point.m_index1, point.getPositionWorldOnB()),
-          point.m_normalWorldOnB, point.getDistance()};
+          point.m_normalWorldOnB, distance};
       if (order(contact.b.object) < order(contact.a.object)) {
         std::swap(contact.a, contact.b);
         contact.normal = -contact.normal;

@@ -151,6 +151,25 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
   EXPECT_GT(several_blades, 0);
 }
 
+/// The algorithm sets the distance of such a point to 0 for Bullet's solver.
+TEST(ContactReport, aBodyThatBouncesKeepsItsDepth) {
+  auto floor = shapeOver(testing::waveSheet(10, 0.0, 1));
+  btSphereShape ball(btScalar(0.5));
+  for (const double restitution : {0.0, 0.5}) {
+    constexpr double kDepth = 0.05;
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, 0)).setRestitution(1);
+    btRigidBody& body = world.add(ball, 1, at(0.1, 0.2, 0.5 - kDepth));
+    body.setRestitution(btScalar(restitution));
+    body.setLinearVelocity(btVector3(0, 0, -10));
+    world.step(1, 1.0 / 60.0);
+    std::vector<ReportedContact> found;
+    reportContacts(world.dispatcher(), found, {}, btScalar(-0.9 * kDepth));
+    ASSERT_EQ(found.size(), 1u) << restitution;
+    EXPECT_NEAR(found[0].distance, -kDepth, 1e-5);
+  }
+}
+
 TEST(ContactReport, doesNotDependOnTheOrderOfManifolds) {
   // Tools reach the part all at once, or one by one in reverse order.
   ClusteredOctreeShape torus = shapeOver(testing::torus(2, 0.7, 24, 12));
