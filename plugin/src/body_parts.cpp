@@ -28,13 +28,17 @@ btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeSh
   return std::min(of_body, part->getContactBreakingThreshold(gContactBreakingThreshold));
 }
 
+double contactReach(const ClusteredOctreeShape& shape) {
+  return double(shape.getMargin()) + double(shape.getContactBreakingThreshold(gContactBreakingThreshold));
+}
+
 Pose poseOfChild(const btCompoundShape& compound, int child) {
   const Pose pose = fromBullet(compound.getChildTransform(child));
   return {Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix(), pose.translation};
 }
 
-CoreCorners& cornersOfThread() {
-  thread_local CoreCorners corners;
+ConvexCore& convexCoreOfThread() {
+  thread_local ConvexCore corners;
   return corners;
 }
 

@@ -41,6 +41,9 @@ struct BodyPart {
 /// manifold, but at most that of the part if it is ours.
 btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeShape* part);
 
+/// The distance from its triangles within which our shape has contacts.
+double contactReach(const ClusteredOctreeShape& shape);
+
 /// The pose of a child, orthonormal in double precision.
 Pose poseOfChild(const btCompoundShape& compound, int child);
 
@@ -58,7 +61,7 @@ bool anyLeaf(const btCollisionShape& shape, const Is& is) {
 /// Calls visit(part) for every part of our shape and, with `with_convex`, for every convex part. `corners`
 /// holds the corners of a convex part during its visit.
 template <typename Visit>
-void forEachPart(const MovingBody& body, bool with_convex, CoreCorners& corners, const Visit& visit) {
+void forEachPart(const MovingBody& body, bool with_convex, ConvexCore& corners, const Visit& visit) {
   const btCollisionShape& shape = body.shape;
   if (shape.isCompound()) {
     const auto& compound = static_cast<const btCompoundShape&>(shape);
@@ -78,12 +81,12 @@ void forEachPart(const MovingBody& body, bool with_convex, CoreCorners& corners,
 
 /// Holds the corners of one convex part at a time. Each thread has its own, so that warm sweeps allocate
 /// nothing.
-CoreCorners& cornersOfThread();
+ConvexCore& convexCoreOfThread();
 
 /// Calls visit(a, b) for every part of A and every part of B if at least one of the two is ours.
 template <typename Visit>
 void forEachPartPair(const MovingBody& a, const MovingBody& b, const Visit& visit) {
-  CoreCorners& corners = cornersOfThread();
+  ConvexCore& corners = convexCoreOfThread();
   forEachPart(a, holdsClusters(b.shape), corners, [&](const BodyPart& part_a) {
     forEachPart(b, part_a.clusters != nullptr, corners,
                 [&](const BodyPart& part_b) { visit(part_a, part_b); });

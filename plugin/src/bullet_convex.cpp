@@ -82,7 +82,7 @@ Vec3 middleOf(const btConvexShape& shape) {
 
 }  // namespace
 
-bool CoreCorners::update(const btConvexShape& shape) {
+bool ConvexCore::update(const btConvexShape& shape) {
   readCorners(shape, read_);
   const bool is_same = read_ == points_;
   std::swap(read_, points_);
@@ -96,7 +96,7 @@ bool CoreCorners::update(const btConvexShape& shape) {
   return !is_same;
 }
 
-std::span<const Vec3> CoreCorners::feet(const Vec3& towards) {
+std::span<const Vec3> ConvexCore::feet(const Vec3& towards) {
   if (!points_.empty()) return points_;
   constexpr double kLeastTilt = 0.2;  // the sine of 12°
   constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
@@ -121,7 +121,7 @@ std::span<const Vec3> CoreCorners::feet(const Vec3& towards) {
   return feet_;
 }
 
-HullFaces CoreCorners::faces() {
+HullFaces ConvexCore::faces() {
   if (!has_faces_) faces_.find(points_);
   has_faces_ = true;
   return faces_.view();

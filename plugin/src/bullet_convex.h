@@ -1,4 +1,4 @@
-// Bullet's convex shapes in the core's terms.
+// Bullet's convex shapes as Convex bodies (octoblisk/convex.h).
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
@@ -19,7 +19,7 @@ struct Rim {
 
 /// The core of a convex shape: its corners, if it is the hull of a few points, and the points on which it may
 /// stand.
-class CoreCorners {
+class ConvexCore {
  public:
   /// Reads the shape; returns whether it was scaled, or got other points, since the last call. If not,
   /// allocates nothing.
@@ -50,7 +50,7 @@ class CoreCorners {
 /// date. For one thread at a time, because faces() changes them.
 class BulletConvex final : public Convex {
  public:
-  BulletConvex(const btConvexShape& shape, CoreCorners& core)
+  BulletConvex(const btConvexShape& shape, ConvexCore& core)
       : shape_(shape), core_(core), margin_(double(shape.getMarginNonVirtual())) {}
 
   Vec3 support(const Vec3& direction) const override;
@@ -62,7 +62,7 @@ class BulletConvex final : public Convex {
 
  private:
   const btConvexShape& shape_;
-  CoreCorners& core_;
+  ConvexCore& core_;
   const double margin_;
 };
 

@@ -69,7 +69,7 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {
     box.start = from * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
   } else {  // the body also turns about its origin
-    const double radius = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
+    const double radius = bounds.farthestFromOrigin();
     box.start = {from.translation, Mat3::Identity(), Vec3::Constant(radius)};
   }
   // Bullet's time of impact is when the bodies are this near, world units.

@@ -139,7 +139,10 @@ btVector3 ClusteredOctreeShape::localGetSupportingVertexWithoutMargin(const btVe
 void ClusteredOctreeShape::getAabb(const btTransform& transform, btVector3& aabb_min,
                                    btVector3& aabb_max) const {
   const Aabb& bounds = tree_->mesh().bounds();
-  const btScalar reach = getMargin() + std::max(contact_breaking_threshold_, btScalar(0));
+  // Far from the origin, this box and those of other bodies are rounded by more than Bullet allows for.
+  const double farthest = double(transform.getOrigin().length()) + bounds.farthestFromOrigin();
+  const btScalar rounding = 2 * SIMD_EPSILON * btScalar(farthest);
+  const btScalar reach = getMargin() + std::max(contact_breaking_threshold_, btScalar(0)) + rounding;
   btTransformAabb(toBullet(bounds.min), toBullet(bounds.max), reach, transform, aabb_min, aabb_max);
 }
 

@@ -8,23 +8,15 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 void drawClusters(btIDebugDraw& drawer, const btTransform& shape_in_world, const ClusteredOctreeShape& shape,
                   int depth, const btVector3& color) {
-  constexpr int kCorners = 8;
   for (const Obb& box : shape.tree().boxes(depth)) {
-    // Bit k of a corner's number: the side of axis k on which the corner is.
-    btVector3 corners[kCorners];
-    for (int corner = 0; corner < kCorners; ++corner) {
-      const Vec3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      corners[corner] =
-          shape_in_world * toBullet(box.center + box.axes * box.half_extents.cwiseProduct(side));
-    }
-    for (int corner = 0; corner < kCorners; ++corner) {
+    const std::array<Vec3, 8> corners = box.corners();
+    const auto inWorld = [&](std::size_t corner) { return shape_in_world * toBullet(corners[corner]); };
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
       for (int axis = 0; axis < 3; ++axis) {
-        const int across = corner | 1 << axis;
-        if (across != corner) drawer.drawLine(corners[corner], corners[across], color);
+        const std::size_t across = corner | std::size_t{1} << axis;
+        if (across != corner) drawer.drawLine(inWorld(corner), inWorld(across), color);
       }
     }
   }

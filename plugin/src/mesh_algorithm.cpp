@@ -83,15 +83,12 @@ class ShownSides {
 
 /// An upper bound of how far points of a body move between two poses in another body's frame.
 double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
-  const Aabb box = shapeBounds(*body.m_shape);
   const Mat3 turn = to.rotation - from.rotation;
   const Vec3 shift = to.translation - from.translation;
   double squared = 0.0;
-  // With a pose that is not a number, no corner's displacement is one, and std::max keeps the last of them.
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 point(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-                     corner & 4 ? box.max.z() : box.min.z());
-    squared = std::max((turn * point + shift).squaredNorm(), squared);
+  // If the pose is NaN, so is every displacement: std::max(NaN, x) returns NaN.
+  for (const Vec3& corner : shapeBounds(*body.m_shape).corners()) {
+    squared = std::max((turn * corner + shift).squaredNorm(), squared);
   }
   return std::sqrt(squared);
 }
@@ -112,6 +109,15 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_
   contact.point_on_a += shift - shift.dot(contact.normal) * contact.normal;
   contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
   return contact;
+}
+
+/// The rounding of a point between the two bodies, when Bullet converts it from the world to a body and back.
+btScalar roundingBetween(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other,
+                         const Aabb& mesh_bounds) {
+  const double farthest = double(mesh.getWorldTransform().getOrigin().length()) +
+                          double(other.getWorldTransform().getOrigin().length()) +
+                          mesh_bounds.farthestFromOrigin();
+  return 8 * SIMD_EPSILON * btScalar(farthest);
 }
 
 /// Keeps the tree of a shape, if any, and returns whether the tree has changed. Keeping the tree alive
@@ -222,10 +228,11 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const btCollisionObject* const body0 = (mesh_is_body1_ ? other : mesh).getCollisionObject();
   const std::span<const ContactPatch> patches = patches_.last();
+  const btScalar rounding = roundingBetween(mesh, other, shapes.mesh.tree().mesh().bounds());
   manifolds_.match(patches,
                    {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,
                     mesh_is_body1_},
-                   btScalar(breaking));
+                   std::max(btScalar(breaking), rounding));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does

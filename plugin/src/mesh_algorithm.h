@@ -88,7 +88,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// its tree. Called first.
   virtual bool readOther(const btCollisionShape& other) = 0;
 
-  /// How far the other body extends beyond the surface of those contacts.
+  /// The margin of the other body that findContacts does not include.
   virtual double marginOfOther(const btCollisionShape&) const { return 0.0; }
 
   /// The other body's triangle, in its frame, in a contact that was found last; none if the body has no
@@ -113,9 +113,11 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
   ContactPatches patches_;
-  std::optional<Pose> other_in_mesh_;  // when the patches were made; none: make them anew
-  double reach_ = 0.0;                 // likewise
-  std::pair<bool, bool> are_solid_;    // the mesh and the other body's mesh, likewise
+
+  // The state for which the patches were made. Without a pose, they are made anew.
+  std::optional<Pose> other_in_mesh_;
+  double reach_ = 0.0;
+  std::pair<bool, bool> are_solid_;  // the mesh, and the other body's mesh
 };
 
 }  // namespace octoblisk::detail

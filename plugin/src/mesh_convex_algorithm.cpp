@@ -1,7 +1,7 @@
 #include "mesh_convex_algorithm.h"
 
-#include "contact/corner_contacts.h"
 #include "contact/flat_contacts.h"
+#include "contact/foot_contacts.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
@@ -17,6 +17,7 @@ bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
   const bool has_other_size = bounds.min != bounds_.min || bounds.max != bounds_.max || margin != margin_;
   bounds_ = bounds;
   margin_ = margin;
+  // Other shapes may change while their corners, bounds and margin stay the same.
   const bool is_known = !core_.points().empty() || shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE ||
                         shape.getShapeType() == CONE_SHAPE_PROXYTYPE;
   return is_known && !has_other_corners && !has_other_size;
@@ -40,7 +41,7 @@ void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double 
   addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, of_triangles, found);
   if (core_.hasFeet()) {
     const auto feet = [this](const Vec3& towards) { return core_.feet(towards); };
-    addCornerContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, reach, of_triangles, found);
+    addFootContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, reach, of_triangles, found);
   }
   internal_edges_.removeFrom(found, tree.mesh());
 }

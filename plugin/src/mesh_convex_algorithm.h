@@ -22,7 +22,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
     middle_.forget();
   }
 
-  CoreCorners core_;
+  ConvexCore core_;
   Aabb bounds_;          // of the convex shape
   btScalar margin_ = 0;  // of the convex shape
   TriangleCache near_;

@@ -30,7 +30,7 @@ void MeshMeshAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double re
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = clusters(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
   surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
-  addWaysOut(shape_a, shape_b, b_in_a, reach, found);
+  addWaysOut(shape_a, shape_b, b_in_a, reach, found);  // the triangles handle vertices that are less deep
 }
 
 void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,

@@ -30,12 +30,6 @@ struct Part {
   const ClusteredOctreeShape* clusters;  ///< null: the box represents the part
   btTransform in_world;
   Aabb box;  ///< in the world
-
-  /// The distance from the triangles within which the part has contacts.
-  double reach() const {
-    return double(clusters->getMargin()) +
-           double(clusters->getContactBreakingThreshold(gContactBreakingThreshold));
-  }
 };
 
 Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
@@ -109,16 +103,16 @@ struct Body {
 };
 
 template <typename Meets>
-bool anyPart(const Body& body, const Aabb& box, ClusterHolders& holders, const Meets& meets) {
+bool anyPart(const Body& body, const Aabb& box, HolderCache& holders, const Meets& meets) {
   if (body.whole.clusters) return meets(body.whole);
-  if (!holders.contain(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
+  if (!holders.holdsClusters(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
   return anyPart(body.shape, body.whole.in_world, box, meets);
 }
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead) {
   const Obb in_part =
       fromBullet(part.in_world).inverse() * Obb{box.center(), Mat3::Identity(), box.halfExtents()};
-  return clustersNear(part.clusters->tree(), in_part, part.reach() + ahead, depth);
+  return clustersNear(part.clusters->tree(), in_part, contactReach(*part.clusters) + ahead, depth);
 }
 
 /// A body inside a solid may be far from the solid's surface, and so from its clusters.
@@ -143,9 +137,9 @@ bool meet(const Part& a, const Part& b, int depth, double ahead) {
   if (!(common.min.array() <= common.max.array()).all()) return false;
   if (a.clusters && b.clusters) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
-    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, a.reach() + b.reach() + ahead,
-                        depth) ||
-           reachesInto(a, b) || reachesInto(b, a);
+    const double reach = contactReach(*a.clusters) + contactReach(*b.clusters) + ahead;
+    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, reach, depth) || reachesInto(a, b) ||
+           reachesInto(b, a);
   }
   if (a.clusters) return clustersMeetBox(a, common, depth, ahead) || isInside(common.center(), a);
   if (b.clusters) return clustersMeetBox(b, common, depth, ahead) || isInside(common.center(), b);
@@ -160,18 +154,19 @@ bool isBody(const btCollisionObject* object) {
 
 }  // namespace
 
-bool ClusterHolders::contain(const btCollisionShape& shape) {
+bool HolderCache::holdsClusters(const btCollisionShape& shape) {
   if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
-    return holdsClusters(shape);
+    return detail::holdsClusters(shape);
   const auto [known, is_new] = large_.try_emplace(&shape);
-  if (is_new) known->second = holdsClusters(shape);
+  if (is_new) known->second = detail::holdsClusters(shape);
   return known->second;
 }
 
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders) {
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, HolderCache& holders) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
   return isBody(body_a) && isBody(body_b) &&
-         (holders.contain(*body_a->getCollisionShape()) || holders.contain(*body_b->getCollisionShape()));
+         (holders.holdsClusters(*body_a->getCollisionShape()) ||
+          holders.holdsClusters(*body_b->getCollisionShape()));
 }
 
 bool clustersMayDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
@@ -204,7 +199,7 @@ bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room) {
   return false;
 }
 
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders,
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders,
                   double ahead) {
   const Body body_a(a), body_b(b);
   return anyPart(body_a, body_b.box, holders, [&](const Part& part_a) {

@@ -15,9 +15,9 @@ namespace octoblisk::detail {
 
 /// holdsClusters with a memory for large compounds: a compound with thousands of children may be in as many
 /// pairs. The stored answers are valid as long as no shape changes.
-class ClusterHolders {
+class HolderCache {
  public:
-  bool contain(const btCollisionShape& shape);
+  bool holdsClusters(const btCollisionShape& shape);
   void forget() { large_.clear(); }
 
  private:
@@ -27,7 +27,7 @@ class ClusterHolders {
 /// Whether clusters decide about the pair: one of the two bodies has clusters, and both are rigid bodies,
 /// links of multibodies or plain collision objects. Ghosts (which represent their boxes), soft bodies,
 /// user-defined clients and null are judged by their boxes.
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, ClusterHolders& holders);
+bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, HolderCache& holders);
 
 /// Whether clusters decide about the pair, or would if a child with clusters were added to a compound.
 /// Searches no compound.
@@ -48,7 +48,7 @@ bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 /// proxy and the box of its shape, which differ if the body was moved by hand. With `ahead`, false also
 /// proves that the bodies stay apart until both together have moved by this length; not for compounds. Call
 /// this only if clustersDecide is true.
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, ClusterHolders& holders,
+bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders,
                   double ahead = 0.0);
 
 }  // namespace octoblisk::detail

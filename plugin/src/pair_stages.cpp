@@ -13,17 +13,16 @@ namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// Bullet's pairs have a field that Bullet does not use, initially 0; it must be left to these classes. It is
-// not 0 in the tight pairs that refine tests.
-bool isAsked(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
+// btBroadphasePair::m_internalTmpValue, which Bullet leaves at 0, belongs to these classes. It is not 0 in
+// the tight pairs that refine tests.
+bool isTested(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
-/// The number of such a pair that refine has not tested since it was added or cleaned. No margin has its
-/// bits.
-constexpr int kToBeAsked = -1;
+/// The value if refine has not tested the pair since it was added or cleaned. No margin has its bits.
+constexpr int kUntested = -1;
 
-/// The number of such a pair after a test. It changes with the margins, because contacts made with other
-/// margins prove nothing.
-int askedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+/// The value after a test. It changes with the margins, because contacts made with other margins prove
+/// nothing.
+int testedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const auto margin = [](const btBroadphaseProxy& proxy) {
     return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getMargin();
   };
@@ -44,8 +43,7 @@ bool boxesOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
                    static_cast<const btDbvtProxy&>(b).leaf->volume);
 }
 
-bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth,
-                  ClusterHolders& holders) {
+bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders) {
   return clustersDecide(a, b, holders) && !clustersMeet(a, b, depth, holders);
 }
 
@@ -55,7 +53,7 @@ void TightPairs::refine(btDispatcher* dispatcher) {
   holders_.forget();
   travelled_.beginStep();
   promote(dispatcher);
-  if (any_asked_) demote(dispatcher);
+  if (any_tested_) demote(dispatcher);
 }
 
 /// Whether clusters keep a pair apart. Tests them if the bodies may have met since the last test. The pair's
@@ -89,20 +87,20 @@ void TightPairs::promote(btDispatcher* dispatcher) {
 
 void TightPairs::demote(btDispatcher* dispatcher) {
   btBroadphasePairArray& pairs = getOverlappingPairArray();
-  any_asked_ = false;
+  any_tested_ = false;
   for (int i = 0; i < pairs.size(); ++i) {
     btBroadphasePair& pair = pairs[i];
-    if (!isAsked(pair)) continue;
+    if (!isTested(pair)) continue;
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    if (pair.m_internalTmpValue == kToBeAsked && !clustersMayDecide(*a, *b)) {
+    if (pair.m_internalTmpValue == kUntested && !clustersMayDecide(*a, *b)) {
       pair.m_internalTmpValue = 0;
       continue;
     }
-    any_asked_ = true;
+    any_tested_ = true;
     if (bothSleep(*a, *b, dispatcher)) continue;
-    const int asked = askedWith(*a, *b);
-    if (pair.m_internalTmpValue == asked && aContactHolds(pair, manifolds_)) continue;
-    pair.m_internalTmpValue = asked;
+    const int tested = testedWith(*a, *b);
+    if (pair.m_internalTmpValue == tested && aContactHolds(pair, manifolds_)) continue;
+    pair.m_internalTmpValue = tested;
     if (!areKeptApart(*a, *b, depth_, holders_)) continue;
     Cache::removeOverlappingPair(a, b, dispatcher);
     // Bullet notices only some steps later that boxes no longer overlap.
@@ -120,17 +118,17 @@ btBroadphasePair* TightPairs::addOverlappingPair(btBroadphaseProxy* a, btBroadph
   // Most pairs are known: the inner broadphase adds all pairs of a body that has left its box.
   if (btBroadphasePair* const known = findPair(a, b)) return known;
   if (btBroadphasePair* const known = apart_.findPair(a, b)) return known;
-  const bool asked = clustersMayDecide(*a, *b);
-  if (asked && areKeptApart(*a, *b, depth_, holders_)) return apart_.addOverlappingPair(a, b);
-  return addFiltered(a, b, asked);
+  const bool tested = clustersMayDecide(*a, *b);
+  if (tested && areKeptApart(*a, *b, depth_, holders_)) return apart_.addOverlappingPair(a, b);
+  return addFiltered(a, b, tested);
 }
 
-btBroadphasePair* TightPairs::addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool asked) {
+btBroadphasePair* TightPairs::addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool tested) {
   is_filtered_ = true;
   btBroadphasePair* const pair = Cache::addOverlappingPair(a, b);
   is_filtered_ = false;
-  pair->m_internalTmpValue = asked ? kToBeAsked : 0;
-  any_asked_ |= asked;
+  pair->m_internalTmpValue = tested ? kUntested : 0;
+  any_tested_ |= tested;
   return pair;
 }
 
@@ -152,8 +150,8 @@ void TightPairs::cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dis
   btBroadphasePairArray& pairs = getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
     if (pairs[i].m_pProxy0 != proxy && pairs[i].m_pProxy1 != proxy) continue;
-    pairs[i].m_internalTmpValue = kToBeAsked;
-    any_asked_ = true;
+    pairs[i].m_internalTmpValue = kUntested;
+    any_tested_ = true;
   }
 }
 

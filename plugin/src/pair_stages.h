@@ -41,16 +41,16 @@ class TightPairs final : public btHashedOverlappingPairCache {
   void cleanProxyFromPairs(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override;
 
  private:
-  btBroadphasePair* addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool asked);
+  btBroadphasePair* addFiltered(btBroadphaseProxy* a, btBroadphaseProxy* b, bool tested);
   bool stayApart(btBroadphasePair& pair);
   void promote(btDispatcher* dispatcher);
   void demote(btDispatcher* dispatcher);
 
   const int depth_;
-  bool any_asked_ = false;    // whether any pair of the array is tested by refine
+  bool any_tested_ = false;   // whether any pair of the array is tested by refine
   bool is_filtered_ = false;  // whether the pair being added has passed the filter
   ApartPairs apart_;
-  ClusterHolders holders_;        // valid since the last refine began
+  HolderCache holders_;           // valid since the last refine began
   TravelledDistances travelled_;  // a step is one refine
   btManifoldArray manifolds_;     // a buffer for the manifolds of a pair
 };

@@ -54,7 +54,7 @@ bool hasOurShape(const btCollisionObjectWrapper* body) {
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-// Creates the algorithm for a pair of our types in which no body has our shape.
+// Creates the algorithm of a pair that is not our shape and one of `Others`.
 using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
 btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {
@@ -92,7 +92,7 @@ using CreateMeshGImpact =
     CreateMesh<MeshConcaveAlgorithm, gimpact, btGImpactMeshShape, btGImpactMeshShapePart>;
 using CreateMeshPlane = CreateMesh<MeshPlaneAlgorithm, nothing, btStaticPlaneShape>;
 
-/// For two shapes of our type, of which at least one may be our shape.
+/// For two shapes of our type. At least one should be our shape.
 struct CreateMeshMesh final : btCollisionAlgorithmCreateFunc {
   btCollisionAlgorithm* CreateCollisionAlgorithm(CreateInfo& info, const Wrapper* body0,
                                                  const Wrapper* body1) override {

@@ -1,4 +1,4 @@
-// The box around a shape of Bullet, in the core's terms.
+// The box around a shape of Bullet, as an Aabb.
 #pragma once
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>

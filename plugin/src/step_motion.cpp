@@ -11,8 +11,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 namespace {
 
 /// The angle, in radians, by which Bullet turns a body with an angular speed. Beyond the threshold of a step,

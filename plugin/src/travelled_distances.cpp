@@ -33,8 +33,7 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
   if (const ClusteredOctreeShape* const clusters = asClusters(shape)) {
     state.tree = clusters->sharedTree();
     state.is_solid = clusters->isSolid();
-    state.reach += double(clusters->getMargin()) +
-                   double(clusters->getContactBreakingThreshold(gContactBreakingThreshold));
+    state.reach += contactReach(*clusters);
   }
   return state;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/corner_contacts.h"
+#include "contact/foot_contacts.h"
 #include "octoblisk/contacts.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -75,7 +75,7 @@ TEST(InternalEdges, bothSidesOfARidgeStay) {
   EXPECT_EQ(found.size(), 2u);
 }
 
-TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
+TEST(FootContacts, aBoxStandsOnAllItsCorners) {
   const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(10, 0.0, 1));
   std::mt19937_64 random(94);
   for (int i = 0; i < 100; ++i) {
@@ -90,7 +90,7 @@ TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
     const ConvexHull hull(corners);
     std::vector<Contact> found;
     contacts(floor, hull, Pose(), 0.02, found);
-    addCornerContacts(
+    addFootContacts(
         floor.mesh(), [&](const Vec3&) { return hull.points(); }, hull.radius(), Pose(), 0.02, found.size(),
         found);
     for (const Vec3& corner : corners) {
@@ -105,7 +105,7 @@ TEST(CornerContacts, aBoxStandsOnAllItsCorners) {
   }
 }
 
-TEST(CornerContacts, aLyingCapsuleRestsOnBothEnds) {
+TEST(FootContacts, aLyingCapsuleRestsOnBothEnds) {
   const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(10, 0.0, 1));  // two triangles
   std::mt19937_64 random(95);
   int ends_found = 0;
@@ -116,7 +116,7 @@ TEST(CornerContacts, aLyingCapsuleRestsOnBothEnds) {
     const ConvexHull capsule({middle - half, middle + half}, radius);
     std::vector<Contact> found;
     contacts(floor, capsule, Pose(), 0.02, found);
-    addCornerContacts(
+    addFootContacts(
         floor.mesh(), [&](const Vec3&) { return capsule.points(); }, capsule.radius(), Pose(), 0.02,
         found.size(), found);
     for (const Vec3& end : capsule.points()) {

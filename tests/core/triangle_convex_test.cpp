@@ -248,7 +248,7 @@ TEST(TriangleConvex, depthFromAFlatSimplex) {
     }
     const auto found = epa(triangle, box, simplex);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->depth, 0.25, 1e-9);
+    EXPECT_NEAR(found->distance, -0.25, 1e-9);
     EXPECT_NEAR(found->normal.z(), 1.0, 1e-9);
   }
 }

@@ -233,7 +233,7 @@ class Twins {
 template <typename World>
 std::size_t pairsOfClusters(World& world) {
   const btBroadphasePairArray& pairs = world.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-  detail::ClusterHolders holders;
+  detail::HolderCache holders;
   std::size_t count = 0;
   for (int i = 0; i < pairs.size(); ++i)
     count += detail::clustersDecide(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1, holders);
@@ -242,7 +242,7 @@ std::size_t pairsOfClusters(World& world) {
 
 std::size_t touchingPairsOfClusters(const StockWorld& world, const std::vector<TouchPoint>& sorted) {
   const auto proxy = [&](int body) { return world.objects[std::size_t(body)]->getBroadphaseHandle(); };
-  detail::ClusterHolders holders;
+  detail::HolderCache holders;
   std::size_t count = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto [a, b] = sorted[i].bodies;

@@ -121,7 +121,7 @@ TEST(Broadphase, creepingBodiesMeetInTime) {
       moving.setWorldTransform(pose);
       tight.world.performDiscreteCollisionDetection();
       const btBroadphaseProxy &a = *outer.getBroadphaseHandle(), &b = *inner.getBroadphaseHandle();
-      detail::ClusterHolders holders;
+      detail::HolderCache holders;
       const bool meet = testing::boxesOverlap(&a, &b) &&
                         detail::clustersMeet(a, b, ClusteredOctreeBroadphase::kDefaultDepth, holders);
       ASSERT_EQ(tight.has(outer, inner), meet) << "run " << run << ", step " << step;

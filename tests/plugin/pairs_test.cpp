@@ -257,6 +257,28 @@ TEST(Pairs, aBreakingThresholdSetLateCounts) {
   }
 }
 
+/// Rounding there exceeds Bullet's thresholds.
+TEST(Pairs, overlappingBodiesFarFromTheOriginHaveContacts) {
+  std::mt19937_64 random(98);
+  for (const double size : {1.0, 1e6, 1e7}) {
+    for (int i = 0; i < 300; ++i) {
+      const double height = testing::uniform(random, -size, size);
+      auto sheet = shapeOver(
+          testing::moved(*testing::waveSheet(2 * size, 0.0, 1), {Mat3::Identity(), Vec3(0.0, 0.0, height)}));
+      btSphereShape ball(btScalar(0.01 * size));
+      const double radius = double(ball.getRadius());
+      BulletWorld world;
+      btRigidBody& floor = world.add(sheet, 0, at(0, 0, testing::uniform(random, -size, size)));
+      const double top = height + double(floor.getWorldTransform().getOrigin().z());
+      btScalar middle = btScalar(top + radius);
+      while (double(middle) - radius >= top) middle = std::nextafter(middle, -btScalar(BT_LARGE_FLOAT));
+      world.add(ball, 1, at(0.1 * size, 0.2 * size, double(middle)));
+      world->performDiscreteCollisionDetection();
+      EXPECT_GT(world.contactPoints(), 0) << size << ' ' << i;
+    }
+  }
+}
+
 TEST(Pairs, manifoldsStayWithTheirPatches) {
   // A flat bar is tilted up at one end. The contacts at the other end keep their impulses.
   ClusteredOctreeShape floor = shapeOver(testing::waveSheet(5, 0.0, 10));

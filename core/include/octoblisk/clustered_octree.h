@@ -1,6 +1,5 @@
-// The clustered octree: a wide (8-child) bounding volume hierarchy of oriented boxes, built by recursive
-// k-means clustering. The paper calls it an octree. Any number of threads may query a tree. Copies share its
-// memory.
+// The clustered octree: a bounding volume hierarchy of oriented boxes, built by recursive k-means clustering.
+// The paper calls it an octree.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +29,7 @@ struct BuildStats {
 
 /// A bounding volume hierarchy over the triangles of a mesh. A node has up to eight children; each has its
 /// own oriented box, which contains its triangles entirely. Immutable; any number of threads may query it at
-/// once.
+/// once. Copies share its memory.
 class ClusteredOctree {
  public:
   /// The greatest number of boxes from the root to a leaf.

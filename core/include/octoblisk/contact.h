@@ -9,7 +9,7 @@ namespace octoblisk {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-/// A contact or a near miss. Points and normal are in A's frame.
+/// A contact of two bodies that touch or are near each other. Points and normal are in A's frame.
 struct Contact {
   Vec3 point_on_a = Vec3::Zero();
   Vec3 point_on_b = Vec3::Zero();

@@ -1,4 +1,4 @@
-// All contacts between two bodies, including near misses.
+// All contacts between two bodies up to a distance.
 #pragma once
 
 #include <cstdint>

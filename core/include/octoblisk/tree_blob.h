@@ -2,7 +2,7 @@
 // check them, but never copied.
 //
 // A blob holds the tree and a fingerprint of the mesh, but not the mesh. It is bound to the format version,
-// to the machine's byte order and to the mesh. A checksum (XXH64, checksum.h) covers all of it. A blob is
+// to the machine's byte order and to the mesh. A checksum (XXH64) covers all of it. A blob is
 // rejected if it was truncated, changed, made for another mesh, or forged so that a query could fail on it.
 // Only validate() checks that the boxes are right.
 //
@@ -21,8 +21,7 @@
 
 namespace octoblisk {
 
-/// The tree as bytes, with a version, a checksum and the fingerprint of its mesh. The mesh itself is not
-/// included.
+/// The tree as bytes.
 std::vector<std::byte> toBlob(const ClusteredOctree& tree);
 
 /// The tree of a blob, over the mesh that it was built for. Without an owner, the bytes are copied. With an

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <span>
 
@@ -39,6 +41,17 @@ struct Aabb {
   }
   Vec3 center() const { return 0.5 * (min + max); }
   Vec3 halfExtents() const { return 0.5 * (max - min); }
+  /// The greatest distance of a point of the box from the origin.
+  double farthestFromOrigin() const { return min.cwiseAbs().cwiseMax(max.cwiseAbs()).norm(); }
+
+  /// Bit k of a corner's index is 1 at the greater end of axis k.
+  std::array<Vec3, 8> corners() const {
+    std::array<Vec3, 8> all;
+    for (std::size_t c = 0; c < 8; ++c) {
+      for (int k = 0; k < 3; ++k) all[c][k] = (c >> k & 1u) != 0 ? max[k] : min[k];
+    }
+    return all;
+  }
 };
 
 /// The axis-aligned bounding box of points.
@@ -55,6 +68,13 @@ struct Obb {
   Vec3 half_extents = Vec3::Zero();
 
   double volume() const { return 8.0 * half_extents.prod(); }
+
+  /// In the order of Aabb::corners.
+  std::array<Vec3, 8> corners() const {
+    std::array<Vec3, 8> all = Aabb{-half_extents, half_extents}.corners();
+    for (Vec3& corner : all) corner = center + axes * corner;
+    return all;
+  }
 
   /// Whether the point lies in the box grown by `tolerance` on each side.
   bool contains(const Vec3& point, double tolerance = 0.0) const {

@@ -66,11 +66,11 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
     cutToFace(shared, number, hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       const double gap = (face.normal.dot(corner) - face.offset) / along;
-      const double clearance = gap - convex.radius();
-      if (clearance > threshold) continue;
+      const double apart = gap - convex.radius();
+      if (apart > threshold) continue;
       // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
-      const bool is_too_far_in = clearance < of_triangle.distance;
-      const double distance = is_too_far_in ? of_triangle.distance : clearance;
+      const bool is_too_far_in = apart < of_triangle.distance;
+      const double distance = is_too_far_in ? of_triangle.distance : apart;
       const Vec3& out = is_too_far_in ? of_triangle.normal : normal_in_mesh;
       const Vec3 on_triangle = convex_in_mesh * corner;
       contacts.push_back(

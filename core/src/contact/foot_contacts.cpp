@@ -1,4 +1,4 @@
-#include "contact/corner_contacts.h"
+#include "contact/foot_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace octoblisk::detail {
 
-void addCornerContacts(const TriangleMesh& mesh, FindFeet feet, double radius, const Pose& convex_in_mesh,
-                       double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
+void addFootContacts(const TriangleMesh& mesh, FindFeet feet, double radius, const Pose& convex_in_mesh,
+                     double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
   if (contacts.empty()) return;
   constexpr double kGrazing = 0.1;
   const double deepest = std::ranges::min_element(contacts, {}, &Contact::distance)->distance;

@@ -18,7 +18,7 @@ using FindFeet = FunctionRef<std::span<const Vec3>(const Vec3& towards)>;
 /// contact if it is over or in the triangle of one of the contacts, no farther from it than `threshold`, and
 /// no deeper than the deepest contact. Uses the first `of_triangles` contacts. Contacts are in the mesh's
 /// frame. Allocates nothing if the capacity of `contacts` suffices.
-void addCornerContacts(const TriangleMesh& mesh, FindFeet feet, double radius, const Pose& convex_in_mesh,
-                       double threshold, std::size_t of_triangles, std::vector<Contact>& contacts);
+void addFootContacts(const TriangleMesh& mesh, FindFeet feet, double radius, const Pose& convex_in_mesh,
+                     double threshold, std::size_t of_triangles, std::vector<Contact>& contacts);
 
 }  // namespace octoblisk::detail

@@ -33,13 +33,13 @@ class SurfaceContacts {
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 
-  /// Makes normals that are slightly tilted perpendicular to a face; distances stay. Removes the
-  /// other kinds from the contacts of A and B, which are in ascending order of triangles, and keeps the
-  /// order. Of the contacts that do not push the long way, it keeps the deepest of all and at least one of
-  /// each connected group. Triangles face outward. A contact whose triangles are apart stays, whichever way
-  /// they face, if it is connected to no contact whose triangles meet: thin sheets have two sides.
-  /// `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame of the contacts.
-  /// Shared corners must be equal to the last bit. Allocates nothing once warm.
+  /// Treats contacts of A and B, which are in ascending order of triangles. Contacts of the last kind above
+  /// get a normal perpendicular to a face; their distances stay. Contacts of the other kinds are removed; the
+  /// order stays. Of the contacts that do not push the long way, the deepest of all stays, and at least one
+  /// of each connected group. A contact whose triangles are apart also stays if it is connected to no contact
+  /// whose triangles meet, because a thin sheet has two sides. Triangles face outward, and shared corners are
+  /// equal to the last bit. `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame
+  /// of the contacts. Allocates nothing once warm.
   template <typename TriangleA, typename TriangleB>
   void filter(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
     clear();

@@ -13,13 +13,7 @@ ConvexHull::ConvexHull(std::vector<Vec3> points, double radius)
 
 Vec3 ConvexHull::support(const Vec3& direction) const { return farthest(points_, direction); }
 
-ConvexBox::ConvexBox(const Obb& box) : box_(box) {
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    Vec3 local;
-    for (int k = 0; k < 3; ++k)
-      local[k] = (corner >> k & 1u) != 0 ? box.half_extents[k] : -box.half_extents[k];
-    points_[corner] = box.center + box.axes * local;
-  }
+ConvexBox::ConvexBox(const Obb& box) : box_(box), points_(box.corners()) {
   std::size_t edge = 0;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Vec3 axis = box.axes.col(k);
@@ -51,11 +45,7 @@ const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction) {
 std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room) {
   const std::span<const Vec3> points = convex.points();
   if (!points.empty() && points.size() <= kMaxPointsRoundCore) return points;
-  const Aabb box = convex.coreBounds();
-  for (std::size_t c = 0; c < 8; ++c) {
-    for (int axis = 0; axis < 3; ++axis)
-      room[c][axis] = (c >> axis & 1u) != 0 ? box.max[axis] : box.min[axis];
-  }
+  room = convex.coreBounds().corners();
   return room;
 }
 

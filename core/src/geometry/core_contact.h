@@ -5,8 +5,8 @@
 
 namespace octoblisk::detail {
 
-/// All values are in the body's frame.
-struct MarginlessContact {
+/// All values are in the frame of the body.
+struct CoreContact {
   double distance = 0.0;        ///< if negative, minus the length of the shortest separating translation
   Vec3 normal = Vec3::UnitX();  ///< unit: moving the triangle along it separates the two
   Vec3 on_triangle = Vec3::Zero();

@@ -51,7 +51,7 @@ class Polytope {
   }
 
   /// Grows the polytope until its face nearest to the origin lies on the boundary of the difference.
-  CorePenetration expand() {
+  CoreContact expand() {
     while (true) {
       const auto faces_end = faces_.begin() + face_count_;
       PolytopeFace& nearest = *std::min_element(
@@ -214,7 +214,7 @@ class Polytope {
 
   /// The origin's foot on the nearest face, as points of triangle and core. A flat side of the difference
   /// consists of several coplanar faces; the foot is on one of them.
-  CorePenetration penetration(const PolytopeFace& nearest) const {
+  CoreContact penetration(const PolytopeFace& nearest) const {
     const Vec3 foot = nearest.normal * nearest.distance;
     const PolytopeFace* face = &nearest;
     Vec3 weights = Vec3(1.0, 0.0, 0.0);
@@ -234,14 +234,14 @@ class Polytope {
       face = &candidate;
       weights = found;
     }
-    CorePenetration result;
-    result.depth = std::max(nearest.distance, 0.0);
+    CoreContact result;
+    result.distance = std::min(-nearest.distance, 0.0);
     result.normal = -nearest.normal;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const SupportPoint& vertex = vertices_[static_cast<std::size_t>(face->vertex[corner])];
       result.on_triangle += weights[static_cast<Eigen::Index>(corner)] * vertex.on_triangle;
     }
-    result.on_core = result.on_triangle + result.depth * result.normal;
+    result.on_core = result.on_triangle - result.distance * result.normal;
     return result;
   }
 
@@ -258,7 +258,7 @@ class Polytope {
 
 }  // namespace
 
-std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex) {
+std::optional<CoreContact> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex) {
   Polytope polytope(triangle, convex);
   if (!polytope.start(simplex)) return std::nullopt;
   return polytope.expand();

@@ -4,23 +4,16 @@
 
 #include <optional>
 
+#include "geometry/core_contact.h"
 #include "geometry/gjk.h"
 
 namespace octoblisk::detail {
 
-/// The shortest translation that separates triangle and core.
-struct CorePenetration {
-  double depth = 0.0;
-  Vec3 normal = Vec3::UnitX();  ///< unit: moving the triangle along it by the depth separates the two
-  Vec3 on_triangle = Vec3::Zero();
-  Vec3 on_core = Vec3::Zero();
-};
-
-/// Expands GJK's last simplex, after removing its flat part. The depth is the distance of a plane that bounds
-/// triangle − core. A translation by the depth separates the two, up to 1e-10 of their size or the core's
-/// precision, even if rounding or the vertex limit ends the search before the optimum. None if triangle −
-/// core is flat (a sphere's centre on the triangle, a capsule's axis in its plane): then the triangle's
-/// normal separates them at depth 0.
-std::optional<CorePenetration> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex);
+/// Expands GJK's last simplex, after removing its flat part. The distance is at most 0. The depth, which is
+/// minus the distance, is that of a plane that bounds triangle − core. A translation by the depth separates
+/// the two, up to 1e-10 of their size or the core's precision, even if rounding or the vertex limit ends the
+/// search before the optimum. None if triangle − core is flat (a sphere's centre on the triangle, a capsule's
+/// axis in its plane): then the triangle's normal separates them at depth 0.
+std::optional<CoreContact> epa(const Triangle& triangle, const Convex& convex, const Simplex& simplex);
 
 }  // namespace octoblisk::detail

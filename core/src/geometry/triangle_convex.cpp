@@ -10,22 +10,21 @@
 namespace octoblisk::detail {
 namespace {
 
-MarginlessContact penetrationOfCore(const Triangle& triangle, const Convex& convex, const GjkResult& search) {
-  if (const auto found = epa(triangle, convex, search.simplex))
-    return {-found->depth, found->normal, found->on_triangle, found->on_core};
+CoreContact penetrationOfCore(const Triangle& triangle, const Convex& convex, const GjkResult& search) {
+  if (const std::optional<CoreContact> found = epa(triangle, convex, search.simplex)) return *found;
   const Vec3 normal = scaledNormal(triangle);
   const Vec3 direction = normal.squaredNorm() > 0.0 ? Vec3(-normal.normalized()) : Vec3::UnitX();
   return {0.0, direction, search.on_triangle, search.on_core};
 }
 
 /// None if core and triangle are farther apart than the limit.
-std::optional<MarginlessContact> searched(const Triangle& triangle, const Convex& convex, double limit) {
+std::optional<CoreContact> searched(const Triangle& triangle, const Convex& convex, double limit) {
   const GjkResult search = gjk(triangle, convex, limit);
   if (search.beyond_limit) return std::nullopt;
   const Vec3 apart = search.on_triangle - search.on_core;
   const double distance = apart.norm();
   if (search.overlap || distance == 0.0) return penetrationOfCore(triangle, convex, search);
-  return MarginlessContact{distance, apart / distance, search.on_triangle, search.on_core};
+  return CoreContact{distance, apart / distance, search.on_triangle, search.on_core};
 }
 
 /// Whether the triangle's normal is mostly rounding. Searches do not need the normal.
@@ -37,7 +36,7 @@ bool isThin(const Triangle& triangle) {
   return !(scaledNormal(triangle).norm() > kThinnest * longest);
 }
 
-std::optional<MarginlessContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
+std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
   if (isThin(triangle)) return searched(triangle, convex, limit);
   const std::span<const Vec3> points = convex.points();
   if (points.size() == 1) return contactOfPoint(triangle, points[0]);
@@ -60,7 +59,7 @@ std::optional<MarginlessContact> contactOfCore(const Triangle& triangle, const C
 
 std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold) {
   const double radius = convex.radius();
-  const std::optional<MarginlessContact> core = contactOfCore(triangle, convex, threshold + radius);
+  const std::optional<CoreContact> core = contactOfCore(triangle, convex, threshold + radius);
   if (!core || core->distance - radius > threshold) return std::nullopt;
   return Contact{core->on_triangle, core->on_core + radius * core->normal,
                  core->normal,      core->distance - radius,

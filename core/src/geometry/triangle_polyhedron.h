@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "geometry/marginless_contact.h"
+#include "geometry/core_contact.h"
 #include "octoblisk/hull_faces.h"
 #include "octoblisk/triangle_mesh.h"
 
@@ -17,7 +17,7 @@ struct AxisSearch {
     apart,  ///< apart by at least `contact.distance`: no face or pair of edges contains the closest points
   };
   Verdict verdict = Verdict::beyond_limit;
-  MarginlessContact contact;
+  CoreContact contact;
 };
 
 /// The triangle must be wide enough to have a normal. `faces` are those of the hull of `points`, which number

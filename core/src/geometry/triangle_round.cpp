@@ -25,7 +25,7 @@ class SegmentContact {
     size_ = std::max(size_, (to - from).norm());
   }
 
-  MarginlessContact find() const {
+  CoreContact find() const {
     if (goesThrough()) return parted();
     PointPair edges;
     for (std::size_t v = 0; v < 3; ++v)
@@ -60,8 +60,8 @@ class SegmentContact {
 
   /// The best of all ways out, which are the sides of triangle − segment: two for the triangle's faces, and
   /// one for each pair of an edge and the segment.
-  MarginlessContact parted() const {
-    MarginlessContact best;
+  CoreContact parted() const {
+    CoreContact best;
     best.distance = -std::numeric_limits<double>::infinity();
     const Vec3 along = end_[1] - end_[0];
     tryFacing(-facing_, best);
@@ -83,7 +83,7 @@ class SegmentContact {
     return low - std::max(direction.dot(end_[0]), direction.dot(end_[1]));
   }
 
-  void tryFacing(const Vec3& normal, MarginlessContact& best) const {
+  void tryFacing(const Vec3& normal, CoreContact& best) const {
     const double gap = gapAlong(normal);
     if (!(gap > best.distance)) return;
     const double rise = normal.dot(end_[1] - end_[0]);
@@ -93,7 +93,7 @@ class SegmentContact {
     best = {gap, normal, on_triangle, on_triangle - gap * normal};
   }
 
-  void tryEdge(const Vec3& normal, const Vec3& from, const Vec3& to, MarginlessContact& best) const {
+  void tryEdge(const Vec3& normal, const Vec3& from, const Vec3& to, CoreContact& best) const {
     const double gap = gapAlong(normal);
     if (!(gap > best.distance + kTouching * size_)) return;  // prefer the triangle's normal
     PointPair closest;
@@ -123,7 +123,7 @@ class SegmentContact {
 
 }  // namespace
 
-MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
+CoreContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const Vec3 closest = closestPoint(triangle, point);
   const Vec3 apart = closest - point;
   const double distance = apart.norm();
@@ -140,7 +140,7 @@ MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   return {distance, apart / distance, closest, point};
 }
 
-MarginlessContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to) {
+CoreContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to) {
   return SegmentContact(triangle, from, to).find();
 }
 

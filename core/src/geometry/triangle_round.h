@@ -2,17 +2,17 @@
 // triangles that are wide enough to have a normal.
 #pragma once
 
-#include "geometry/marginless_contact.h"
+#include "geometry/core_contact.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
 
 /// If the foot of the point is inside the triangle, the normal is the triangle's own, whichever side the
 /// point is on. For a point in the triangle, it points away from the side that the triangle faces.
-MarginlessContact contactOfPoint(const Triangle& triangle, const Vec3& point);
+CoreContact contactOfPoint(const Triangle& triangle, const Vec3& point);
 
 /// A segment that goes through the triangle is separated from it along the triangle's normal or across one of
 /// its edges, whichever is shorter.
-MarginlessContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to);
+CoreContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to);
 
 }  // namespace octoblisk::detail

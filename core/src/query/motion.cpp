@@ -94,21 +94,13 @@ double relativeLengthBound(const BodyBounds& a, const Motion& a_in_world, const 
 }
 
 BodyBounds::BodyBounds(const ClusteredOctree& octree)
-    : center_(treeOf(octree).origin()), radius_(treeOf(octree).radius()) {
-  const Tree& tree = treeOf(octree);
-  const Obb box = tree.box(Tree::kRoot);
-  for (unsigned corner = 0; corner < corners_.size(); ++corner) {
-    const Vec3 side(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-    corners_[corner] = box.center + box.axes * side.cwiseProduct(box.half_extents);
-  }
-}
+    : corners_(treeOf(octree).box(Tree::kRoot).corners()),
+      center_(treeOf(octree).origin()),
+      radius_(treeOf(octree).radius()) {}
 
 BodyBounds::BodyBounds(const Convex& convex) {
   const Aabb core = convex.coreBounds();
-  for (unsigned corner = 0; corner < corners_.size(); ++corner) {
-    for (int axis = 0; axis < 3; ++axis)
-      corners_[corner][axis] = (corner >> axis & 1u) != 0 ? core.max[axis] : core.min[axis];
-  }
+  corners_ = core.corners();
   center_ = core.center();
   beyond_ = convex.radius() + convex.precision() * (core.center().norm() + core.halfExtents().norm());
   radius_ = core.halfExtents().norm();
@@ -141,7 +133,7 @@ double BodyBounds::displacement(const Pose& from, const Pose& to) const {
   const auto displaced = [&](const Vec3& point) { return (turn * point + shift).norm(); };
   const double ball = turn.norm() * radius_;
   double of_box = 0.0;
-  // With a pose that is not a number, no corner's displacement is one, and std::max keeps the last of them.
+  // If the pose is NaN, so is every displacement: std::max(NaN, x) returns NaN.
   for (const Vec3& corner : corners_) of_box = std::max(displaced(corner), of_box);
   return std::min(of_box + kBoxRounding * ball + turn.norm() * beyond_, displaced(center_) + ball);
 }

@@ -77,16 +77,18 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
   /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
-  /// layer, so their meshes stay apart. Default: 0 for an open mesh. For a closed mesh, the least of 1/100 of
-  /// its greatest half extent, 1/10 of the thickness of its thin parts, and half the contact breaking
-  /// threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts lie exactly on
-  /// the triangles.
+  /// layer, so their meshes stay apart. Default: 0 if the mesh bounds no solid (MassProperties::is_solid).
+  /// Otherwise, the least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and
+  /// half the contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0,
+  /// contacts lie exactly on the triangles.
   void setMargin(btScalar margin) override;
 
   /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.
   /// With setSolid(false) it is a surface, which has no inside: a body that passes through it in one step
   /// stays there. An open mesh is always a surface.
   void setSolid(bool solid) { may_be_solid_ = solid; }
+  /// False after setSolid(false), and if the mesh bounds no solid: if it has an open edge, a triangle that
+  /// faces against its neighbours, or no volume.
   bool isSolid() const;
 
   /// The box is grown by the margin and by the contact breaking threshold if one was set, so that the
@@ -122,10 +124,10 @@ ClusteredOctreeShape final : public btConcaveShape {
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
-  /// The farthest of the vertices that are farthest out along axes and diagonals. Bullet's algorithm of two
-  /// convex shapes calls it, as it calls that of btTriangleMeshShape, if setCollisionShape gave a convex body
-  /// this shape and its pairs were not cleaned. Until such a pair ends, the shape acts as the hull of these
-  /// vertices.
+  /// The farthest of farVertices(). If setCollisionShape gives a convex body this shape and nobody cleans the
+  /// body's pairs, Bullet's algorithm of two convex shapes calls this function. Until such a pair ends, the
+  /// shape acts as the hull of its far vertices. This must stay the first virtual function that the class
+  /// adds: in Bullet's table of virtual functions, btConvexShape has the same function there.
   virtual btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const;
 
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers

@@ -16,17 +16,17 @@ namespace octoblisk {
 /// keeps the velocity that it had there. In the next step, Bullet finds the contacts, and the solver bounces
 /// or stops the body. MotionClamping is an action, because a world calls actions right after it has moved its
 /// bodies. Add it before other actions that move bodies or change velocities. Set `setCcdMotionThreshold` of
-/// a body to half its thickness, in world units. docs/limits.md has an example.
+/// a body to half its thickness, in world units. docs/bullet.md has an example.
 ///
 /// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
 /// convex. The clamping considers pairs of bodies whose filters let them collide, if at least one has a
 /// motion threshold (default: 0, none). It compares two parts of such a pair if at least one is a
 /// ClusteredOctreeShape and their relative motion in the step (relativeLengthBound) exceeds the smaller
-/// threshold that is set. If two parts are farther apart at the step's start than 9/8 of the default
-/// tolerance of timeOfImpact, they come no nearer than the tolerance within the step, however thin and fast
-/// they are. If they are nearer, they move on by at most the threshold. The solver keeps their contacts, and
-/// since they advance by at most half the thickness, the next contacts usually push them back out of the side
-/// from which they came. A thin body that spins fast may still creep through an open mesh in several steps.
+/// threshold that is set. Parts that start farther apart than 9/8 of timeOfImpact's default tolerance stay at
+/// least the tolerance apart, however thin and fast they are. Parts that start nearer move on by at most the
+/// threshold. With the threshold above, that is at most half the thickness, so the next contacts usually push
+/// the body back to the side from which it came. A thin body that spins fast may still creep through an open
+/// mesh in several steps.
 ///
 /// A motion threshold of a convex body also turns on Bullet's own clamping, which runs first. A body that
 /// Bullet has moved back stays there, as if it had not moved in the step, and nothing is proved about it. To
