@@ -6,7 +6,6 @@
 #include "guide/core.h"
 #include "guide/first-shape.h"
 #include "guide/how-it-works.h"
-#include "guide/limits.h"
 #include "guide/migrating.h"
 #include "guide/threads.h"
 #include "guide/units.h"

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "octoblisk/contacts.h"
+#include "shared/block.h"
 #include "shared/brute_force.h"
 #include "shared/hard_meshes.h"
 #include "shared/meshes.h"
@@ -155,6 +156,37 @@ TEST(SurfaceContacts, coarseBoxesArePushedTheShortWay) {
 
 TEST(SurfaceContacts, aBarOverAThinPlateIsPushedTheShortWay) {
   expectShortWays(testing::boxMesh({0.01, 0.8, 0.5}), 0.5, testing::boxMesh({1.5, 0.3, 0.2}), 0.02);
+}
+
+/// The overlap is several triangles deep, so the triangles at the sides are as deep as those at the top.
+TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
+  const ClusteredOctree bar =
+      ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block({0.5, 0.08, 0.08}, 12)));
+  std::mt19937_64 random(102);
+  int pinched_before = 0;
+  constexpr int kCases = 200;
+  for (int i = 0; i < kCases; ++i) {
+    const Pose pose{
+        Eigen::AngleAxisd(uniform(random, 1.0, 2.1), Vec3::UnitY()).toRotationMatrix() *
+            Eigen::AngleAxisd(uniform(random, -0.1, 0.1), Vec3::UnitX()).toRotationMatrix(),
+        Vec3{uniform(random, -0.2, 0.2), uniform(random, 0.07, 0.14), uniform(random, -0.2, 0.2)}};
+    const Found found(bar, bar, pose, 0.01);
+    const auto isSideways = [](const Contact& c) {
+      return c.distance <= 0.0 && std::abs(c.normal.y()) < 0.2;
+    };
+    const auto pushesUp = [](const Contact& c) { return c.distance <= 0.0 && c.normal.y() < -0.7; };
+    const auto isPinched = [&](const std::vector<Contact>& contacts) {
+      return std::ranges::any_of(contacts, [&](const Contact& one) {
+        return isSideways(one) && std::ranges::any_of(contacts, [&](const Contact& other) {
+                 return isSideways(other) && one.normal.dot(other.normal) < -0.9;
+               });
+      });
+    };
+    pinched_before += isPinched(found.all);
+    ASSERT_FALSE(isPinched(found.kept)) << i;
+    ASSERT_TRUE(std::ranges::any_of(found.kept, pushesUp)) << i;
+  }
+  EXPECT_GT(pinched_before, kCases / 3);
 }
 
 TEST(SurfaceContacts, sheetsHaveTwoSides) {

@@ -9,6 +9,7 @@
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shapes/bodies.h"
+#include "shared/block.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -108,6 +109,46 @@ TEST(ConcaveDynamics, equalBodiesStackEdgeOverEdge) {
       EXPECT_LT(double(placed.getLinearVelocity().length()), 0.05) << i;
     }
   }
+}
+
+/// A bar of fine triangles that falls on another one sinks in by several triangles. It used to stay there, or
+/// was thrown off with up to 9 J more.
+TEST(ConcaveDynamics, barsThatCrossPartWithoutGainingEnergy) {
+  ClusteredOctreeShape bar =
+      shapeOver(std::make_shared<const TriangleMesh>(testing::block({0.5, 0.08, 0.08}, 12)));
+  btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+  int touched_deeply = 0;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    std::mt19937_64 random(seed);
+    BulletWorld world;
+    world.add(plane, 0, at(0, 0, 0));
+    world.add(bar, 0, at(0, 0, 0.6));
+    const double fall = seed % 2 ? 1.0 : 3.0;
+    const Vec3 place{testing::uniform(random, -0.3, 0.3), testing::uniform(random, -0.3, 0.3), 0.7 + fall};
+    btRigidBody& falling = world.add(bar, 1, toBullet(Pose{testing::randomRotation(random), place}));
+    const auto energy = [&] {
+      return world.kineticEnergy() + 9.81 * double(falling.getWorldTransform().getOrigin().z());
+    };
+    const auto deepest = [&] {
+      double least = 0.0;
+      for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+        const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+          least = std::min(least, double(manifold.getContactPoint(p).getDistance()));
+        }
+      }
+      return least;
+    };
+    double last = energy();
+    for (int step = 0; step < 300; ++step) {
+      world.step(1, 1.0 / 60.0);
+      touched_deeply += deepest() < -0.02;
+      ASSERT_LT(energy() - last, 0.5) << seed;
+      last = energy();
+    }
+    EXPECT_GT(deepest(), -0.01) << seed;
+  }
+  EXPECT_GT(touched_deeply, 10);
 }
 
 /// A bar stays on the edges of two boxes turned by 45°, or on two upright plates.

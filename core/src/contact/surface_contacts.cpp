@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/intersection_curve.h"
 #include "geometry/triangle_feature.h"
 #include "geometry/triangle_pair.h"
 #include "query/near_pairs.h"
@@ -164,6 +165,10 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.empty() || contacts.size() + skipped_.size() < 2) return;
   removed_.assign(contacts.size(), Removed::no);
+  meeting_.clear();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].distance <= 0.0) meeting_.push_back(pairs_[c]);
+  }
   removeLongWays(contacts);
   findGroups();
   findDeepest(contacts);
@@ -171,6 +176,7 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   markInner(contacts);
   keepDeepest(contacts);
   dropRemoved(contacts);
+  openPinches(contacts);
   alignWithFaces(contacts);
 }
 
@@ -311,6 +317,40 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   }
 }
 
+/// Removes contacts that push across the way out of the intersection: those that oppose each other, or, if no
+/// contact pushes along that way, all. Then the deepest of them pushes along the way instead.
+void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
+  constexpr double kOpposed = -0.9, kAcross = 0.3, kAlong = 0.7;  // cosines
+  IntersectionCurve curve;
+  for (const Pair& pair : meeting_) curve.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
+  const std::optional<Vec3> out = curve.wayOut();
+  if (!out) return;
+  const auto isAcross = [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) < kAcross; };
+  const auto isPinched = [&](const Contact& contact) {
+    const auto opposes = [&](const Contact& c) {
+      return isAcross(c) && c.normal.dot(contact.normal) < kOpposed;
+    };
+    return std::ranges::any_of(contacts, opposes);
+  };
+  const bool has_way_out = std::ranges::any_of(
+      contacts, [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) > kAlong; });
+  removed_.assign(contacts.size(), Removed::no);
+  Contact* deepest = nullptr;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (!isAcross(contacts[c]) || (has_way_out && !isPinched(contacts[c]))) continue;
+    removed_[c] = Removed::pinches;
+    if (!deepest || contacts[c].distance < deepest->distance) deepest = &contacts[c];
+  }
+  if (!deepest) return;
+  if (!has_way_out) {
+    removed_[static_cast<std::size_t>(deepest - contacts.data())] = Removed::no;
+    deepest->normal = *out;
+    deepest->point_on_a = curve.middle() + 0.5 * deepest->distance * *out;
+    deepest->point_on_b = curve.middle() - 0.5 * deepest->distance * *out;
+  }
+  dropRemoved(contacts);
+}
+
 /// Marks contacts whose triangles are apart, with one triangle on the back of the other, and that are
 /// connected to contacts whose triangles meet.
 void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
@@ -348,9 +388,11 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   if (isPerpendicular(normal, contact.normal)) return false;
   const unsigned feature = featureOf(own, normal, point);
   if (feature == 0b111u || feature == 0) return false;
-  const double limit =
-      contact.distance - roundingOf(surface_a_.triangle(pairs_[c].a), surface_b_.triangle(pairs_[c].b));
-  if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, kSlightTilt);
+  if (contact.distance > 0.0) {
+    const double limit =
+        contact.distance - roundingOf(surface_a_.triangle(pairs_[c].a), surface_b_.triangle(pairs_[c].b));
+    if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, kSlightTilt);
+  }
   const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
   return surface.leansBeyond(number, feature, towards, kSlightTilt, [&](std::uint32_t other) {
     TrianglePair pair = trianglesOf(contact);

@@ -22,6 +22,10 @@ namespace octoblisk::detail {
 ///   They would hold the bodies inside each other.
 /// - Contacts that push at an angle from an edge or corner beyond which the surface continues, nearer or
 ///   deeper. The bodies would bump against internal edges of flat surfaces.
+/// - Contacts that pinch: the triangles on two sides of a body that crosses the other one are equally deep,
+/// and
+///   push it in opposite directions, across the way out. They would hold the bodies inside each other, and
+///   load the solver.
 /// - Contacts of edges and corners between two faces that lie on each other. The smallest shift of the bodies
 ///   tilts their normals, each in its own direction.
 class SurfaceContacts {
@@ -79,6 +83,7 @@ class SurfaceContacts {
   std::uint32_t rootOf(std::uint32_t node);
   std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
+  void openPinches(std::vector<Contact>& contacts);
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts);
   bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const;
@@ -88,8 +93,9 @@ class SurfaceContacts {
   std::vector<Pair> pairs_;        // per near pair, then per contact
   std::vector<Pair> of_contacts_;  // the pairs per contact while they are computed
   std::vector<Pair> skipped_;      // pairs whose contacts were not computed
+  std::vector<Pair> meeting_;      // pairs that meet
   /// Why a contact was removed.
-  enum class Removed : std::uint8_t { no, long_way, past, inner };
+  enum class Removed : std::uint8_t { no, long_way, past, inner, pinches };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> order_, shallowest_;
   std::vector<Face> faces_;             // faces that meet a triangle

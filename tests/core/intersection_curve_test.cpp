@@ -1,0 +1,75 @@
+// Tests the way out that the curve determines in which two surfaces meet.
+#include "geometry/intersection_curve.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/triangle_pair.h"
+#include "shared/block.h"
+#include "shared/meshes.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+using testing::uniform;
+
+IntersectionCurve curveOf(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose, const Vec3& shift) {
+  IntersectionCurve curve;
+  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
+    for (std::size_t j = 0; j < b.triangleCount(); ++j) {
+      Triangle of_b = b.triangle(j);
+      for (Vec3& corner : of_b) corner += shift;
+      curve.add(pose * a.triangle(i), pose * of_b);
+    }
+  }
+  return curve;
+}
+
+/// The volume in which two boxes with parallel axes overlap is a product, so its gradient is a closed form.
+TEST(IntersectionCurve, wayOutOfBoxesIsTheGradientOfTheOverlap) {
+  std::mt19937_64 random(101);
+  int across = 0;
+  constexpr int kCases = 200;
+  for (int i = 0; i < kCases; ++i) {
+    const auto sizes = [&] {
+      return Vec3(uniform(random, 0.5, 2), uniform(random, 0.5, 2), uniform(random, 0.5, 2));
+    };
+    const Vec3 half_a = sizes(), half_b = sizes();
+    Vec3 shift, overlap, grows;  // when A moves along +k: 1, or -1, or 0 if one box reaches across the other
+    for (int k = 0; k < 3; ++k) {
+      shift[k] = uniform(random, -1, 1) * (half_a[k] + half_b[k]) * 0.9;
+      const double low = std::max(-half_a[k], shift[k] - half_b[k]),
+                   high = std::min(half_a[k], shift[k] + half_b[k]);
+      overlap[k] = high - low;
+      grows[k] = (high == half_a[k] ? 1.0 : 0.0) - (low == -half_a[k] ? 1.0 : 0.0);
+    }
+    const Vec3 gradient(grows[0] * overlap[1] * overlap[2], grows[1] * overlap[2] * overlap[0],
+                        grows[2] * overlap[0] * overlap[1]);
+    const Pose pose = testing::randomPose(random, 5.0);
+    const std::optional<Vec3> out =
+        curveOf(testing::block(half_a, 3), testing::block(half_b, 4), pose, shift).wayOut();
+    if (gradient.norm() < 0.3 * std::cbrt(overlap.prod() * overlap.prod())) continue;
+    ASSERT_TRUE(out) << i;
+    EXPECT_LT((*out + pose.rotation * gradient.normalized()).norm(), 1e-9) << i;
+    across += grows.isZero(0.0) ? 0 : (grows.array() == 0.0).any();
+  }
+  EXPECT_GT(across, kCases / 3);
+}
+
+TEST(IntersectionCurve, aBoxOnARodHasNoWayOut) {
+  const std::optional<Vec3> out =
+      curveOf(testing::block({0.1, 0.12, 2}, 3), testing::block({1, 1, 1}, 4), {}, Vec3(0.01, 0.02, 0.03))
+          .wayOut();
+  EXPECT_FALSE(out);
+}
+
+TEST(IntersectionCurve, anOpenCurveHasNoWayOut) {
+  const TriangleMesh sheet = *testing::waveSheet(0.5, 0.0, 4);
+  EXPECT_FALSE(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.45, 0.02, 0.03)).wayOut());
+  EXPECT_TRUE(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.05, 0.02, 0.03)).wayOut());
+}
+
+}  // namespace
+}  // namespace octoblisk
