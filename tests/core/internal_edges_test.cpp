@@ -10,6 +10,7 @@
 #include "octoblisk/contacts.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 
@@ -45,6 +46,35 @@ TEST(InternalEdges, aBoxInAFlatFloorIsPushedUpAlone) {
     for (const Contact& contact : found) ASSERT_NEAR(contact.normal.z(), -1.0, 1e-6) << "case " << i;
   }
   EXPECT_GT(askew, kCases / 2);  // otherwise there is nothing to remove
+}
+
+/// The sides of two tiles that touch are hidden in the floor, but reach its surface at an edge.
+TEST(InternalEdges, aBallOnTilesIsPushedUpAlone) {
+  constexpr double kRadius = 0.3;
+  testing::SharedMesh tiles = testing::boxMesh({0.5, 0.5, 0.5});
+  for (int i = 1; i < 9; ++i) {
+    const Vec3 place(i % 3, i / 3, 0.0);
+    tiles = testing::joined(*tiles,
+                            *testing::moved(*testing::boxMesh({0.5, 0.5, 0.5}), {Mat3::Identity(), place}));
+  }
+  const ClusteredOctree floor = ClusteredOctree::build(tiles);
+  std::mt19937_64 random(94);
+  InternalEdges edges;
+  std::vector<Contact> found;
+  int askew = 0;
+  constexpr int kCases = 400;
+  for (int i = 0; i < kCases; ++i) {
+    const double depth = uniform(random, 0.001, 0.02);
+    const Vec3 place{uniform(random, 0, 2), uniform(random, 0, 2), 0.5 + kRadius - depth};
+    contacts(floor, ConvexHull({place}, kRadius), Pose(), 0.02, found);
+    askew += std::ranges::any_of(found, [](const Contact& c) { return std::abs(c.normal.z()) < 0.999; });
+    const double before = testing::deepest(found);
+    edges.removeFrom(found, floor.mesh());
+    ASSERT_EQ(testing::deepest(found), before);
+    ASSERT_NEAR(before, -depth, 1e-9);
+    for (const Contact& contact : found) ASSERT_NEAR(contact.normal.z(), -1.0, 1e-3) << "case " << i;
+  }
+  EXPECT_GT(askew, kCases / 4);  // otherwise there is nothing to remove
 }
 
 TEST(InternalEdges, aWallStaysWhereItMeetsTheFloor) {

@@ -158,10 +158,31 @@ TEST(SurfaceContacts, aBarOverAThinPlateIsPushedTheShortWay) {
   expectShortWays(testing::boxMesh({0.01, 0.8, 0.5}), 0.5, testing::boxMesh({1.5, 0.3, 0.2}), 0.02);
 }
 
+/// The contacts of two solids before and after their pinches were opened.
+struct OfSolids {
+  std::vector<Contact> found, open;
+
+  OfSolids(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
+    SurfaceContacts surfaces;
+    surfaces.find(a, b, b_in_a, 1e-4, found);
+    open = found;
+    surfaces.openPinches(open);
+  }
+};
+
+bool pushAlong(const std::vector<Contact>& contacts, const Vec3& direction, double least_cosine) {
+  return std::ranges::any_of(contacts, [&](const Contact& c) {
+    return c.distance <= 0.0 && c.normal.dot(direction) > least_cosine;
+  });
+}
+
+ClusteredOctree treeOfBlock(const Vec3& half_extents, int steps) {
+  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block(half_extents, steps)));
+}
+
 /// The overlap is several triangles deep, so the triangles at the sides are as deep as those at the top.
 TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
-  const ClusteredOctree bar =
-      ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block({0.5, 0.08, 0.08}, 12)));
+  const ClusteredOctree bar = treeOfBlock({0.5, 0.08, 0.08}, 12);
   std::mt19937_64 random(102);
   int pinched_before = 0;
   constexpr int kCases = 200;
@@ -170,23 +191,45 @@ TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
         Eigen::AngleAxisd(uniform(random, 1.0, 2.1), Vec3::UnitY()).toRotationMatrix() *
             Eigen::AngleAxisd(uniform(random, -0.1, 0.1), Vec3::UnitX()).toRotationMatrix(),
         Vec3{uniform(random, -0.2, 0.2), uniform(random, 0.07, 0.14), uniform(random, -0.2, 0.2)}};
-    const Found found(bar, bar, pose, 0.01);
-    const auto isSideways = [](const Contact& c) {
-      return c.distance <= 0.0 && std::abs(c.normal.y()) < 0.2;
-    };
-    const auto pushesUp = [](const Contact& c) { return c.distance <= 0.0 && c.normal.y() < -0.7; };
-    const auto isPinched = [&](const std::vector<Contact>& contacts) {
-      return std::ranges::any_of(contacts, [&](const Contact& one) {
-        return isSideways(one) && std::ranges::any_of(contacts, [&](const Contact& other) {
-                 return isSideways(other) && one.normal.dot(other.normal) < -0.9;
-               });
+    const OfSolids contacts(bar, bar, pose);
+    const auto isPinched = [&](const std::vector<Contact>& all) {
+      return std::ranges::any_of(all, [&](const Contact& c) {
+        return c.distance <= 0.0 && std::abs(c.normal.y()) < 0.2 && pushAlong(all, -c.normal, 0.9);
       });
     };
-    pinched_before += isPinched(found.all);
-    ASSERT_FALSE(isPinched(found.kept)) << i;
-    ASSERT_TRUE(std::ranges::any_of(found.kept, pushesUp)) << i;
+    pinched_before += isPinched(contacts.found);
+    ASSERT_FALSE(isPinched(contacts.open)) << i;
+    ASSERT_TRUE(pushAlong(contacts.open, -Vec3::UnitY(), 0.7)) << i;
   }
   EXPECT_GT(pinched_before, kCases / 3);
+}
+
+/// A body in a corner, and one that touches both walls of a channel, are held by faces that face each other.
+TEST(SurfaceContacts, wallsAreNoPinch) {
+  constexpr double kDepth = 1e-3;
+  const ClusteredOctree room = ClusteredOctree::build(testing::joined(
+      *testing::moved(testing::block({2, 2, 0.5}, 9), {Mat3::Identity(), Vec3(0, 0, -0.5)}),
+      *testing::joined(
+          *testing::moved(testing::block({2, 0.5, 2}, 9), {Mat3::Identity(), Vec3(0, -0.5, 1)}),
+          *testing::moved(testing::block({0.5, 2, 2}, 9), {Mat3::Identity(), Vec3(-0.5, 0, 1)}))));
+  const ClusteredOctree box = treeOfBlock({0.15, 0.15, 0.5}, 4);
+  const OfSolids in_corner(box, room, {Mat3::Identity(), Vec3(kDepth - 0.15, kDepth - 0.15, kDepth - 0.5)});
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(pushAlong(in_corner.open, Vec3::Unit(k), 0.9)) << k;
+
+  const double yaw = 0.02, half_width = 0.5 * std::sin(yaw) + 0.1 * std::cos(yaw) - kDepth;
+  const auto wallAt = [&](double y) {
+    return testing::moved(testing::block({2, 0.5, 2}, 9), {Mat3::Identity(), Vec3(0, y, 1)});
+  };
+  const ClusteredOctree channel = ClusteredOctree::build(
+      testing::joined(*testing::moved(testing::block({2, 2, 0.5}, 9), {Mat3::Identity(), Vec3(0, 0, -0.5)}),
+                      *testing::joined(*wallAt(-0.5 - half_width), *wallAt(0.5 + half_width))));
+  const Pose yawed{Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix(), Vec3(0, 0, 0.1 - kDepth)};
+  const OfSolids in_channel(treeOfBlock({0.5, 0.1, 0.1}, 4), channel, yawed.inverse());
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 in_box = side * yawed.rotation.row(1).transpose();
+    EXPECT_TRUE(pushAlong(in_channel.open, in_box, 0.9)) << side;
+  }
+  EXPECT_TRUE(pushAlong(in_channel.open, Vec3::UnitZ(), 0.9));
 }
 
 TEST(SurfaceContacts, sheetsHaveTwoSides) {

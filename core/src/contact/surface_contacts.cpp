@@ -176,7 +176,6 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   markInner(contacts);
   keepDeepest(contacts);
   dropRemoved(contacts);
-  openPinches(contacts);
   alignWithFaces(contacts);
 }
 
@@ -317,36 +316,50 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   }
 }
 
-/// Removes contacts that push across the way out of the intersection: those that oppose each other, or, if no
-/// contact pushes along that way, all. Then the deepest of them pushes along the way instead.
+/// Whether two triangles face each other along their contact, as at the wall of a hole, not where one body
+/// crosses the other.
+bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const {
+  constexpr double kFacing = 0.7;  // a cosine
+  const Vec3 of_a = scaledNormal(surface_a_.triangle(pair.a)),
+             of_b = scaledNormal(surface_b_.triangle(pair.b));
+  return of_a.dot(contact.normal) < -kFacing * of_a.norm() &&
+         of_b.dot(contact.normal) > kFacing * of_b.norm();
+}
+
 void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
-  constexpr double kOpposed = -0.9, kAcross = 0.3, kAlong = 0.7;  // cosines
+  constexpr double kOpposed = -0.9, kAcross = 0.3, kOut = 0.2;  // cosines
   IntersectionCurve curve;
   for (const Pair& pair : meeting_) curve.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
   const std::optional<Vec3> out = curve.wayOut();
   if (!out) return;
-  const auto isAcross = [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) < kAcross; };
-  const auto isPinched = [&](const Contact& contact) {
-    const auto opposes = [&](const Contact& c) {
-      return isAcross(c) && c.normal.dot(contact.normal) < kOpposed;
-    };
-    return std::ranges::any_of(contacts, opposes);
-  };
-  const bool has_way_out = std::ranges::any_of(
-      contacts, [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) > kAlong; });
-  removed_.assign(contacts.size(), Removed::no);
-  Contact* deepest = nullptr;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!isAcross(contacts[c]) || (has_way_out && !isPinched(contacts[c]))) continue;
-    removed_[c] = Removed::pinches;
-    if (!deepest || contacts[c].distance < deepest->distance) deepest = &contacts[c];
+  const auto pushesOut = [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) > kOut; };
+  const bool has_way_out = std::ranges::any_of(contacts, pushesOut);
+  order_.clear();  // of contacts that may pinch
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    if (contact.distance <= 0.0 && contact.normal.dot(*out) < kAcross && !areFacing(contact, pairs_[c])) {
+      order_.push_back(c);
+    }
   }
-  if (!deepest) return;
+  const auto isOpposed = [&](std::uint32_t c) {
+    return std::ranges::any_of(order_, [&](std::uint32_t other) {
+      return contacts[other].normal.dot(contacts[c].normal) < kOpposed;
+    });
+  };
+  removed_.assign(contacts.size(), Removed::no);
+  std::uint32_t deepest = kNone;
+  for (const std::uint32_t c : order_) {
+    if (has_way_out && !isOpposed(c)) continue;
+    removed_[c] = Removed::pinches;
+    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
+  }
+  if (deepest == kNone) return;
   if (!has_way_out) {
-    removed_[static_cast<std::size_t>(deepest - contacts.data())] = Removed::no;
-    deepest->normal = *out;
-    deepest->point_on_a = curve.middle() + 0.5 * deepest->distance * *out;
-    deepest->point_on_b = curve.middle() - 0.5 * deepest->distance * *out;
+    removed_[deepest] = Removed::no;
+    Contact& contact = contacts[deepest];
+    contact.normal = *out;
+    contact.point_on_a = curve.middle() + 0.5 * contact.distance * *out;
+    contact.point_on_b = curve.middle() - 0.5 * contact.distance * *out;
   }
   dropRemoved(contacts);
 }

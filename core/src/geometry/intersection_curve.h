@@ -13,12 +13,12 @@ class IntersectionCurve {
   /// Adds the segment in which two triangles meet; nothing if they are in one plane or only touch.
   void add(const Triangle& a, const Triangle& b);
 
-  /// The direction in which moving A makes the volume of the overlap shrink fastest, a unit vector: against
-  /// the area vector of A's surface inside B, which the curve determines (G. Stokes, 1854). None if the curve
-  /// is not closed, or if its parts ask for opposite directions.
+  /// The direction in which moving A makes the volume of the overlap shrink fastest, a unit vector. It is
+  /// against the area vector of A's surface inside B, which depends on the boundary of that surface only.
+  /// None if the curve is not closed, or if its parts nearly cancel.
   std::optional<Vec3> wayOut() const;
 
-  /// The mean of the curve's points.
+  /// The mean of the curve's points, if there is a way out.
   Vec3 middle() const { return first_ + sum_ / length_; }
 
  private:
