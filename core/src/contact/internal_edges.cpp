@@ -6,6 +6,16 @@
 #include "geometry/triangle_feature.h"
 
 namespace octoblisk::detail {
+namespace {
+
+/// Whether a surface continues from one triangle to the other without a ridge.
+bool areSmooth(const Vec3& normal_a, const Vec3& normal_b) {
+  constexpr double kSmooth = 0.94;  // the cosine of 20°
+  return normal_a.dot(normal_b) > kSmooth * normal_a.norm() * normal_b.norm();
+}
+
+}  // namespace
+
 void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh) {
   if (contacts.size() < 2) return;
   places_.clear();
@@ -36,6 +46,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
       if (!(contacts[other].distance < contacts[c].distance - 1e-9 * size)) return false;
       const Place& shares = places_[other];
       if (!shares.is_internal && !shares.is_perpendicular) return false;
+      if (!shares.is_perpendicular && !areSmooth(place.normal, shares.normal)) return false;
       if (!hasCorner(shares.triangle, from) || !hasCorner(shares.triangle, to)) return false;
       return leansOver(shares.triangle, from, to, -contacts[c].normal);
     });
