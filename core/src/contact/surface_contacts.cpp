@@ -328,19 +328,18 @@ bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const 
 
 void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
   constexpr double kOpposed = -0.9, kAcross = 0.3, kOut = 0.2;  // cosines
+  order_.clear();  // of contacts that may pinch
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].distance <= 0.0 && !areFacing(contacts[c], pairs_[c])) order_.push_back(c);
+  }
+  if (order_.empty()) return;
   IntersectionCurve curve;
   for (const Pair& pair : meeting_) curve.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
   const std::optional<Vec3> out = curve.wayOut();
   if (!out) return;
+  std::erase_if(order_, [&](std::uint32_t c) { return contacts[c].normal.dot(*out) >= kAcross; });
   const auto pushesOut = [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) > kOut; };
   const bool has_way_out = std::ranges::any_of(contacts, pushesOut);
-  order_.clear();  // of contacts that may pinch
-  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = contacts[c];
-    if (contact.distance <= 0.0 && contact.normal.dot(*out) < kAcross && !areFacing(contact, pairs_[c])) {
-      order_.push_back(c);
-    }
-  }
   const auto isOpposed = [&](std::uint32_t c) {
     return std::ranges::any_of(order_, [&](std::uint32_t other) {
       return contacts[other].normal.dot(contacts[c].normal) < kOpposed;
