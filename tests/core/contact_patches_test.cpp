@@ -57,6 +57,17 @@ TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   EXPECT_EQ(std::ranges::count_if(patches[0].points(), isOfOther), 2);
 }
 
+/// Whoever has room for one patch only keeps the deepest.
+TEST(ContactPatches, theDeepestPatchIsFirst) {
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(std::vector{contactAt(Vec3::Zero(), Vec3::UnitX(), -0.1, 0, 0),
+                                                  contactAt(Vec3::Zero(), Vec3::UnitY(), -0.5, 1, 1),
+                                                  contactAt(Vec3::Zero(), Vec3::UnitZ(), -0.3, 2, 2)},
+                                      1.0);
+  const auto distanceOf = [](const ContactPatch& patch) { return patch.contacts[0].distance; };
+  EXPECT_TRUE(std::ranges::equal(patches, std::vector{-0.5, -0.3, -0.1}, {}, distanceOf));
+}
+
 /// A contact with one side of a groove along y, whose normal is turned by some degrees from z.
 Contact sideOfGroove(double degrees, const Vec3& place, double distance, std::uint32_t a) {
   const double angle = degrees * std::numbers::pi / 180.0;
@@ -113,7 +124,7 @@ TEST(ContactPatches, manySidesAtOnePlaceLeaveRoomForOtherPlaces) {
   ContactPatches reducer;
   const auto patches = reducer.reduce(contacts, 1.0);
   EXPECT_EQ(patches.size(), 3u);
-  EXPECT_EQ(patches.back().contacts[0].triangle_a, 99u);
+  EXPECT_EQ(patches[1].contacts[0].triangle_a, 99u);
 }
 
 TEST(ContactPatches, contactsOfAPatchAreApart) {

@@ -9,17 +9,14 @@ namespace {
 
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
-
-auto byTriangles(const Contact& c) {
-  const Vec3& p = c.point_on_a;
-  return std::tuple(c.triangle_a, c.triangle_b, p.x(), p.y(), p.z());
-}
-
-/// Deepest first; contacts of equal depth by triangles and positions.
-auto byDepth(const Contact& c) { return std::tuple_cat(std::tuple(c.distance), byTriangles(c)); }
-
 constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
 constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
+
+/// Deepest first; contacts of equal depth by triangles and positions.
+auto byDepth(const Contact& c) {
+  const Vec3& p = c.point_on_a;
+  return std::tuple(c.distance, c.triangle_a, c.triangle_b, p.x(), p.y(), p.z());
+}
 
 bool isWithin(double distance, const Vec3& a, const Vec3& b) {
   return (a - b).squaredNorm() <= distance * distance;
@@ -136,7 +133,6 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   }
   others_.resize(std::min(others_.size(), kMaxPatches - patches_.size()));
   patches_.insert(patches_.end(), others_.begin(), others_.end());
-  std::ranges::sort(patches_, {}, [](const ContactPatch& patch) { return byTriangles(patch.contacts[0]); });
   return patches_;
 }
 

@@ -27,11 +27,10 @@ class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
 
-  /// Returns at most kMaxPatches patches, the deepest ones and then second ones, by ascending triangles. The
-  /// contacts of a patch are more than `spacing` apart on A and on B. Contacts near those of the last call
-  /// are preferred to others that are only slightly deeper or wider apart, so that a resting body keeps its
-  /// contacts. The order of the contacts does not matter. The result is valid until the next call. Allocates
-  /// nothing once warm.
+  /// Returns at most kMaxPatches patches, the deepest first, then second ones. The contacts of a patch are
+  /// more than `spacing` apart on A and on B. Contacts near those of the last call are preferred to others
+  /// that are only slightly deeper or wider apart, so that a resting body keeps its contacts. The order of
+  /// the contacts does not matter. The result is valid until the next call. Allocates nothing once warm.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 
   /// Returns the patches of the last call.
