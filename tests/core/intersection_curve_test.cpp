@@ -58,6 +58,22 @@ TEST(IntersectionCurve, wayOutOfBoxesIsTheGradientOfTheOverlap) {
   EXPECT_GT(across, kCases / 3);
 }
 
+/// Where bars cross, the curve is on the upper side of one and on the lower side of the other.
+TEST(IntersectionCurve, extendsAsFarAsBarsThatCrossAreDeep) {
+  std::mt19937_64 random(103);
+  for (int i = 0; i < 50; ++i) {
+    const double overlap = uniform(random, 0.01, 0.3);
+    const Pose pose = testing::randomPose(random, 5.0);
+    const IntersectionCurve curve =
+        curveOf(testing::block({1, 0.2, 0.2}, 5), testing::block({0.15, 1, 0.2}, 6), pose,
+                Vec3(0.05, 0.03, 0.4 - overlap));
+    const std::optional<Vec3> out = curve.wayOut();
+    ASSERT_TRUE(out) << i;
+    EXPECT_NEAR(curve.extentAlong(*out), overlap, 1e-9) << i;
+    EXPECT_LT((curve.middle() - pose * Vec3(0.05, 0.0, 0.2 - 0.5 * overlap)).norm(), 0.06) << i;
+  }
+}
+
 TEST(IntersectionCurve, aBoxOnARodHasNoWayOut) {
   const std::optional<Vec3> out =
       curveOf(testing::block({0.1, 0.12, 2}, 3), testing::block({1, 1, 1}, 4), {}, Vec3(0.01, 0.02, 0.03))

@@ -200,8 +200,38 @@ TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
     pinched_before += isPinched(contacts.found);
     ASSERT_FALSE(isPinched(contacts.open)) << i;
     ASSERT_TRUE(pushAlong(contacts.open, -Vec3::UnitY(), 0.7)) << i;
+    if (!isPinched(contacts.found)) continue;
+    double depth = 0.0;
+    for (const Contact& contact : contacts.open) {
+      if (-contact.normal.y() > 0.9) depth = std::max(depth, -contact.distance);
+    }
+    EXPECT_NEAR(depth, 0.16 - pose.translation.y(), 0.03) << i;  // the bars are tilted
   }
   EXPECT_GT(pinched_before, kCases / 3);
+}
+
+/// A bar crosses two others at different heights. The curve as a whole extends farther than the bar is deep.
+TEST(SurfaceContacts, eachCrossingHasItsOwnDepth) {
+  constexpr double kTilt = 0.4, kApart = 0.35, kOverlap = 0.06;
+  const ClusteredOctree bar = treeOfBlock({0.5, 0.08, 0.08}, 12);
+  const Pose tilted{Eigen::AngleAxisd(kTilt, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()};
+  const auto crossing = [&](double x) {
+    return testing::moved(testing::block({0.08, 0.5, 0.08}, 12),
+                          tilted * Pose{Mat3::Identity(), Vec3(x, 0.0, kOverlap - 0.16)});
+  };
+  const ClusteredOctree two = ClusteredOctree::build(testing::joined(*crossing(-kApart), *crossing(kApart)));
+  // Upright would be parallel faces; turn about the bar's axis.
+  const Pose turned{Eigen::AngleAxisd(0.03, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()};
+  const OfSolids contacts(two, bar, tilted * turned);
+  const Vec3 up = tilted.rotation.col(2);
+  for (const double side : {-1.0, 1.0}) {
+    double depth = 0.0;
+    for (const Contact& contact : contacts.open) {
+      const bool is_here = side * tilted.rotation.col(0).dot(contact.point_on_a) > 0.0;
+      if (is_here && contact.normal.dot(-up) > 0.9) depth = std::max(depth, -contact.distance);
+    }
+    EXPECT_NEAR(depth, kOverlap, 0.01) << side;
+  }
 }
 
 /// A body in a corner, and one that touches both walls of a channel, are held by faces that face each other.

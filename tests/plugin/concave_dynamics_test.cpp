@@ -112,7 +112,7 @@ TEST(ConcaveDynamics, equalBodiesStackEdgeOverEdge) {
 }
 
 /// A bar of fine triangles that falls on another one sinks in by several triangles. It used to stay there, or
-/// was thrown off with up to 9 J more.
+/// was thrown off with up to 9 J more; once its depth was that of a triangle, with up to 4 J more.
 TEST(ConcaveDynamics, barsThatCrossPartWithoutGainingEnergy) {
   ClusteredOctreeShape bar =
       shapeOver(std::make_shared<const TriangleMesh>(testing::block({0.5, 0.08, 0.08}, 12)));

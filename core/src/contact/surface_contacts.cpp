@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/intersection_curve.h"
 #include "geometry/triangle_feature.h"
 #include "geometry/triangle_pair.h"
 #include "query/near_pairs.h"
@@ -39,6 +38,12 @@ double roundingOf(const Triangle& a, const Triangle& b) {
     }
   }
   return 1e-9 * std::sqrt(longest) + 1e-14 * farthest;
+}
+
+/// Places the points of a contact at its distance along its normal.
+void placeAround(const Vec3& middle, Contact& contact) {
+  contact.point_on_a = middle + 0.5 * contact.distance * contact.normal;
+  contact.point_on_b = middle - 0.5 * contact.distance * contact.normal;
 }
 
 /// Overwrites `order`, and calls visit(contacts) for the contacts of each triangle A or B.
@@ -80,6 +85,7 @@ void SurfaceContacts::clear() {
   surface_b_.clear();
   pairs_.clear();
   skipped_.clear();
+  meeting_.clear();
 }
 
 SurfaceContacts::Pair SurfaceContacts::add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b,
@@ -98,7 +104,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
         add(triangle_a, a.mesh().triangle(triangle_a), triangle_b, b_in_a * b.mesh().triangle(triangle_b)));
   }
   // Where triangles of a group meet, contacts that filter removes decide about others.
-  findGroups();
+  findGroups({&pairs_});
   may_meet_.assign(parent_.size(), false);
   for (std::size_t n = 0; n < near_.size(); ++n) {
     if (near_[n].meeting != Meeting::no) may_meet_[groupOf(pairs_[n])] = true;
@@ -165,13 +171,14 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
 void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   if (contacts.empty() || contacts.size() + skipped_.size() < 2) return;
   removed_.assign(contacts.size(), Removed::no);
-  meeting_.clear();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].distance <= 0.0) meeting_.push_back(pairs_[c]);
   }
   removeLongWays(contacts);
-  findGroups();
-  findDeepest(contacts);
+  findGroups({&pairs_, &skipped_});
+  order_.resize(contacts.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  findDeepest(contacts, order_);
   markPast(contacts);
   markInner(contacts);
   keepDeepest(contacts);
@@ -199,9 +206,7 @@ void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
     const double along = is_a_closer ? along_a : along_b;
     if (!(std::abs(along) > kAlong)) continue;
     normal = std::copysign(1.0, along) * (is_a_closer ? of_a : of_b).normalized();
-    const Vec3 middle = 0.5 * (contact.point_on_a + contact.point_on_b);
-    contact.point_on_a = middle + 0.5 * contact.distance * normal;
-    contact.point_on_b = middle - 0.5 * contact.distance * normal;
+    placeAround(0.5 * (contact.point_on_a + contact.point_on_b), contact);
   }
 }
 
@@ -281,18 +286,18 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
 }
 
 /// Groups pairs that are connected by triangles.
-void SurfaceContacts::findGroups() {
+void SurfaceContacts::findGroups(std::initializer_list<const std::vector<Pair>*> of) {
   parent_.resize(surface_a_.size() + surface_b_.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
-  for (const auto* const pairs : {&pairs_, &skipped_}) {
+  for (const std::vector<Pair>* const pairs : of) {
     for (const Pair& pair : *pairs) parent_[rootOf(surface_a_.size() + pair.b)] = rootOf(pair.a);
   }
 }
 
-/// Finds the deepest contact of each group.
-void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts) {
+/// Finds the deepest of the members of each group.
+void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts, Members members) {
   deepest_.assign(parent_.size(), kNone);
-  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+  for (const std::uint32_t c : members) {
     std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
     if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
@@ -319,7 +324,7 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
 /// Whether two triangles face each other along their contact, as at the wall of a hole, not where one body
 /// crosses the other.
 bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const {
-  constexpr double kFacing = 0.7;  // a cosine
+  constexpr double kFacing = 0.55;  // a cosine; of the faces at a box's corner, one has at least 0.577
   const Vec3 of_a = scaledNormal(surface_a_.triangle(pair.a)),
              of_b = scaledNormal(surface_b_.triangle(pair.b));
   return of_a.dot(contact.normal) < -kFacing * of_a.norm() &&
@@ -327,40 +332,55 @@ bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const 
 }
 
 void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
-  constexpr double kOpposed = -0.9, kAcross = 0.3, kOut = 0.2;  // cosines
   order_.clear();  // of contacts that may pinch
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].distance <= 0.0 && !areFacing(contacts[c], pairs_[c])) order_.push_back(c);
   }
   if (order_.empty()) return;
-  IntersectionCurve curve;
-  for (const Pair& pair : meeting_) curve.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
-  const std::optional<Vec3> out = curve.wayOut();
+  curve_.clear();
+  for (const Pair& pair : meeting_) curve_.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
+  const std::optional<Vec3> out = curve_.wayOut();
   if (!out) return;
-  std::erase_if(order_, [&](std::uint32_t c) { return contacts[c].normal.dot(*out) >= kAcross; });
-  const auto pushesOut = [&](const Contact& c) { return c.distance <= 0.0 && c.normal.dot(*out) > kOut; };
-  const bool has_way_out = std::ranges::any_of(contacts, pushesOut);
-  const auto isOpposed = [&](std::uint32_t c) {
-    return std::ranges::any_of(order_, [&](std::uint32_t other) {
-      return contacts[other].normal.dot(contacts[c].normal) < kOpposed;
+
+  constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
+  const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
+    return std::ranges::any_of(contacts, [&](const Contact& contact) {
+      return contact.distance <= 0.0 && contact.normal.dot(direction) > least_cosine;
     });
   };
+  const bool has_way_out = isAnyPushing(*out, kOut);
+  std::erase_if(order_, [&](std::uint32_t c) {
+    const Vec3& normal = contacts[c].normal;
+    return normal.dot(*out) >= kAcross || (has_way_out && !isAnyPushing(-normal, kOpposed));
+  });
+  if (order_.empty()) return;
   removed_.assign(contacts.size(), Removed::no);
-  std::uint32_t deepest = kNone;
-  for (const std::uint32_t c : order_) {
-    if (has_way_out && !isOpposed(c)) continue;
-    removed_[c] = Removed::pinches;
-    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
-  }
-  if (deepest == kNone) return;
-  if (!has_way_out) {
+  for (const std::uint32_t c : order_) removed_[c] = Removed::pinches;
+  findGroups({&meeting_});
+  findDeepest(contacts, order_);
+  for (const std::uint32_t deepest : deepest_) {
+    if (deepest == kNone) continue;
     removed_[deepest] = Removed::no;
-    Contact& contact = contacts[deepest];
-    contact.normal = *out;
-    contact.point_on_a = curve.middle() + 0.5 * contact.distance * *out;
-    contact.point_on_b = curve.middle() - 0.5 * contact.distance * *out;
+    pushOut(*out, has_way_out, pairs_[deepest], contacts[deepest]);
   }
   dropRemoved(contacts);
+}
+
+/// Makes a contact of a group push out as deep as the curve extends, which is at the sides of bars that
+/// cross. An end that pokes into a side has a flat curve: without another way out, the depth is that of the
+/// triangles.
+void SurfaceContacts::pushOut(const Vec3& out, bool has_way_out, const Pair& pair, Contact& contact) {
+  curve_.clear();
+  for (const Pair& other : meeting_) {
+    if (groupOf(other) == groupOf(pair))
+      curve_.add(surface_a_.triangle(other.a), surface_b_.triangle(other.b));
+  }
+  const bool cross = !curve_.isEmpty();  // or else the triangles only touch
+  const Vec3 middle = cross ? curve_.middle() : Vec3(0.5 * (contact.point_on_a + contact.point_on_b));
+  const double extent = cross ? curve_.extentAlong(out) : 0.0;
+  contact.normal = out;
+  contact.distance = has_way_out ? -extent : std::min(contact.distance, -extent);
+  placeAround(middle, contact);
 }
 
 /// Marks contacts whose triangles are apart, with one triangle on the back of the other, and that are

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "contact/local_surface.h"
+#include "geometry/intersection_curve.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
@@ -53,8 +55,8 @@ class SurfaceContacts {
   /// its sides are as deep as those at its top, and push in opposite directions. Takes the contacts of the
   /// last find or filter and keeps their order. Removes those that push across or against the way out of the
   /// intersection, unless their triangles face each other: those that oppose each other, or all if no contact
-  /// pushes out. Then the deepest of them stays and pushes out, at the middle of the curve in which the
-  /// surfaces meet. Allocates nothing once warm.
+  /// pushes out. The deepest of them stays and pushes out, at the middle of the curve in which the surfaces
+  /// meet, as deep as that curve extends on the way out. Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
  private:
@@ -82,12 +84,13 @@ class SurfaceContacts {
   void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   static bool isConvex(const Face& face, const Face& other);
-  void findGroups();
-  void findDeepest(const std::vector<Contact>& contacts);
+  void findGroups(std::initializer_list<const std::vector<Pair>*> of);
+  void findDeepest(const std::vector<Contact>& contacts, Members members);
   std::uint32_t rootOf(std::uint32_t node);
   std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
   bool areFacing(const Contact& contact, const Pair& pair) const;
+  void pushOut(const Vec3& out, bool has_way_out, const Pair& pair, Contact& contact);
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts);
   bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const;
@@ -98,6 +101,7 @@ class SurfaceContacts {
   std::vector<Pair> of_contacts_;  // the pairs per contact while they are computed
   std::vector<Pair> skipped_;      // pairs whose contacts were not computed
   std::vector<Pair> meeting_;      // pairs that meet
+  IntersectionCurve curve_;
   /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner, pinches };
   std::vector<Removed> removed_;

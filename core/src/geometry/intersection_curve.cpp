@@ -1,18 +1,14 @@
 #include "geometry/intersection_curve.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 
 namespace octoblisk::detail {
-namespace {
 
-struct Segment {
-  Vec3 from, to;
-};
-
-/// The part of a plane that is in a triangle; none if the triangle is on one side of the plane or in it.
-std::optional<Segment> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal) {
+std::optional<IntersectionCurve::Segment> IntersectionCurve::cutOf(const Triangle& triangle,
+                                                                   const Vec3& on_plane, const Vec3& normal) {
   std::array<Vec3, 3> ends;
   std::size_t count = 0;
   for (std::size_t v = 0; v < 3; ++v) {
@@ -24,8 +20,8 @@ std::optional<Segment> cutOf(const Triangle& triangle, const Vec3& on_plane, con
   return Segment{ends[0], ends[1]};
 }
 
-/// The segment in which two triangles meet. A's surface inside B is to its left, seen from outside A.
-std::optional<Segment> meetingSegment(const Triangle& a, const Triangle& b) {
+std::optional<IntersectionCurve::Segment> IntersectionCurve::meetingSegment(const Triangle& a,
+                                                                            const Triangle& b) {
   const Vec3 normal_a = scaledNormal(a), normal_b = scaledNormal(b), along = normal_a.cross(normal_b);
   std::optional<Segment> of_a = cutOf(a, b[0], normal_b), of_b = cutOf(b, a[0], normal_a);
   if (!of_a || !of_b) return std::nullopt;
@@ -38,26 +34,42 @@ std::optional<Segment> meetingSegment(const Triangle& a, const Triangle& b) {
   return both;
 }
 
-}  // namespace
-
 void IntersectionCurve::add(const Triangle& a, const Triangle& b) {
-  const std::optional<Segment> segment = meetingSegment(a, b);
-  if (!segment) return;
-  if (length_ == 0.0) first_ = segment->from;
-  const Vec3 from = segment->from - first_, to = segment->to - first_;
-  const double length = (to - from).norm();
-  length_ += length;
-  sum_ += 0.5 * length * (from + to);
-  area_ += from.cross(to);
-  end_ += to - from;
+  if (const std::optional<Segment> segment = meetingSegment(a, b)) segments_.push_back(*segment);
 }
 
 std::optional<Vec3> IntersectionCurve::wayOut() const {
   constexpr double kClosed = 0.01;  // of the length
-  constexpr double kWide = 0.01;    // of the length squared; a circle has 0.16
-  const double area = area_.norm();
-  if (!(end_.norm() <= kClosed * length_ && area > kWide * length_ * length_)) return std::nullopt;
-  return Vec3(-area_ / area);
+  constexpr double kWide = 0.005;   // of the length squared; a circle has 0.16
+  double length = 0.0;
+  Vec3 twice_area = Vec3::Zero(), end = Vec3::Zero();
+  for (const Segment& segment : segments_) {
+    const Vec3 from = segment.from - segments_[0].from, to = segment.to - segments_[0].from;
+    length += (to - from).norm();
+    twice_area += from.cross(to);
+    end += to - from;
+  }
+  const double area = twice_area.norm();
+  if (!(end.norm() <= kClosed * length && area > kWide * length * length)) return std::nullopt;
+  return Vec3(-twice_area / area);
+}
+
+Vec3 IntersectionCurve::middle() const {
+  double length = 0.0;
+  Vec3 sum = Vec3::Zero();  // relative to a point of the curve
+  for (const Segment& segment : segments_) {
+    const Vec3 from = segment.from - segments_[0].from, to = segment.to - segments_[0].from;
+    const double part = (to - from).norm();
+    length += part;
+    sum += 0.5 * part * (from + to);
+  }
+  return segments_[0].from + sum / length;
+}
+
+double IntersectionCurve::extentAlong(const Vec3& direction) const {
+  const auto height = [&](const Segment& segment) { return direction.dot(segment.from); };
+  const auto [low, high] = std::ranges::minmax(segments_, {}, height);
+  return height(high) - height(low);
 }
 
 }  // namespace octoblisk::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "octoblisk/triangle_mesh.h"
 
@@ -10,6 +11,8 @@ namespace octoblisk::detail {
 /// The curve in which the surfaces of two bodies A and B meet, from the triangle pairs that meet.
 class IntersectionCurve {
  public:
+  void clear() { segments_.clear(); }
+
   /// Adds the segment in which two triangles meet; nothing if they are in one plane or only touch.
   void add(const Triangle& a, const Triangle& b);
 
@@ -18,15 +21,25 @@ class IntersectionCurve {
   /// None if the curve is not closed, or if its parts nearly cancel.
   std::optional<Vec3> wayOut() const;
 
-  /// The mean of the curve's points, if there is a way out.
-  Vec3 middle() const { return first_ + sum_ / length_; }
+  bool isEmpty() const { return segments_.empty(); }
+
+  /// The mean of the points of a curve that is not empty.
+  Vec3 middle() const;
+
+  /// How far a curve that is not empty extends along a unit vector.
+  double extentAlong(const Vec3& direction) const;
 
  private:
-  Vec3 first_ = Vec3::Zero();  // a point of the curve; sums are relative to it
-  double length_ = 0.0;
-  Vec3 sum_ = Vec3::Zero();   // of the points
-  Vec3 area_ = Vec3::Zero();  // twice the area vector
-  Vec3 end_ = Vec3::Zero();   // from the beginning of the curve to its end
+  struct Segment {
+    Vec3 from, to;
+  };
+
+  /// The part of a plane that is in a triangle; none if the triangle is on one side of the plane or in it.
+  static std::optional<Segment> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal);
+  /// The segment in which two triangles meet. A's surface inside B is to its left, seen from outside A.
+  static std::optional<Segment> meetingSegment(const Triangle& a, const Triangle& b);
+
+  std::vector<Segment> segments_;
 };
 
 }  // namespace octoblisk::detail
