@@ -103,7 +103,8 @@ void MeshConcaveAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double
                                                std::vector<Contact>& found) {
   findContacts(shapes, reach, found);
   surface_contacts_.filter(
-      found, [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },
+      found, reach,
+      [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {
         return shapes.other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
       });

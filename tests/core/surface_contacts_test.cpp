@@ -34,7 +34,7 @@ struct Found {
     kept = all;
     SurfaceContacts surfaces;
     surfaces.filter(
-        kept, [&](const Contact& c) { return a.mesh().triangle(c.triangle_a); },
+        kept, threshold, [&](const Contact& c) { return a.mesh().triangle(c.triangle_a); },
         [&](const Contact& c) { return b_in_a * b.mesh().triangle(c.triangle_b); });
   }
 };

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
 constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
-constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
+constexpr double kHardlyDeeper = 0.1;  // of the two sides of a groove, as a fraction of the spacing
 
 /// Deepest first; contacts of equal depth by triangles and positions.
 auto byDepth(const Contact& c) {
@@ -65,8 +65,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return best != nullptr;
   };
 
-  const Contact& deepest = contacts[members.front()];
-  addBest(0.0, [&](const Contact& c) { return isAsDeep(c, deepest, spacing) ? 1.0 : 0.0; });
+  patch.contacts[static_cast<std::size_t>(patch.count++)] = contacts[members.front()];
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
   const double flat = 1e-6 * base.squaredNorm();

@@ -10,8 +10,8 @@
 
 namespace octoblisk::detail {
 
-/// Up to four contacts that push in similar directions: one of the deepest, and those that span the widest
-/// area with it.
+/// Up to four contacts that push in similar directions: the deepest, and those that span the widest area with
+/// it.
 struct ContactPatch {
   std::array<Contact, 4> contacts;
   int count = 0;
@@ -29,7 +29,7 @@ class ContactPatches {
 
   /// Returns at most kMaxPatches patches, the deepest first, then second ones. The contacts of a patch are
   /// more than `spacing` apart on A and on B. Contacts near those of the last call are preferred to others
-  /// that are only slightly deeper or wider apart, so that a resting body keeps its contacts. The order of
+  /// that are only slightly wider apart, so that a resting body keeps its contacts. The order of
   /// the contacts does not matter. The result is valid until the next call. Allocates nothing once warm.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 

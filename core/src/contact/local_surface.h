@@ -39,10 +39,16 @@ class LocalSurface {
   const Triangle& triangle(std::uint32_t number) const { return triangles_[number].corners; }
   std::uint32_t index(std::uint32_t number) const { return triangles_[number].index; }
 
-  /// Whether another triangle beyond an edge or corner leans in `direction`, by an angle with at least this
-  /// sine. Considers only triangles for which accept(number) is true.
+  /// The least sines of the angle by which a triangle must lean: one that goes on in the same plane, and one
+  /// at an angle.
+  struct Lean {
+    double flat, bent;
+  };
+
+  /// Whether another triangle beyond an edge or corner leans in `direction`. Considers only triangles for
+  /// which accept(number) is true.
   template <typename Accept>
-  bool leansBeyond(std::uint32_t triangle, unsigned feature, const Vec3& direction, double least_sine,
+  bool leansBeyond(std::uint32_t triangle, unsigned feature, const Vec3& direction, const Lean& least,
                    Accept&& accept) const {
     const Triangle& own = triangles_[triangle].corners;
     const auto [first, second] = endsOf(feature);
@@ -51,7 +57,10 @@ class LocalSurface {
       if (other == triangle) return false;
       const Triangle& shares = triangles_[other].corners;
       return hasCorner(shares, from) && hasCorner(shares, to) &&
-             leansOver(shares, from, to, direction, least_sine) && accept(other);
+             leansOver(shares, from, to, direction, least.flat) &&
+             (least.bent == least.flat || areFlat(own, shares) ||
+              leansOver(shares, from, to, direction, least.bent)) &&
+             accept(other);
     };
     return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }
@@ -59,8 +68,8 @@ class LocalSurface {
   /// Whether another triangle beyond an edge or corner leans towards `point`, and is nearer to it than
   /// `limit`. `from` is a point of this edge or corner.
   bool comesNearer(std::uint32_t triangle, unsigned feature, const Vec3& from, const Vec3& point,
-                   double limit, double least_sine) const {
-    return leansBeyond(triangle, feature, (point - from).normalized(), least_sine, [&](std::uint32_t other) {
+                   double limit, const Lean& least) const {
+    return leansBeyond(triangle, feature, (point - from).normalized(), least, [&](std::uint32_t other) {
       return distance(triangles_[other].corners, point) < limit;
     });
   }
@@ -72,6 +81,12 @@ class LocalSurface {
     Triangle corners;
     std::uint32_t index;
   };
+
+  static bool areFlat(const Triangle& a, const Triangle& b) {
+    constexpr double kFlat = 0.999;  // the cosine of 2.6°
+    const Vec3 of_a = scaledNormal(a), of_b = scaledNormal(b);
+    return of_a.dot(of_b) > kFlat * of_a.norm() * of_b.norm();
+  }
 
   /// The slot of a triangle in the table of numbers, or the empty slot for it.
   std::size_t slotOf(std::uint32_t index) const {

@@ -18,6 +18,20 @@ namespace {
 /// The sine of a tilt of a contact's normal that means nothing: 0.6°.
 constexpr double kSlightTilt = 0.01;
 
+/// How far a surface must lean towards the other body, to remove a contact of its edge or corner with a face.
+/// A corner of a body that rocks keeps its contact, although others are nearer. But the flat continuation of
+/// a face, as at internal edges, may hardly lean.
+LocalSurface::Lean leanAt(bool pushes_on_face, double error = 0.0) {
+  constexpr double kRocking = 0.3;  // the sine of 17°
+  return {kSlightTilt + error, (pushes_on_face ? kRocking : kSlightTilt) + error};
+}
+
+/// Whether a contact pushes perpendicularly on the outside of a face. `outward` is the contact's normal, or
+/// against it, so that it points from the face's body to the other.
+bool isOnFace(const Vec3& facing, const Vec3& outward) {
+  return isPerpendicular(facing, outward) && facing.dot(outward) > 0.0;
+}
+
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 auto trianglesOf(const Contact& contact) { return TrianglePair{contact.triangle_a, contact.triangle_b}; }
@@ -128,7 +142,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
     of_contacts_.push_back(pair);
   }
   pairs_.assign(of_contacts_.begin(), of_contacts_.end());
-  filter(found);
+  filter(found, threshold);
 }
 
 /// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
@@ -157,19 +171,26 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
   const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
   const double limit = least - roundingOf(a, b);
   if (!(limit > 0.0)) return false;
-  const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
-                           const Vec3& other) {
-    if (own.feature == 0b111u) return false;
-    const Vec3 facing = scaledNormal(surface.triangle(number));
+  const auto isSurelyTilted = [&](const Triangle& triangle) {
+    const Vec3 facing = scaledNormal(triangle);
     const double tilt = kPerpendicular + error;
-    if (!(facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm())) return false;
-    return surface.comesNearer(number, own.feature, own.point, other, limit, kSlightTilt + error);
+    return facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm();
   };
-  return isInner(surface_a_, pair.a, on_a, on_b.point) || isInner(surface_b_, pair.b, on_b, on_a.point);
+  const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
+                           const Triangle& other, const Vec3& opposite) {
+    if (own.feature == 0b111u || !isSurelyTilted(surface.triangle(number))) return false;
+    return surface.comesNearer(number, own.feature, own.point, opposite, limit,
+                               leanAt(!isSurelyTilted(other), error));
+  };
+  return isInner(surface_a_, pair.a, on_a, b, on_b.point) || isInner(surface_b_, pair.b, on_b, a, on_a.point);
 }
 
-void SurfaceContacts::filter(std::vector<Contact>& contacts) {
-  if (contacts.empty() || contacts.size() + skipped_.size() < 2) return;
+void SurfaceContacts::filter(std::vector<Contact>& contacts, double threshold) {
+  if (!contacts.empty() && contacts.size() + skipped_.size() >= 2) removeWrong(contacts);
+  addCorners(contacts, threshold);
+}
+
+void SurfaceContacts::removeWrong(std::vector<Contact>& contacts) {
   removed_.assign(contacts.size(), Removed::no);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].distance <= 0.0) meeting_.push_back(pairs_[c]);
@@ -184,6 +205,34 @@ void SurfaceContacts::filter(std::vector<Contact>& contacts) {
   keepDeepest(contacts);
   dropRemoved(contacts);
   alignWithFaces(contacts);
+}
+
+/// Appends a contact for each other corner of a triangle that is over the face on which its contact pushes. A
+/// triangle has one contact, at its nearest point, but may lie on the face.
+void SurfaceContacts::addCorners(std::vector<Contact>& contacts, double threshold) {
+  const std::size_t count = contacts.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const Triangle &a = surface_a_.triangle(pairs_[c].a), &b = surface_b_.triangle(pairs_[c].b);
+    const Vec3 normal = contacts[c].normal;
+    const auto add = [&](const Triangle& triangle, Vec3 Contact::*on_triangle, const Triangle& face,
+                         Vec3 Contact::*on_face, const Vec3& outward) {
+      const Vec3 facing = scaledNormal(face);
+      if (!isOnFace(facing, outward)) return;
+      for (const Vec3& corner : triangle) {
+        const double height = outward.dot(corner - face[0]);
+        if (!(height <= threshold) || corner == contacts[c].*on_triangle || !isOver(face, facing, corner))
+          continue;
+        Contact contact = contacts[c];
+        contact.*on_triangle = corner;
+        contact.*on_face = corner - height * outward;
+        contact.distance = std::max(contact.distance, height);  // up to rounding
+        contacts.push_back(contact);
+        pairs_.push_back(pairs_[c]);
+      }
+    };
+    add(a, &Contact::point_on_a, b, &Contact::point_on_b, normal);
+    add(b, &Contact::point_on_b, a, &Contact::point_on_a, -normal);
+  }
 }
 
 /// Contacts of edges and corners between nearly parallel faces have slightly tilted normals. A normal within
@@ -420,13 +469,15 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   if (isPerpendicular(normal, contact.normal)) return false;
   const unsigned feature = featureOf(own, normal, point);
   if (feature == 0b111u || feature == 0) return false;
+  const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
+  const Triangle& faced = of_a ? surface_b_.triangle(pairs_[c].b) : surface_a_.triangle(pairs_[c].a);
+  const LocalSurface::Lean least = leanAt(isOnFace(scaledNormal(faced), -towards));
   if (contact.distance > 0.0) {
     const double limit =
         contact.distance - roundingOf(surface_a_.triangle(pairs_[c].a), surface_b_.triangle(pairs_[c].b));
-    if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, kSlightTilt);
+    if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, least);
   }
-  const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
-  return surface.leansBeyond(number, feature, towards, kSlightTilt, [&](std::uint32_t other) {
+  return surface.leansBeyond(number, feature, towards, least, [&](std::uint32_t other) {
     TrianglePair pair = trianglesOf(contact);
     (of_a ? pair.a : pair.b) = surface.index(other);
     const auto found = std::ranges::lower_bound(contacts, pair, {}, trianglesOf);

@@ -26,29 +26,33 @@ namespace octoblisk::detail {
 ///   deeper. The bodies would bump against internal edges of flat surfaces.
 /// - Contacts of edges and corners between two faces that lie on each other. The smallest shift of the bodies
 ///   tilts their normals, each in its own direction.
+/// And some are missing: a pair has one contact, so a tetrahedron that lies on a face has two at its three
+/// corners.
 class SurfaceContacts {
  public:
-  /// Replaces `found` with the contacts of the surfaces A and B within `threshold`, in ascending order of
-  /// triangles: what filter leaves of octoblisk::contacts. Most contacts that filter would remove are not
+  /// Replaces `found` with the contacts of the surfaces A and B within `threshold`: what filter makes of
+  /// octoblisk::contacts. Most contacts that filter would remove are not
   /// computed in the first place. Where the closest points of two triangles are not unique, or nearly so,
   /// find may keep other contacts than filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 
-  /// Treats contacts of A and B, which are in ascending order of triangles. Contacts of the last kind above
-  /// get a normal perpendicular to a face; their distances stay. Contacts of the other kinds are removed; the
-  /// order stays. Of the contacts that do not push the long way, the deepest of all stays, and at least one
-  /// of each connected group. A contact whose triangles are apart also stays if it is connected to no contact
-  /// whose triangles meet, because a thin sheet has two sides. Triangles face outward, and shared corners are
-  /// equal to the last bit. `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame
-  /// of the contacts. Allocates nothing once warm.
+  /// Treats the contacts of A and B within `threshold`, which are in ascending order of triangles. Contacts
+  /// of the last kind above get a normal perpendicular to a face; their distances stay. Contacts of the other
+  /// kinds are removed; the order stays. Missing contacts follow at the end. Of the contacts that do not push
+  /// the long way, the deepest of all stays, and at least one of each connected group. A contact whose
+  /// triangles are apart also stays if it is connected to no contact whose triangles meet, because a thin
+  /// sheet has two sides. Triangles face outward, and shared corners are equal to the last bit.
+  /// `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame of the contacts.
+  /// Allocates nothing once warm.
   template <typename TriangleA, typename TriangleB>
-  void filter(std::vector<Contact>& contacts, TriangleA&& triangle_a, TriangleB&& triangle_b) {
+  void filter(std::vector<Contact>& contacts, double threshold, TriangleA&& triangle_a,
+              TriangleB&& triangle_b) {
     clear();
     for (const Contact& contact : contacts) {
       pairs_.push_back(add(contact.triangle_a, triangle_a(contact), contact.triangle_b, triangle_b(contact)));
     }
-    filter(contacts);
+    filter(contacts, threshold);
   }
 
   /// Changes contacts that hold two solids inside each other where one crosses the other: the triangles at
@@ -77,7 +81,9 @@ class SurfaceContacts {
   void clear();
   Pair add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b, const Triangle& b);
   bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold) const;
-  void filter(std::vector<Contact>& contacts);
+  void filter(std::vector<Contact>& contacts, double threshold);
+  void removeWrong(std::vector<Contact>& contacts);
+  void addCorners(std::vector<Contact>& contacts, double threshold);
   void alignWithFaces(std::vector<Contact>& contacts) const;
   void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);
