@@ -262,6 +262,46 @@ TEST(SurfaceContacts, wallsAreNoPinch) {
   EXPECT_TRUE(pushAlong(in_channel.open, Vec3::UnitZ(), 0.9));
 }
 
+/// A body that rocks on a face of the floor touches it with one corner. Its other corners are also near.
+TEST(SurfaceContacts, cornersOfABodyThatRocksHaveContacts) {
+  const auto meshOf = [](std::vector<Vec3> vertices, std::vector<TriangleMesh::Indices> triangles) {
+    return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+  };
+  const ClusteredOctree floor =
+      ClusteredOctree::build(meshOf({{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}));
+  const testing::SharedMesh tetrahedron = meshOf({{0, 0.4, 0}, {-0.5, -0.3, 0}, {0.5, -0.3, 0}, {0, 0, 0.8}},
+                                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+  constexpr double kReach = 0.1;
+  std::mt19937_64 random(104);
+  int near = 0, has_contact = 0;
+  for (const auto& mesh : {tetrahedron, testing::boxMesh({0.5, 0.4, 0.3})}) {
+    const ClusteredOctree body = ClusteredOctree::build(mesh);
+    for (int i = 0; i < 100; ++i) {
+      Pose pose{
+          Eigen::AngleAxisd(uniform(random, 0.0, 0.08), Vec3(std::cos(i), std::sin(i), 0)).toRotationMatrix(),
+          Vec3::Zero()};
+      double lowest = 1.0;
+      for (const Vec3& vertex : mesh->vertices()) lowest = std::min(lowest, (pose * vertex).z());
+      pose.translation.z() = uniform(random, -0.01, 0.01) - lowest;
+      const Found found(floor, body, pose, kReach);
+      for (const Contact& contact : found.kept) EXPECT_LT(contact.normal.z(), -0.999999) << i;
+      for (const Vec3& vertex : mesh->vertices()) {
+        const Vec3 corner = pose * vertex;
+        if (corner.z() > kReach) continue;
+        ++near;
+        const auto isAtCorner = [&](const Contact& contact) {
+          return (contact.point_on_b - corner).norm() < 1e-9 &&
+                 std::abs(contact.distance - corner.z()) < 1e-9;
+        };
+        has_contact += std::ranges::any_of(found.kept, isAtCorner);
+      }
+    }
+  }
+  EXPECT_GT(near, 600);
+  EXPECT_GT(has_contact,
+            0.98 * near);  // none if both triangles at a corner have a lower one in the same plane
+}
+
 TEST(SurfaceContacts, sheetsHaveTwoSides) {
   const ClusteredOctree sheet = ClusteredOctree::build(testing::waveSheet(2, 0.0, 12));
   for (const double gap : {-0.01, 0.01}) {
