@@ -1,6 +1,7 @@
 // Moving concave bodies against one another: piles, chains, thin sheets.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -186,11 +187,23 @@ TEST(ConcaveDynamics, smallBodiesFallAsleep) {
 /// When such a body rolls, its next corner touches at once. If that corner gets deep before it has a contact,
 /// Bullet pushes it out, and the body never stops.
 TEST(ConcaveDynamics, bodiesWithARoundBottomComeToRestOnAPlane) {
-  std::vector<Vec3> vertices;
-  const auto ball = shapes::ellipsoid({0.04, 0.04, 0.04}, 12);
-  for (const Vec3& vertex : ball->vertices())
-    vertices.emplace_back(vertex.x(), vertex.y(), std::min(vertex.z(), 0.0));
-  const TriangleMesh half(std::move(vertices), {ball->triangles().begin(), ball->triangles().end()});
+  constexpr std::uint32_t kSides = 24;
+  std::vector<Vec3> vertices = {{0, 0, -0.04}, {0, 0, 0}};
+  std::vector<TriangleMesh::Indices> triangles;
+  const std::array<std::pair<double, double>, 3> rings = {{{0.02, -0.035}, {0.035, -0.02}, {0.04, 0.0}}};
+  for (std::uint32_t side = 0; side < kSides; ++side) {
+    const double angle = 2.0 * std::numbers::pi * side / kSides;
+    for (const auto& [radius, height] : rings)
+      vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    const std::uint32_t here = 2 + 3 * side, next = 2 + 3 * ((side + 1) % kSides);
+    triangles.insert(triangles.end(), {{0, next, here}, {1, here + 2, next + 2}});
+    for (const std::uint32_t ring : {0u, 1u}) {
+      const std::uint32_t low = here + ring, low_next = next + ring;
+      triangles.insert(triangles.end(), {{low, low_next, low_next + 1}, {low, low_next + 1, low + 1}});
+    }
+  }
+  const TriangleMesh half(std::move(vertices), std::move(triangles));
+  ASSERT_TRUE(massProperties(half).is_solid);
   ClusteredOctreeShape body =
       shapeOver(testing::moved(half, {Mat3::Identity(), -massProperties(half).center_of_mass}));
   btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
