@@ -7,7 +7,6 @@
 #include <cassert>
 
 #include "body_parts.h"
-#include "near_bodies.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

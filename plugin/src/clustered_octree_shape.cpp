@@ -79,10 +79,13 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 }
 
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
-  mass_properties_ = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
-  far_vertices_ = std::make_shared<const FarVertices>(detail::farVertices(*tree));
+  auto properties = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
+  auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
+  thin_margin_ = btScalar(thinMargin(*tree, properties->is_solid));
+  // Nothing below throws, so that the shape stays consistent.
+  mass_properties_ = std::move(properties);
+  far_vertices_ = std::move(vertices);
   tree_ = std::move(tree);
-  thin_margin_ = btScalar(thinMargin(*tree_, mass_properties_->is_solid));
   updateDefaultMargin();
 }
 

@@ -196,10 +196,11 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
-    other_in_mesh_ = shapes.other_in_mesh;
-    reach_ = reach;
+    other_in_mesh_.reset();  // in case of an exception
     findSurfaceContacts(shapes, reach, contacts_);
     patches_.reduce(contacts_, breaking);
+    other_in_mesh_ = shapes.other_in_mesh;
+    reach_ = reach;
   }
   showPatches(shapes, mesh, other, breaking, info.m_timeStep, *result);
 }

@@ -38,7 +38,7 @@ void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double 
   const Pose& convex_in_mesh = shapes.other_in_mesh;
   if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, middle_, found);
   const std::size_t of_triangles = found.size();
-  addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, of_triangles, found);
+  addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, found);
   if (core_.hasFeet()) {
     const auto feet = [this](const Vec3& towards) { return core_.feet(towards); };
     addFootContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, reach, of_triangles, found);

@@ -103,6 +103,16 @@ TEST(MassProperties, aCavityIsTakenOff) {
              {true, 56.0, Vec3::Zero(), inertia}, 1e-13);
 }
 
+/// Negative moments make Bullet's bodies explode.
+TEST(MassProperties, aPartBesideAnotherThatFacesInwardIsNoSolid) {
+  const SharedMesh cube = testing::boxMesh({1, 1, 1});
+  const TriangleMesh inward = turnedInsideOut(*testing::boxMesh({0.9, 0.9, 0.9}));
+  const TriangleMesh both =
+      *testing::joined(*cube, *testing::moved(inward, {Mat3::Identity(), Vec3(4, 0, 0)}));
+  EXPECT_TRUE(isOrientedClosed(both));
+  expectNear(massProperties(both), {false, 8.0 * 2.95, Vec3(1.95, 0, 0), boxInertia({2.95, 1, 1})}, 1e-13);
+}
+
 TEST(MassProperties, noSolidMeansTheBoundingBox) {
   const SharedMesh box = testing::moved(*testing::boxMesh({1, 2, 3}), {Mat3::Identity(), Vec3(5, 0, 0)});
   const MassProperties of_box{false, 48.0, Vec3(5, 0, 0), boxInertia({1, 2, 3})};

@@ -147,7 +147,7 @@ TEST(FlatContacts, ofABoxThatCrossesASquare) {
     std::vector<Contact> found;
     contacts(tree, box, box_in_square, 0.05, found);
     ASSERT_EQ(found.size(), 2u);
-    addFlatContacts(tree.mesh(), box, box_in_square, 0.05, found.size(), found);
+    addFlatContacts(tree.mesh(), box, box_in_square, 0.05, found);
     for (const double x : {-0.4, 0.4}) {
       for (const double y : {-0.4, 0.4}) {
         const Vec3 corner(x, y, 0);

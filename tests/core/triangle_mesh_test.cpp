@@ -46,5 +46,12 @@ TEST(TriangleMesh, givesBackWhatItWasMadeOf) {
   EXPECT_EQ(mesh.bounds().max, Vec3(1, 1, 0));
 }
 
+/// Margins, tolerances and Bullet's boxes depend on the bounds.
+TEST(TriangleMesh, verticesThatNoTriangleUsesAreNotInTheBounds) {
+  const TriangleMesh mesh({{1e6, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1e6}}, {{1, 2, 3}});
+  EXPECT_EQ(mesh.bounds().min, Vec3(0, 0, 0));
+  EXPECT_EQ(mesh.bounds().max, Vec3(1, 1, 0));
+}
+
 }  // namespace
 }  // namespace octoblisk

@@ -1,4 +1,6 @@
 // Bad use gives a clear exception at construction, or no contact, and nothing worse.
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleCallback.h>
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -114,6 +117,51 @@ TEST(BadUse, anExhaustedContactPoolDropsContacts) {
   EXPECT_EQ(dispatcher.getNumManifolds(), 3);
   for (std::size_t i = 1; i < rings.size(); ++i) world.removeCollisionObject(&rings[i]);
   EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+}
+
+/// A floor of one triangle whose callback may throw.
+class FloorThatThrows final : public btConcaveShape {
+ public:
+  FloorThatThrows() { m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE; }
+
+  bool throws = true;
+
+  void processAllTriangles(btTriangleCallback* callback, const btVector3&, const btVector3&) const override {
+    if (throws) throw std::runtime_error("no triangles");
+    btVector3 corners[] = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+    callback->processTriangle(corners, 0, 0);
+  }
+  void getAabb(const btTransform&, btVector3& low, btVector3& high) const override {
+    low = btVector3(-9, -9, -1);
+    high = btVector3(9, 9, 1);
+  }
+  void setLocalScaling(const btVector3&) override {}
+  const btVector3& getLocalScaling() const override { return scaling_; }
+  void calculateLocalInertia(btScalar, btVector3& inertia) const override { inertia.setZero(); }
+  const char* getName() const override { return "FloorThatThrows"; }
+
+ private:
+  btVector3 scaling_ = btVector3(1, 1, 1);
+};
+
+TEST(BadUse, aQueryThatThrowsIsRepeated) {
+  ClusteredOctreeShape box(
+      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({1, 1, 1}))));
+  FloorThatThrows floor;
+  btCollisionObject one, other;
+  one.setCollisionShape(&box);
+  one.setWorldTransform(testing::at(0, 0, 1));
+  other.setCollisionShape(&floor);
+  testing::BulletWorld world;
+  world->addCollisionObject(&one, 1, -1);
+  world->addCollisionObject(&other, 1, -1);
+  EXPECT_THROW(world->performDiscreteCollisionDetection(), std::runtime_error);
+  floor.throws = false;
+  world->performDiscreteCollisionDetection();
+  ASSERT_EQ(world.dispatcher().getNumManifolds(), 1);
+  EXPECT_EQ(world.dispatcher().getManifoldByIndexInternal(0)->getNumContacts(), 4);
+  world->removeCollisionObject(&one);
+  world->removeCollisionObject(&other);
 }
 
 TEST(BadUse, shapesExchangedInALiveBody) {

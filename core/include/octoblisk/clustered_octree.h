@@ -49,7 +49,7 @@ class ClusteredOctree {
   ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) const&;
 
   /// The same, reusing this tree's memory unless another tree shares it: `tree =
-  /// std::move(tree).refitted(mesh)`. If it throws, this tree is unchanged.
+  /// std::move(tree).refitted(mesh)`. If it throws std::invalid_argument, this tree is unchanged.
   ClusteredOctree refitted(std::shared_ptr<const TriangleMesh> deformed, int threads = 0) &&;
 
   const TriangleMesh& mesh() const;

@@ -51,7 +51,7 @@ class TriangleMesh {
     return {vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]};
   }
 
-  /// The bounds of all vertices.
+  /// The bounds of all triangles.
   const Aabb& bounds() const { return bounds_; }
 
  private:

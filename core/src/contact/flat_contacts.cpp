@@ -46,7 +46,8 @@ void cutToFace(FlatPolygon& polygon, std::size_t face, const HullFaces& hull, st
 }  // namespace
 
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
-                     double threshold, std::size_t of_triangles, std::vector<Contact>& contacts) {
+                     double threshold, std::vector<Contact>& contacts) {
+  const std::size_t of_triangles = contacts.size();
   if (of_triangles == 0) return;
   const HullFaces hull = convex.faces();
   if (hull.empty()) return;

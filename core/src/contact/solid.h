@@ -13,8 +13,8 @@ namespace octoblisk::detail {
 /// Whether a point is inside a closed mesh. Exact. Allocates nothing.
 bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
 
-/// Whether a moving point is inside a closed mesh. Exact. Searches the tree only if the point may have
-/// crossed the surface since the last search. Allocates nothing.
+/// Whether a moving point is inside a closed mesh. Exact, except within rounding of the surface. Searches the
+/// tree only if the point may have crossed the surface since the last search. Allocates nothing.
 class PointInSolid {
  public:
   /// The point is in the mesh's frame.

@@ -28,14 +28,6 @@ std::uint64_t hashOf(const Vec3& position) {
   return hash;
 }
 
-Aabb boundsOfTriangles(const TriangleMesh& mesh) {
-  Aabb bounds;
-  for (const TriangleMesh::Indices& corners : mesh.triangles()) {
-    for (const std::uint32_t vertex : corners) bounds.extend(mesh.vertices()[vertex]);
-  }
-  return bounds;
-}
-
 /// (∫ |x|² dV) 1 − ∫ x xᵀ dV, from the latter.
 Mat3 inertiaOf(const Mat3& second_moments) {
   return second_moments.trace() * Mat3::Identity() - second_moments;
@@ -68,7 +60,7 @@ bool isOrientedClosed(const TriangleMesh& mesh) {
 }
 
 MassProperties massProperties(const TriangleMesh& mesh) {
-  const Aabb bounds = boundsOfTriangles(mesh);
+  const Aabb& bounds = mesh.bounds();
   const double size = bounds.halfExtents().maxCoeff();
   if (!(size > 0.0) || !isOrientedClosed(mesh)) return ofBox(bounds);
 
@@ -92,6 +84,9 @@ MassProperties massProperties(const TriangleMesh& mesh) {
 
   const Vec3 center = first_moment / volume;  // signs cancel if the mesh faces inward
   const Mat3 about_center = second_moments / volume - center * center.transpose();
+  // A part that faces inward as a whole counts as negative.
+  const bool is_outside = !(center.array().abs() * size <= bounds.halfExtents().array()).all();
+  if (is_outside || about_center.diagonal().minCoeff() < 0.0) return ofBox(bounds);
   return {true, std::abs(volume) * size * size * size, middle + size * center,
           inertiaOf(about_center) * (size * size)};
 }

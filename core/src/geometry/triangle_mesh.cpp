@@ -16,7 +16,6 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> tria
                                     std::to_string(coordinate) + "; it must be finite and at most 1e12");
       }
     }
-    bounds_.extend(vertices_[v]);
   }
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (const std::uint32_t index : triangles_[t]) {
@@ -25,6 +24,7 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> tria
                                     std::to_string(index) + ", but the mesh has " +
                                     std::to_string(vertices_.size()) + " vertices");
       }
+      bounds_.extend(vertices_[index]);
     }
   }
 }
