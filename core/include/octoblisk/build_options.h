@@ -28,7 +28,7 @@ enum class Storage {
 
 struct BuildOptions {
   PartitionKind partition = PartitionKind::clustering;
-  int leaf_capacity = 8;  ///< the most triangles in a leaf: 1..8; for `paper`, the FNOP, at least 1
+  int leaf_capacity = 8;  ///< the most triangles in a leaf: 1..8; for `paper`, at least 1 (its FNOP)
   BuildQuality quality = BuildQuality::high;  ///< used by `clustering` only
   int threads = 0;  ///< of the build; 0: as many as the machine has. The tree does not depend on it
   Storage storage = Storage::full;

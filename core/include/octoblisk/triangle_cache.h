@@ -16,8 +16,8 @@ struct TriangleBundle;
 }  // namespace detail
 
 /// Keeps triangles from a slightly larger neighbourhood than requested until the body has moved by the
-/// difference, so that most queries need no tree. The extra triangles, which are not near the body, depend on
-/// earlier queries.
+/// difference, so that most queries do not search the tree. The extra triangles, which are not near the body,
+/// depend on earlier queries.
 class TriangleCache {
  public:
   TriangleCache();
