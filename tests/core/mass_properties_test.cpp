@@ -111,6 +111,14 @@ TEST(MassProperties, aPartBesideAnotherThatFacesInwardIsNoSolid) {
       *testing::joined(*cube, *testing::moved(inward, {Mat3::Identity(), Vec3(4, 0, 0)}));
   EXPECT_TRUE(isOrientedClosed(both));
   expectNear(massProperties(both), {false, 8.0 * 2.95, Vec3(1.95, 0, 0), boxInertia({2.95, 1, 1})}, 1e-13);
+
+  const TriangleMesh half = turnedInsideOut(*testing::boxMesh({0.5, 0.5, 0.5}));
+  const SharedMesh along_x =
+      testing::joined(*cube, *testing::moved(half, {Mat3::Identity(), Vec3(2.15, 0, 0)}));
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 1, 1)}) {
+    const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), axis).toRotationMatrix();
+    EXPECT_FALSE(massProperties(*testing::moved(*along_x, {turn, Vec3::Zero()})).is_solid);
+  }
 }
 
 TEST(MassProperties, noSolidMeansTheBoundingBox) {

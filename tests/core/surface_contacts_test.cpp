@@ -234,6 +234,27 @@ TEST(SurfaceContacts, eachCrossingHasItsOwnDepth) {
   }
 }
 
+/// One bar crosses another from above, and a third from the side.
+TEST(SurfaceContacts, eachCrossingHasItsOwnWayOut) {
+  constexpr double kOverlap = 0.06;
+  const auto barAt = [](const Vec3& half, const Vec3& place) {
+    return testing::moved(testing::block(half, 12), {Mat3::Identity(), place});
+  };
+  const Mat3 askew = Eigen::AngleAxisd(0.03, Vec3(1, 0.4, 0.2).normalized()).toRotationMatrix();
+  const ClusteredOctree bar = ClusteredOctree::build(barAt({1.0, 0.08, 0.08}, Vec3::Zero()));
+  const ClusteredOctree two =
+      ClusteredOctree::build(testing::joined(*barAt({0.08, 0.5, 0.08}, {-0.6, 0, 0.16 - kOverlap}),
+                                             *barAt({0.08, 0.08, 0.5}, {0.6, 0.16 - kOverlap, 0})));
+  const OfSolids contacts(bar, two, {askew, Vec3::Zero()});
+  for (const Contact& contact : contacts.open) EXPECT_GT(contact.distance, -1.7 * kOverlap);
+  for (const auto& [side, out] : {std::pair(-1.0, Vec3(0, 0, -1)), std::pair(1.0, Vec3(0, -1, 0))}) {
+    const auto pushesOut = [&](const Contact& contact) {
+      return side * contact.point_on_a.x() > 0.3 && contact.normal.dot(out) > 0.95;
+    };
+    EXPECT_TRUE(std::ranges::any_of(contacts.open, pushesOut)) << side;
+  }
+}
+
 /// A body in a corner, and one that touches both walls of a channel, are held by faces that face each other.
 TEST(SurfaceContacts, wallsAreNoPinch) {
   constexpr double kDepth = 1e-3;
@@ -300,6 +321,28 @@ TEST(SurfaceContacts, cornersOfABodyThatRocksHaveContacts) {
   EXPECT_GT(near, 600);
   EXPECT_GT(has_contact,
             0.98 * near);  // none if both triangles at a corner have a lower one in the same plane
+}
+
+/// If the box is nearly parallel to the floor, contacts at the floor's internal edge push along the box's
+/// face.
+TEST(SurfaceContacts, cornersOverALargeFloorAreNotTooDeep) {
+  const ClusteredOctree floor = ClusteredOctree::build(testing::waveSheet(50, 0.0, 1));
+  const auto mesh = testing::boxMesh({0.5, 0.4, 0.3});
+  const ClusteredOctree box = ClusteredOctree::build(mesh);
+  std::mt19937_64 random(107);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 axis(std::cos(i), std::sin(i), 0.0);
+    Pose pose{Eigen::AngleAxisd(uniform(random, 0, 1.3e-3), axis).toRotationMatrix() *
+                  Eigen::AngleAxisd(uniform(random, 0, 6), Vec3::UnitZ()).toRotationMatrix(),
+              Vec3::Zero()};
+    double lowest = 1.0;
+    for (const Vec3& vertex : mesh->vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    const double height = uniform(random, 0.0005, 0.002), along = uniform(random, -30, 30);
+    pose.translation = Vec3(along + uniform(random, -0.3, 0.3), i % 2 ? along : -along, height - lowest);
+    for (const Contact& contact : Found(floor, box, pose, 0.01).kept) {
+      EXPECT_GT((contact.point_on_a - contact.point_on_b).dot(contact.normal), height - 1e-5) << i;
+    }
+  }
 }
 
 TEST(SurfaceContacts, sheetsHaveTwoSides) {

@@ -230,7 +230,7 @@ TEST(TreeBlob, saysWhatIsWrong) {
   };
   expect({}, mesh, "less than a header");
   expect(patched(blob, 0, 'x'), mesh, "magic");
-  expect(patched(blob, 8, std::uint32_t{2}), mesh, "format version 2");
+  expect(patched(blob, 8, std::uint32_t{1}), mesh, "format version 1");
   expect(patched(blob, 12, std::uint32_t{0x04030201}), mesh, "byte order");
   expect(patched(blob, 24, std::uint64_t{1} << 40), mesh, "cut off");
   expect(patched(blob, 56, std::uint64_t{0}), mesh, "has 0 nodes");

@@ -58,9 +58,7 @@ class LocalSurface {
       const Triangle& shares = triangles_[other].corners;
       return hasCorner(shares, from) && hasCorner(shares, to) &&
              leansOver(shares, from, to, direction, least.flat) &&
-             (least.bent == least.flat || areFlat(own, shares) ||
-              leansOver(shares, from, to, direction, least.bent)) &&
-             accept(other);
+             (leansOver(shares, from, to, direction, least.bent) || areFlat(own, shares)) && accept(other);
     };
     return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }

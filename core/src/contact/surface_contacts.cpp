@@ -18,9 +18,9 @@ namespace {
 /// The sine of a tilt of a contact's normal that means nothing: 0.6°.
 constexpr double kSlightTilt = 0.01;
 
-/// How far a surface must lean towards the other body, to remove a contact of its edge or corner with a face.
-/// A corner of a body that rocks keeps its contact, although others are nearer. But the flat continuation of
-/// a face, as at internal edges, may hardly lean.
+/// How far a surface must lean towards the other body to remove a contact of its edge or corner; `error` is
+/// added for uncertain directions. If the contact pushes on a face, a surface that continues at an angle must
+/// lean more: a corner of a body that rocks keeps its contact, although others are nearer.
 LocalSurface::Lean leanAt(bool pushes_on_face, double error = 0.0) {
   constexpr double kRocking = 0.3;  // the sine of 17°
   return {kSlightTilt + error, (pushes_on_face ? kRocking : kSlightTilt) + error};
@@ -197,9 +197,7 @@ void SurfaceContacts::removeWrong(std::vector<Contact>& contacts) {
   }
   removeLongWays(contacts);
   findGroups({&pairs_, &skipped_});
-  order_.resize(contacts.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  findDeepest(contacts, order_);
+  findDeepest(contacts);
   markPast(contacts);
   markInner(contacts);
   keepDeepest(contacts);
@@ -213,25 +211,31 @@ void SurfaceContacts::addCorners(std::vector<Contact>& contacts, double threshol
   const std::size_t count = contacts.size();
   for (std::size_t c = 0; c < count; ++c) {
     const Triangle &a = surface_a_.triangle(pairs_[c].a), &b = surface_b_.triangle(pairs_[c].b);
-    const Vec3 normal = contacts[c].normal;
+    const Contact of_pair = contacts[c];
+    const double rounding = roundingOf(a, b);
+    // `from_face` is 1 if normals point from this face to the corners, or else -1.
     const auto add = [&](const Triangle& triangle, Vec3 Contact::*on_triangle, const Triangle& face,
-                         Vec3 Contact::*on_face, const Vec3& outward) {
+                         Vec3 Contact::*on_face, double from_face) {
       const Vec3 facing = scaledNormal(face);
-      if (!isOnFace(facing, outward)) return;
+      if (!isOnFace(facing, from_face * of_pair.normal)) return;
+      const Vec3 outward =
+          facing.normalized();  // heights along the contact's normal are wrong far from face[0]
       for (const Vec3& corner : triangle) {
         const double height = outward.dot(corner - face[0]);
-        if (!(height <= threshold) || corner == contacts[c].*on_triangle || !isOver(face, facing, corner))
+        if (!(height <= threshold) || (corner - of_pair.*on_triangle).norm() <= rounding ||
+            !isOver(face, facing, corner))
           continue;
-        Contact contact = contacts[c];
+        Contact contact = of_pair;
         contact.*on_triangle = corner;
         contact.*on_face = corner - height * outward;
-        contact.distance = std::max(contact.distance, height);  // up to rounding
+        contact.normal = from_face * outward;
+        contact.distance = height;
         contacts.push_back(contact);
         pairs_.push_back(pairs_[c]);
       }
     };
-    add(a, &Contact::point_on_a, b, &Contact::point_on_b, normal);
-    add(b, &Contact::point_on_b, a, &Contact::point_on_a, -normal);
+    add(a, &Contact::point_on_a, b, &Contact::point_on_b, 1.0);
+    add(b, &Contact::point_on_b, a, &Contact::point_on_a, -1.0);
   }
 }
 
@@ -343,10 +347,10 @@ void SurfaceContacts::findGroups(std::initializer_list<const std::vector<Pair>*>
   }
 }
 
-/// Finds the deepest of the members of each group.
-void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts, Members members) {
+/// Finds the deepest contact of each group.
+void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts) {
   deepest_.assign(parent_.size(), kNone);
-  for (const std::uint32_t c : members) {
+  for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
     if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
@@ -388,48 +392,53 @@ void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
   if (order_.empty()) return;
   curve_.clear();
   for (const Pair& pair : meeting_) curve_.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
-  const std::optional<Vec3> out = curve_.wayOut();
-  if (!out) return;
-
-  constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
-  const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
-    return std::ranges::any_of(contacts, [&](const Contact& contact) {
-      return contact.distance <= 0.0 && contact.normal.dot(direction) > least_cosine;
-    });
-  };
-  const bool has_way_out = isAnyPushing(*out, kOut);
-  std::erase_if(order_, [&](std::uint32_t c) {
-    const Vec3& normal = contacts[c].normal;
-    return normal.dot(*out) >= kAcross || (has_way_out && !isAnyPushing(-normal, kOpposed));
-  });
-  if (order_.empty()) return;
+  if (!curve_.wayOut()) return;  // one body may pierce the other
   removed_.assign(contacts.size(), Removed::no);
-  for (const std::uint32_t c : order_) removed_[c] = Removed::pinches;
   findGroups({&meeting_});
-  findDeepest(contacts, order_);
-  for (const std::uint32_t deepest : deepest_) {
-    if (deepest == kNone) continue;
-    removed_[deepest] = Removed::no;
-    pushOut(*out, has_way_out, pairs_[deepest], contacts[deepest]);
+  std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::pair(groupOf(pairs_[c]), c); });
+  for (auto first = order_.begin(); first != order_.end();) {
+    const std::uint32_t group = groupOf(pairs_[*first]);
+    const auto last =
+        std::find_if(first, order_.end(), [&](std::uint32_t c) { return groupOf(pairs_[c]) != group; });
+    openPinch(contacts, {first, last}, group);
+    first = last;
   }
   dropRemoved(contacts);
 }
 
-/// Makes a contact of a group push out as deep as the curve extends, which is at the sides of bars that
-/// cross. An end that pokes into a side has a flat curve: without another way out, the depth is that of the
-/// triangles.
-void SurfaceContacts::pushOut(const Vec3& out, bool has_way_out, const Pair& pair, Contact& contact) {
+/// Opens one crossing: a group of pairs that meet. The members are its contacts that may pinch. Where bars
+/// cross, the curve extends as far as they overlap. An end that pokes into a side has a flat curve: without
+/// another way out, the depth is that of the triangles.
+void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group) {
   curve_.clear();
-  for (const Pair& other : meeting_) {
-    if (groupOf(other) == groupOf(pair))
-      curve_.add(surface_a_.triangle(other.a), surface_b_.triangle(other.b));
+  for (const Pair& pair : meeting_) {
+    if (groupOf(pair) == group) curve_.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
   }
-  const bool cross = !curve_.isEmpty();  // or else the triangles only touch
-  const Vec3 middle = cross ? curve_.middle() : Vec3(0.5 * (contact.point_on_a + contact.point_on_b));
-  const double extent = cross ? curve_.extentAlong(out) : 0.0;
-  contact.normal = out;
+  const std::optional<Vec3> out = curve_.wayOut();
+  if (!out) return;
+  constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
+  const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const bool pushes = contacts[c].distance <= 0.0 && contacts[c].normal.dot(direction) > least_cosine;
+      if (pushes && groupOf(pairs_[c]) == group) return true;
+    }
+    return false;
+  };
+  const bool has_way_out = isAnyPushing(*out, kOut);
+  std::uint32_t deepest = kNone;
+  for (const std::uint32_t c : members) {
+    const Vec3& normal = contacts[c].normal;
+    if (normal.dot(*out) >= kAcross || (has_way_out && !isAnyPushing(-normal, kOpposed))) continue;
+    removed_[c] = Removed::pinches;
+    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
+  }
+  if (deepest == kNone) return;
+  removed_[deepest] = Removed::no;
+  Contact& contact = contacts[deepest];
+  const double extent = curve_.extentAlong(*out);
+  contact.normal = *out;
   contact.distance = has_way_out ? -extent : std::min(contact.distance, -extent);
-  placeAround(middle, contact);
+  placeAround(curve_.middle(), contact);
 }
 
 /// Marks contacts whose triangles are apart, with one triangle on the back of the other, and that are

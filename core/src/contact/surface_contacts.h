@@ -58,9 +58,10 @@ class SurfaceContacts {
   /// Changes contacts that hold two solids inside each other where one crosses the other: the triangles at
   /// its sides are as deep as those at its top, and push in opposite directions. Takes the contacts of the
   /// last find or filter and keeps their order. Removes those that push across or against the way out of the
-  /// intersection, unless their triangles face each other: those that oppose each other, or all if no contact
-  /// pushes out. The deepest of them stays and pushes out, at the middle of the curve in which the surfaces
-  /// meet, as deep as that curve extends on the way out. Allocates nothing once warm.
+  /// intersection, unless their triangles face each other: those that another contact opposes, or all if no
+  /// contact pushes out. The deepest of each crossing stays and pushes out, at the middle of the curve in
+  /// which the surfaces meet. It is as deep as that curve extends on the way out, and at least as deep as its
+  /// triangles if no other contact pushes out. Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
  private:
@@ -91,12 +92,12 @@ class SurfaceContacts {
   void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
   static bool isConvex(const Face& face, const Face& other);
   void findGroups(std::initializer_list<const std::vector<Pair>*> of);
-  void findDeepest(const std::vector<Contact>& contacts, Members members);
+  void findDeepest(const std::vector<Contact>& contacts);
   std::uint32_t rootOf(std::uint32_t node);
   std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
   bool areFacing(const Contact& contact, const Pair& pair) const;
-  void pushOut(const Vec3& out, bool has_way_out, const Pair& pair, Contact& contact);
+  void openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group);
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts);
   bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const;

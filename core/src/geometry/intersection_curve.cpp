@@ -6,9 +6,12 @@
 #include <utility>
 
 namespace octoblisk::detail {
+namespace {
 
-std::optional<IntersectionCurve::Segment> IntersectionCurve::cutOf(const Triangle& triangle,
-                                                                   const Vec3& on_plane, const Vec3& normal) {
+using Segment = IntersectionCurve::Segment;
+
+/// The part of a plane that is in a triangle; none if the triangle is on one side of the plane or in it.
+std::optional<Segment> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal) {
   std::array<Vec3, 3> ends;
   std::size_t count = 0;
   for (std::size_t v = 0; v < 3; ++v) {
@@ -20,8 +23,8 @@ std::optional<IntersectionCurve::Segment> IntersectionCurve::cutOf(const Triangl
   return Segment{ends[0], ends[1]};
 }
 
-std::optional<IntersectionCurve::Segment> IntersectionCurve::meetingSegment(const Triangle& a,
-                                                                            const Triangle& b) {
+/// The segment in which two triangles meet. A's surface inside B is to its left, seen from outside A.
+std::optional<Segment> meetingSegment(const Triangle& a, const Triangle& b) {
   const Vec3 normal_a = scaledNormal(a), normal_b = scaledNormal(b), along = normal_a.cross(normal_b);
   std::optional<Segment> of_a = cutOf(a, b[0], normal_b), of_b = cutOf(b, a[0], normal_a);
   if (!of_a || !of_b) return std::nullopt;
@@ -34,13 +37,15 @@ std::optional<IntersectionCurve::Segment> IntersectionCurve::meetingSegment(cons
   return both;
 }
 
+}  // namespace
+
 void IntersectionCurve::add(const Triangle& a, const Triangle& b) {
   if (const std::optional<Segment> segment = meetingSegment(a, b)) segments_.push_back(*segment);
 }
 
 std::optional<Vec3> IntersectionCurve::wayOut() const {
   constexpr double kClosed = 0.01;  // of the length
-  constexpr double kWide = 0.005;   // of the length squared; a circle has 0.16
+  constexpr double kWide = 0.005;   // twice the area over the length squared; a circle has 0.16
   double length = 0.0;
   Vec3 twice_area = Vec3::Zero(), end = Vec3::Zero();
   for (const Segment& segment : segments_) {
@@ -49,9 +54,9 @@ std::optional<Vec3> IntersectionCurve::wayOut() const {
     twice_area += from.cross(to);
     end += to - from;
   }
-  const double area = twice_area.norm();
-  if (!(end.norm() <= kClosed * length && area > kWide * length * length)) return std::nullopt;
-  return Vec3(-twice_area / area);
+  const double twice = twice_area.norm();
+  if (!(end.norm() <= kClosed * length && twice > kWide * length * length)) return std::nullopt;
+  return Vec3(-twice_area / twice);
 }
 
 Vec3 IntersectionCurve::middle() const {

@@ -86,7 +86,10 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   const Mat3 about_center = second_moments / volume - center * center.transpose();
   // A part that faces inward as a whole counts as negative.
   const bool is_outside = !(center.array().abs() * size <= bounds.halfExtents().array()).all();
-  if (is_outside || about_center.diagonal().minCoeff() < 0.0) return ofBox(bounds);
+  const Mat3 axes = principalAxes(about_center);
+  const Vec3 spread = (axes.transpose() * about_center * axes).diagonal();
+  constexpr double kRounding = 1e-12;
+  if (is_outside || spread.minCoeff() < -kRounding * spread.maxCoeff()) return ofBox(bounds);
   return {true, std::abs(volume) * size * size * size, middle + size * center,
           inertiaOf(about_center) * (size * size)};
 }
