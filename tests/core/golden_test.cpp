@@ -17,11 +17,11 @@ using testing::GoldenScene;
 using testing::OnlyTargets;
 
 const std::vector<Golden> kGolden = {
-    {"trees", 0x9aa0f0f487e9cc0au},
-    {"fast trees", 0xe52eb7b2bd94ae4du},
-    {"compact trees", 0x066a4ecc81eeb0cau},
-    {"the paper's trees", 0x44df92f1cd44c7a7u},
-    {"refit", 0x92976be164151401u},
+    {"trees", 0x447e31c7447d96c4u},
+    {"fast trees", 0x662203d57c6b37ffu},
+    {"compact trees", 0xcf2e022770227a7cu},
+    {"the paper's trees", 0xbdd37a5ccc792fc0u},
+    {"refit", 0x12ec88cbd4799816u},
     {"collide", 0xb26d2f877a3cbb3bu},
     {"collide with a soup", 0x60f3a3c57a5449bbu},
     {"touching pairs", 0xe1041353fecff6c5u},
