@@ -29,8 +29,8 @@ class ContactPatches {
 
   /// Returns at most kMaxPatches patches, the deepest first, then second ones. The contacts of a patch are
   /// more than `spacing` apart on A and on B. Contacts near those of the last call are preferred to others
-  /// that are only slightly wider apart, so that a resting body keeps its contacts. The order of
-  /// the contacts does not matter. The result is valid until the next call. Allocates nothing once warm.
+  /// that are only slightly wider apart, so that a resting body keeps its contacts. The order of the contacts
+  /// does not matter. The result is valid until the next call. Allocates nothing once warm.
   std::span<const ContactPatch> reduce(std::span<const Contact> contacts, double spacing) &;
 
   /// Returns the patches of the last call.
