@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "geometry/triangle_pair.h"
 #include "shared/block.h"
 #include "shared/meshes.h"
@@ -15,13 +17,14 @@ namespace {
 
 using testing::uniform;
 
-IntersectionCurve curveOf(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose, const Vec3& shift) {
-  IntersectionCurve curve;
+std::vector<CurveSegment> curveOf(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose,
+                                  const Vec3& shift) {
+  std::vector<CurveSegment> curve;
   for (std::size_t i = 0; i < a.triangleCount(); ++i) {
     for (std::size_t j = 0; j < b.triangleCount(); ++j) {
       Triangle of_b = b.triangle(j);
       for (Vec3& corner : of_b) corner += shift;
-      curve.add(pose * a.triangle(i), pose * of_b);
+      if (const auto segment = meetingSegment(pose * a.triangle(i), pose * of_b)) curve.push_back(*segment);
     }
   }
   return curve;
@@ -49,7 +52,7 @@ TEST(IntersectionCurve, wayOutOfBoxesIsTheGradientOfTheOverlap) {
                         grows[2] * overlap[0] * overlap[1]);
     const Pose pose = testing::randomPose(random, 5.0);
     const std::optional<Vec3> out =
-        curveOf(testing::block(half_a, 3), testing::block(half_b, 4), pose, shift).wayOut();
+        wayOut(curveOf(testing::block(half_a, 3), testing::block(half_b, 4), pose, shift));
     if (gradient.norm() < 0.3 * std::cbrt(overlap.prod() * overlap.prod())) continue;
     ASSERT_TRUE(out) << i;
     EXPECT_LT((*out + pose.rotation * gradient.normalized()).norm(), 1e-9) << i;
@@ -64,27 +67,25 @@ TEST(IntersectionCurve, extendsAsFarAsBarsThatCrossAreDeep) {
   for (int i = 0; i < 50; ++i) {
     const double overlap = uniform(random, 0.01, 0.3);
     const Pose pose = testing::randomPose(random, 5.0);
-    const IntersectionCurve curve =
+    const std::vector<CurveSegment> curve =
         curveOf(testing::block({1, 0.2, 0.2}, 5), testing::block({0.15, 1, 0.2}, 6), pose,
                 Vec3(0.05, 0.03, 0.4 - overlap));
-    const std::optional<Vec3> out = curve.wayOut();
+    const std::optional<Vec3> out = wayOut(curve);
     ASSERT_TRUE(out) << i;
-    EXPECT_NEAR(curve.extentAlong(*out), overlap, 1e-9) << i;
-    EXPECT_LT((curve.middle() - pose * Vec3(0.05, 0.0, 0.2 - 0.5 * overlap)).norm(), 0.06) << i;
+    EXPECT_NEAR(extentAlong(*out, curve), overlap, 1e-9) << i;
+    EXPECT_LT((middleOf(curve) - pose * Vec3(0.05, 0.0, 0.2 - 0.5 * overlap)).norm(), 0.06) << i;
   }
 }
 
 TEST(IntersectionCurve, aBoxOnARodHasNoWayOut) {
-  const std::optional<Vec3> out =
-      curveOf(testing::block({0.1, 0.12, 2}, 3), testing::block({1, 1, 1}, 4), {}, Vec3(0.01, 0.02, 0.03))
-          .wayOut();
-  EXPECT_FALSE(out);
+  EXPECT_FALSE(wayOut(
+      curveOf(testing::block({0.1, 0.12, 2}, 3), testing::block({1, 1, 1}, 4), {}, Vec3(0.01, 0.02, 0.03))));
 }
 
 TEST(IntersectionCurve, anOpenCurveHasNoWayOut) {
   const TriangleMesh sheet = *testing::waveSheet(0.5, 0.0, 4);
-  EXPECT_FALSE(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.45, 0.02, 0.03)).wayOut());
-  EXPECT_TRUE(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.05, 0.02, 0.03)).wayOut());
+  EXPECT_FALSE(wayOut(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.45, 0.02, 0.03))));
+  EXPECT_TRUE(wayOut(curveOf(sheet, testing::block({0.3, 0.2, 0.1}, 3), {}, Vec3(0.05, 0.02, 0.03))));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class LocalSurface {
     std::uint32_t& number = numbers_[slotOf(index)];
     if (number != kNone) return number;
     number = size();
-    triangles_.push_back({triangle, index});
+    triangles_.push_back({triangle, scaledNormal(triangle), index});
     corners_.addCorners(triangle, number);
     edges_.addEdges(triangle, number);
     return number;
@@ -37,6 +37,8 @@ class LocalSurface {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size()); }
   const Triangle& triangle(std::uint32_t number) const { return triangles_[number].corners; }
+  /// scaledNormal of the triangle.
+  const Vec3& normal(std::uint32_t number) const { return triangles_[number].normal; }
   std::uint32_t index(std::uint32_t number) const { return triangles_[number].index; }
 
   /// The least sines of the angle by which a triangle must lean: one that goes on in the same plane, and one
@@ -58,7 +60,8 @@ class LocalSurface {
       const Triangle& shares = triangles_[other].corners;
       return hasCorner(shares, from) && hasCorner(shares, to) &&
              leansOver(shares, from, to, direction, least.flat) &&
-             (leansOver(shares, from, to, direction, least.bent) || areFlat(own, shares)) && accept(other);
+             (leansOver(shares, from, to, direction, least.bent) || areFlat(triangle, other)) &&
+             accept(other);
     };
     return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }
@@ -77,13 +80,13 @@ class LocalSurface {
 
   struct Numbered {
     Triangle corners;
+    Vec3 normal;
     std::uint32_t index;
   };
 
-  static bool areFlat(const Triangle& a, const Triangle& b) {
+  bool areFlat(std::uint32_t one, std::uint32_t other) const {
     constexpr double kFlat = 0.999;  // the cosine of 2.6°
-    const Vec3 of_a = scaledNormal(a), of_b = scaledNormal(b);
-    return of_a.dot(of_b) > kFlat * of_a.norm() * of_b.norm();
+    return normal(one).dot(normal(other)) > kFlat * normal(one).norm() * normal(other).norm();
   }
 
   /// The slot of a triangle in the table of numbers, or the empty slot for it.

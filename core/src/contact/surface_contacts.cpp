@@ -26,12 +26,6 @@ LocalSurface::Lean leanAt(bool pushes_on_face, double error = 0.0) {
   return {kSlightTilt + error, (pushes_on_face ? kRocking : kSlightTilt) + error};
 }
 
-/// Whether a contact pushes perpendicularly on the outside of a face. `outward` is the contact's normal, or
-/// against it, so that it points from the face's body to the other.
-bool isOnFace(const Vec3& facing, const Vec3& outward) {
-  return isPerpendicular(facing, outward) && facing.dot(outward) > 0.0;
-}
-
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 auto trianglesOf(const Contact& contact) { return TrianglePair{contact.triangle_a, contact.triangle_b}; }
@@ -60,27 +54,10 @@ void placeAround(const Vec3& middle, Contact& contact) {
   contact.point_on_b = middle - 0.5 * contact.distance * contact.normal;
 }
 
-/// Overwrites `order`, and calls visit(contacts) for the contacts of each triangle A or B.
-template <typename Visit>
-void forEachOfOne(std::uint32_t Contact::*triangle, const std::vector<Contact>& contacts,
-                  std::vector<std::uint32_t>& order, Visit&& visit) {
-  order.resize(contacts.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto triangleOf = [&](std::uint32_t c) { return contacts[c].*triangle; };
-  const auto place = [&](std::uint32_t c) { return std::pair(triangleOf(c), c); };
-  if (!std::ranges::is_sorted(order, {}, place)) std::ranges::sort(order, {}, place);
-  for (auto first = order.begin(); first != order.end();) {
-    const auto last = std::find_if(first, order.end(),
-                                   [&](std::uint32_t c) { return triangleOf(c) != triangleOf(*first); });
-    visit(std::span<const std::uint32_t>(first, last));
-    first = last;
-  }
-}
-
 }  // namespace
 
-SurfaceContacts::Face::Face(const Triangle& of, double contact)
-    : triangle(of), facing(scaledNormal(of).normalized()), contact_distance(contact) {}
+SurfaceContacts::Face::Face(const Triangle& of, const Vec3& normal, double contact)
+    : triangle(of), facing(normal.normalized()), contact_distance(contact) {}
 
 /// Whether each of two faces is below or on the other's plane, as at a convex edge or on the two sides of a
 /// sheet. False if `other` has no area.
@@ -95,8 +72,8 @@ bool SurfaceContacts::isConvex(const Face& face, const Face& other) {
 }
 
 void SurfaceContacts::clear() {
-  surface_a_.clear();
-  surface_b_.clear();
+  a_.surface.clear();
+  b_.surface.clear();
   pairs_.clear();
   skipped_.clear();
   meeting_.clear();
@@ -104,7 +81,7 @@ void SurfaceContacts::clear() {
 
 SurfaceContacts::Pair SurfaceContacts::add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b,
                                            const Triangle& b) {
-  return {surface_a_.add(index_a, a), surface_b_.add(index_b, b)};
+  return {a_.surface.add(index_a, a), b_.surface.add(index_b, b)};
 }
 
 void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
@@ -136,7 +113,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
   for (const std::uint32_t n : order_) {
     const Pair& pair = pairs_[n];
     const std::optional<Contact> contact =
-        contactWithin(threshold, near_[n], surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
+        contactWithin(threshold, near_[n], a_.triangle(pair), b_.triangle(pair));
     if (!contact) continue;
     found.push_back(*contact);
     of_contacts_.push_back(pair);
@@ -150,13 +127,13 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
                                     double threshold) const {
   constexpr double kPerpendicular = 1.5e-3;  // the sine of isPerpendicular's tolerance
-  const Triangle &a = surface_a_.triangle(pair.a), &b = surface_b_.triangle(pair.b);
+  const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
   const PlaceOnTriangle &on_a = places.first, &on_b = places.second;
-  const auto isOn = [](const PlaceOnTriangle& place, const Triangle& triangle) {
-    return place.feature != 0b111u || isOver(triangle, scaledNormal(triangle), place.point);
+  const auto isOn = [&](const PlaceOnTriangle& place, const Side& side) {
+    return place.feature != 0b111u || isOver(side.triangle(pair), side.facing(pair), place.point);
   };
-  if (!isOn(on_a, a) || !isOn(on_b, b)) return false;  // single precision was wrong
+  if (!isOn(on_a, a_) || !isOn(on_b, b_)) return false;  // single precision was wrong
   const Vec3 way = on_b.point - on_a.point;
   const double squared = way.squaredNorm(), length = std::sqrt(squared);
   if (!(length <= threshold)) return false;
@@ -171,18 +148,18 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
   const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
   const double limit = least - roundingOf(a, b);
   if (!(limit > 0.0)) return false;
-  const auto isSurelyTilted = [&](const Triangle& triangle) {
-    const Vec3 facing = scaledNormal(triangle);
+  const auto isSurelyTilted = [&](const Side& side) {
+    const Vec3& facing = side.facing(pair);
     const double tilt = kPerpendicular + error;
     return facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm();
   };
-  const auto isInner = [&](const LocalSurface& surface, std::uint32_t number, const PlaceOnTriangle& own,
-                           const Triangle& other, const Vec3& opposite) {
-    if (own.feature == 0b111u || !isSurelyTilted(surface.triangle(number))) return false;
-    return surface.comesNearer(number, own.feature, own.point, opposite, limit,
-                               leanAt(!isSurelyTilted(other), error));
+  const auto isInner = [&](const Side& own, const PlaceOnTriangle& at, const Side& opposite,
+                           const PlaceOnTriangle& opposite_at) {
+    if (at.feature == 0b111u || !isSurelyTilted(own)) return false;
+    return own.surface.comesNearer(pair.*own.number, at.feature, at.point, opposite_at.point, limit,
+                                   leanAt(!isSurelyTilted(opposite), error));
   };
-  return isInner(surface_a_, pair.a, on_a, b, on_b.point) || isInner(surface_b_, pair.b, on_b, a, on_a.point);
+  return isInner(a_, on_a, b_, on_b) || isInner(b_, on_b, a_, on_a);
 }
 
 void SurfaceContacts::filter(std::vector<Contact>& contacts, double threshold) {
@@ -210,32 +187,30 @@ void SurfaceContacts::removeWrong(std::vector<Contact>& contacts) {
 void SurfaceContacts::addCorners(std::vector<Contact>& contacts, double threshold) {
   const std::size_t count = contacts.size();
   for (std::size_t c = 0; c < count; ++c) {
-    const Triangle &a = surface_a_.triangle(pairs_[c].a), &b = surface_b_.triangle(pairs_[c].b);
     const Contact of_pair = contacts[c];
-    const double rounding = roundingOf(a, b);
-    // `from_face` is 1 if normals point from this face to the corners, or else -1.
-    const auto add = [&](const Triangle& triangle, Vec3 Contact::*on_triangle, const Triangle& face,
-                         Vec3 Contact::*on_face, double from_face) {
-      const Vec3 facing = scaledNormal(face);
-      if (!isOnFace(facing, from_face * of_pair.normal)) return;
-      const Vec3 outward =
-          facing.normalized();  // heights along the contact's normal are wrong far from face[0]
-      for (const Vec3& corner : triangle) {
+    const Pair pair = pairs_[c];
+    const auto addCornersOf = [&](const Side& own, const Side& opposite) {
+      if (!opposite.isUnder(of_pair, pair)) return;
+      const Triangle& face = opposite.triangle(pair);
+      const Vec3& facing = opposite.facing(pair);
+      // Heights along the contact's normal would be wrong far from face[0].
+      const Vec3 outward = facing.normalized();
+      for (const Vec3& corner : own.triangle(pair)) {
         const double height = outward.dot(corner - face[0]);
-        if (!(height <= threshold) || (corner - of_pair.*on_triangle).norm() <= rounding ||
-            !isOver(face, facing, corner))
+        if (!(height <= threshold) || !isOver(face, facing, corner)) continue;
+        if ((corner - of_pair.*own.point).norm() <= roundingOf(a_.triangle(pair), b_.triangle(pair)))
           continue;
         Contact contact = of_pair;
-        contact.*on_triangle = corner;
-        contact.*on_face = corner - height * outward;
-        contact.normal = from_face * outward;
+        contact.*own.point = corner;
+        contact.*opposite.point = corner - height * outward;
+        contact.normal = opposite.outward * outward;
         contact.distance = height;
         contacts.push_back(contact);
-        pairs_.push_back(pairs_[c]);
+        pairs_.push_back(pair);
       }
     };
-    add(a, &Contact::point_on_a, b, &Contact::point_on_b, 1.0);
-    add(b, &Contact::point_on_b, a, &Contact::point_on_a, -1.0);
+    addCornersOf(a_, b_);
+    addCornersOf(b_, a_);
   }
 }
 
@@ -247,9 +222,8 @@ void SurfaceContacts::alignWithFaces(std::vector<Contact>& contacts) const {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Contact& contact = contacts[c];
     Vec3& normal = contact.normal;
-    const Vec3 of_a = scaledNormal(surface_a_.triangle(pairs_[c].a)),
-               of_b = scaledNormal(surface_b_.triangle(pairs_[c].b));
-    if (isPerpendicular(of_a, normal) || isPerpendicular(of_b, normal)) continue;
+    if (a_.isPerpendicularTo(contact, pairs_[c]) || b_.isPerpendicularTo(contact, pairs_[c])) continue;
+    const Vec3 &of_a = a_.facing(pairs_[c]), &of_b = b_.facing(pairs_[c]);
     const auto cosineTo = [&](const Vec3& facing) {
       const double length = facing.norm();
       return length > 0.0 ? facing.dot(normal) / length : 0.0;
@@ -277,12 +251,27 @@ void SurfaceContacts::dropRemoved(std::vector<Contact>& contacts) {
 /// This comes first, because the depths of these contacts are meaningless.
 void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
   if (std::ranges::none_of(contacts, [](const Contact& contact) { return contact.distance < 0.0; })) return;
-  forEachOfOne(&Contact::triangle_b, contacts, order_,
-               [&](Members opposite_one) { markLongWays(contacts, opposite_one, true); });
-  forEachOfOne(&Contact::triangle_a, contacts, order_,
-               [&](Members opposite_one) { markLongWays(contacts, opposite_one, false); });
+  const auto markWaysOutOf = [&](const Side& own, const Side& opposite) {
+    sortByTriangle(opposite);
+    for (std::size_t number = 0; number < opposite.surface.size(); ++number) {
+      const Members opposite_one =
+          Members(order_).subspan(first_[number], first_[number + 1] - first_[number]);
+      markLongWays(contacts, opposite_one, own, opposite);
+    }
+  };
+  markWaysOutOf(a_, b_);
+  markWaysOutOf(b_, a_);
   dropRemoved(contacts);
   removed_.assign(contacts.size(), Removed::no);
+}
+
+/// Lists the contacts of each triangle of one side in order_, from first_[number] to first_[number + 1].
+void SurfaceContacts::sortByTriangle(const Side& side) {
+  first_.assign(side.surface.size() + 2, 0);
+  for (const Pair& pair : pairs_) ++first_[pair.*side.number + 2];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  order_.resize(pairs_.size());
+  for (std::uint32_t c = 0; c < pairs_.size(); ++c) order_[first_[pairs_[c].*side.number + 1]++] = c;
 }
 
 /// Marks contacts with one triangle of the other body that are perpendicular to a face of this body although
@@ -291,16 +280,16 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
 /// - is near the triangle's deepest point, or
 /// - is near the first face, while the deepest point is outside the body, over that other face or a third
 ///   one.
-void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members opposite_one,
+                                   const Side& own, const Side& opposite) {
   if (opposite_one.size() < 2) return;
   faces_.clear();
   for (const std::uint32_t c : opposite_one) {
     const Contact& contact = contacts[c];
-    const Triangle& own = of_a ? surface_a_.triangle(pairs_[c].a) : surface_b_.triangle(pairs_[c].b);
-    if (!(contact.distance < 0.0) || !isPerpendicular(scaledNormal(own), contact.normal)) continue;
-    if (faces_.empty()) findFaces(contacts, opposite_one, of_a);
-    const Face face(own, contact.distance);
-    const Vec3& deepest = of_a ? contact.point_on_b : contact.point_on_a;
+    if (!(contact.distance < 0.0) || !own.isPerpendicularTo(contact, pairs_[c])) continue;
+    if (faces_.empty()) findFaces(contacts, opposite_one, own);
+    const Face face(own.triangle(pairs_[c]), own.facing(pairs_[c]), contact.distance);
+    const Vec3& deepest = contact.*opposite.point;
     const double half_way = -0.5 * contact.distance;
     const auto isOver = [&](const Face& other) {
       return other.depthOf(deepest) < -0.1 * half_way && isConvex(face, other);
@@ -313,7 +302,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
         return true;
       }
       if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
-      return *is_out && isConvex(face, other) && areWithin(half_way, own, other.triangle);
+      return *is_out && isConvex(face, other) && areWithin(half_way, face.triangle, other.triangle);
     };
     if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = Removed::long_way;
   }
@@ -321,7 +310,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
 
 /// Collects faces that meet a triangle, from the least deep contacts. Their number is limited, so that a
 /// large triangle under a fine mesh does not take quadratic time.
-void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a) {
+void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members opposite_one, const Side& own) {
   constexpr std::size_t kMax = 256;
   shallowest_.clear();
   std::ranges::copy_if(opposite_one, std::back_inserter(shallowest_),
@@ -333,17 +322,16 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
     shallowest_.resize(kMax);
   }
   for (const std::uint32_t c : shallowest_) {
-    faces_.emplace_back(of_a ? surface_a_.triangle(pairs_[c].a) : surface_b_.triangle(pairs_[c].b),
-                        contacts[c].distance);
+    faces_.emplace_back(own.triangle(pairs_[c]), own.facing(pairs_[c]), contacts[c].distance);
   }
 }
 
 /// Groups pairs that are connected by triangles.
 void SurfaceContacts::findGroups(std::initializer_list<const std::vector<Pair>*> of) {
-  parent_.resize(surface_a_.size() + surface_b_.size());
+  parent_.resize(a_.surface.size() + b_.surface.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
   for (const std::vector<Pair>* const pairs : of) {
-    for (const Pair& pair : *pairs) parent_[rootOf(surface_a_.size() + pair.b)] = rootOf(pair.a);
+    for (const Pair& pair : *pairs) parent_[rootOf(a_.surface.size() + pair.b)] = rootOf(pair.a);
   }
 }
 
@@ -378,8 +366,7 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
 /// crosses the other.
 bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const {
   constexpr double kFacing = 0.55;  // a cosine; of the faces at a box's corner, one has at least 0.577
-  const Vec3 of_a = scaledNormal(surface_a_.triangle(pair.a)),
-             of_b = scaledNormal(surface_b_.triangle(pair.b));
+  const Vec3 &of_a = a_.facing(pair), &of_b = b_.facing(pair);
   return of_a.dot(contact.normal) < -kFacing * of_a.norm() &&
          of_b.dot(contact.normal) > kFacing * of_b.norm();
 }
@@ -391,8 +378,14 @@ void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
   }
   if (order_.empty()) return;
   curve_.clear();
-  for (const Pair& pair : meeting_) curve_.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
-  if (!curve_.wayOut()) return;  // one body may pierce the other
+  of_segments_.clear();
+  for (const Pair& pair : meeting_) {
+    if (const std::optional<CurveSegment> segment = meetingSegment(a_.triangle(pair), b_.triangle(pair))) {
+      curve_.push_back(*segment);
+      of_segments_.push_back(pair);
+    }
+  }
+  if (!wayOut(curve_)) return;  // one body may pierce the other
   removed_.assign(contacts.size(), Removed::no);
   findGroups({&meeting_});
   std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::pair(groupOf(pairs_[c]), c); });
@@ -410,11 +403,11 @@ void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
 /// cross, the curve extends as far as they overlap. An end that pokes into a side has a flat curve: without
 /// another way out, the depth is that of the triangles.
 void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group) {
-  curve_.clear();
-  for (const Pair& pair : meeting_) {
-    if (groupOf(pair) == group) curve_.add(surface_a_.triangle(pair.a), surface_b_.triangle(pair.b));
+  crossing_.clear();
+  for (std::size_t s = 0; s < curve_.size(); ++s) {
+    if (groupOf(of_segments_[s]) == group) crossing_.push_back(curve_[s]);
   }
-  const std::optional<Vec3> out = curve_.wayOut();
+  const std::optional<Vec3> out = wayOut(crossing_);
   if (!out) return;
   constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
   const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
@@ -435,10 +428,10 @@ void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members,
   if (deepest == kNone) return;
   removed_[deepest] = Removed::no;
   Contact& contact = contacts[deepest];
-  const double extent = curve_.extentAlong(*out);
+  const double extent = extentAlong(*out, crossing_);
   contact.normal = *out;
   contact.distance = has_way_out ? -extent : std::min(contact.distance, -extent);
-  placeAround(curve_.middle(), contact);
+  placeAround(middleOf(crossing_), contact);
 }
 
 /// Marks contacts whose triangles are apart, with one triangle on the back of the other, and that are
@@ -449,48 +442,43 @@ void SurfaceContacts::markPast(const std::vector<Contact>& contacts) {
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     if (!isApart(contact) || isApart(contacts[deepest_[groupOf(pairs_[c])]])) continue;
-    const Vec3 facing_a = scaledNormal(surface_a_.triangle(pairs_[c].a)),
-               facing_b = scaledNormal(surface_b_.triangle(pairs_[c].b));
-    if (contact.normal.dot(facing_a) > kBehind * facing_a.norm() ||
-        contact.normal.dot(facing_b) < -kBehind * facing_b.norm()) {
-      removed_[c] = Removed::past;
-    }
+    const auto isOnBack = [&](const Side& side) {
+      const Vec3& facing = side.facing(pairs_[c]);
+      return side.outward * contact.normal.dot(facing) < -kBehind * facing.norm();
+    };
+    if (isOnBack(a_) || isOnBack(b_)) removed_[c] = Removed::past;
   }
 }
 
 void SurfaceContacts::markInner(const std::vector<Contact>& contacts) {
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    if (removed_[c] == Removed::no && (isInner(contacts, c, true) || isInner(contacts, c, false)))
+    if (removed_[c] == Removed::no && (isInner(contacts, c, a_, b_) || isInner(contacts, c, b_, a_)))
       removed_[c] = Removed::inner;
   }
 }
 
 /// Whether a contact is at an angle to a body's triangle, at an edge or corner beyond which another triangle
 /// of this body leans towards the other body, and comes nearer or meets it.
-bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const {
+bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_t c, const Side& own,
+                              const Side& opposite) const {
   const Contact& contact = contacts[c];
-  const LocalSurface& surface = of_a ? surface_a_ : surface_b_;
-  const std::uint32_t number = of_a ? pairs_[c].a : pairs_[c].b;
-  const Triangle& own = surface.triangle(number);
-  const Vec3 &point = of_a ? contact.point_on_a : contact.point_on_b,
-             &opposite = of_a ? contact.point_on_b : contact.point_on_a;
-  const Vec3 normal = scaledNormal(own);
-  if (isPerpendicular(normal, contact.normal)) return false;
-  const unsigned feature = featureOf(own, normal, point);
+  const Pair& pair = pairs_[c];
+  if (own.isPerpendicularTo(contact, pair)) return false;
+  const Vec3 &point = contact.*own.point, &opposite_point = contact.*opposite.point;
+  const unsigned feature = featureOf(own.triangle(pair), own.facing(pair), point);
   if (feature == 0b111u || feature == 0) return false;
-  const Vec3 towards = of_a ? Vec3(-contact.normal) : contact.normal;
-  const Triangle& faced = of_a ? surface_b_.triangle(pairs_[c].b) : surface_a_.triangle(pairs_[c].a);
-  const LocalSurface::Lean least = leanAt(isOnFace(scaledNormal(faced), -towards));
+  const std::uint32_t number = pair.*own.number;
+  const LocalSurface::Lean least = leanAt(opposite.isUnder(contact, pair));
   if (contact.distance > 0.0) {
-    const double limit =
-        contact.distance - roundingOf(surface_a_.triangle(pairs_[c].a), surface_b_.triangle(pairs_[c].b));
-    if (limit > 0.0) return surface.comesNearer(number, feature, point, opposite, limit, least);
+    const double limit = contact.distance - roundingOf(a_.triangle(pair), b_.triangle(pair));
+    if (limit > 0.0) return own.surface.comesNearer(number, feature, point, opposite_point, limit, least);
   }
-  return surface.leansBeyond(number, feature, towards, least, [&](std::uint32_t other) {
-    TrianglePair pair = trianglesOf(contact);
-    (of_a ? pair.a : pair.b) = surface.index(other);
-    const auto found = std::ranges::lower_bound(contacts, pair, {}, trianglesOf);
-    if (found == contacts.end() || trianglesOf(*found) != pair) return false;
+  const Vec3 towards = own.outward * contact.normal;
+  return own.surface.leansBeyond(number, feature, towards, least, [&](std::uint32_t other) {
+    Contact sought = contact;
+    sought.*own.index = own.surface.index(other);
+    const auto found = std::ranges::lower_bound(contacts, trianglesOf(sought), {}, trianglesOf);
+    if (found == contacts.end() || trianglesOf(*found) != trianglesOf(sought)) return false;
     // A triangle that is wholly past the face is deeper than one that meets it.
     return found->distance <= 0.0 ||
            removed_[static_cast<std::size_t>(found - contacts.begin())] == Removed::past;

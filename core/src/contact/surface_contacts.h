@@ -65,12 +65,31 @@ class SurfaceContacts {
   void openPinches(std::vector<Contact>& contacts);
 
  private:
-  /// The numbers of two triangles in surface_a_ and surface_b_.
+  /// The numbers of two triangles on sides A and B.
   struct Pair {
     std::uint32_t a, b;
   };
+  /// One of the two surfaces, and where a pair or a contact holds its part.
+  struct Side {
+    std::uint32_t Pair::*number;
+    std::uint32_t Contact::*index;
+    Vec3 Contact::*point;
+    double outward;  ///< 1 if the normals of contacts point outward from this surface, or else -1
+    LocalSurface surface;
+
+    const Triangle& triangle(const Pair& pair) const { return surface.triangle(pair.*number); }
+    /// scaledNormal of the triangle.
+    const Vec3& facing(const Pair& pair) const { return surface.normal(pair.*number); }
+    bool isPerpendicularTo(const Contact& contact, const Pair& pair) const {
+      return isPerpendicular(facing(pair), contact.normal);
+    }
+    /// Whether a contact pushes perpendicularly on the outside of the triangle.
+    bool isUnder(const Contact& contact, const Pair& pair) const {
+      return isPerpendicularTo(contact, pair) && outward * facing(pair).dot(contact.normal) > 0.0;
+    }
+  };
   struct Face {
-    Face(const Triangle& of, double contact);
+    Face(const Triangle& of, const Vec3& normal, double contact);
     double depthOf(const Vec3& point) const { return facing.dot(triangle[0] - point); }
 
     Triangle triangle;
@@ -88,8 +107,10 @@ class SurfaceContacts {
   void alignWithFaces(std::vector<Contact>& contacts) const;
   void dropRemoved(std::vector<Contact>& contacts);
   void removeLongWays(std::vector<Contact>& contacts);
-  void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
-  void findFaces(const std::vector<Contact>& contacts, Members opposite_one, bool of_a);
+  void sortByTriangle(const Side& side);
+  void markLongWays(const std::vector<Contact>& contacts, Members opposite_one, const Side& own,
+                    const Side& opposite);
+  void findFaces(const std::vector<Contact>& contacts, Members opposite_one, const Side& own);
   static bool isConvex(const Face& face, const Face& other);
   void findGroups(std::initializer_list<const std::vector<Pair>*> of);
   void findDeepest(const std::vector<Contact>& contacts);
@@ -100,21 +121,26 @@ class SurfaceContacts {
   void openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group);
   void markPast(const std::vector<Contact>& contacts);
   void markInner(const std::vector<Contact>& contacts);
-  bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, bool of_a) const;
+  bool isInner(const std::vector<Contact>& contacts, std::uint32_t c, const Side& own,
+               const Side& opposite) const;
 
-  LocalSurface surface_a_, surface_b_;
+  Side a_{&Pair::a, &Contact::triangle_a, &Contact::point_on_a, -1.0, {}};
+  Side b_{&Pair::b, &Contact::triangle_b, &Contact::point_on_b, 1.0, {}};
   std::vector<NearPair> near_;
   std::vector<Pair> pairs_;        // per near pair, then per contact
   std::vector<Pair> of_contacts_;  // the pairs per contact while they are computed
   std::vector<Pair> skipped_;      // pairs whose contacts were not computed
   std::vector<Pair> meeting_;      // pairs that meet
-  IntersectionCurve curve_;
+  std::vector<CurveSegment> curve_;
+  std::vector<Pair> of_segments_;       // the pairs per segment of the curve
+  std::vector<CurveSegment> crossing_;  // the part of the curve of one group
   /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner, pinches };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> order_, shallowest_;
+  std::vector<std::uint32_t> first_;    // per triangle of a side: its first contact in order_
   std::vector<Face> faces_;             // faces that meet a triangle
-  std::vector<std::uint32_t> parent_;   // per triangle of surface_a_, then of surface_b_
+  std::vector<std::uint32_t> parent_;   // per triangle of A, then of B
   std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
   std::vector<bool> may_meet_;          // per root: whether triangles of its group may meet
   std::vector<bool> stays_;             // per root: whether a contact of its group stays
