@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
@@ -11,6 +12,16 @@ namespace octoblisk::testing {
 using gallery::at;
 using gallery::BulletMesh;
 using gallery::BulletWorld;
+
+/// The points of all manifolds.
+inline std::vector<btManifoldPoint*> manifoldPoints(btDispatcher& dispatcher) {
+  std::vector<btManifoldPoint*> points;
+  for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+    btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+    for (int p = 0; p < manifold.getNumContacts(); ++p) points.push_back(&manifold.getContactPoint(p));
+  }
+  return points;
+}
 
 /// Collects the points that contactPairTest reports.
 struct PairReport final : btCollisionWorld::ContactResultCallback {

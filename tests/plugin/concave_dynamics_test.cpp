@@ -134,12 +134,8 @@ TEST(ConcaveDynamics, barsThatCrossPartWithoutGainingEnergy) {
     };
     const auto deepest = [&] {
       double least = 0.0;
-      for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-        const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-        for (int p = 0; p < manifold.getNumContacts(); ++p) {
-          least = std::min(least, double(manifold.getContactPoint(p).getDistance()));
-        }
-      }
+      for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher()))
+        least = std::min(least, double(point->getDistance()));
       return least;
     };
     double last = energy();
@@ -342,15 +338,9 @@ Floating floatOver(const testing::SharedMesh& sheet, const btTransform& above) {
   Floating floating;
   for (int step = 0; step < 60; ++step) {
     world.step(1, 1.0 / 60.0);
-    int contacts = 0;
-    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-      contacts += manifold.getNumContacts();
-      for (int i = 0; i < manifold.getNumContacts(); ++i)
-        floating.least_distance =
-            std::min(floating.least_distance, double(manifold.getContactPoint(i).getDistance()));
-    }
-    floating.contacts = std::max(floating.contacts, contacts);
+    for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher()))
+      floating.least_distance = std::min(floating.least_distance, double(point->getDistance()));
+    floating.contacts = std::max(floating.contacts, world.contactPoints());
   }
   const btTransform& now = upper.getWorldTransform();
   floating.moved = double((now.getOrigin() - above.getOrigin()).length()) +

@@ -219,13 +219,9 @@ TEST(ContactReport, numbersOfSomeoneElseHaveNoBlade) {
   EXPECT_TRUE(bladesAreAll(3));
   using Number = std::pair<int, int>;
   for (const auto& [part, index] : {Number(0, 1'000'000), Number(7, 0), Number(-1, 0), Number(0, -1)}) {
-    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-      btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-      for (int p = 0; p < manifold.getNumContacts(); ++p) {
-        btManifoldPoint& point = manifold.getContactPoint(p);
-        point.m_partId0 = point.m_partId1 = part;
-        point.m_index0 = point.m_index1 = index;
-      }
+    for (btManifoldPoint* point : testing::manifoldPoints(world.dispatcher())) {
+      point->m_partId0 = point->m_partId1 = part;
+      point->m_index0 = point->m_index1 = index;
     }
     EXPECT_TRUE(bladesAreAll(0)) << part << ' ' << index;
   }

@@ -235,12 +235,8 @@ TEST_P(AllPairs, worldsFindWhatPairTestsFind) {
     for (btCollisionObject* object : objects) world->addCollisionObject(object, 1, -1);
     world->performDiscreteCollisionDetection();
     double deepest = kInfinity;
-    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-      for (int c = 0; c < manifold.getNumContacts(); ++c) {
-        deepest = std::min(deepest, double(manifold.getContactPoint(c).getDistance()));
-      }
-    }
+    for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher()))
+      deepest = std::min(deepest, double(point->getDistance()));
     PairReport tested;
     world->contactTest(objects[i / 2 % 2], tested);
     for (btCollisionObject* object : objects) world->removeCollisionObject(object);
@@ -313,12 +309,8 @@ GImpactContacts gimpactContacts(BulletWorld& world, btGImpactShapeInterface& gim
   for (btCollisionObject* object : {&a, &b}) world->addCollisionObject(object, 1, -1);
   world->performDiscreteCollisionDetection();
   double in_world = kInfinity;
-  for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-    const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-    for (int c = 0; c < manifold.getNumContacts(); ++c) {
-      in_world = std::min(in_world, double(manifold.getContactPoint(c).getDistance()));
-    }
-  }
+  for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher()))
+    in_world = std::min(in_world, double(point->getDistance()));
   for (btCollisionObject* object : {&a, &b}) world->removeCollisionObject(object);
   return {first.deepest(), second.deepest(), in_world};
 }

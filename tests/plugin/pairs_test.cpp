@@ -245,11 +245,7 @@ TEST(Pairs, aBreakingThresholdSetLateCounts) {
     const auto contactsWithin = [&](double threshold) {
       floor.setContactBreakingThreshold(btScalar(threshold));
       world->performDiscreteCollisionDetection();
-      int count = 0;
-      for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-        count += world.dispatcher().getManifoldByIndexInternal(m)->getNumContacts();
-      }
-      return count;
+      return world.contactPoints();
     };
     EXPECT_EQ(contactsWithin(0.01), 0);
     EXPECT_GT(contactsWithin(0.019), 0);
@@ -289,14 +285,10 @@ TEST(Pairs, manifoldsStayWithTheirPatches) {
   world->performDiscreteCollisionDetection();
   const auto warm = [&](double value) {
     int points = 0, kept = 0;
-    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-      btPersistentManifold* manifold = world.dispatcher().getManifoldByIndexInternal(m);
-      for (int i = 0; i < manifold->getNumContacts(); ++i) {
-        btManifoldPoint& point = manifold->getContactPoint(i);
-        ++points;
-        kept += point.m_positionWorldOnA.x() > 0 && double(point.m_appliedImpulse) == value;
-        point.m_appliedImpulse = point.m_positionWorldOnA.x() > 0 ? btScalar(7) : btScalar(0);
-      }
+    for (btManifoldPoint* point : testing::manifoldPoints(world.dispatcher())) {
+      ++points;
+      kept += point->m_positionWorldOnA.x() > 0 && double(point->m_appliedImpulse) == value;
+      point->m_appliedImpulse = point->m_positionWorldOnA.x() > 0 ? btScalar(7) : btScalar(0);
     }
     return std::pair(points, kept);
   };

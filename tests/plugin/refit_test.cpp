@@ -122,12 +122,9 @@ TEST(ShapeRefit, contactsOfBeforeAreGone) {
     const auto pointsOnEachSide = [&] {
       world->performDiscreteCollisionDetection();
       std::pair<int, int> points;
-      for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-        const btPersistentManifold* manifold = world.dispatcher().getManifoldByIndexInternal(m);
-        for (int i = 0; i < manifold->getNumContacts(); ++i) {
-          const bool on_sunk_half = manifold->getContactPoint(i).m_positionWorldOnA.x() > btScalar(0.6);
-          ++(on_sunk_half ? points.second : points.first);
-        }
+      for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher())) {
+        const bool on_sunk_half = point->m_positionWorldOnA.x() > btScalar(0.6);
+        ++(on_sunk_half ? points.second : points.first);
       }
       return points;
     };

@@ -57,12 +57,9 @@ Rest restOn(btCollisionShape& floor, btConvexShape& shape, const btTransform& fr
   for (int step = 0; step < 1440; ++step) {
     world.step(1);
     if (step < 1200) continue;
-    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
-      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
-      for (int p = 0; p < manifold.getNumContacts(); ++p) {
-        const Vec3 normal = fromBullet(manifold.getContactPoint(p).m_normalWorldOnB);
-        rest.most_askew = std::max(rest.most_askew, std::hypot(normal.x(), normal.y()));
-      }
+    for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher())) {
+      const Vec3 normal = fromBullet(point->m_normalWorldOnB);
+      rest.most_askew = std::max(rest.most_askew, std::hypot(normal.x(), normal.y()));
     }
   }
   const btTransform& pose = body.getWorldTransform();

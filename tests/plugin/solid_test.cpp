@@ -215,11 +215,8 @@ TEST(Solid, aPlateThroughAnEdgeTouches) {
 std::vector<double> distancesIn(BulletWorld& world) {
   world->performDiscreteCollisionDetection();
   std::vector<double> distances;
-  for (int m = 0; m < world->getDispatcher()->getNumManifolds(); ++m) {
-    const btPersistentManifold& manifold = *world->getDispatcher()->getManifoldByIndexInternal(m);
-    for (int i = 0; i < manifold.getNumContacts(); ++i)
-      distances.push_back(double(manifold.getContactPoint(i).getDistance()));
-  }
+  for (const btManifoldPoint* point : testing::manifoldPoints(world.dispatcher()))
+    distances.push_back(double(point->getDistance()));
   std::ranges::sort(distances);
   return distances;
 }
