@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
@@ -21,19 +20,7 @@
 #include "shared/solids.h"
 
 namespace octoblisk::bench {
-
-using namespace detail;
-
 namespace {
-
-double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
-    for (std::size_t j = 0; j < b.triangleCount(); ++j)
-      least = std::min(least, closestPoints(a.triangle(i), b_in_a * b.triangle(j)).distance);
-  }
-  return least;
-}
 
 TEST(Reference, touchingPairsAndDistances_vs_bruteforce) {
   std::mt19937_64 random(91);
@@ -47,7 +34,7 @@ TEST(Reference, touchingPairsAndDistances_vs_bruteforce) {
     ASSERT_EQ(reference.touchingPairs(b, pose), pairs) << k;
     hits += pairs > 0;
     if (pairs > 0) continue;
-    const double distance = bruteForceDistance(a, b, pose);
+    const double distance = testing::bruteForceDistance(a, b, pose);
     const auto found = reference.distance(1.0, b, pose);
     ASSERT_EQ(found.has_value(), distance <= 1.0) << k;
     if (!found) continue;

@@ -17,15 +17,8 @@ using namespace detail;
 namespace {
 
 /// 0 if any triangle pair meets, otherwise the least distance of all pairs.
-double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
-  if (!testing::bruteForcePairs(a, b, b_in_a).empty()) return 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < a.triangleCount(); ++i) {
-    for (std::size_t j = 0; j < b.triangleCount(); ++j) {
-      least = std::min(least, closestPoints(a.triangle(i), b_in_a * b.triangle(j)).distance);
-    }
-  }
-  return least;
+double bruteForceClearance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
+  return testing::bruteForcePairs(a, b, b_in_a).empty() ? testing::bruteForceDistance(a, b, b_in_a) : 0.0;
 }
 
 /// Expects the witnesses to be on their triangles, at the reported distance.
@@ -57,7 +50,7 @@ TEST(Distance, vs_bruteforce) {
     for (std::size_t b = 0; b < meshes.size(); ++b) {
       for (int i = 0; i < 12; ++i, ++poses) {
         const Pose b_in_a = testing::randomPose(random, 3.2);
-        const double expected = bruteForceDistance(*meshes[a], *meshes[b], b_in_a);
+        const double expected = bruteForceClearance(*meshes[a], *meshes[b], b_in_a);
         const Clearance found = distance(trees[a], trees[b], b_in_a);
         ASSERT_NEAR(found.distance, expected, 1e-12) << a << ' ' << b << ' ' << i;
         ASSERT_EQ(found.distance == 0.0, expected == 0.0);
@@ -116,7 +109,7 @@ TEST(Distance, ofBodiesOfAnySize_vs_bruteforce) {
     for (int i = 0; i < 40; ++i) {
       Pose pose = testing::randomPose(random, 2.0);
       pose.translation = scale * (pose.translation + pose.translation.normalized());
-      const double expected = bruteForceDistance(*a, *b, pose);
+      const double expected = bruteForceClearance(*a, *b, pose);
       ASSERT_NEAR(distance(tree_a, tree_b, pose).distance, expected, 1e-12 * scale) << scale << ' ' << i;
     }
   }
@@ -145,7 +138,7 @@ TEST(Distance, ofEdgesAllButParallel_vs_bruteforce) {
     const auto b = std::make_shared<const TriangleMesh>(of_b, triangles);
     const ClusteredOctree tree_a = ClusteredOctree::build(a, {.threads = 1});
     const ClusteredOctree tree_b = ClusteredOctree::build(b, {.threads = 1});
-    const double expected = bruteForceDistance(*a, *b, Pose{});
+    const double expected = bruteForceClearance(*a, *b, Pose{});
     ASSERT_NEAR(distance(tree_a, tree_b, Pose{}).distance, expected, 1e-12) << i;
   }
 }
@@ -199,7 +192,7 @@ TEST(Distance, toConvexBodies_vs_bruteforce) {
   constexpr int kPoses = 300;
   for (int i = 0; i < kPoses; ++i) {
     const Pose pose = testing::randomPose(random, 3.0);
-    double expected = bruteForceDistance(*mesh, *box_mesh, pose);
+    double expected = bruteForceClearance(*mesh, *box_mesh, pose);
     const Clearance found = distance(tree, box, pose);
     if (found.distance == 0.0 && expected > 0.0) {  // a triangle entirely inside the box
       const Triangle triangle = pose.inverse() * mesh->triangle(found.triangle_a);

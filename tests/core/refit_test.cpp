@@ -87,7 +87,8 @@ TEST(Refit, isValidForEveryDeformationAndScale) {
 }
 
 /// The least distance of all triangle pairs, if it is no more than the bound. Brute force.
-double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose, double bound) {
+double bruteForceDistanceWithin(const TriangleMesh& a, const TriangleMesh& b, const Pose& pose,
+                                double bound) {
   double least = std::numeric_limits<double>::infinity();
   for (const Contact& contact : testing::bruteForceContacts(a, b, pose, bound))
     least = std::min(least, std::max(0.0, contact.distance));
@@ -116,10 +117,10 @@ TEST(Refit, collideAndDistance_vs_bruteforce) {
       if (!expected.empty()) {
         ASSERT_LE(found, 0.0) << "pose " << i;
       } else if (found < 0.5) {
-        ASSERT_NEAR(found, bruteForceDistance(*moved, *other, pose, 0.6), 1e-9) << "pose " << i;
+        ASSERT_NEAR(found, bruteForceDistanceWithin(*moved, *other, pose, 0.6), 1e-9) << "pose " << i;
         ++clear;
       } else if (i % 4 == 0) {
-        ASSERT_GE(bruteForceDistance(*moved, *other, pose, 0.49), 0.49) << "pose " << i;
+        ASSERT_GE(bruteForceDistanceWithin(*moved, *other, pose, 0.49), 0.49) << "pose " << i;
       }
     }
     EXPECT_GE(hits, kPoses * 3 / 10);

@@ -52,6 +52,16 @@ std::vector<TrianglePair> bruteForcePairs(const TriangleMesh& a, const TriangleM
   return pairs;
 }
 
+double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < b.triangleCount(); ++j) {
+    const Triangle posed = b_in_a * b.triangle(j);
+    for (std::size_t i = 0; i < a.triangleCount(); ++i)
+      least = std::min(least, closestPoints(a.triangle(i), posed).distance);
+  }
+  return least;
+}
+
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold) {
   std::vector<Contact> found;

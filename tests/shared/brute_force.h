@@ -12,6 +12,9 @@ namespace octoblisk::testing {
 /// All triangle pairs that meet, in ascending order of indices.
 std::vector<TrianglePair> bruteForcePairs(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a);
 
+/// The least distance of all triangle pairs, if none meets.
+double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a);
+
 /// The contacts of all triangle pairs no farther apart than the threshold, in ascending order of indices.
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold);

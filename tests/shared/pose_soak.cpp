@@ -4,18 +4,14 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
-#include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
+#include "shared/brute_force.h"
 #include "shared/cgal_shapes.h"
 #include "tree/refit.h"
 
 namespace octoblisk::testing {
-
-using namespace detail;
-
 namespace {
 
 constexpr std::size_t kMaxFindings = 10;
@@ -98,17 +94,6 @@ Pose nearPose(const TriangleMesh& a, const TriangleMesh& b, double size_of_b, st
   const Vec3 direction = (on_a - a.bounds().center()).normalized();
   pose.translation = on_a + gap * direction - pose.rotation * on_b;
   return pose;
-}
-
-/// The least distance of all triangle pairs.
-double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t j = 0; j < b.triangleCount(); ++j) {
-    const Triangle posed = b_in_a * b.triangle(j);
-    for (std::size_t i = 0; i < a.triangleCount(); ++i)
-      least = std::min(least, closestPoints(a.triangle(i), posed).distance);
-  }
-  return least;
 }
 
 }  // namespace
