@@ -107,7 +107,7 @@ TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
     const auto kind = static_cast<testing::MeshKind>(k / 3);
     const double scale = k % 3 == 1 ? 1e-6 : 1.0;
     const Vec3 offset = k % 3 == 2 ? Vec3(1e3, -2e3, 3e3) : Vec3::Zero();
-    const SharedMesh mesh = testing::placed(*testing::hardMesh(random, kind), scale, offset);
+    const SharedMesh mesh = testing::scaledAndMoved(testing::hardMesh(random, kind), scale, offset);
     const ClusteredOctree full = ClusteredOctree::build(mesh);
     const ClusteredOctree compact = ClusteredOctree::build(mesh, {.storage = Storage::compact});
     for (int i = 0; i < 300; ++i) {

@@ -23,13 +23,8 @@ namespace octoblisk {
 using namespace detail;
 namespace {
 
+using testing::deformed;
 using testing::SharedMesh;
-
-SharedMesh deformed(const TriangleMesh& mesh, const std::function<Vec3(const Vec3&)>& moved) {
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(moved(vertex));
-  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
-}
 
 SharedMesh scaled(const TriangleMesh& mesh, double factor) {
   return deformed(mesh, [factor](const Vec3& v) { return Vec3(factor * v); });

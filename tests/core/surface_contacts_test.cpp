@@ -423,7 +423,8 @@ TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
   std::mt19937_64 random(103);
   const auto hardMesh = [&](double size) {
     const auto kind = static_cast<testing::MeshKind>(random() % testing::kMeshKinds);
-    return testing::placed(*testing::hardMesh(random, kind), size, testing::randomPoint(random, 10.0 * size));
+    return testing::scaledAndMoved(testing::hardMesh(random, kind), size,
+                                   testing::randomPoint(random, 10.0 * size));
   };
   int clear = 0, meeting = 0;
   SurfaceContacts surfaces;

@@ -9,6 +9,7 @@
 #include "geometry/triangle_convex.h"
 #include "shared/hard_meshes.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 
@@ -17,6 +18,7 @@ using namespace detail;
 namespace {
 
 using testing::randomPoint;
+using testing::SharedMesh;
 using testing::uniform;
 
 ConvexHull randomHull(std::mt19937_64& random, int points, double size, double radius) {
@@ -96,7 +98,8 @@ TEST(TrianglesNearConvex, onlyThoseNearAPoint_ofHardMeshes) {
     const auto kind = static_cast<testing::MeshKind>(i % testing::kMeshKinds);
     const double size = std::pow(10.0, uniform(random, -6.0, 6.0));
     const double far = i % 2 == 0 ? 0.0 : size * std::pow(10.0, uniform(random, 0.0, 4.0));
-    const SharedMesh mesh = testing::placed(*testing::hardMesh(random, kind), size, randomPoint(random, far));
+    const SharedMesh mesh =
+        testing::scaledAndMoved(testing::hardMesh(random, kind), size, randomPoint(random, far));
     BuildOptions options;
     if (i % 3 == 0) options.storage = Storage::compact;
     const ClusteredOctree tree = ClusteredOctree::build(mesh, options);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string>
 
@@ -20,14 +19,9 @@ namespace {
 
 using testing::at;
 using testing::BulletMesh;
+using testing::deformed;
 using testing::messageOf;
 using testing::SharedMesh;
-
-SharedMesh deformed(const TriangleMesh& mesh, const std::function<Vec3(const Vec3&)>& moved) {
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(moved(vertex));
-  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
-}
 
 TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
   std::mt19937_64 random(81);

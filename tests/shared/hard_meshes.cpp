@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "shared/solids.h"
-
 namespace octoblisk::testing {
 namespace {
 
@@ -122,12 +120,6 @@ SharedMesh hardMesh(std::mt19937_64& random, MeshKind kind) {
       break;
   }
   return soup(random, 64, 0.8, 0.4);
-}
-
-SharedMesh placed(const TriangleMesh& mesh, double scale, const Vec3& offset) {
-  Vertices vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.emplace_back(scale * vertex + offset);
-  return meshOf(std::move(vertices), mesh.triangles());
 }
 
 }  // namespace octoblisk::testing

@@ -19,7 +19,4 @@ const char* nameOf(MeshKind kind);
 /// A mesh of at most 120 triangles within 1.5 of the origin.
 SharedMesh hardMesh(std::mt19937_64& random, MeshKind kind);
 
-/// Scales every vertex and then moves it by the offset.
-SharedMesh placed(const TriangleMesh& mesh, double scale, const Vec3& offset);
-
 }  // namespace octoblisk::testing

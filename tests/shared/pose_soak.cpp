@@ -9,6 +9,7 @@
 #include "octoblisk/distance.h"
 #include "shared/brute_force.h"
 #include "shared/cgal_shapes.h"
+#include "shared/solids.h"
 #include "tree/refit.h"
 
 namespace octoblisk::testing {
@@ -56,7 +57,7 @@ SoakScene drawScene(std::uint64_t number, std::mt19937_64& random) {
 
 ClusteredOctree treeOf(const SharedMesh& mesh, const TreeKind& kind) {
   if (!kind.refitted) return ClusteredOctree::build(mesh, kind.options);
-  const SharedMesh longer = placed(*mesh, 1.25, Vec3::Zero());
+  const SharedMesh longer = scaledAndMoved(mesh, 1.25, Vec3::Zero());
   return ClusteredOctree::build(longer, kind.options).refitted(mesh, 1);
 }
 
@@ -123,10 +124,10 @@ SoakTally soak(std::uint64_t scene_number, int poses) {
   const double size_of_b = scene.scale * scene.ratio;
   const Vec3 direction = randomRotation(random).col(0);
   const SharedMesh mesh_a =
-      placed(*hardMesh(random, scene.a), scene.scale, scene.scale * scene.far * direction);
+      scaledAndMoved(hardMesh(random, scene.a), scene.scale, scene.scale * scene.far * direction);
   // B may also lie far from its own origin.
   const double far_of_b = random() % 2 == 0 ? 0.0 : size_of_b * scene.far;
-  const SharedMesh mesh_b = placed(*hardMesh(random, scene.b), size_of_b, far_of_b * direction);
+  const SharedMesh mesh_b = scaledAndMoved(hardMesh(random, scene.b), size_of_b, far_of_b * direction);
   const TreeKind& kind = treeKinds()[scene_number % treeKinds().size()];
   const ClusteredOctree a = treeOf(mesh_a, kind), b = treeOf(mesh_b, kind);
 

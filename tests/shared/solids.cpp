@@ -43,14 +43,18 @@ Voxels randomVoxels(std::mt19937_64& random, int size) {
   return voxels;
 }
 
-SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale) {
+SharedMesh deformed(const TriangleMesh& mesh, FunctionRef<Vec3(const Vec3&)> map) {
   std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(pose * Vec3(scale * vertex));
+  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(map(vertex));
   return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
 }
 
+SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale) {
+  return deformed(mesh, [&](const Vec3& vertex) { return pose * Vec3(scale * vertex); });
+}
+
 SharedMesh scaledAndMoved(const SharedMesh& mesh, double scale, const Vec3& offset) {
-  return moved(*mesh, {Mat3::Identity(), offset}, scale);
+  return deformed(*mesh, [&](const Vec3& vertex) { return Vec3(scale * vertex + offset); });
 }
 
 SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "octoblisk/contact.h"
+#include "octoblisk/function_ref.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
@@ -16,6 +17,9 @@ struct Voxels {
   bool at(int i, int j, int k) const;
 };
 Voxels randomVoxels(std::mt19937_64& random, int size);
+
+/// The mesh with every vertex where the map puts it.
+SharedMesh deformed(const TriangleMesh& mesh, FunctionRef<Vec3(const Vec3&)> map);
 
 /// Scales every vertex and then moves it by the pose.
 SharedMesh moved(const TriangleMesh& mesh, const Pose& pose, double scale = 1.0);
