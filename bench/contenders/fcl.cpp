@@ -1,7 +1,5 @@
 // FCL in double precision, with OBBRSS, the bounding volumes that its authors recommend.
 #include <fcl/config.h>
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 #include <fcl/narrowphase/distance.h>
@@ -10,35 +8,14 @@
 #include <cstdint>
 
 #include "contender.h"
+#include "shared/fcl_model.h"
 
 namespace octoblisk::bench {
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-fcl::Transform3d transformOf(const Pose& pose) {
-  fcl::Transform3d transform = fcl::Transform3d::Identity();
-  transform.linear() = pose.rotation;
-  transform.translation() = pose.translation;
-  return transform;
-}
-
-struct FclMesh {
-  std::vector<fcl::Vector3d> vertices;
-  std::vector<fcl::Triangle> triangles;
-
-  explicit FclMesh(const TriangleMesh& mesh) : vertices(mesh.vertices()) {
-    for (const auto& [a, b, c] : mesh.triangles()) triangles.emplace_back(a, b, c);
-  }
-
-  std::unique_ptr<Model> model() const {
-    auto model = std::make_unique<Model>();
-    model->beginModel();
-    model->addSubModel(vertices, triangles);
-    model->endModel();
-    return model;
-  }
-};
+using testing::FclMesh;
+using testing::FclModel;
+using testing::fclTransform;
 
 /// The two models, posed for a query.
 class FclPair {
@@ -48,16 +25,16 @@ class FclPair {
 
   fcl::CollisionResultd collide(const Pose& belt_in_blisk, std::size_t most, bool with_points) const {
     fcl::CollisionResultd result;
-    fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
+    fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), fclTransform(belt_in_blisk),
                  fcl::CollisionRequestd(most, with_points), result);
     return result;
   }
 
-  const Model& blisk() const { return *blisk_; }
-  const Model& belt() const { return *belt_; }
+  const FclModel& blisk() const { return *blisk_; }
+  const FclModel& belt() const { return *belt_; }
 
  private:
-  std::unique_ptr<Model> blisk_, belt_;
+  std::unique_ptr<FclModel> blisk_, belt_;
 };
 
 constexpr std::size_t kAll = 1'000'000;
@@ -78,7 +55,7 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
   /// FCL keeps nothing between calls and takes no starting pair. It does take an upper bound of the distance.
   /// A warm query passes the distance of the previous nearest pair at the new pose.
   double distance(const Pose& belt_in_blisk, bool warm) override {
-    const fcl::Transform3d pose = transformOf(belt_in_blisk);
+    const fcl::Transform3d pose = fclTransform(belt_in_blisk);
     fcl::DistanceRequestd request;  // exact and unsigned
     request.enable_nearest_points = false;
     fcl::DistanceResultd result;
@@ -92,7 +69,7 @@ class Fcl final : public CollideQuery, public ContactsQuery, public DistanceQuer
   }
 
  private:
-  static std::array<fcl::Vector3d, 3> cornersOf(const Model& model, std::intptr_t triangle) {
+  static std::array<fcl::Vector3d, 3> cornersOf(const FclModel& model, std::intptr_t triangle) {
     const fcl::Triangle& corners = model.tri_indices[triangle];
     return {model.vertices[corners[0]], model.vertices[corners[1]], model.vertices[corners[2]]};
   }
@@ -141,7 +118,7 @@ class FclBuild final : public BuildQuery {
 
  private:
   FclMesh mesh_;
-  std::unique_ptr<Model> model_;
+  std::unique_ptr<FclModel> model_;
 };
 
 class FclRefit final : public RefitQuery {
@@ -159,13 +136,13 @@ class FclRefit final : public RefitQuery {
   }
   bool touches(const Pose& belt_in_blisk) override {
     fcl::CollisionResultd result;
-    return fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), transformOf(belt_in_blisk),
+    return fcl::collide(blisk_.get(), fcl::Transform3d::Identity(), belt_.get(), fclTransform(belt_in_blisk),
                         fcl::CollisionRequestd(1, false), result) > 0;
   }
 
  private:
   FclMesh mesh_, bent_;
-  std::unique_ptr<Model> blisk_, belt_;
+  std::unique_ptr<FclModel> blisk_, belt_;
 };
 
 const bool kRegistered = registerContender<Fcl, FclBuild, FclRefit>("fcl") &&

@@ -10,6 +10,7 @@
 #include "octoblisk/contacts.h"
 #include "shared/brute_force.h"
 #include "shared/cgal_shapes.h"
+#include "shared/fcl_model.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -48,8 +49,8 @@ class Bodies {
         mesh_b_(scene.b),
         tree_a_(ClusteredOctree::build(scene.a)),
         tree_b_(ClusteredOctree::build(scene.b)),
-        fcl_a_(modelOf(*scene.a)),
-        fcl_b_(modelOf(*scene.b)) {}
+        fcl_a_(testing::FclMesh(*scene.a).model()),
+        fcl_b_(testing::FclMesh(*scene.b).model()) {}
 
   bool exactlyMeet(const Pose& b_in_a, TrianglePair pair) const {
     return testing::exactlyMeet(mesh_a_->triangle(pair.a), b_in_a * mesh_b_->triangle(pair.b));
@@ -68,12 +69,9 @@ class Bodies {
   }
 
   Pairs byFcl(const Pose& b_in_a) const {
-    fcl::Transform3d pose = fcl::Transform3d::Identity();
-    pose.linear() = b_in_a.rotation;
-    pose.translation() = b_in_a.translation;
     fcl::CollisionResultd result;
-    fcl::collide<double>(fcl_a_.get(), fcl::Transform3d::Identity(), fcl_b_.get(), pose,
-                         fcl::CollisionRequestd(1'000'000), result);
+    fcl::collide<double>(fcl_a_.get(), fcl::Transform3d::Identity(), fcl_b_.get(),
+                         testing::fclTransform(b_in_a), fcl::CollisionRequestd(1'000'000), result);
     Pairs pairs;
     for (std::size_t i = 0; i < result.numContacts(); ++i) {
       const auto& contact = result.getContact(i);
@@ -85,21 +83,9 @@ class Bodies {
   }
 
  private:
-  using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-  static std::shared_ptr<Model> modelOf(const TriangleMesh& mesh) {
-    auto model = std::make_shared<Model>();
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& [i, j, k] : mesh.triangles()) triangles.emplace_back(i, j, k);
-    model->beginModel();
-    model->addSubModel(mesh.vertices(), triangles);
-    model->endModel();
-    return model;
-  }
-
   SharedMesh mesh_a_, mesh_b_;
   ClusteredOctree tree_a_, tree_b_;
-  std::shared_ptr<Model> fcl_a_, fcl_b_;
+  std::unique_ptr<testing::FclModel> fcl_a_, fcl_b_;
 };
 
 struct Tally {

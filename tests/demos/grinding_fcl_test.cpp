@@ -9,45 +9,26 @@
 #include "grinding/tool_assembly.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"
+#include "shared/fcl_model.h"
 #include "shared/solids.h"
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
+using testing::FclMesh;
+using testing::FclModel;
+using testing::fclTransform;
 
-/// The triangles of a mesh for which keeps(triangle).
-template <typename Keeps>
-std::shared_ptr<Model> modelOf(const TriangleMesh& mesh, const Keeps& keeps) {
-  auto model = std::make_shared<Model>();
-  std::vector<fcl::Triangle> triangles;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const auto [i, j, k] = mesh.triangles()[t];
-    if (keeps(t)) triangles.emplace_back(i, j, k);
-  }
-  model->beginModel();
-  model->addSubModel(mesh.vertices(), triangles);
-  model->endModel();
-  return model;
-}
-
-fcl::Transform3d transformOf(const Pose& pose) {
-  fcl::Transform3d transform = fcl::Transform3d::Identity();
-  transform.linear() = pose.rotation;
-  transform.translation() = pose.translation;
-  return transform;
-}
-
-bool touch(const Model& blisk, const Model& part, const Pose& pose) {
+bool touch(const FclModel& blisk, const FclModel& part, const Pose& pose) {
   fcl::CollisionResultd result;
-  return fcl::collide<double>(&blisk, fcl::Transform3d::Identity(), &part, transformOf(pose),
+  return fcl::collide<double>(&blisk, fcl::Transform3d::Identity(), &part, fclTransform(pose),
                               fcl::CollisionRequestd(), result) > 0;
 }
 
-double distanceOf(const Model& blisk, const Model& part, const Pose& pose) {
+double distanceOf(const FclModel& blisk, const FclModel& part, const Pose& pose) {
   fcl::DistanceResultd result;
-  return fcl::distance<double>(&blisk, fcl::Transform3d::Identity(), &part, transformOf(pose),
+  return fcl::distance<double>(&blisk, fcl::Transform3d::Identity(), &part, fclTransform(pose),
                                fcl::DistanceRequestd(), result);
 }
 
@@ -68,11 +49,9 @@ GrindingJob builtInJob() {
 /// The depths of points in a solid, from FCL's distances.
 class DepthsByFcl {
  public:
-  explicit DepthsByFcl(const TriangleMesh& solid)
-      : solid_(solid), model_(modelOf(solid, [](std::size_t) { return true; })) {
+  explicit DepthsByFcl(const TriangleMesh& solid) : solid_(solid), model_(FclMesh(solid).model()) {
     constexpr double kTiny = 1e-7;
-    point_ = modelOf(TriangleMesh({{0, 0, 0}, {kTiny, 0, 0}, {0, kTiny, 0}}, {{0, 1, 2}}),
-                     [](std::size_t) { return true; });
+    point_ = FclMesh(TriangleMesh({{0, 0, 0}, {kTiny, 0, 0}, {0, kTiny, 0}}, {{0, 1, 2}})).model();
   }
 
   /// 0 for a point outside.
@@ -81,7 +60,7 @@ class DepthsByFcl {
     request.enable_nearest_points = true;
     fcl::DistanceResultd result;
     const double distance = fcl::distance<double>(model_.get(), fcl::Transform3d::Identity(), point_.get(),
-                                                  transformOf({Mat3::Identity(), point}), request, result);
+                                                  fclTransform({Mat3::Identity(), point}), request, result);
     const Vec3 normal = scaledNormal(solid_.triangle(static_cast<std::size_t>(result.b1)));
     if (normal.dot(point - result.nearest_points[0]) >= 0.0) return 0.0;
     // If an edge is nearest, one of its triangles may report a point outside as inside.
@@ -90,7 +69,7 @@ class DepthsByFcl {
 
  private:
   const TriangleMesh& solid_;
-  std::shared_ptr<Model> model_, point_;
+  std::unique_ptr<FclModel> model_, point_;
 };
 
 TEST(GrindingRun, depths_vs_fcl) {
@@ -155,12 +134,11 @@ TEST(GrindingRun, verdicts_vs_fcl) {
 
   const TriangleMesh& mesh = job.blisk->mesh();
   const auto is_ground = [&](std::size_t t) { return job.blades.blade_of_triangle[t] == 1; };
-  const auto ground = modelOf(mesh, is_ground);
-  const auto others = modelOf(mesh, [&](std::size_t t) { return !is_ground(t); });
-  const auto all = modelOf(mesh, [](std::size_t) { return true; });
-  std::vector<std::shared_ptr<Model>> parts;
-  for (const ToolPart& part : job.parts)
-    parts.push_back(modelOf(part.tree->mesh(), [](std::size_t) { return true; }));
+  const auto ground = FclMesh(mesh, is_ground).model();
+  const auto others = FclMesh(mesh, [&](std::size_t t) { return !is_ground(t); }).model();
+  const auto all = FclMesh(mesh).model();
+  std::vector<std::unique_ptr<FclModel>> parts;
+  for (const ToolPart& part : job.parts) parts.push_back(FclMesh(part.tree->mesh()).model());
 
   int forbidden = 0, intended = 0, clear = 0;
   for (const PoseReport& pose : run.poses) {
@@ -168,7 +146,7 @@ TEST(GrindingRun, verdicts_vs_fcl) {
     bool touches_forbidden = false;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t part = 0; part < parts.size(); ++part) {
-      const Model& obstacle = part == 0 ? *others : *all;
+      const FclModel& obstacle = part == 0 ? *others : *all;
       const bool touches = touch(obstacle, *parts[part], place);
       touches_forbidden |= touches;
       least = std::min(least, touches ? 0.0 : distanceOf(obstacle, *parts[part], place));
