@@ -5,7 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "command_line/axis_option.h"
+#include "command_line/blisk_options.h"
 #include "command_line/option_checks.h"
 #include "command_line/print_message.h"
 #include "command_line/units_option.h"
@@ -161,12 +161,7 @@ TriangleMesh readUsersMesh(const std::filesystem::path& file, const std::string&
 }
 
 void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
-  command
-      .add_option("--blisk", files.blisk,
-                  "Mesh file of the blisk, in any position. Default: the built-in blisk")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  addAxisOption(command, files.axis);
+  addBliskOptions(command, files.blisk, files.axis);
   addUnitsOption(command, files.units,
                  "Length unit of the meshes of blisk and obstacles: mm, m, in, or auto, which selects the "
                  "unit by the blisk's size. Default: mm. Paths and results are in mm");
@@ -269,6 +264,18 @@ GrinderInput readGrinder(const GrinderFiles& files_asked, Ranks& ranks) {
     requireBladesThere(files, input);
   });
   return input;
+}
+
+GrindingJob jobWithoutPath(const GrinderFiles& files, const GrinderInput& input) {
+  GrindingJob job;
+  job.blisk = input.blisk;
+  job.mesh_in_blisk = input.mesh_in_blisk;
+  job.blades = input.blades;
+  job.parts = input.tool.parts;
+  job.fixtures = input.fixtures;
+  job.rules = input.tool.rules;
+  job.threads = files.threads;
+  return job;
 }
 
 std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input) {

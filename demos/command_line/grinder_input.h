@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grinding/grinding_run.h"
 #include "grinding/judge.h"
 #include "grinding/run_watch.h"
 #include "grinding/tool_assembly.h"
@@ -22,7 +23,7 @@ namespace octoblisk::demos {
 struct GrinderFiles {
   std::string blisk, belt, tool, path;  ///< files; empty: the defaults
   std::vector<std::string> obstacles;   ///< "mesh" or "mesh,name" of each
-  std::string axis;                     ///< as axis_option.h reads it; empty: found from the mesh
+  std::string axis;                     ///< as blisk_options.h reads it; empty: found from the mesh
   std::string units;                    ///< of blisk and obstacles, as units_option.h reads it; empty: mm
   std::string tool_units;               ///< of the meshes of belt or tool
   std::string out;                      ///< a folder
@@ -64,6 +65,9 @@ GrinderInput readGrinder(const GrinderFiles& files);
 
 /// The same on several ranks, with the blisk's tree built once per node (study/node_inputs.h).
 GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks);
+
+/// The job of these files, still without ground blade and path.
+GrindingJob jobWithoutPath(const GrinderFiles& files, const GrinderInput& input);
 
 /// The built-in path over a blade's side, in the file's frame. Throws naming the blisk if it has no blades.
 std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& input);

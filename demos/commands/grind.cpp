@@ -140,13 +140,7 @@ PathFile pathOf(const GrinderFiles& files, const GrinderInput& input) {
 
 GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input, const PathFile& path) {
   const GrinderFiles& files = request.files;
-  GrindingJob job;
-  job.blisk = input.blisk;
-  job.mesh_in_blisk = input.mesh_in_blisk;
-  job.blades = input.blades;
-  job.parts = input.tool.parts;
-  job.fixtures = input.fixtures;
-  job.rules = input.tool.rules;
+  GrindingJob job = jobWithoutPath(files, input);
   job.rules.near_miss = request.near_miss;
   job.rules.ground_blade = files.ground_blade.value_or(files.path.empty() ? 1 : 0);
   job.find_ground_blade = !files.ground_blade && !files.path.empty() && job.rules.grinding_part != kNoPart;
@@ -160,7 +154,6 @@ GrindingJob jobOf(const GrindRequest& request, const GrinderInput& input, const 
   if (request.spindle) job.spindle = request.spindle_options;
   job.path = path.poses();
   job.continuous = request.continuous;
-  job.threads = files.threads;
   return job;
 }
 

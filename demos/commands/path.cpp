@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "command_line/axis_option.h"
+#include "command_line/blisk_options.h"
 #include "command_line/convex_option.h"
 #include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
@@ -111,12 +111,7 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "path");
   const auto request = std::make_shared<PathRequest>();
   SurfacePathOptions& options = request->options;
-  command
-      .add_option("--blisk", request->blisk,
-                  "Mesh file of the blisk, in any position. Default: the built-in blisk")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  addAxisOption(command, request->axis);
+  addBliskOptions(command, request->blisk, request->axis);
   addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
   command

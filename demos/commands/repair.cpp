@@ -118,18 +118,11 @@ GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const Ve
                   const std::vector<Pose>& path, const std::shared_ptr<PartDepths>& depths,
                   TerminalWatch& terminal) {
   constexpr double kMinNearMiss = 0.5;  // mm
-  GrindingJob job;
-  job.blisk = input.blisk;
-  job.mesh_in_blisk = input.mesh_in_blisk;
-  job.blades = input.blades;
-  job.parts = input.tool.parts;
-  job.fixtures = input.fixtures;
-  job.rules = input.tool.rules;
+  GrindingJob job = jobWithoutPath(files, input);
   job.rules.ground_blade = rules.ground_blade;
   job.rules.near_miss = std::clamp(rules.near_miss, kMinNearMiss, kMaxNearMiss);
   job.path = path;
   job.depths = depths;
-  job.threads = files.threads;
   GrindingRun run = runGrinding(job, terminal.watch());
   terminal.endTask();
   if (run.isPartial())

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "models/belt_path.h"
+#include "models/blisk_axis.h"
 #include "models/require.h"
 #include "octoblisk_bullet/convert.h"
 #include "shapes/bodies.h"
@@ -32,12 +33,6 @@ TriangleMesh wheelMesh(double radius, double half_width) {
     inner.push_back(radius * (0.25 + 0.45 * lobe) * direction);
   }
   return *shapes::extrudedBand(outer, inner, true, half_width);
-}
-
-TriangleMesh movedBy(const TriangleMesh& mesh, const Pose& pose) {
-  std::vector<Vec3> vertices = mesh.vertices();
-  for (Vec3& vertex : vertices) vertex = pose * vertex;
-  return {std::move(vertices), mesh.triangles()};
 }
 
 }  // namespace
@@ -241,7 +236,7 @@ TriangleMesh SoftBelt::mesh() const {
 std::vector<TriangleMesh> SoftBelt::wheelMeshes() const {
   std::vector<TriangleMesh> meshes;
   for (const Wheel& wheel : wheels_) {
-    meshes.push_back(movedBy(wheelMesh(wheel.radius, 0.6 * options_.sizes.width), poseOf(wheel)));
+    meshes.push_back(demos::moved(wheelMesh(wheel.radius, 0.6 * options_.sizes.width), poseOf(wheel)));
   }
   return meshes;
 }

@@ -129,15 +129,9 @@ class SideOfBlade {
 
 /// The pose in which the belt touches a point.
 Pose touching(const SurfacePoint& point, const GrindingPathOptions& options) {
-  const double lean = radians(options.lean_degrees);
-  const Vec3& normal = point.normal;
-  const Vec3 in_surface = armInSurface(options.arm, point.position, normal);
-  const Vec3 arm = std::cos(lean) * in_surface + std::sin(lean) * normal;
-  const Vec3 wheel_axis = in_surface.cross(normal);
-  Pose belt_in_blisk;
-  belt_in_blisk.rotation << arm, wheel_axis.cross(arm), wheel_axis;
-  belt_in_blisk.translation = point.position + (options.wheel_radius - options.depth) * normal;
-  return belt_in_blisk;
+  const Vec3 in_surface = armInSurface(options.arm, point.position, point.normal);
+  return beltAt(point.position, point.normal, in_surface, radians(options.lean_degrees),
+                options.wheel_radius - options.depth);
 }
 
 Pose retracted(const Pose& belt_in_blisk, double length) {

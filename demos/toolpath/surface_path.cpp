@@ -23,14 +23,9 @@ Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) 
   const Vec3 up = armInSurface(options.arm, point.position, normal);
   const double towards_trailing = options.region == PathRegion::backward ? -1.0 : 1.0;
   const double lead = radians(options.lead);
-  const double tilt = radians(options.tilt);
   const Vec3 in_surface = std::cos(lead) * up + towards_trailing * std::sin(lead) * up.cross(normal);
-  const Vec3 arm = std::cos(tilt) * in_surface + std::sin(tilt) * normal;
-  const Vec3 wheel_axis = in_surface.cross(normal);
-  Pose belt_in_blisk;
-  belt_in_blisk.rotation << arm, wheel_axis.cross(arm), wheel_axis;
-  belt_in_blisk.translation = point.position + (options.wheel_radius - options.depth) * normal;
-  return belt_in_blisk;
+  return beltAt(point.position, normal, in_surface, radians(options.tilt),
+                options.wheel_radius - options.depth);
 }
 
 /// The touching poses in order, each with its pass.

@@ -74,7 +74,7 @@ TEST_F(GrindCommand, aBliskThatLiesAnyhowIsJudgedAsTheSameAboutZ) {
   ASSERT_LE(run("--blisk z.stl --ground-blade 3 --no-pictures --out z").exit_code, 1);
   const Pose blisk_in_mesh{Eigen::AngleAxisd(2.1, Vec3(3, -1, 2).normalized()).toRotationMatrix(),
                            Vec3(300, -150, 80)};
-  writeMesh(file("moved.stl"), posed(readMesh(file("z.stl")), blisk_in_mesh));
+  writeMesh(file("moved.stl"), moved(readMesh(file("z.stl")), blisk_in_mesh));
   std::vector<Pose> path = readPoses(file("z/path.csv"));
   for (Pose& pose : path) pose = blisk_in_mesh * pose;
   writePoses(file("moved.csv"), path);

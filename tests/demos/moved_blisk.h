@@ -7,6 +7,7 @@
 
 #include "models/blade_sections.h"
 #include "models/blisk.h"
+#include "models/blisk_axis.h"
 
 namespace octoblisk::demos {
 
@@ -17,12 +18,6 @@ struct RandomBlisk {
   TriangleMesh mesh;  ///< the same blisk in its position
   std::string name;
 };
-
-inline TriangleMesh posed(const TriangleMesh& mesh, const Pose& pose) {
-  std::vector<Vec3> vertices = mesh.vertices();
-  for (Vec3& vertex : vertices) vertex = pose * vertex;
-  return {std::move(vertices), mesh.triangles()};
-}
 
 inline RandomBlisk randomBlisk(unsigned seed, bool shroud, std::size_t triangles = 20'000) {
   std::mt19937 random(seed);
@@ -49,7 +44,7 @@ inline RandomBlisk randomBlisk(unsigned seed, bool shroud, std::size_t triangles
       Eigen::Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
   const Pose pose{turn.toRotationMatrix(),
                   {uniform(-500.0, 500.0), uniform(-500.0, 500.0), uniform(-500.0, 500.0)}};
-  TriangleMesh mesh = posed(blisk.mesh, pose);
+  TriangleMesh mesh = moved(blisk.mesh, pose);
   return {std::move(sections), std::move(blisk), pose, std::move(mesh),
           "seed " + std::to_string(seed) + (shroud ? ", shrouded" : "")};
 }

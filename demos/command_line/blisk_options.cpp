@@ -1,4 +1,4 @@
-#include "command_line/axis_option.h"
+#include "command_line/blisk_options.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -40,7 +40,11 @@ BliskAxis axisOf(const std::string& text) {
 
 }  // namespace
 
-void addAxisOption(CLI::App& command, std::string& axis) {
+void addBliskOptions(CLI::App& command, std::string& blisk, std::string& axis) {
+  command
+      .add_option("--blisk", blisk, "Mesh file of the blisk, in any position. Default: the built-in blisk")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command
       .add_option("--axis", axis,
                   "Axis of the blisk, x,y,z[,px,py,pz]: the direction from leading to trailing edge, and a "
