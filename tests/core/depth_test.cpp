@@ -9,6 +9,7 @@
 
 #include "core/solid.h"
 #include "shared/brute_force.h"
+#include "shared/posed_vertices.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
@@ -56,8 +57,7 @@ TEST(Depth, tippedBoxIsAsDeepAsItsLowestCorner) {
   std::mt19937_64 random(90);
   for (int i = 0; i < 60; ++i) {
     Pose pose{testing::randomRotation(random), testing::randomPoint(random, 20.0)};
-    double lowest = 0.0;
-    for (const Vec3& vertex : b.mesh->vertices()) lowest = std::min(lowest, (pose.rotation * vertex).z());
+    const double lowest = testing::lowestZ(*b.mesh, {pose.rotation, Vec3::Zero()});
     const double depth = std::pow(10.0, testing::uniform(random, -5.0, 0.5));
     pose.translation.z() = 5.0 - depth - lowest;
     const GougeDepth found = query.deepest(a.surface, b.surface, pose, 1e-7);

@@ -7,6 +7,7 @@
 
 #include "octoblisk/convex.h"
 #include "shared/meshes.h"
+#include "shared/posed_vertices.h"
 
 namespace octoblisk {
 namespace {
@@ -46,14 +47,6 @@ TEST(Motion, screwOfManyTurns) {
   EXPECT_LT((screw.at(0.1) * Vec3(3, 0, 0) - Vec3(1, 2, 1)).norm(), 1e-13);
 }
 
-/// The greatest distance between a vertex's positions at two poses.
-double farthestVertex(const TriangleMesh& mesh, const Pose& from, const Pose& to) {
-  double farthest = 0.0;
-  for (const Vec3& vertex : mesh.vertices())
-    farthest = std::max(farthest, (from * vertex - to * vertex).norm());
-  return farthest;
-}
-
 TEST(Motion, noVertexGoesFartherThanTheBounds) {
   std::mt19937_64 random(72);
   int tight = 0, tight_displacements = 0, cases = 0;
@@ -69,10 +62,10 @@ TEST(Motion, noVertexGoesFartherThanTheBounds) {
       const double bound = motion.lengthBound(tree), start = testing::uniform(random, 0.0, 0.999);
       // Over a short part of the motion, path length and distance are equal.
       const Pose here = motion.at(start), next = motion.at(start + 1e-3);
-      const double step = farthestVertex(*mesh, here, next);
+      const double step = testing::greatestDisplacement(*mesh, here, next);
       ASSERT_LE(step, 1e-3 * bound * (1.0 + 1e-9));
       tight += step > 0.6e-3 * bound;
-      const double far = farthestVertex(*mesh, from, motion.at(1.0));
+      const double far = testing::greatestDisplacement(*mesh, from, motion.at(1.0));
       ASSERT_LE(far, bound * (1.0 + 1e-9));
       ASSERT_LE(far, bounds.displacement(from, motion.at(1.0)) * (1.0 + 1e-12));
       ASSERT_LE(step, bounds.displacement(here, next) * (1.0 + 1e-9));

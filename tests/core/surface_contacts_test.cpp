@@ -13,6 +13,7 @@
 #include "shared/brute_force.h"
 #include "shared/hard_meshes.h"
 #include "shared/meshes.h"
+#include "shared/posed_vertices.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
@@ -135,8 +136,7 @@ void expectShortWays(const testing::SharedMesh& mesh_a, double top, const testin
     const Mat3 rotation = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix() *
                           Eigen::AngleAxisd(tilt, Vec3::UnitX()).toRotationMatrix();
     Pose pose{rotation, Vec3{uniform(random, -1, 1), uniform(random, -1, 1), 0.0}};
-    double lowest = 0.0;
-    for (const Vec3& vertex : mesh_b->vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    const double lowest = testing::lowestZ(*mesh_b, pose);
     const double depth = uniform(random, 0.002, 0.05);
     pose.translation.z() = top - lowest - depth;
     const Found found(a, b, pose, 0.0);
@@ -301,9 +301,7 @@ TEST(SurfaceContacts, cornersOfABodyThatRocksHaveContacts) {
       Pose pose{
           Eigen::AngleAxisd(uniform(random, 0.0, 0.08), Vec3(std::cos(i), std::sin(i), 0)).toRotationMatrix(),
           Vec3::Zero()};
-      double lowest = 1.0;
-      for (const Vec3& vertex : mesh->vertices()) lowest = std::min(lowest, (pose * vertex).z());
-      pose.translation.z() = uniform(random, -0.01, 0.01) - lowest;
+      pose.translation.z() = uniform(random, -0.01, 0.01) - testing::lowestZ(*mesh, pose);
       const Found found(floor, body, pose, kReach);
       for (const Contact& contact : found.kept) EXPECT_LT(contact.normal.z(), -0.999999) << i;
       for (const Vec3& vertex : mesh->vertices()) {
@@ -335,8 +333,7 @@ TEST(SurfaceContacts, cornersOverALargeFloorAreNotTooDeep) {
     Pose pose{Eigen::AngleAxisd(uniform(random, 0, 1.3e-3), axis).toRotationMatrix() *
                   Eigen::AngleAxisd(uniform(random, 0, 6), Vec3::UnitZ()).toRotationMatrix(),
               Vec3::Zero()};
-    double lowest = 1.0;
-    for (const Vec3& vertex : mesh->vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    const double lowest = testing::lowestZ(*mesh, pose);
     const double height = uniform(random, 0.0005, 0.002), along = uniform(random, -30, 30);
     pose.translation = Vec3(along + uniform(random, -0.3, 0.3), i % 2 ? along : -along, height - lowest);
     for (const Contact& contact : Found(floor, box, pose, 0.01).kept) {
@@ -380,8 +377,7 @@ TEST(SurfaceContacts, aBoxOverNarrowStripsIsPushedUpAlone) {
   for (int i = 0; i < 30; ++i) {
     const double gap = uniform(random, 1e-4, 1e-2);
     Pose pose = testing::randomPose(random, 0.0);
-    double lowest = 0.0;
-    for (const Vec3& vertex : box.mesh().vertices()) lowest = std::min(lowest, (pose * vertex).z());
+    const double lowest = testing::lowestZ(box.mesh(), pose);
     pose.translation = Vec3(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), gap - lowest);
     const Found found(floor, box, pose, 2.0 * gap);
     surfaces.find(floor, box, pose, found.threshold, at_once);

@@ -12,6 +12,7 @@
 #include "octoblisk/contacts.h"
 #include "octoblisk/convex.h"
 #include "shared/meshes.h"
+#include "shared/posed_vertices.h"
 
 namespace octoblisk {
 namespace {
@@ -61,8 +62,7 @@ TEST(Sweep, anythingOntoAFloor_vs_closedForm) {
     const ClusteredOctree& body = trees[i % 2];
     const Pose from{testing::randomRotation(random), Vec3(0, 0, uniform(random, 6.0, 28.0))};
     const Vec3 way{uniform(random, -40, 40), uniform(random, -40, 40), uniform(random, -30, 0)};
-    double lowest = 1e9;
-    for (const Vec3& vertex : body.mesh().vertices()) lowest = std::min(lowest, (from * vertex).z());
+    const double lowest = testing::lowestZ(body.mesh(), from);
     const auto impact = impactOnFloor(floor, body, from, way, lowest, 1e-11);
     hits += impact.has_value();
   }

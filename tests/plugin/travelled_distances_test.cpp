@@ -4,6 +4,7 @@
 
 #include "octoblisk_bullet/convert.h"
 #include "plugin/broadphase_worlds.h"
+#include "shared/posed_vertices.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -52,9 +53,7 @@ TEST_F(TravelledDistancesTest, aMeshTravelsAsItsVertices) {
                        toBullet(Vec3(testing::randomRotation(random).col(0))));
     moveTo(pose);
     const Pose to = fromBullet(body_->getWorldTransform());
-    double longest = 0.0;
-    for (const Vec3& vertex : mesh_->vertices())
-      longest = std::max(longest, (to * vertex - from * vertex).norm());
+    const double longest = testing::greatestDisplacement(*mesh_, from, to);
     const double now = travelled();
     EXPECT_GE(now - before, longest * (1.0 - 1e-12));
     EXPECT_LE(now - before, 2.0 * longest);
