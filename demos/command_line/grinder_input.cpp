@@ -10,7 +10,6 @@
 #include "command_line/print_message.h"
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
-#include "grinding/tool_file.h"
 #include "io/mesh_file.h"
 #include "io/number_text.h"
 #include "io/quoted_text.h"

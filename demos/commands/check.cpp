@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "command_line/option_checks.h"
-#include "command_line/partition_option.h"
 #include "command_line/study_options.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/units_option.h"
@@ -21,6 +20,7 @@
 #include "io/mesh_file.h"
 #include "io/new_file.h"
 #include "octoblisk/batch.h"
+#include "octoblisk/build_options.h"
 #include "study/node_inputs.h"
 #include "study/run_study.h"
 #include "toolpath/pose_check.h"

@@ -20,8 +20,6 @@
 #include "grinding/grinding_run.h"
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
-#include "models/blade_anatomy.h"
-#include "models/blisk_axis.h"
 #include "models/surface_defects.h"
 #include "report/coverage_report.h"
 #include "report/grinding_frames.h"

@@ -14,7 +14,6 @@
 
 #include "build/paper/principal_box.h"
 #include "command_line/grinder_input.h"
-#include "io/mesh_file.h"
 #include "io/progress_bar.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"

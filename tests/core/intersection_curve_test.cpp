@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "geometry/triangle_pair.h"
 #include "shared/block.h"
 #include "shared/meshes.h"
 

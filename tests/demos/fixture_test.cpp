@@ -15,7 +15,6 @@
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
-#include "shared/brute_force.h"
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {

@@ -20,6 +20,7 @@
 #include "io/mesh_file.h"
 #include "models/embedded_assets.h"
 #include "models/orientation.h"
+#include "shared/meshes.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {

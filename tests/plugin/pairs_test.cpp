@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "geometry/triangle_pair.h"
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"

@@ -1,4 +1,5 @@
 // Closed meshes are solids. Bodies inside are pushed out in the shortest direction.
+#include <BulletCollision/CollisionShapes/btConvexPointCloudShape.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "octoblisk/contact.h"
-#include "octoblisk/convex.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::testing {

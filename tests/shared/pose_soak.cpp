@@ -10,7 +10,6 @@
 #include "shared/brute_force.h"
 #include "shared/cgal_shapes.h"
 #include "shared/solids.h"
-#include "tree/refit.h"
 
 namespace octoblisk::testing {
 namespace {
