@@ -75,18 +75,14 @@ void Reference::forEachPair(double reach, const TriangleMesh& belt, const Pose& 
   bool done = false;
   for (const TriangleMesh::Indices& corner : belt.triangles()) {
     const Triangle of_belt = {posed[corner[0]], posed[corner[1]], posed[corner[2]]};
-    Aabb box = boundsOf(of_belt);
-    box.min.array() -= reach;
-    box.max.array() += reach;
-    const Aabb& whole = blisk_.bounds();
-    if ((box.min.array() > whole.max.array()).any() || (whole.min.array() > box.max.array()).any()) continue;
+    const Aabb box = boundsOf(of_belt).grown(reach);
+    if (!box.meets(blisk_.bounds())) continue;
     forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) {
       const std::size_t index = indexOf(cell);
       for (std::uint32_t k = begin_[index]; k < begin_[index + 1] && !done; ++k) {
         const Triangle of_blisk = blisk_.triangle(triangles_[k]);
         const Aabb other = boundsOf(of_blisk);
-        if ((box.min.array() > other.max.array()).any() || (other.min.array() > box.max.array()).any())
-          continue;
+        if (!box.meets(other)) continue;
         // The boxes may share several cells. Only the cell of their common lowest corner counts the pair.
         if (cellOf(box.min.cwiseMax(other.min)) == cell) done = visit(of_blisk, of_belt);
       }
@@ -113,8 +109,7 @@ double Reference::firstHit(const Segment& segment) const {
     Aabb box;
     box.extend(segment.from + piece / pieces * direction);
     box.extend(segment.from + (piece + 1.0) / pieces * direction);
-    const Aabb& whole = blisk_.bounds();
-    if ((box.min.array() > whole.max.array()).any() || (whole.min.array() > box.max.array()).any()) continue;
+    if (!box.meets(blisk_.bounds())) continue;
     forEachCell(cellOf(box.min), cellOf(box.max), [&](const Cell& cell) {
       const std::size_t index = indexOf(cell);
       for (std::uint32_t k = begin_[index]; k < begin_[index + 1]; ++k) {

@@ -102,7 +102,7 @@ class OctoBliskDistance final : public DistanceQuery {
     DistanceOptions options;
     if (warm) options.hint = nearest_;
     const Clearance clearance = octoblisk::distance(trees_.blisk, trees_.belt, belt_in_blisk, options);
-    nearest_ = {clearance.triangle_a, clearance.triangle_b};
+    nearest_ = clearance.triangles();
     return clearance.distance;
   }
   std::map<std::string, double> cost(const Pose& belt_in_blisk) const override {

@@ -6,13 +6,6 @@
 #include "octoblisk/depth.h"
 
 namespace octoblisk::bench {
-namespace {
-
-bool meet(const Aabb& a, const Aabb& b) {
-  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
-}  // namespace
 
 DynamicsScene::DynamicsScene(ShapeKind kind, double time_step, double metres)
     : kind_(kind), time_step_(time_step), metres_(metres) {
@@ -59,7 +52,7 @@ double DynamicsScene::depth() const {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const double tolerance = 1e-3 * all[i].solid->mesh->bounds().halfExtents().norm();
     for (std::size_t j = i + 1; j < all.size(); ++j) {
-      if (!meet(all[i].bounds, all[j].bounds)) continue;
+      if (!all[i].bounds.meets(all[j].bounds)) continue;
       look(all[i], all[j], tolerance);
       look(all[j], all[i], tolerance);
     }

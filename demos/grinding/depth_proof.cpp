@@ -31,7 +31,7 @@ bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const 
     pose.translation += lift;
     const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kKeptOff, .hint = hint});
     if (found.found()) {
-      hint = {found.triangle_a, found.triangle_b};
+      hint = found.triangles();
       constexpr double kNearer = 0.7;  // of the step that would suffice if the distance were the same there
       reach = kNearer * (found.distance - kKeptOff);
       if (reach <= kKeptOff) return false;

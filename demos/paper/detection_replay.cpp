@@ -56,7 +56,7 @@ ReplayTrack detectionTrack(const DetectionScene& scene, const std::string& name,
   TrianglePair last;
   for (std::size_t p = 0; p < path.size(); ++p) {
     const Clearance apart = distance(*scene.blisk, *scene.belt, path[p].belt_in_mesh, {.hint = last});
-    last = {apart.triangle_a, apart.triangle_b};
+    last = apart.triangles();
     const int nearest = scene.model.blades.blade_of_triangle[apart.triangle_a];
     const DetectionVerdict verdict = verdictOf(path[p], called.improved[p]);
     ReplayPose pose{.tool_in_blisk = path[p].belt_in_mesh, .verdict = verdict};

@@ -25,18 +25,6 @@ Mat3 cameraAxes(const Vec3& direction, const Vec3& up) {
   return axes;
 }
 
-std::array<Vec3, 8> corners(const Aabb& box) {
-  std::array<Vec3, 8> result;
-  for (unsigned index = 0; index < 8; ++index) {
-    for (int axis = 0; axis < 3; ++axis) {
-      result[index][axis] = (index >> axis & 1u) != 0 ? box.max[axis] : box.min[axis];
-    }
-  }
-  return result;
-}
-
-bool isEmpty(const Aabb& box) { return !(box.min.array() <= box.max.array()).all(); }
-
 }  // namespace
 
 Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up, Projection projection,
@@ -84,8 +72,8 @@ Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up
 }
 
 Camera frame(const Aabb& box, const Vec3& direction, const Vec3& up, Projection projection, double margin) {
-  if (isEmpty(box)) return frame(std::span<const Vec3>(), direction, up, projection, margin);
-  return frame(corners(box), direction, up, projection, margin);
+  if (box.isEmpty()) return frame(std::span<const Vec3>(), direction, up, projection, margin);
+  return frame(box.corners(), direction, up, projection, margin);
 }
 
 View::View(const Camera& camera, int width, int height, const Aabb& scene)
@@ -108,9 +96,9 @@ View::View(const Camera& camera, int width, int height, const Aabb& scene)
       throw std::invalid_argument("the camera's field of view must lie between 0 and π");
     }
     distance = 0.5 * height * pixel_size_ / std::tan(0.5 * camera.field_of_view);
-  } else if (!isEmpty(scene)) {
+  } else if (!scene.isEmpty()) {
     const double room = 0.02 * scene.halfExtents().norm() + 50.0 * pixel_size_;
-    for (const Vec3& corner : corners(scene)) {
+    for (const Vec3& corner : scene.corners()) {
       distance = std::max(distance, room - axes.row(2).dot(corner - target_));
     }
   }

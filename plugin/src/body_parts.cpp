@@ -32,8 +32,8 @@ double contactReach(const ClusteredOctreeShape& shape) {
   return double(shape.getMargin()) + double(shape.getContactBreakingThreshold(gContactBreakingThreshold));
 }
 
-Pose poseOfChild(const btCompoundShape& compound, int child) {
-  const Pose pose = fromBullet(compound.getChildTransform(child));
+Pose orthonormalPose(const btTransform& transform) {
+  const Pose pose = fromBullet(transform);
   return {Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix(), pose.translation};
 }
 

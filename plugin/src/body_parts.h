@@ -44,8 +44,8 @@ btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeSh
 /// The distance from its triangles within which our shape has contacts.
 double contactReach(const ClusteredOctreeShape& shape);
 
-/// The pose of a child, orthonormal in double precision.
-Pose poseOfChild(const btCompoundShape& compound, int child);
+/// The transform as a pose that is orthonormal in double precision.
+Pose orthonormalPose(const btTransform& transform);
 
 /// Whether the shape, or a child of a compound at any depth, is as asked.
 template <typename Is>
@@ -66,7 +66,8 @@ void forEachPart(const MovingBody& body, bool with_convex, ConvexCore& corners, 
   if (shape.isCompound()) {
     const auto& compound = static_cast<const btCompoundShape&>(shape);
     for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-      forEachPart(MovingBody{*compound.getChildShape(i), body.in_world.ofPart(poseOfChild(compound, i))},
+      forEachPart(MovingBody{*compound.getChildShape(i),
+                             body.in_world.ofPart(orthonormalPose(compound.getChildTransform(i)))},
                   with_convex, corners, visit);
     }
   } else if (const ClusteredOctreeShape* clusters = asClusters(shape)) {

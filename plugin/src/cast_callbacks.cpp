@@ -67,7 +67,7 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
   MovingBox box;
   box.motion = to.translation - from.translation;
   if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {
-    box.start = from * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
+    box.start = from * obbOf(bounds);
   } else {  // the body also turns about its origin
     const double radius = bounds.farthestFromOrigin();
     box.start = {from.translation, Mat3::Identity(), Vec3::Constant(radius)};
@@ -93,8 +93,7 @@ void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& han
 
 void TriangleHandover::operator()(btTriangleCallback& callback, std::uint32_t triangle) const {
   const Triangle exact = tree_.mesh().triangle(triangle);
-  const Aabb bounds = boundsOf(exact);
-  if ((bounds.min.array() > box_.max.array()).any() || (bounds.max.array() < box_.min.array()).any()) return;
+  if (!boundsOf(exact).meets(box_)) return;
   btVector3 corners[3] = {toBullet(exact[0]), toBullet(exact[1]), toBullet(exact[2])};
   const TriangleId id = parts_.id(triangle);
   callback.processTriangle(corners, id.part, id.index);

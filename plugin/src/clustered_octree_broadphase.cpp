@@ -3,34 +3,15 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 
-#include <algorithm>
 #include <cassert>
 
 #include "body_parts.h"
-#include "octoblisk/clustered_octree.h"
-#include "octoblisk_bullet/clustered_octree_shape.h"
-#include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/register.h"
 #include "pair_stages.h"
 
 namespace octoblisk {
 
 using namespace detail;
-
-namespace {
-
-double clusterVolume(const btCollisionShape& shape, int depth) {
-  double volume = 0.0;
-  anyLeaf(shape, [&](const btCollisionShape& leaf) {
-    if (const ClusteredOctreeShape* const clusters = asClusters(leaf)) {
-      for (const Obb& box : clusters->tree().boxes(depth)) volume += box.volume();
-    }
-    return false;
-  });
-  return volume;
-}
-
-}  // namespace
 
 ClusteredOctreeBroadphase::ClusteredOctreeBroadphase(int depth)
     : depth_(depth), stages_(std::make_unique<PairStages>(depth)) {}
@@ -43,19 +24,6 @@ int ClusteredOctreeBroadphase::tightPairs() const { return stages_->tight.getNum
 btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() { return &stages_->tight; }
 const btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() const {
   return &stages_->tight;
-}
-
-BroadphaseVolumes ClusteredOctreeBroadphase::volumes() const {
-  BroadphaseVolumes volumes;
-  for (const btDbvtProxy* first : stages_->boxes.m_stageRoots) {
-    for (const btDbvtProxy* proxy = first; proxy; proxy = proxy->links[1]) {
-      const auto* body = static_cast<const btCollisionObject*>(proxy->m_clientObject);
-      if (!body || !body->getCollisionShape() || !holdsClusters(*body->getCollisionShape())) continue;
-      volumes.of_boxes += fromBullet(proxy->m_aabbMax - proxy->m_aabbMin).prod();
-      volumes.of_clusters += clusterVolume(*body->getCollisionShape(), std::max(depth_, 0));
-    }
-  }
-  return volumes;
 }
 
 /// Whether the dispatcher handles our shape; tested once such a shape exists.

@@ -177,14 +177,13 @@ void ClusteredOctreeShape::processAllTriangles(btTriangleCallback* callback, con
   // Callers that want all triangles pass boxes of any size, even infinite ones.
   const Aabb box{fromBullet(aabb_min).cwiseMax(mesh.bounds().min),
                  fromBullet(aabb_max).cwiseMin(mesh.bounds().max)};
-  if (!(box.min.array() <= box.max.array()).all()) return;
+  if (box.isEmpty()) return;
   TriangleHandover hand_over(*tree_, parts_, box);
   if (castTriangles(*callback, hand_over)) return;
-  forEachTriangleIn(*tree_, {box.center(), Mat3::Identity(), box.halfExtents()}, 0.0,
-                    [&](std::uint32_t triangle) {
-                      hand_over(*callback, triangle);
-                      return false;
-                    });
+  forEachTriangleIn(*tree_, obbOf(box), 0.0, [&](std::uint32_t triangle) {
+    hand_over(*callback, triangle);
+    return false;
+  });
 }
 
 }  // namespace octoblisk

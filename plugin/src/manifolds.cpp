@@ -91,6 +91,7 @@ void Manifolds::match(std::span<const ContactPatch> patches, const PatchesMesh& 
 }
 
 bool Manifolds::add() {
+  manifolds_.reserve(manifolds_.size() + 1);  // push_back must not throw after getNewManifold
   btPersistentManifold* const manifold = dispatcher_.getNewManifold(body0_, body1_);
   if (manifold) manifolds_.push_back(manifold);
   return manifold != nullptr;

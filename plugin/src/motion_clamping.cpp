@@ -47,7 +47,7 @@ Aabb sweptBox(const btCollisionObject& object, const Motion& motion, bool moves)
   } else {
     box = shapeBounds(shape, object.getWorldTransform());
   }
-  return {box.min.array() - reach, box.max.array() + reach};
+  return box.grown(reach);
 }
 
 /// The velocity before an impulse was added. A contact may have stopped the impulse, or a part of it.
@@ -154,9 +154,7 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
       const Mover& second = movers_[by_start_[j]];
       if (second.swept.min.x() > first.swept.max.x()) break;
       if (!(first.moved || second.moved) || !(first.ours || second.ours)) continue;
-      const bool apart = (first.swept.min.array() > second.swept.max.array()).any() ||
-                         (second.swept.min.array() > first.swept.max.array()).any();
-      if (apart || !collide(*world, *first.object, *second.object)) continue;
+      if (!first.swept.meets(second.swept) || !collide(*world, *first.object, *second.object)) continue;
       if (first.moved && second.moved) join(by_start_[i], by_start_[j]);
       double& fraction = movers_[islandOf(by_start_[first.moved ? i : j])].fraction;
       fraction = freeFraction(first, second, fraction);

@@ -33,9 +33,8 @@ struct Part {
 };
 
 Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
-  const Aabb box = shapeBounds(shape, in_world);
-  const Vec3 near = Vec3::Constant(double(gContactBreakingThreshold));  // as Bullet grows boxes
-  return {asClusters(shape), in_world, {box.min - near, box.max + near}};
+  const double near = double(gContactBreakingThreshold);  // as Bullet grows boxes
+  return {asClusters(shape), in_world, shapeBounds(shape, in_world).grown(near)};
 }
 
 constexpr int kFewChildren = 16;  // up to this number, testing each child is faster than a lookup
@@ -110,8 +109,7 @@ bool anyPart(const Body& body, const Aabb& box, HolderCache& holders, const Meet
 }
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead) {
-  const Obb in_part =
-      fromBullet(part.in_world).inverse() * Obb{box.center(), Mat3::Identity(), box.halfExtents()};
+  const Obb in_part = fromBullet(part.in_world).inverse() * obbOf(box);
   return clustersNear(part.clusters->tree(), in_part, contactReach(*part.clusters) + ahead, depth);
 }
 
@@ -134,7 +132,7 @@ bool meet(const Part& a, const Part& b, int depth, double ahead) {
   // Some boxes are infinite, e.g. a plane's; the common box is finite. Both boxes are grown by `ahead`.
   const Aabb common{a.box.min.cwiseMax(b.box.min).array() - ahead,
                     a.box.max.cwiseMin(b.box.max).array() + ahead};
-  if (!(common.min.array() <= common.max.array()).all()) return false;
+  if (common.isEmpty()) return false;
   if (a.clusters && b.clusters) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
     const double reach = contactReach(*a.clusters) + contactReach(*b.clusters) + ahead;

@@ -28,8 +28,8 @@ class TightPairs final : public btHashedOverlappingPairCache {
   int apart() const { return apart_.getNumOverlappingPairs(); }
 
   /// Tests the clusters at the current transforms. Skips pairs with a contact that still holds, and pairs
-  /// that have moved too little to meet since a test. While both bodies of a pair sleep, the
-  /// pair stays where it is.
+  /// that have moved too little to meet since a test. While both bodies of a pair sleep, the pair stays where
+  /// it is.
   void refine(btDispatcher* dispatcher);
 
   bool needsBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "body_parts.h"
 #include "octoblisk_bullet/convert.h"
 
 namespace octoblisk {
@@ -27,13 +28,11 @@ double turnOf(double speed, double dt) {
 Motion stepMotion(const btTransform& from, const btVector3& linear_velocity,
                   const btVector3& angular_velocity, btScalar dt) {
   assert(dt > 0);
-  const Pose pose = fromBullet(from);
-  const Mat3 rotation = Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix();
+  const Pose pose = orthonormalPose(from);
   const Vec3 velocity = fromBullet(angular_velocity);
   const double speed = velocity.norm();
   const Vec3 turn = speed > 0.0 ? Vec3(velocity * (turnOf(speed, double(dt)) / speed)) : Vec3(Vec3::Zero());
-  return Motion::about({rotation, pose.translation}, pose.translation, turn,
-                       fromBullet(linear_velocity) * double(dt));
+  return Motion::about(pose, pose.translation, turn, fromBullet(linear_velocity) * double(dt));
 }
 
 Motion stepMotion(const btCollisionObject& body, btScalar dt) {

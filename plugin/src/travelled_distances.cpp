@@ -40,7 +40,7 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
 
 bool TravelledDistances::isNumber(const State& state) {
   return state.in_world.rotation.allFinite() && state.in_world.translation.allFinite() &&
-         (state.box.min.array() <= state.box.max.array()).all();
+         !state.box.isEmpty();
 }
 
 double TravelledDistances::distance(const State& from, const State& to) {

@@ -250,7 +250,7 @@ TEST(Sweep, oneThatTouchesAtTheStartMeetsThere) {
   EXPECT_EQ(impact->fraction, 0.0);
   EXPECT_EQ(impact->clearance.distance, 0.0);
   EXPECT_TRUE(impact->converged);
-  EXPECT_NE(impact->pair(), TrianglePair{});
+  EXPECT_NE(impact->clearance.triangles(), TrianglePair{});
   EXPECT_FALSE(sweep(box, box, Motion(away, away), kTolerance));
 }
 

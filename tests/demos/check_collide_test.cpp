@@ -86,10 +86,7 @@ struct Cutout {
   Cutout(const TriangleMesh& mesh, const Pose& pose, const Aabb& box) {
     for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
       const Triangle posed = pose * mesh.triangle(i);
-      Aabb bounds;
-      for (const Vec3& corner : posed) bounds.extend(corner);
-      if ((bounds.min.array() > box.max.array()).any() || (box.min.array() > bounds.max.array()).any())
-        continue;
+      if (!box.meets(boundsOf(posed))) continue;
       indices.push_back(i);
       triangles.push_back(mesh.triangle(i));
     }

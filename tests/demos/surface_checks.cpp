@@ -91,7 +91,7 @@ std::size_t countCrossings(const TriangleMesh& mesh) {
   };
   std::vector<Aabb> boxes(mesh.triangleCount());
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    for (const Vec3& corner : mesh.triangle(t)) boxes[t].extend(corner);
+    boxes[t] = boundsOf(mesh.triangle(t));
     const Cell low = cellOf(boxes[t].min);
     const Cell high = cellOf(boxes[t].max);
     for (int x = low[0]; x <= high[0]; ++x) {
@@ -103,9 +103,7 @@ std::size_t countCrossings(const TriangleMesh& mesh) {
   for (const auto& [cell, members] : grid) {
     for (std::size_t i = 0; i < members.size(); ++i) {
       for (std::size_t j = i + 1; j < members.size(); ++j) {
-        const Aabb& a = boxes[members[i]];
-        const Aabb& b = boxes[members[j]];
-        if ((a.min.array() > b.max.array()).any() || (b.min.array() > a.max.array()).any()) continue;
+        if (!boxes[members[i]].meets(boxes[members[j]])) continue;
         if (edgeCrosses(mesh, members[i], members[j]) || edgeCrosses(mesh, members[j], members[i])) {
           crossings.emplace(members[i], members[j]);
         }

@@ -186,7 +186,7 @@ TEST(Broadphase, shapesMarginsAndScalesAreReadAnew) {
   EXPECT_TRUE(found());
 }
 
-TEST(Broadphase, volumesAreThoseOfTheBoxes) {
+TEST(Broadphase, deeperClustersRejectMorePairs) {
   const auto torus = shapeOf(testing::torus(2, 0.5, 48, 24));
   torus->setMargin(0);
   btSphereShape sphere(btScalar(0.5));
@@ -207,16 +207,8 @@ TEST(Broadphase, volumesAreThoseOfTheBoxes) {
     ball.setCollisionShape(&sphere);
     for (btCollisionObject* object : {&ring, &two_rings, &ball}) world.addCollisionObject(object);
     world.performDiscreteCollisionDetection();
-    double clusters = 0.0;
-    for (const Obb& box : torus->tree().boxes(depth)) clusters += box.volume();
-    const BroadphaseVolumes volumes = broadphase.volumes();
     EXPECT_EQ(broadphase.coarsePairs(), 1);
     EXPECT_EQ(broadphase.tightPairs(), depth == 0 ? 1 : 0);
-    EXPECT_NEAR(volumes.of_clusters, 3 * clusters, 1e-9 * clusters);
-    const double near = 2 * double(gContactBreakingThreshold);
-    EXPECT_NEAR(volumes.of_boxes, (5 + near) * (5 + near) * ((1 + near) + (7 + near)), 0.5);
-    const double root = torus->tree().stats().root_volume;
-    EXPECT_EQ(volumes.of_clusters < 0.7 * (3 * root), depth == 2);
   }
 }
 

@@ -35,10 +35,7 @@ TEST(Shape, processAllTriangles_vs_bruteforce) {
     ASSERT_EQ(static_cast<std::size_t>(found.calls), found.triangles.size());  // none twice
     const Vec3 low = fromBullet(toBullet(center - half)), high = fromBullet(toBullet(center + half));
     for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
-      Aabb bounds;
-      for (const Vec3& corner : mesh->triangle(t)) bounds.extend(corner);
-      const bool bounds_overlap =
-          (bounds.min.array() <= high.array()).all() && (bounds.max.array() >= low.array()).all();
+      const bool bounds_overlap = boundsOf(mesh->triangle(t)).meets({low, high});
       const Obb box{0.5 * (low + high), Mat3::Identity(), 0.5 * (high - low)};
       const bool meets = testing::boxTriangleOverlap(box, mesh->triangle(t)) >= 0.0;
       const bool reported = found.triangles.contains({0, int(t)});

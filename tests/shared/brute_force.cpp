@@ -24,12 +24,9 @@ void forEachPairNear(const TriangleMesh& a, const TriangleMesh& b, const Pose& b
   }
   for (std::size_t i = 0; i < a.triangleCount(); ++i) {
     const Triangle triangle = a.triangle(i);
-    Aabb box = boundsOf(triangle);
-    box.min.array() -= 1.001 * reach;
-    box.max.array() += 1.001 * reach;
+    const Aabb box = boundsOf(triangle).grown(1.001 * reach);
     for (std::size_t j = 0; j < posed.size(); ++j) {
-      if ((box.min.array() > bounds[j].max.array()).any() || (bounds[j].min.array() > box.max.array()).any())
-        continue;
+      if (!box.meets(bounds[j])) continue;
       visit(TrianglePair{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)}, triangle, posed[j]);
     }
   }

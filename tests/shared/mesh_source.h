@@ -14,10 +14,7 @@ class MeshSource final : public TriangleSource {
   void forEachTriangleIn(const Aabb& box, FunctionRef<void(const SourceTriangle&)> visit) const override {
     ++queries;
     for (std::size_t t = 0; t < mesh_.triangleCount(); ++t) {
-      Aabb bounds;
-      for (const Vec3& corner : mesh_.triangle(t)) bounds.extend(corner);
-      if ((bounds.min.array() > box.max.array()).any() || (box.min.array() > bounds.max.array()).any())
-        continue;
+      if (!box.meets(boundsOf(mesh_.triangle(t)))) continue;
       visit({mesh_.triangle(t), 0, static_cast<int>(t)});
     }
   }

@@ -9,6 +9,14 @@ namespace octoblisk {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
+/// The indices of two triangles.
+struct TrianglePair {
+  std::uint32_t a = kNoTriangle;
+  std::uint32_t b = kNoTriangle;
+  bool operator==(const TrianglePair&) const = default;
+  auto operator<=>(const TrianglePair&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
+};
+
 /// A contact of two bodies that touch or are near each other. Points and normal are in A's frame.
 struct Contact {
   Vec3 point_on_a = Vec3::Zero();
@@ -17,14 +25,8 @@ struct Contact {
   double distance = 0.0;                   ///< > 0: clearance; <= 0: touching, or minus the depth; mesh units
   std::uint32_t triangle_a = kNoTriangle;  ///< index in A's mesh
   std::uint32_t triangle_b = kNoTriangle;  ///< index in B's mesh; kNoTriangle if B is convex
-};
 
-/// The indices of two triangles that meet.
-struct TrianglePair {
-  std::uint32_t a = kNoTriangle;
-  std::uint32_t b = kNoTriangle;
-  bool operator==(const TrianglePair&) const = default;
-  auto operator<=>(const TrianglePair&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
+  TrianglePair triangles() const { return {triangle_a, triangle_b}; }
 };
 
 }  // namespace octoblisk

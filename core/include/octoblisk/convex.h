@@ -41,10 +41,7 @@ class Convex {
   }
 
   /// The body's bounding box along the axes of its frame, radius included.
-  Aabb bounds() const {
-    const Aabb core = coreBounds();
-    return {core.min.array() - radius(), core.max.array() + radius()};
-  }
+  Aabb bounds() const { return coreBounds().grown(radius()); }
 };
 
 /// The farthest of the points in a direction; the first of them if several tie.

@@ -10,7 +10,6 @@
 
 #include "octoblisk/contact.h"
 #include "octoblisk/containment.h"
-#include "octoblisk/detail/candidate_pair.h"
 #include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
@@ -148,7 +147,7 @@ class DepthQuery {
   double greatest_dropped_ = 0.0;  // the greatest bound among discarded parts
   std::uint32_t last_nearest_ = kNoTriangle;
 
-  std::vector<detail::CandidatePair> candidate_pairs_;
+  std::vector<TrianglePair> undecided_;  // pairs that may meet
   std::vector<TrianglePair> flat_;       // triangles of B, each with the triangle of A that it lies on
   std::vector<TrianglePair> crossings_;  // by ascending triangle of B
   std::optional<TrianglePair> touch_;    // two triangles that meet, if any do

@@ -18,6 +18,7 @@ struct Clearance {
   std::uint32_t triangle_b = kNoTriangle;  ///< also kNoTriangle if B is convex
 
   bool found() const { return triangle_a != kNoTriangle; }
+  TrianglePair triangles() const { return {triangle_a, triangle_b}; }
 };
 
 struct DistanceOptions {

@@ -1,16 +1,20 @@
 // Queries at a sequence of poses, each near the previous one.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "octoblisk/collide.h"
 #include "octoblisk/depth.h"
-#include "octoblisk/detail/node_pair.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/motion.h"
 #include "octoblisk/signed_distance.h"
 
 namespace octoblisk {
+
+namespace detail {
+struct NodePair;
+}  // namespace detail
 
 /// Gives the verdicts and distances of `collide` and `distance`, but faster if the poses belong to a finely
 /// sampled path: it remembers the last pair of triangles found, and how far apart the bodies were. If several
@@ -41,15 +45,15 @@ class PathQuery {
   SignedDistance signedDistance(const Pose& b_in_a, const SignedDistanceOptions& options = {});
 
  private:
-  bool meetBelow(const Pose& b_in_a, detail::NodePair below);
+  bool meetBelow(const Pose& b_in_a, const detail::NodePair& below);
   bool provedBeyond(double distance, const Pose& b_in_a) const;
 
   const ClusteredOctree *a_, *b_;
   const Surface *surface_a_ = nullptr, *surface_b_ = nullptr;
   BodyBounds bounds_of_b_;
   TrianglePair witness_;
-  detail::NodePair nodes_;  // of the leaves that the witness is in; the roots if unknown
-  bool met_ = false;        // whether the witness met at the previous pose
+  std::uint32_t node_a_ = 0, node_b_ = 0;  // of the leaves that the witness is in; the roots if unknown
+  bool met_ = false;                       // whether the witness met at the previous pose
   // At this pose, the distance was proved to be at least this.
   Pose proof_pose_;
   double proved_distance_ = 0.0;

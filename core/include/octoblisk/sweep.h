@@ -25,8 +25,6 @@ struct TimeOfImpact {
   /// False if the search used up its steps: then nothing is known beyond the fraction, and the clearance is
   /// above the tolerance.
   bool converged = true;
-
-  TrianglePair pair() const { return {clearance.triangle_a, clearance.triangle_b}; }
 };
 
 /// The fraction of B's motion at which the surfaces of A and B first come within `tolerance`, > 0, mesh

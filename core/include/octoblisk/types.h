@@ -39,6 +39,14 @@ struct Aabb {
     min = min.cwiseMin(point);
     max = max.cwiseMax(point);
   }
+  /// Also true if a bound is NaN.
+  bool isEmpty() const { return !(min.array() <= max.array()).all(); }
+  /// Whether the closed boxes share a point.
+  bool meets(const Aabb& other) const {
+    return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
+  }
+  /// The box with each side moved outward by a distance.
+  Aabb grown(double by) const { return {min.array() - by, max.array() + by}; }
   Vec3 center() const { return 0.5 * (min + max); }
   Vec3 halfExtents() const { return 0.5 * (max - min); }
   /// The greatest distance of a point of the box from the origin.
@@ -82,6 +90,8 @@ struct Obb {
         .all();
   }
 };
+
+inline Obb obbOf(const Aabb& box) { return {box.center(), Mat3::Identity(), box.halfExtents()}; }
 
 inline Obb operator*(const Pose& pose, const Obb& box) {
   return {pose * box.center, pose.rotation * box.axes, box.half_extents};

@@ -21,14 +21,12 @@ namespace {
 
 Partition partitionOf(TriangleRecords records, const BuildOptions& options) {
   if (options.partition == PartitionKind::clustering) {
-    return clusteringPartition(std::move(records),
-                               {options.leaf_capacity, options.quality, threadCount(options.threads)});
+    return clusteringPartition(std::move(records), options);
   }
-  return paperPartition(records.span(), {options.leaf_capacity,
-                                         {.clusters = static_cast<std::size_t>(options.clusters),
-                                          .seed = options.seed,
-                                          .part_of_triangle = options.part_of_triangle,
-                                          .leaf_capacity = static_cast<std::size_t>(options.leaf_capacity)}});
+  return paperPartition(records.span(), {.clusters = static_cast<std::size_t>(options.clusters),
+                                         .seed = options.seed,
+                                         .part_of_triangle = options.part_of_triangle,
+                                         .leaf_capacity = static_cast<std::size_t>(options.leaf_capacity)});
 }
 
 /// Grows a box to allow for the rounding of vertices, projections and box centres to single precision.
@@ -72,9 +70,7 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
                                        const BuildOptions& options) {
   checkBuild(mesh.get(), options);
   const int threads = threadCount(options.threads);
-  const Vec3 origin = mesh->bounds().center();
-  const double radius = mesh->bounds().halfExtents().norm();
-  Partition partition = partitionOf(makeRecords(*mesh, origin, threads), options);
+  Partition partition = partitionOf(makeRecords(*mesh, mesh->bounds().center(), threads), options);
 
   OwnedArrays arrays;
   arrays.triangle_order = std::move(partition.order);
@@ -82,11 +78,11 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   reserveOnHugePages(arrays.nodes,
                      1 + static_cast<std::size_t>(std::ranges::count_if(partition.nodes, has_children)));
   arrays.nodes.emplace_back();
-  NodeWriter(partition, boxPadding(radius), arrays.nodes).write(0, Tree::kRoot);
+  NodeWriter(partition, boxPadding(mesh->bounds().halfExtents().norm()), arrays.nodes).write(0, Tree::kRoot);
   if (options.storage == Storage::compact) {
-    makeCompact(arrays, *mesh, origin, radius, threads);
+    makeCompact(arrays, *mesh, threads);
   } else {
-    writeAllLeafVertices(arrays, *mesh, origin, threads);
+    writeAllLeafVertices(arrays, *mesh, threads);
   }
   return TreeAccess::octree(std::make_shared<Tree>(std::move(mesh), std::move(arrays), options));
 }

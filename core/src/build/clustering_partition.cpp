@@ -82,10 +82,10 @@ class Sorter {
 
 class ClusteringPartitioner {
  public:
-  ClusteringPartitioner(TriangleRecords records, const ClusteringOptions& options)
+  ClusteringPartitioner(TriangleRecords records, const BuildOptions& options)
       : capacity_(static_cast<std::uint32_t>(options.leaf_capacity)) {
-    const std::size_t useful_threads =
-        std::min<std::size_t>(static_cast<std::size_t>(options.threads), records.size() / kSubtree + 1);
+    const std::size_t useful_threads = std::min<std::size_t>(
+        static_cast<std::size_t>(threadCount(options.threads)), records.size() / kSubtree + 1);
     threads_ = static_cast<int>(useful_threads);
     for (std::size_t i = 0; i < useful_threads; ++i) {
       dividers_.push_back(std::make_unique<NodeDivider>(capacity_, effortOf(options.quality)));
@@ -249,7 +249,7 @@ class ClusteringPartitioner {
 
 }  // namespace
 
-Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options) {
+Partition clusteringPartition(TriangleRecords records, const BuildOptions& options) {
   return ClusteringPartitioner(std::move(records), options).run();
 }
 

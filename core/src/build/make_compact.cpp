@@ -7,8 +7,7 @@
 
 namespace octoblisk::detail {
 
-void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius,
-                 int threads) {
+void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, int threads) {
   std::vector<CompactNode> compact_nodes(tree.nodes.size());
   forEachNode(tree.view(), threads, [&](std::uint32_t n) {
     CompactNode& node = compact_nodes[n];
@@ -21,7 +20,7 @@ void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin
   });
   tree.nodes = std::vector<TreeNode>();  // frees the memory, which = {} would not
   tree.compact_nodes = std::move(compact_nodes);
-  refit(tree, mesh, origin, radius, threads);
+  refit(tree, mesh, threads);
 }
 
 }  // namespace octoblisk::detail

@@ -1,4 +1,4 @@
-// Converts a tree's nodes to compact nodes.
+// Converts a full tree to a compact tree.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"
@@ -6,7 +6,6 @@
 
 namespace octoblisk::detail {
 
-/// Converts a full tree to a compact tree.
-void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads);
+void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, int threads);
 
 }  // namespace octoblisk::detail

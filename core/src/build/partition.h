@@ -27,14 +27,9 @@ struct Partition {
   std::vector<PartitionNode> nodes;  ///< the root first, parents before children
 };
 
-struct ClusteringOptions {
-  int leaf_capacity = 8;  ///< 1..8
-  BuildQuality quality = BuildQuality::high;
-  int threads = 1;  ///< at least 1; the partition does not depend on it
-};
-
 /// Divides each node into up to eight clusters of triangles with similar position and orientation, so that
-/// their boxes are smallest, down to the leaf capacity.
-Partition clusteringPartition(TriangleRecords records, const ClusteringOptions& options);
+/// their boxes are smallest, down to the leaf capacity. The partition does not depend on the number of
+/// threads.
+Partition clusteringPartition(TriangleRecords records, const BuildOptions& options);
 
 }  // namespace octoblisk::detail

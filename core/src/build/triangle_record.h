@@ -33,6 +33,6 @@ class TriangleRecords {
 };
 
 /// The records of all triangles, in the mesh's order.
-TriangleRecords makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads = 1);
+TriangleRecords makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads);
 
 }  // namespace octoblisk::detail

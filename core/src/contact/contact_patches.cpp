@@ -27,10 +27,6 @@ bool areNear(const Contact& a, const Contact& b, double spacing) {
   return isWithin(spacing, a.point_on_a, b.point_on_a) || isWithin(spacing, a.point_on_b, b.point_on_b);
 }
 
-bool areOfSameTriangles(const Contact& a, const Contact& b) {
-  return a.triangle_a == b.triangle_a && a.triangle_b == b.triangle_b;
-}
-
 bool isAsDeep(const Contact& contact, const Contact& other, double spacing) {
   return contact.distance <= other.distance + kHardlyDeeper * spacing;
 }
@@ -61,11 +57,11 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
       least = value;
       best = &contact;
     }
-    if (best) patch.contacts[static_cast<std::size_t>(patch.count++)] = *best;
+    if (best) patch.add(*best);
     return best != nullptr;
   };
 
-  patch.contacts[static_cast<std::size_t>(patch.count++)] = contacts[members.front()];
+  patch.add(contacts[members.front()]);
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
   const double flat = 1e-6 * base.squaredNorm();
@@ -94,14 +90,14 @@ ContactPatch ContactPatches::otherSides(const ContactPatch& patch, std::span<con
     for (const std::uint32_t m : members) {
       const Contact& contact = contacts[m];
       const double cosine = contact.normal.dot(side.normal);
-      if (!(cosine < least) || areOfSameTriangles(contact, side)) continue;
+      if (!(cosine < least) || contact.triangles() == side.triangles()) continue;
       if (!isAsDeep(contact, side, spacing) || !areNear(contact, side, spacing)) continue;
       const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };
       if (std::ranges::any_of(others.points(), isNear)) continue;
       least = cosine;
       best = &contact;
     }
-    if (best) others.contacts[static_cast<std::size_t>(others.count++)] = *best;
+    if (best) others.add(*best);
   }
   return others;
 }

@@ -16,6 +16,7 @@ struct ContactPatch {
   std::array<Contact, 4> contacts;
   int count = 0;
 
+  void add(const Contact& contact) { contacts[static_cast<std::size_t>(count++)] = contact; }
   std::span<const Contact> points() const { return {contacts.data(), static_cast<std::size_t>(count)}; }
 };
 

@@ -28,8 +28,6 @@ LocalSurface::Lean leanAt(bool pushes_on_face, double error = 0.0) {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-auto trianglesOf(const Contact& contact) { return TrianglePair{contact.triangle_a, contact.triangle_b}; }
-
 /// Whether two triangles are nearer than `distance`, which is above 0.
 bool areWithin(double distance, const Triangle& a, const Triangle& b) {
   const auto isOfB = [&](const Vec3& corner) { return hasCorner(b, corner); };
@@ -126,7 +124,6 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
 /// surely comes nearer beyond the edge or corner where they are closest.
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
                                     double threshold) const {
-  constexpr double kPerpendicular = 1.5e-3;  // the sine of isPerpendicular's tolerance
   const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
   const PlaceOnTriangle &on_a = places.first, &on_b = places.second;
@@ -150,7 +147,7 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
   if (!(limit > 0.0)) return false;
   const auto isSurelyTilted = [&](const Side& side) {
     const Vec3& facing = side.facing(pair);
-    const double tilt = kPerpendicular + error;
+    const double tilt = kParallelSine + error;
     return facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm();
   };
   const auto isInner = [&](const Side& own, const PlaceOnTriangle& at, const Side& opposite,
@@ -477,8 +474,8 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   return own.surface.leansBeyond(number, feature, towards, least, [&](std::uint32_t other) {
     Contact sought = contact;
     sought.*own.index = own.surface.index(other);
-    const auto found = std::ranges::lower_bound(contacts, trianglesOf(sought), {}, trianglesOf);
-    if (found == contacts.end() || trianglesOf(*found) != trianglesOf(sought)) return false;
+    const auto found = std::ranges::lower_bound(contacts, sought.triangles(), {}, &Contact::triangles);
+    if (found == contacts.end() || found->triangles() != sought.triangles()) return false;
     // A triangle that is wholly past the face is deeper than one that meets it.
     return found->distance <= 0.0 ||
            removed_[static_cast<std::size_t>(found - contacts.begin())] == Removed::past;

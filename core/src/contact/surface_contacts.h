@@ -31,9 +31,9 @@ namespace octoblisk::detail {
 class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`: what filter makes of
-  /// octoblisk::contacts. Most contacts that filter would remove are not
-  /// computed in the first place. Where the closest points of two triangles are not unique, or nearly so,
-  /// find may keep other contacts than filter does. Allocates nothing once warm.
+  /// octoblisk::contacts. Most contacts that filter would remove are not computed in the first place. Where
+  /// the closest points of two triangles are not unique, or nearly so, find may keep other contacts than
+  /// filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
             std::vector<Contact>& found);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <tuple>
 
 namespace octoblisk {
 
@@ -100,7 +99,7 @@ class HullBuilder {
   }
 
   static bool isBefore(const Vec3& a, const Vec3& b) {
-    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   }
 
   std::uint32_t takeCorner(std::size_t place) {

@@ -1,6 +1,7 @@
 // A triangle that is cut by planes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -39,7 +40,7 @@ class Polygon {
       if (stays) kept[kept_count++] = from;
       if (crosses) kept[kept_count++] = from + (to - from) * (heights[i] / (heights[i] - heights[next]));
     }
-    corner_ = kept;
+    std::copy_n(kept.begin(), kept_count, corner_.begin());
     count_ = kept_count;
   }
 

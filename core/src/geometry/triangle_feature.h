@@ -37,12 +37,15 @@ inline std::array<std::size_t, 2> endsOf(unsigned feature) {
           static_cast<std::size_t>(31 - std::countl_zero(feature))};
 }
 
+/// The least cosine of the angle between two directions that count as the same, and the greatest sine.
+inline constexpr double kParallelCosine = 1.0 - 1e-6, kParallelSine = 1.5e-3;
+static_assert(kParallelCosine * kParallelCosine + kParallelSine * kParallelSine > 1.0);
+
 /// Whether a direction is perpendicular to the triangle's face, up to sign; never if the triangle has no
 /// area. The normal is scaledNormal of the triangle; the direction is a unit vector.
 inline bool isPerpendicular(const Vec3& normal, const Vec3& direction) {
-  constexpr double kSameDirection = 1.0 - 1e-6;
   const double along = normal.dot(direction);
-  return along * along > kSameDirection * kSameDirection * normal.squaredNorm();
+  return along * along > kParallelCosine * kParallelCosine * normal.squaredNorm();
 }
 
 /// Whether a direction from an edge or a corner (both ends equal) leans over a triangle that has this edge or

@@ -10,6 +10,11 @@ namespace octoblisk::detail {
 /// Touching counts. A degenerate triangle counts as a segment or a point.
 bool intersects(const Triangle& a, const Triangle& b);
 
+/// The same for a triangle of each of two meshes.
+inline bool intersects(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, TrianglePair pair) {
+  return intersects(a.triangle(pair.a), b_in_a * b.triangle(pair.b));
+}
+
 /// The closest points of two triangles that do not meet. The normal points from b to a. The distance is above
 /// 0 and accurate to about 1e-14 of the triangles' size. Lengths below 1e-70 count as 0.
 Contact closestPoints(const Triangle& a, const Triangle& b);

@@ -6,7 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/polygon.h"
 #include "geometry/segment_pair.h"
+#include "geometry/triangle_feature.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -15,42 +17,6 @@ constexpr std::size_t kMaxHullFaces = 2 * HullFaceList::kMaxPoints;
 constexpr std::size_t kMaxHullEdges = 3 * HullFaceList::kMaxPoints;  // Euler: 3v − 6
 constexpr double kLevel = 1e-10;      // relative to the measured size: corners this near to a plane are in it
 constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis of a later kind needs
-
-/// The part of a triangle within the planes of a hull.
-class ClippedTriangle {
- public:
-  explicit ClippedTriangle(const Triangle& triangle) : count_(3) {
-    std::ranges::copy(triangle, corner_.begin());
-  }
-
-  void clip(const HullFace& face, double tolerance) {
-    std::array<Vec3, kMaxCorners> kept;
-    std::size_t kept_count = 0;
-    for (std::size_t c = 0; c < count_; ++c) {
-      const Vec3 &from = corner_[c], &to = corner_[(c + 1) % count_];
-      const double beyond = face.normal.dot(from) - face.offset - tolerance,
-                   next_beyond = face.normal.dot(to) - face.offset - tolerance;
-      if (beyond <= 0.0 && kept_count < kMaxCorners) kept[kept_count++] = from;
-      if ((beyond <= 0.0) != (next_beyond <= 0.0) && kept_count < kMaxCorners)
-        kept[kept_count++] = from + (to - from) * (beyond / (beyond - next_beyond));
-    }
-    count_ = kept_count;
-    std::copy_n(kept.begin(), kept_count, corner_.begin());
-  }
-
-  /// The mean of the corners; none if nothing is left.
-  std::optional<Vec3> middle() const {
-    if (count_ == 0) return std::nullopt;
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t c = 0; c < count_; ++c) sum += corner_[c];
-    return sum / static_cast<double>(count_);
-  }
-
- private:
-  static constexpr std::size_t kMaxCorners = 3 + kMaxHullFaces;  // each plane adds one
-  std::array<Vec3, kMaxCorners> corner_;
-  std::size_t count_;
-};
 
 /// A search for the axis along which triangle and hull are farthest apart, or least deep in each other. Tests
 /// all sides of triangle − hull: the hull's faces, the triangle's own two, and the pairs of edges whose arcs
@@ -230,12 +196,7 @@ class Axes {
     const auto level = std::ranges::count_if(
         points_, [&](const Vec3& point) { return normal_.dot(point) >= farthest - kLevel * size_; });
     if (level > 1) return middleShared();
-    for (std::size_t v = 0; v < 3; ++v) {
-      const Vec3 edge = triangle_[(v + 1) % 3] - triangle_[v];
-      const double side = scaledNormal(triangle_).dot(edge.cross(nearest_ - triangle_[v]));
-      if (side < 0.0) return std::nullopt;
-    }
-    return nearest_;
+    return isOver(triangle_, scaledNormal(triangle_), nearest_) ? std::optional(nearest_) : std::nullopt;
   }
 
   std::optional<Vec3> sharedByEdges() {
@@ -252,9 +213,14 @@ class Axes {
   std::optional<Vec3> middleShared() const {
     Triangle moved = triangle_;
     for (Vec3& corner : moved) corner -= gap_ * normal_;
-    ClippedTriangle clipped(moved);
-    for (const HullFace& face : hull_.faces) clipped.clip(face, kLevel * size_);
-    return clipped.middle();
+    Polygon<3 + kMaxHullFaces> shared(moved);
+    for (const HullFace& face : hull_.faces) {
+      shared.cut([&](const Vec3& point) { return kLevel * size_ + face.offset - face.normal.dot(point); });
+    }
+    if (shared.corners().empty()) return std::nullopt;
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& corner : shared.corners()) sum += corner;
+    return sum / static_cast<double>(shared.corners().size());
   }
 
   const Triangle& triangle_;

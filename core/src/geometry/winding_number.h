@@ -1,6 +1,7 @@
 // The winding number of triangles around a point.
 #pragma once
 
+#include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
@@ -9,6 +10,6 @@ namespace octoblisk::detail {
 /// outside; for one with holes, approximately that (A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust
 /// inside-outside segmentation using generalized winding numbers, ACM TOG 32 (4), 2013). Ignores the triangle
 /// `left_out`. O(n).
-double windingNumber(const TriangleMesh& mesh, const Vec3& point, std::uint32_t left_out = 0xffffffffu);
+double windingNumber(const TriangleMesh& mesh, const Vec3& point, std::uint32_t left_out = kNoTriangle);
 
 }  // namespace octoblisk::detail

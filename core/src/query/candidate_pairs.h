@@ -1,11 +1,17 @@
 // The triangle pairs that may meet, before the exact test.
 #pragma once
 
-#include "octoblisk/detail/candidate_pair.h"
+#include "octoblisk/contact.h"
 #include "octoblisk/function_ref.h"
 #include "tree/tree.h"
 
 namespace octoblisk::detail {
+
+/// Two triangles that the filter could not separate.
+struct CandidatePair {
+  TrianglePair triangles;
+  bool meets;  ///< certainly; otherwise the exact test decides
+};
 
 /// Calls visit(pair) for every pair that meets, and for some that are too close to decide.
 void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,

@@ -55,8 +55,7 @@ void detail::forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in
 }
 
 bool detail::meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair) {
-  return pair.meets ||
-         intersects(a.mesh().triangle(pair.triangles.a), b_in_a * b.mesh().triangle(pair.triangles.b));
+  return pair.meets || intersects(a.mesh(), b.mesh(), b_in_a, pair.triangles);
 }
 
 std::optional<TrianglePair> collide(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {

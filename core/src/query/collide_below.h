@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "octoblisk/contact.h"
-#include "octoblisk/detail/node_pair.h"
+#include "query/node_pair.h"
 #include "tree/tree.h"
 
 namespace octoblisk::detail {

@@ -56,7 +56,7 @@ bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
   const auto settle = [&](TrianglePair pair, NodePair nodes, bool meets) HWY_ATTR {
     if (!meets) {
       tally.exactTest();
-      if (!intersects(a.mesh().triangle(pair.a), b_in_a * b.mesh().triangle(pair.b))) return false;
+      if (!intersects(a.mesh(), b.mesh(), b_in_a, pair)) return false;
     }
     return static_cast<bool>(visit(pair, nodes));
   };

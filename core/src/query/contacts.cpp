@@ -37,10 +37,6 @@ namespace {
 
 HWY_EXPORT(appendContacts);
 
-void sortByTriangles(std::vector<Contact>& found) {
-  std::ranges::sort(found, {}, [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; });
-}
-
 /// forEachTriangle(visit) calls `visit` for every triangle that may be near, as long as it returns false.
 template <typename ForEach>
 void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
@@ -57,7 +53,7 @@ void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b
     found.push_back(*contact);
     return false;
   });
-  sortByTriangles(found);
+  std::ranges::sort(found, {}, &Contact::triangles);
 }
 
 }  // namespace
@@ -66,7 +62,7 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
               std::vector<Contact>& found) {
   found.clear();
   HWY_DYNAMIC_DISPATCH(appendContacts)(treeOf(a), treeOf(b), b_in_a, threshold, found);
-  sortByTriangles(found);
+  std::ranges::sort(found, {}, &Contact::triangles);
 }
 
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,

@@ -5,7 +5,6 @@
 
 #include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
-#include "query/depth_bounds.h"
 #include "tree/tree.h"
 
 namespace octoblisk {
@@ -74,7 +73,7 @@ void DepthQuery::prepare(const Surface& a, const Surface& b, const Pose& b_in_a,
   for (const std::uint32_t corner : indexed_) index_of_corner_[corner] = kNone;
   marked_.clear();
   indexed_.clear();
-  candidate_pairs_.clear();
+  undecided_.clear();
   flat_.clear();
   crossings_.clear();
   touch_.reset();

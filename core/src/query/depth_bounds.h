@@ -1,4 +1,4 @@
-// Upper bounds of a distance over a convex part, with which depth.cpp prunes its search.
+// Upper bounds of a distance over a convex part, with which DepthQuery prunes its search.
 //
 // The distance to a triangle is convex. Over the hull of some points it is therefore at most the
 // interpolation between its values at these points. The distance to the nearest of several triangles is at

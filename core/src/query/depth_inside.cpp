@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "geometry/triangle_pair.h"
-#include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/depth.h"
 #include "query/candidate_pairs.h"
@@ -23,11 +22,13 @@ void DepthQuery::findCrossings() {
       mark = Mark::flat;
       flat_.push_back(pair.triangles);
     } else {
-      candidate_pairs_.push_back(pair);
+      (pair.meets ? crossings_ : undecided_).push_back(pair.triangles);
     }
   });
-  for (const auto& [pair, meets] : candidate_pairs_) {
-    if (mark_[pair.b] != Mark::flat && (meets || meet(pair))) crossings_.push_back(pair);
+  const auto isFlat = [this](TrianglePair pair) { return mark_[pair.b] == Mark::flat; };
+  std::erase_if(crossings_, isFlat);
+  for (const TrianglePair& pair : undecided_) {
+    if (!isFlat(pair) && meet(pair)) crossings_.push_back(pair);
   }
   std::ranges::sort(crossings_, {}, [](const TrianglePair& pair) { return std::pair(pair.b, pair.a); });
   findTouch();
@@ -74,7 +75,7 @@ void DepthQuery::findTouch() {
 }
 
 bool DepthQuery::meet(TrianglePair pair) const {
-  return intersects(a_->tree().mesh().triangle(pair.a), b_in_a_ * b_->tree().mesh().triangle(pair.b));
+  return intersects(a_->tree().mesh(), b_->tree().mesh(), b_in_a_, pair);
 }
 
 /// Whether the triangle of B is within the tolerance of the triangle of A. The distance to a triangle is

@@ -3,7 +3,6 @@
 #include <span>
 
 #include "geometry/triangle_pair.h"
-#include "octoblisk/closest_point.h"
 #include "octoblisk/depth.h"
 #include "octoblisk/triangles_in_box.h"
 #include "query/depth_bounds.h"

@@ -53,8 +53,7 @@ Clearance distance(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a
                    const DistanceOptions& options) {
   NearestToConvex nearest(a.mesh(), b, b_in_a, options);
   const bool hinted = options.hint.a < a.mesh().triangleCount();
-  const Aabb bounds = b.bounds();
-  const Obb box = b_in_a * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()};
+  const Obb box = b_in_a * obbOf(b.bounds());
   if (!hinted || !nearest.offer(options.hint.a)) HWY_DYNAMIC_DISPATCH(searchConvex)(treeOf(a), box, nearest);
   return nearest.clearance();
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <tuple>
 
 #include "tree/tree.h"
 
@@ -52,7 +51,7 @@ class FarthestVertex {
 
   /// Of equally far vertices, the first by coordinates: the answer depends on the mesh alone.
   static bool isBefore(const Vec3& a, const Vec3& b) {
-    return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   }
 
   double reachOf(const Obb& box) const {

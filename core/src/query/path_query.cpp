@@ -26,20 +26,20 @@ PathQuery::PathQuery(const Surface& a, const Surface& b) : PathQuery(a.tree(), b
 
 std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
   if (met_) {
-    if (intersects(a_->mesh().triangle(witness_.a), b_in_a * b_->mesh().triangle(witness_.b)))
-      return witness_;
-    if (nodes_.a != 0 && meetBelow(b_in_a, nodes_)) return witness_;
+    if (intersects(a_->mesh(), b_->mesh(), b_in_a, witness_)) return witness_;
+    if (node_a_ != 0 && meetBelow(b_in_a, {node_a_, node_b_})) return witness_;
   }
   met_ = !provedBeyond(0.0, b_in_a) && meetBelow(b_in_a, NodePair());
   return met_ ? std::optional(witness_) : std::nullopt;
 }
 
 /// Searches for a pair that meets below two nodes, and keeps it.
-bool PathQuery::meetBelow(const Pose& b_in_a, NodePair below) {
+bool PathQuery::meetBelow(const Pose& b_in_a, const NodePair& below) {
   const std::optional<MeetingPair> hit = collideBelow(treeOf(*a_), treeOf(*b_), b_in_a, below);
   if (!hit) return false;
   witness_ = hit->triangles;
-  nodes_ = hit->nodes;
+  node_a_ = hit->nodes.a;
+  node_b_ = hit->nodes.b;
   return true;
 }
 
@@ -49,8 +49,8 @@ Clearance PathQuery::distance(const Pose& b_in_a, const DistanceOptions& options
   if (witness_.a != kNoTriangle) hinted.hint = witness_;
   Clearance found = octoblisk::distance(*a_, *b_, b_in_a, hinted);
   if (found.found()) {
-    witness_ = {found.triangle_a, found.triangle_b};
-    nodes_ = NodePair();
+    witness_ = found.triangles();
+    node_a_ = node_b_ = 0;
   }
   met_ = found.found() && found.distance == 0.0;
   proof_pose_ = b_in_a;

@@ -18,10 +18,6 @@ namespace {
 constexpr std::size_t kFew = 256;          // candidates that are thinned out instead of requested again
 constexpr double kRoundingOfBoxes = 1e-5;  // their axes are orthonormal to single precision
 
-bool meet(const Aabb& a, const Aabb& b) {
-  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
 bool isFinite(const Triangle& triangle) {
   return triangle[0].allFinite() && triangle[1].allFinite() && triangle[2].allFinite();
 }
@@ -68,7 +64,7 @@ class SourceContacts::Query {
   }
 
   /// Whether a box in B's frame may contain triangles of B.
-  bool meetsB(const Aabb& box) const { return meet(box, bounds_of_b_); }
+  bool meetsB(const Aabb& box) const { return box.meets(bounds_of_b_); }
 
   /// Whether a box in B's frame covers too much of B to request all triangles in it.
   bool isLargeInB(const Aabb& box) const { return box.halfExtents().maxCoeff() > 0.25 * largest_of_b_; }
@@ -85,10 +81,7 @@ class SourceContacts::Query {
 
   /// Appends the contact of two triangles in A's frame, if they are within the threshold.
   bool append(const Triangle& of_a, const Triangle& of_b, std::uint32_t index_a, std::size_t index_b) const {
-    Aabb bounds = boundsOf(of_a);
-    bounds.min.array() -= reach_;
-    bounds.max.array() += reach_;
-    if (!meet(bounds, boundsOf(of_b))) return false;
+    if (!boundsOf(of_a).grown(reach_).meets(boundsOf(of_b))) return false;
     if (planeParts(of_a, of_b, reach_) || planeParts(of_b, of_a, reach_)) return false;
     Contact contact = contactOf(of_a, of_b);
     if (!(contact.distance <= threshold)) return false;
@@ -152,7 +145,7 @@ SourceContacts::Nearby SourceContacts::nearbyOf(const Query& query, Slot slot, c
   }
   std::size_t count = 0;
   query.b.forEachTriangleIn(in_b, [&](const SourceTriangle& triangle) {
-    if (!meet(in_b, boundsOf(triangle.corners)) || !isFinite(triangle.corners)) return;
+    if (!in_b.meets(boundsOf(triangle.corners)) || !isFinite(triangle.corners)) return;
     const Triangle in_a = query.b_in_a * triangle.corners;
     if (!query.isNear(box, in_a) || ++count > kFew) return;
     near_.push_back(candidates_.size());
@@ -178,10 +171,9 @@ void SourceContacts::testLeaf(const Query& query, Child leaf, const Nearby& near
       continue;
     }
     // There are too many to list, even for a leaf's box.
-    const Aabb bounds = boundsOf(triangle);
-    const Aabb in_b = query.grownInB({bounds.center(), Mat3::Identity(), bounds.halfExtents()});
+    const Aabb in_b = query.grownInB(obbOf(boundsOf(triangle)));
     query.b.forEachTriangleIn(in_b, [&](const SourceTriangle& of_b) {
-      if (meet(in_b, boundsOf(of_b.corners)) && isFinite(of_b.corners)) {
+      if (in_b.meets(boundsOf(of_b.corners)) && isFinite(of_b.corners)) {
         test(of_b, query.b_in_a * of_b.corners);
       }
     });
@@ -203,9 +195,8 @@ void SourceContacts::numberTouched(std::vector<Contact>& found) {
   std::ranges::sort(touched_, {}, byNumbers);
   touched_.erase(std::ranges::unique(touched_, {}, byNumbers).begin(), touched_.end());
 
-  const auto triangles = [](const Contact& c) { return TrianglePair{c.triangle_a, c.triangle_b}; };
-  std::ranges::sort(found, {}, triangles);
-  found.erase(std::ranges::unique(found, {}, triangles).begin(), found.end());
+  std::ranges::sort(found, {}, &Contact::triangles);
+  found.erase(std::ranges::unique(found, {}, &Contact::triangles).begin(), found.end());
 }
 
 }  // namespace octoblisk

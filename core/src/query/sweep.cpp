@@ -29,8 +29,8 @@ std::optional<TimeOfImpact> advance(const ClusteredOctree& a, const Body& b, dou
     // Triangles farther away cannot come within reach in the rest of the motion, or before `until`.
     const double farthest = std::min(reached + length * (1.0 - impact.fraction),
                                      told + length * (options.until - impact.fraction));
-    impact.clearance =
-        distance(a, b, b_in_a_at(impact.fraction), {.upper_bound = farthest, .hint = impact.pair()});
+    impact.clearance = distance(a, b, b_in_a_at(impact.fraction),
+                                {.upper_bound = farthest, .hint = impact.clearance.triangles()});
     if (!impact.clearance.found()) return std::nullopt;
     if (impact.clearance.distance <= told) return impact;
     if (step >= options.max_steps) break;

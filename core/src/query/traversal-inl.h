@@ -13,8 +13,8 @@
 #include <array>
 #include <bit>
 
-#include "octoblisk/detail/node_pair.h"
 #include "query/local_pose.h"
+#include "query/node_pair.h"
 #include "query/traversal_queue.h"
 #include "query/traversal_stack.h"
 #include "simd/box_gap-inl.h"

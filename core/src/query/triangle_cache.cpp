@@ -118,10 +118,9 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   if (kept_reach_ == kNothing || !areKept()) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
     gather(tree, convex, convex_in_tree, reach, reserve);
-    last_at_ = convex_in_tree;
-    if (reserve == 0.0) return found_;
   }
   last_at_ = convex_in_tree;
+  if (kept_reach_ == kNothing) return found_;
   found_.clear();
   const auto siftAll = HWY_DYNAMIC_DISPATCH(sift);
   siftAll(kept_, treeOf(tree).origin(), core_, bounds_, convex_in_tree, of_core, found_);

@@ -14,7 +14,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& bounds,
                    const Pose& convex_in_tree, double reach,
                    FunctionRef<bool(std::uint32_t triangle)> visit) {
-  const LocalBox local(tree, convex_in_tree * Obb{bounds.center(), Mat3::Identity(), bounds.halfExtents()});
+  const LocalBox local(tree, convex_in_tree * obbOf(bounds));
   const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
   const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
     return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {

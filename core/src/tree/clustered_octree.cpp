@@ -17,8 +17,7 @@ ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> de
   checkThreads(threads);
   checkDeformed(deformed.get(), mesh());
   OwnedArrays copy(tree_->arrays());
-  const Aabb& bounds = deformed->bounds();
-  refit(copy, *deformed, bounds.center(), bounds.halfExtents().norm(), threadCount(threads));
+  refit(copy, *deformed, threadCount(threads));
   return ClusteredOctree(std::make_shared<Tree>(std::move(deformed), std::move(copy), options()));
 }
 

@@ -134,12 +134,12 @@ void fit(CompactNode& node, std::uint32_t index, const Extents& extents, float p
 
 }  // namespace
 
-void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads) {
-  const TreeVertices vertices(mesh, tree.triangle_order, origin, threads);
+void refit(OwnedArrays& tree, const TriangleMesh& mesh, int threads) {
+  const TreeVertices vertices(mesh, tree.triangle_order, mesh.bounds().center(), threads);
   const TreeArrays arrays = tree.view();
   const Ranges ranges(arrays);
   const Extents extents(arrays, ranges, vertices, threads);
-  const float pad = boxPadding(radius);
+  const float pad = boxPadding(mesh.bounds().halfExtents().norm());
   forEachNode(arrays, threads, [&](std::uint32_t n) {
     if (arrays.isCompact()) {
       fit(tree.compact_nodes[n], n, extents, pad);
@@ -147,7 +147,7 @@ void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, doub
       fit(tree.nodes[n], n, extents, pad);
     }
   });
-  if (!arrays.isCompact()) writeAllLeafVertices(tree, mesh, origin, threads);
+  if (!arrays.isCompact()) writeAllLeafVertices(tree, mesh, threads);
 }
 
 }  // namespace octoblisk::detail

@@ -7,9 +7,8 @@
 namespace octoblisk::detail {
 
 /// Makes every box contain all vertices below it. Axes and children stay. Centres, half extents and the
-/// corners in the leaves are recomputed; compact nodes use the frames of their compact rotations. `origin`
-/// and `radius` are those of the mesh's bounds. The result is the same to the last bit for any number of
-/// threads.
-void refit(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, double radius, int threads);
+/// corners in the leaves are recomputed; compact nodes use the frames of their compact rotations. The result
+/// is the same to the last bit for any number of threads.
+void refit(OwnedArrays& tree, const TriangleMesh& mesh, int threads);
 
 }  // namespace octoblisk::detail

@@ -53,12 +53,10 @@ Tree::Tree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
       stats_(statsOf(arrays_, mesh_->triangleCount())) {}
 
 void Tree::refit(std::shared_ptr<const TriangleMesh> deformed, int threads) {
-  const Vec3 origin = deformed->bounds().center();
-  const double radius = deformed->bounds().halfExtents().norm();
-  detail::refit(owned_, *deformed, origin, radius, threadCount(threads));
+  detail::refit(owned_, *deformed, threadCount(threads));
   mesh_ = std::move(deformed);
-  origin_ = origin;
-  radius_ = radius;
+  origin_ = mesh_->bounds().center();
+  radius_ = mesh_->bounds().halfExtents().norm();
   stats_ = statsOf(arrays_, mesh_->triangleCount());
 }
 

@@ -50,7 +50,7 @@ class Tree {
 
   /// Boxes are relative to this point of the mesh's frame.
   const Vec3& origin() const { return origin_; }
-  /// The greatest distance of a vertex from the origin.
+  /// No vertex is farther from the origin.
   double radius() const { return radius_; }
   /// In the mesh's frame.
   Obb box(Slot slot) const;

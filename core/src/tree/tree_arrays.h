@@ -19,6 +19,9 @@ struct alignas(64) TreeNode {
 };
 static_assert(sizeof(TreeNode) == 512);  // eight cache lines
 
+/// The number of entries of TreeArrays::leaf_vertices of a full tree.
+constexpr std::size_t leafVerticesSize(std::size_t triangles) { return 9 * triangles + kLanes; }
+
 /// The arrays of a tree: `nodes` and `leaf_vertices` for a full tree, `compact_nodes` for a compact one.
 /// Nodes are in depth-first order. The first node contains only the box of the whole tree, in lane 0. The
 /// triangles below a node are a range of triangle_order.

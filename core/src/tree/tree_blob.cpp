@@ -58,7 +58,7 @@ struct BlobLayout {
       : bytes(sizeof(Header)) {
     nodes = section(node_count * (is_compact ? sizeof(CompactNode) : sizeof(TreeNode)));
     order = section(triangles * sizeof(std::uint32_t));
-    leaf_vertices = section(is_compact ? 0 : (9 * triangles + kLanes) * sizeof(float));
+    leaf_vertices = section(is_compact ? 0 : leafVerticesSize(triangles) * sizeof(float));
     parts = section(part_count * sizeof(std::int32_t));
   }
 

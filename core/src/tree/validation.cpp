@@ -24,7 +24,7 @@ void checkSizes(const TreeArrays& tree, std::size_t triangles) {
     reject("the leaves hold " + std::to_string(tree.triangle_order.size()) + " triangles, but the mesh has " +
            std::to_string(triangles));
   }
-  if (tree.leaf_vertices.size() != (tree.isCompact() ? 0 : 9 * triangles + kLanes)) {
+  if (tree.leaf_vertices.size() != (tree.isCompact() ? 0 : leafVerticesSize(triangles))) {
     reject("the leaves have " + std::to_string(tree.leaf_vertices.size()) + " coordinates for " +
            std::to_string(triangles) + " triangles");
   }

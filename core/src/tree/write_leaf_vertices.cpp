@@ -6,12 +6,14 @@
 
 namespace octoblisk::detail {
 
-void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads) {
+void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, int threads) {
   if (tree.leaf_vertices.empty()) {
-    reserveOnHugePages(tree.leaf_vertices, 9 * tree.triangle_order.size() + kLanes);
-    tree.leaf_vertices.resize(9 * tree.triangle_order.size() + kLanes);
+    const std::size_t size = leafVerticesSize(tree.triangle_order.size());
+    reserveOnHugePages(tree.leaf_vertices, size);
+    tree.leaf_vertices.resize(size);
   }
   const TreeArrays arrays = tree.view();
+  const Vec3 origin = mesh.bounds().center();
   forEachNode(arrays, threads, [&](std::uint32_t n) {
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       const Child leaf = arrays.children(n)[lane];

@@ -1,4 +1,4 @@
-// The corners in all leaves of a full tree.
+// Writes the corners in all leaves of a full tree.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"
@@ -6,7 +6,6 @@
 
 namespace octoblisk::detail {
 
-/// Writes the corners in all leaves of a full tree.
-void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, const Vec3& origin, int threads);
+void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, int threads);
 
 }  // namespace octoblisk::detail

@@ -11,16 +11,6 @@ namespace detail {
 struct PairStages;
 }  // namespace detail
 
-/// Volumes of a ClusteredOctreeBroadphase, in world units cubed.
-struct BroadphaseVolumes {
-  /// The volume of the boxes, as Bullet has them, of all bodies whose shape is or contains a
-  /// ClusteredOctreeShape.
-  double of_boxes = 0.0;
-  /// The summed volume of the boxes of the clusters that represent these bodies, without margins. Other
-  /// children of compounds are left out.
-  double of_clusters = 0.0;
-};
-
 /// Reports a pair with a ClusteredOctreeShape only if a cluster of the shape meets the other body's box or
 /// clusters, grown so that no contact is lost. A ClusteredOctreeShape in a compound counts too. A body in the
 /// middle of a ring, or between two blades, therefore makes no pair, no algorithm and no island with it. All
@@ -57,8 +47,6 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   int coarsePairs() const;
   /// The number of these pairs that Bullet sees.
   int tightPairs() const;
-  /// Sums the volumes of all boxes on each call.
-  BroadphaseVolumes volumes() const;
 
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
   btOverlappingPairCache* getOverlappingPairCache() override;

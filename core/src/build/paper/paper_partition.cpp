@@ -52,7 +52,7 @@ Cell leafCell(const TriangleSet& triangles) {
 
 class PaperPartitioner {
  public:
-  PaperPartitioner(std::span<const TriangleRecord> records, const PaperPartitionOptions& options)
+  PaperPartitioner(std::span<const TriangleRecord> records, const PartClusterOptions& options)
       : options_(options) {
     centroids_.reserve(records.size());
     for (const TriangleRecord& record : records) centroids_.emplace_back(record.centroid.cast<double>());
@@ -60,7 +60,7 @@ class PaperPartitioner {
 
   Cell divide() const {
     std::vector<Cell> parts;
-    for (const std::vector<TriangleSet>& part : partClusters(centroids_, options_.parts)) {
+    for (const std::vector<TriangleSet>& part : partClusters(centroids_, options_)) {
       std::vector<Cell> cells;
       cells.reserve(part.size());
       for (const TriangleSet& cluster : part) cells.push_back(divideCluster(cluster));
@@ -74,9 +74,8 @@ class PaperPartitioner {
     std::vector<Vec3> points;
     points.reserve(triangles.size());
     for (const std::uint32_t t : triangles) points.push_back(centroids_[t]);
-    const Octree octree =
-        Octree::build(points, {.leaf_capacity = static_cast<std::size_t>(options_.leaf_capacity),
-                               .axes = principalAxes(covariance(points))});
+    const Octree octree = Octree::build(
+        points, {.leaf_capacity = options_.leaf_capacity, .axes = principalAxes(covariance(points))});
     return octreeCell(octree, octree.nodes().front(), triangles);
   }
 
@@ -94,7 +93,7 @@ class PaperPartitioner {
     return enclose(std::move(children));
   }
 
-  const PaperPartitionOptions& options_;
+  const PartClusterOptions& options_;
   std::vector<Vec3> centroids_;
 };
 
@@ -141,7 +140,7 @@ class Layout {
 
 }  // namespace
 
-Partition paperPartition(std::span<const TriangleRecord> records, const PaperPartitionOptions& options) {
+Partition paperPartition(std::span<const TriangleRecord> records, const PartClusterOptions& options) {
   const Cell root = PaperPartitioner(records, options).divide();
   return std::make_unique<Layout>(records, root)->take();
 }

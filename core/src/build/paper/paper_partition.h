@@ -9,12 +9,8 @@
 
 namespace octoblisk::detail {
 
-struct PaperPartitionOptions {
-  int leaf_capacity = 8;  ///< FNOP, at least 1; a leaf of more than 8 triangles becomes several leaves
-  PartClusterOptions parts = {};  ///< k: 1..8
-};
-
-/// The paper's partition over the triangles' centroids.
-Partition paperPartition(std::span<const TriangleRecord> records, const PaperPartitionOptions& options);
+/// The paper's partition over the triangles' centroids. k is 1..8. A leaf of more than 8 triangles becomes
+/// several leaves.
+Partition paperPartition(std::span<const TriangleRecord> records, const PartClusterOptions& options);
 
 }  // namespace octoblisk::detail

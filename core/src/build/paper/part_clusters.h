@@ -14,7 +14,7 @@ struct PartClusterOptions {
   std::size_t clusters = 2;
   std::uint64_t seed = 1;                  ///< for k-means
   std::vector<int> part_of_triangle = {};  ///< e.g. blade numbers; empty: one part
-  std::size_t leaf_capacity = 8;           ///< the paper's FNOP, which k_opt uses
+  std::size_t leaf_capacity = 8;           ///< the paper's FNOP, at least 1
 };
 
 /// Indices of triangles, ascending.
