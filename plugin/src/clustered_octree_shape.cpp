@@ -37,9 +37,14 @@ std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleM
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
+/// Whether contacts can push bodies out of the mesh.
+bool isOutwardSolid(const MassProperties& properties) {
+  return properties.is_solid && !properties.faces_inward;
+}
+
 /// A margin that is thin in comparison with the mesh.
-double thinMargin(const ClusteredOctree& tree, bool is_solid) {
-  if (!is_solid) return 0.0;
+double thinMargin(const ClusteredOctree& tree, const MassProperties& properties) {
+  if (!isOutwardSolid(properties)) return 0.0;
   return std::min(0.01 * tree.mesh().bounds().halfExtents().maxCoeff(), 0.1 * thinThickness(tree));
 }
 
@@ -81,7 +86,7 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
   auto properties = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
-  thin_margin_ = btScalar(thinMargin(*tree, properties->is_solid));
+  thin_margin_ = btScalar(thinMargin(*tree, *properties));
   // Nothing below throws, so that the shape stays consistent.
   mass_properties_ = std::move(properties);
   far_vertices_ = std::move(vertices);
@@ -133,7 +138,7 @@ void ClusteredOctreeShape::setMargin(btScalar margin) {
   btConcaveShape::setMargin(margin);
 }
 
-bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && mass_properties_->is_solid; }
+bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }
 
 btVector3 ClusteredOctreeShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
   return toBullet(farthest(far_vertices_->positions, fromBullet(direction)));

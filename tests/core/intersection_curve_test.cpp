@@ -7,6 +7,7 @@
 
 #include "shared/block.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 
@@ -72,8 +73,26 @@ TEST(IntersectionCurve, extendsAsFarAsBarsThatCrossAreDeep) {
     const std::optional<Vec3> out = wayOut(curve);
     ASSERT_TRUE(out) << i;
     EXPECT_NEAR(extentAlong(*out, curve), overlap, 1e-9) << i;
+    EXPECT_NEAR(depthAlong(*out, curve), overlap, 1e-9) << i;
     EXPECT_LT((middleOf(curve) - pose * Vec3(0.05, 0.0, 0.2 - 0.5 * overlap)).norm(), 0.06) << i;
   }
+}
+
+/// The walls of a cup in a cup lie along each other: the curve is as high as the walls, the overlap shallow.
+TEST(IntersectionCurve, nestedWallsOverlapLessThanTheCurveExtends) {
+  const auto cup = testing::cup(0.03, 0.05, 0.1, 0.008, 24);
+  std::mt19937_64 random(104);
+  int ways_out = 0;
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 shift(uniform(random, 0.001, 0.002), 0.0, uniform(random, 0.034, 0.04));
+    const std::vector<CurveSegment> curve = curveOf(*cup, *cup, {}, shift);
+    const std::optional<Vec3> out = wayOut(curve);
+    if (!out) continue;
+    ++ways_out;
+    EXPECT_GT(extentAlong(*out, curve), 0.02) << i;
+    EXPECT_LT(depthAlong(*out, curve), 0.1 * extentAlong(*out, curve)) << i;
+  }
+  EXPECT_GT(ways_out, 25);
 }
 
 TEST(IntersectionCurve, aBoxOnARodHasNoWayOut) {

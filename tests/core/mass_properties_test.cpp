@@ -36,6 +36,15 @@ void expectNear(const MassProperties& found, const MassProperties& expected, dou
   EXPECT_LT((found.inertia - expected.inertia).norm(), relative * expected.inertia.norm());
 }
 
+TEST(MassProperties, aMeshInsideOutFacesInward) {
+  const auto cube = testing::boxMesh({0.9, 0.8, 0.7});
+  const MassProperties outward = massProperties(*cube), inward = massProperties(turnedInsideOut(*cube));
+  EXPECT_FALSE(outward.faces_inward);
+  EXPECT_TRUE(inward.faces_inward);
+  EXPECT_TRUE(inward.is_solid);
+  EXPECT_NEAR(inward.volume, outward.volume, 1e-12);
+}
+
 TEST(MassProperties, box) {
   const Vec3 half(1, 2, 3);
   expectNear(massProperties(*testing::boxMesh(half)), {true, 48.0, Vec3::Zero(), boxInertia(half)}, 1e-14);

@@ -180,6 +180,26 @@ ClusteredOctree treeOfBlock(const Vec3& half_extents, int steps) {
   return ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block(half_extents, steps)));
 }
 
+/// A cup that sits in an equal cup leaves it if it rises by five times the overlap of the walls.
+TEST(SurfaceContacts, nestedCupsAreNotPushedFartherThanTheyOverlap) {
+  constexpr double kWall = 0.008, kSlope = 0.2, kFacets = 0.0022;  // the rise that turned facets add
+  const ClusteredOctree cup = ClusteredOctree::build(testing::cup(0.03, 0.05, 0.1, kWall, 24));
+  std::mt19937_64 random(108);
+  int overlap = 0;
+  constexpr int kCases = 200;
+  for (int i = 0; i < kCases; ++i) {
+    const double lowered = uniform(random, -0.002, 0.004), aside = uniform(random, 0.0, 0.002);
+    const Pose pose{Eigen::AngleAxisd(uniform(random, 0.0, 6.0), Vec3::UnitZ()).toRotationMatrix(),
+                    Vec3(aside, 0.0, kWall / kSlope - lowered)};
+    const OfSolids contacts(cup, cup, pose);
+    if (contacts.open.empty()) continue;
+    const double deepest = testing::deepest(contacts.open);
+    overlap += deepest < -1e-4;
+    EXPECT_GT(deepest, -(std::max(0.0, lowered + aside / kSlope) + kFacets)) << i;
+  }
+  EXPECT_GT(overlap, kCases / 2);
+}
+
 /// The overlap is several triangles deep, so the triangles at the sides are as deep as those at the top.
 TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
   const ClusteredOctree bar = treeOfBlock({0.5, 0.08, 0.08}, 12);

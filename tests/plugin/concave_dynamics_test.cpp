@@ -150,6 +150,35 @@ TEST(ConcaveDynamics, barsThatCrossPartWithoutGainingEnergy) {
   EXPECT_GT(touched_deeply, 10);
 }
 
+/// Contacts as deep as the walls are high threw the cups over.
+TEST(ConcaveDynamics, nestedCupsStand) {
+  constexpr double kWall = 0.004, kRise = kWall / 0.2;  // of a cup over the cup that it sits in
+  const testing::SharedMesh mesh = testing::cup(0.03, 0.05, 0.1, kWall, 24);
+  const Vec3 center = massProperties(*mesh).center_of_mass;
+  ClusteredOctreeShape cup = shapeOver(testing::moved(*mesh, {Mat3::Identity(), -center}));
+  ClusteredOctreeShape floor = shapeOver(testing::boxMesh({1, 1, 0.5}));
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937_64 random(seed);
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, -0.5));
+    std::vector<const btRigidBody*> cups;
+    for (int i = 0; i < 3; ++i) {
+      const double turn = testing::uniform(random, 0.0, 6.0), aside = testing::uniform(random, -3e-4, 3e-4);
+      const Pose pose{Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix(),
+                      Vec3(aside, 0.0, center.z() + 0.01 + i * (kRise + 0.006))};
+      cups.push_back(&world.add(cup, 0.3, toBullet(pose)));
+    }
+    for (int step = 0; step < 480; ++step) world.step(1, 1.0 / 60.0);
+    double below = center.z() - kRise;
+    for (const btRigidBody* body : cups) {
+      const btTransform& in_world = body->getWorldTransform();
+      EXPECT_GT(in_world.getBasis()[2].z(), 0.98) << seed;
+      EXPECT_NEAR(double(in_world.getOrigin().z()), below + kRise, 0.006) << seed;
+      below = double(in_world.getOrigin().z());
+    }
+  }
+}
+
 /// Bodies of 8 cm rock by more than half a degree between two steps of 1/60 s. Of twenty boxes six glided for
 /// ever, and of twenty tetrahedra twelve fell through the BVH floor.
 TEST(ConcaveDynamics, smallBodiesFallAsleep) {

@@ -13,6 +13,7 @@
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 namespace {
@@ -90,6 +91,21 @@ TEST(Solid, whatIsInsideComesOut) {
       }
     }
   }
+}
+
+/// Its triangles push bodies inward, so it must not pass for a solid.
+TEST(Solid, aMeshThatFacesInwardIsNone) {
+  const auto torus = testing::torus(0.3, 0.1, 24, 12);
+  const auto mirrored = testing::deformed(*torus, [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); });
+  const ClusteredOctreeShape outward = shapeOver(torus), inward = shapeOver(mirrored);
+  EXPECT_TRUE(outward.isSolid());
+  EXPECT_GT(outward.getMargin(), 0.0);
+  EXPECT_FALSE(inward.isSolid());
+  EXPECT_EQ(inward.getMargin(), 0.0);
+  btVector3 of_outward, of_inward;
+  outward.calculateLocalInertia(1, of_outward);
+  inward.calculateLocalInertia(1, of_inward);
+  EXPECT_NEAR((of_inward - of_outward).length(), 0.0, 1e-6);
 }
 
 /// Each triangle pushes the capsule sideways.

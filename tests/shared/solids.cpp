@@ -1,6 +1,7 @@
 #include "shared/solids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,35 @@ Voxels randomVoxels(std::mt19937_64& random, int size) {
   }
   voxels.mesh = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
   return voxels;
+}
+
+SharedMesh cup(double bottom_radius, double top_radius, double height, double wall, std::uint32_t segments) {
+  const std::array<std::array<double, 2>, 4> radius_and_z = {{{bottom_radius, 0.0},
+                                                              {top_radius, height},
+                                                              {top_radius - wall, height},
+                                                              {bottom_radius - wall, wall}}};
+  std::vector<Vec3> vertices;
+  for (const auto& [radius, z] : radius_and_z) {
+    for (std::uint32_t j = 0; j < segments; ++j) {
+      const double angle = 2.0 * std::numbers::pi * j / segments;
+      vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  }
+  const auto outside = static_cast<std::uint32_t>(vertices.size()), inside = outside + 1;
+  vertices.emplace_back(0.0, 0.0, 0.0);
+  vertices.emplace_back(0.0, 0.0, wall);
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::uint32_t j = 0; j < segments; ++j) {
+    const std::uint32_t next = (j + 1) % segments, last_ring = 3 * segments;
+    triangles.push_back({outside, next, j});
+    for (std::uint32_t ring = 0; ring < last_ring; ring += segments) {
+      const std::uint32_t above = ring + segments;
+      triangles.push_back({ring + j, ring + next, above + next});
+      triangles.push_back({ring + j, above + next, above + j});
+    }
+    triangles.push_back({inside, last_ring + j, last_ring + next});
+  }
+  return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
 SharedMesh deformed(const TriangleMesh& mesh, FunctionRef<Vec3(const Vec3&)> map) {

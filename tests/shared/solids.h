@@ -18,6 +18,10 @@ struct Voxels {
 };
 Voxels randomVoxels(std::mt19937_64& random, int size);
 
+/// A cup around the z axis, from z = 0 to `height`. Its walls are `wall` thick along the radius and its
+/// bottom along z. The radii are those of the outside.
+SharedMesh cup(double bottom_radius, double top_radius, double height, double wall, std::uint32_t segments);
+
 /// The mesh with every vertex where the map puts it.
 SharedMesh deformed(const TriangleMesh& mesh, FunctionRef<Vec3(const Vec3&)> map);
 

@@ -14,6 +14,9 @@ struct MassProperties {
   Vec3 center_of_mass = Vec3::Zero();
   /// ∫ (|x|² 1 − x xᵀ) dV / volume, with x from the centre of mass, along the mesh's axes.
   Mat3 inertia = Mat3::Zero();
+  /// Whether the mesh as a whole faces inward. The properties are those of the mesh with the other
+  /// orientation.
+  bool faces_inward = false;
 
   /// The inertia of mass 1 about another point (parallel axis theorem).
   Mat3 inertiaAbout(const Vec3& point) const;
@@ -22,8 +25,7 @@ struct MassProperties {
 /// The mass properties of the solid that the mesh bounds, in O(n), exact up to rounding. Sums the signed
 /// tetrahedra between each triangle and a point amid the mesh (C. Zhang, T. Chen, Efficient Feature
 /// Extraction for 2D/3D Objects in Mesh Representation, 2001). Where parts of the solid overlap, each of them
-/// counts. An inner surface that faces the other way is a cavity. If the mesh as a whole faces inward, its
-/// orientation is reversed.
+/// counts. An inner surface that faces the other way is a cavity.
 ///
 /// If the mesh is open, not consistently oriented (isOrientedClosed), or has no volume, returns the
 /// properties of the solid bounding box of its triangles.

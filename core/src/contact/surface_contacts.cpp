@@ -406,7 +406,10 @@ void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members,
   }
   const std::optional<Vec3> out = wayOut(crossing_);
   if (!out) return;
+  const double extent = extentAlong(*out, crossing_);
+  constexpr double kCrossing = 0.25;                           // of the extent; bars that cross have 1
   constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
+  if (depthAlong(*out, crossing_) < kCrossing * extent) return;
   const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const bool pushes = contacts[c].distance <= 0.0 && contacts[c].normal.dot(direction) > least_cosine;
@@ -425,7 +428,6 @@ void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members,
   if (deepest == kNone) return;
   removed_[deepest] = Removed::no;
   Contact& contact = contacts[deepest];
-  const double extent = extentAlong(*out, crossing_);
   contact.normal = *out;
   contact.distance = has_way_out ? -extent : std::min(contact.distance, -extent);
   placeAround(middleOf(crossing_), contact);

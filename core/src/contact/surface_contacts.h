@@ -61,7 +61,8 @@ class SurfaceContacts {
   /// intersection, unless their triangles face each other: those that another contact opposes, or all if no
   /// contact pushes out. The deepest of each crossing stays and pushes out, at the middle of the curve in
   /// which the surfaces meet. It is as deep as that curve extends on the way out, and at least as deep as its
-  /// triangles if no other contact pushes out. Allocates nothing once warm.
+  /// triangles if no other contact pushes out. Leaves surfaces alone that lie along each other, as the walls
+  /// of nested cups do. Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
  private:

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace octoblisk::detail {
 namespace {
 
+struct Ends {
+  Vec3 from, to;
+};
+
 /// The part of a plane that is in a triangle; none if the triangle is on one side of the plane or in it.
-std::optional<CurveSegment> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal) {
+std::optional<Ends> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal) {
   std::array<double, 3> height;
   std::ranges::transform(triangle, height.begin(),
                          [&](const Vec3& corner) { return normal.dot(corner - on_plane); });
@@ -21,22 +26,22 @@ std::optional<CurveSegment> cutOf(const Triangle& triangle, const Vec3& on_plane
     ends[count++] = triangle[v] + (triangle[next] - triangle[v]) * (height[v] / (height[v] - height[next]));
   }
   if (count != 2) return std::nullopt;
-  return CurveSegment{ends[0], ends[1]};
+  return Ends{ends[0], ends[1]};
 }
 
 }  // namespace
 
 std::optional<CurveSegment> meetingSegment(const Triangle& a, const Triangle& b) {
   const Vec3 normal_a = scaledNormal(a), normal_b = scaledNormal(b), along = normal_a.cross(normal_b);
-  std::optional<CurveSegment> of_a = cutOf(a, b[0], normal_b), of_b = cutOf(b, a[0], normal_a);
+  std::optional<Ends> of_a = cutOf(a, b[0], normal_b), of_b = cutOf(b, a[0], normal_a);
   if (!of_a || !of_b) return std::nullopt;
-  for (CurveSegment* const segment : {&*of_a, &*of_b}) {
+  for (Ends* const segment : {&*of_a, &*of_b}) {
     if (along.dot(segment->to - segment->from) < 0.0) std::swap(segment->from, segment->to);
   }
-  const CurveSegment both{along.dot(of_a->from - of_b->from) > 0.0 ? of_a->from : of_b->from,
-                          along.dot(of_a->to - of_b->to) < 0.0 ? of_a->to : of_b->to};
+  const Ends both{along.dot(of_a->from - of_b->from) > 0.0 ? of_a->from : of_b->from,
+                  along.dot(of_a->to - of_b->to) < 0.0 ? of_a->to : of_b->to};
   if (!(along.dot(both.to - both.from) > 0.0)) return std::nullopt;
-  return both;
+  return CurveSegment{both.from, both.to, normal_a, normal_b};
 }
 
 std::optional<Vec3> wayOut(IntersectionCurve curve) {
@@ -67,10 +72,23 @@ Vec3 middleOf(IntersectionCurve curve) {
   return curve[0].from + sum / length;
 }
 
-double extentAlong(const Vec3& direction, IntersectionCurve curve) {
-  const auto height = [&](const CurveSegment& segment) { return direction.dot(segment.from); };
+double extentAlong(const Vec3& way_out, IntersectionCurve curve) {
+  const auto height = [&](const CurveSegment& segment) { return way_out.dot(segment.from); };
   const auto [low, high] = std::ranges::minmax(curve, {}, height);
   return height(high) - height(low);
+}
+
+double depthAlong(const Vec3& way_out, IntersectionCurve curve) {
+  const Vec3 middle = middleOf(curve);
+  double low = -std::numeric_limits<double>::infinity(), high = -low;  // on the line, from the middle
+  for (const CurveSegment& segment : curve) {
+    for (const Vec3& normal : {segment.normal_a, segment.normal_b}) {
+      const double along = normal.dot(way_out), crossing = normal.dot(segment.from - middle) / along;
+      if (along < 0.0) low = std::max(low, crossing);
+      if (along > 0.0) high = std::min(high, crossing);
+    }
+  }
+  return high - low;
 }
 
 }  // namespace octoblisk::detail

@@ -11,6 +11,7 @@ namespace octoblisk::detail {
 /// A part of the curve. A's surface inside B is to its left, seen from outside A.
 struct CurveSegment {
   Vec3 from, to;
+  Vec3 normal_a, normal_b;  ///< outward, of any length
 };
 
 /// The curve in which the surfaces of two bodies A and B meet: the segments of all triangle pairs that meet,
@@ -28,7 +29,11 @@ std::optional<Vec3> wayOut(IntersectionCurve curve);
 /// The mean of the points of a curve that has a way out.
 Vec3 middleOf(IntersectionCurve curve);
 
-/// How far a curve that has a way out extends along a unit vector.
-double extentAlong(const Vec3& direction, IntersectionCurve curve);
+/// How far a curve extends on the way out, a unit vector.
+double extentAlong(const Vec3& way_out, IntersectionCurve curve);
+
+/// How deep the bodies overlap on the line through the curve's middle on the way out, a unit vector, if the
+/// overlap is a convex body behind the faces that meet in the curve. Negative if there is no such body.
+double depthAlong(const Vec3& way_out, IntersectionCurve curve);
 
 }  // namespace octoblisk::detail

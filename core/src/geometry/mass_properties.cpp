@@ -91,7 +91,7 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   constexpr double kRounding = 1e-12;
   if (is_outside || spread.minCoeff() < -kRounding * spread.maxCoeff()) return ofBox(bounds);
   return {true, std::abs(volume) * size * size * size, middle + size * center,
-          inertiaOf(about_center) * (size * size)};
+          inertiaOf(about_center) * (size * size), volume < 0.0};
 }
 
 PrincipalFrame principalFrame(const MassProperties& properties) {

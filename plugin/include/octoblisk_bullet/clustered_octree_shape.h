@@ -77,7 +77,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
   /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
-  /// layer, so their meshes stay apart. Default: 0 if the mesh bounds no solid (MassProperties::is_solid).
+  /// layer, so their meshes stay apart. Default: 0 if the mesh bounds no solid (see isSolid).
   /// Otherwise, the least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and
   /// half the contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0,
   /// contacts lie exactly on the triangles.
@@ -88,7 +88,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// stays there. An open mesh is always a surface.
   void setSolid(bool solid) { may_be_solid_ = solid; }
   /// False after setSolid(false), and if the mesh bounds no solid: if it has an open edge, a triangle that
-  /// faces against its neighbours, or no volume.
+  /// faces against its neighbours, or no volume, or if it faces inward as a whole.
   bool isSolid() const;
 
   /// The box is grown by the margin and by the contact breaking threshold if one was set, so that the
@@ -132,8 +132,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers
   /// create a btBvhTriangleMeshShape from it; WorldImporter (world_importer.h) restores this shape. Vertices
-  /// are written as doubles whatever Bullet's precision is. A saved tree (octoblisk/tree_blob.h) fits the mesh
-  /// that is read back if its parts share no vertices, and its first and last vertices are used.
+  /// are written as doubles whatever Bullet's precision is. A saved tree (octoblisk/tree_blob.h) fits the
+  /// mesh that is read back if its parts share no vertices, and its first and last vertices are used.
   int calculateSerializeBufferSize() const override;
   const char* serialize(void* buffer, btSerializer* serializer) const override;
 
