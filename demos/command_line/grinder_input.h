@@ -66,7 +66,7 @@ GrinderInput readGrinder(const GrinderFiles& files);
 /// The same on several ranks, with the blisk's tree built once per node (study/node_inputs.h).
 GrinderInput readGrinder(const GrinderFiles& files, Ranks& ranks);
 
-/// The job of these files, still without ground blade and path.
+/// The job for these files, without its path and ground blade.
 GrindingJob jobWithoutPath(const GrinderFiles& files, const GrinderInput& input);
 
 /// The built-in path over a blade's side, in the file's frame. Throws naming the blisk if it has no blades.

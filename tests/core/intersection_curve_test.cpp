@@ -78,6 +78,28 @@ TEST(IntersectionCurve, extendsAsFarAsBarsThatCrossAreDeep) {
   }
 }
 
+/// Faces along the way out do not bound the overlap, wherever the middle of the curve is.
+TEST(IntersectionCurve, legsOfATableCrossASlab) {
+  std::mt19937_64 random(105);
+  const auto slab = testing::block({2, 2, 0.5}, 1);
+  for (int i = 0; i < 50; ++i) {
+    const Pose pose = testing::randomPose(random, 5.0);
+    std::vector<CurveSegment> curve;
+    for (const double x : {-0.5, 0.6}) {
+      for (const double y : {-0.7, 0.4}) {
+        const std::vector<CurveSegment> of_leg =
+            curveOf(testing::block({0.1, 0.12, 0.4}, 2), slab, pose, Vec3(x, y, -0.8));
+        curve.insert(curve.end(), of_leg.begin(), of_leg.end());
+      }
+    }
+    const std::optional<Vec3> out = wayOut(curve);
+    ASSERT_TRUE(out) << i;
+    EXPECT_LT((*out - pose.rotation * Vec3::UnitZ()).norm(), 1e-9) << i;
+    EXPECT_LT(extentAlong(*out, curve), 1e-9) << i;
+    EXPECT_GT(depthAlong(*out, curve), 0.0) << i;
+  }
+}
+
 /// The walls of a cup in a cup lie along each other: the curve is as high as the walls, the overlap shallow.
 TEST(IntersectionCurve, nestedWallsOverlapLessThanTheCurveExtends) {
   const auto cup = testing::cup(0.03, 0.05, 0.1, 0.008, 24);

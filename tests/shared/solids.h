@@ -22,7 +22,7 @@ Voxels randomVoxels(std::mt19937_64& random, int size);
 /// bottom along z. The radii are those of the outside.
 SharedMesh cup(double bottom_radius, double top_radius, double height, double wall, std::uint32_t segments);
 
-/// The mesh with every vertex where the map puts it.
+/// The mesh with the map applied to every vertex.
 SharedMesh deformed(const TriangleMesh& mesh, FunctionRef<Vec3(const Vec3&)> map);
 
 /// Scales every vertex and then moves it by the pose.

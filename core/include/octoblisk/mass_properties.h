@@ -14,8 +14,7 @@ struct MassProperties {
   Vec3 center_of_mass = Vec3::Zero();
   /// ∫ (|x|² 1 − x xᵀ) dV / volume, with x from the centre of mass, along the mesh's axes.
   Mat3 inertia = Mat3::Zero();
-  /// Whether the mesh as a whole faces inward. The properties are those of the mesh with the other
-  /// orientation.
+  /// Whether the mesh as a whole faces inward. The other properties are then those of the reversed mesh.
   bool faces_inward = false;
 
   /// The inertia of mass 1 about another point (parallel axis theorem).

@@ -187,7 +187,7 @@ void SurfaceContacts::addCorners(std::vector<Contact>& contacts, double threshol
     const Contact of_pair = contacts[c];
     const Pair pair = pairs_[c];
     const auto addCornersOf = [&](const Side& own, const Side& opposite) {
-      if (!opposite.isUnder(of_pair, pair)) return;
+      if (!opposite.isPushedBy(of_pair, pair)) return;
       const Triangle& face = opposite.triangle(pair);
       const Vec3& facing = opposite.facing(pair);
       // Heights along the contact's normal would be wrong far from face[0].
@@ -398,7 +398,8 @@ void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
 
 /// Opens one crossing: a group of pairs that meet. The members are its contacts that may pinch. Where bars
 /// cross, the curve extends as far as they overlap. An end that pokes into a side has a flat curve: without
-/// another way out, the depth is that of the triangles.
+/// another way out, the depth is that of the triangles. The curve of surfaces that lie along each other, as
+/// the walls of nested cups do, extends much farther than they overlap: their contacts stay as they are.
 void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group) {
   crossing_.clear();
   for (std::size_t s = 0; s < curve_.size(); ++s) {
@@ -406,9 +407,9 @@ void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members,
   }
   const std::optional<Vec3> out = wayOut(crossing_);
   if (!out) return;
-  const double extent = extentAlong(*out, crossing_);
-  constexpr double kCrossing = 0.25;                           // of the extent; bars that cross have 1
   constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
+  constexpr double kCrossing = 0.25;  // the least depth as a fraction of the extent; bars that cross have 1
+  const double extent = extentAlong(*out, crossing_);
   if (depthAlong(*out, crossing_) < kCrossing * extent) return;
   const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -467,7 +468,7 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   const unsigned feature = featureOf(own.triangle(pair), own.facing(pair), point);
   if (feature == 0b111u || feature == 0) return false;
   const std::uint32_t number = pair.*own.number;
-  const LocalSurface::Lean least = leanAt(opposite.isUnder(contact, pair));
+  const LocalSurface::Lean least = leanAt(opposite.isPushedBy(contact, pair));
   if (contact.distance > 0.0) {
     const double limit = contact.distance - roundingOf(a_.triangle(pair), b_.triangle(pair));
     if (limit > 0.0) return own.surface.comesNearer(number, feature, point, opposite_point, limit, least);
@@ -476,7 +477,7 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   return own.surface.leansBeyond(number, feature, towards, least, [&](std::uint32_t other) {
     Contact sought = contact;
     sought.*own.index = own.surface.index(other);
-    const auto found = std::ranges::lower_bound(contacts, sought.triangles(), {}, &Contact::triangles);
+    const auto found = std::ranges::lower_bound(contacts, sought.triangles(), {}, byTriangles);
     if (found == contacts.end() || found->triangles() != sought.triangles()) return false;
     // A triangle that is wholly past the face is deeper than one that meets it.
     return found->distance <= 0.0 ||

@@ -61,7 +61,7 @@ class SurfaceContacts {
   /// intersection, unless their triangles face each other: those that another contact opposes, or all if no
   /// contact pushes out. The deepest of each crossing stays and pushes out, at the middle of the curve in
   /// which the surfaces meet. It is as deep as that curve extends on the way out, and at least as deep as its
-  /// triangles if no other contact pushes out. Leaves surfaces alone that lie along each other, as the walls
+  /// triangles if no other contact pushes out. Leaves alone surfaces that lie along each other, as the walls
   /// of nested cups do. Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
@@ -70,7 +70,7 @@ class SurfaceContacts {
   struct Pair {
     std::uint32_t a, b;
   };
-  /// One of the two surfaces, and where a pair or a contact holds its part.
+  /// One of the two surfaces, and its members in a pair and in a contact.
   struct Side {
     std::uint32_t Pair::*number;
     std::uint32_t Contact::*index;
@@ -85,7 +85,7 @@ class SurfaceContacts {
       return isPerpendicular(facing(pair), contact.normal);
     }
     /// Whether a contact pushes perpendicularly on the outside of the triangle.
-    bool isUnder(const Contact& contact, const Pair& pair) const {
+    bool isPushedBy(const Contact& contact, const Pair& pair) const {
       return isPerpendicularTo(contact, pair) && outward * facing(pair).dot(contact.normal) > 0.0;
     }
   };
@@ -139,7 +139,7 @@ class SurfaceContacts {
   enum class Removed : std::uint8_t { no, long_way, past, inner, pinches };
   std::vector<Removed> removed_;
   std::vector<std::uint32_t> order_, shallowest_;
-  std::vector<std::uint32_t> first_;    // per triangle of a side: its first contact in order_
+  std::vector<std::uint32_t> first_;    // per triangle of a side: where its contacts begin in order_
   std::vector<Face> faces_;             // faces that meet a triangle
   std::vector<std::uint32_t> parent_;   // per triangle of A, then of B
   std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group

@@ -79,13 +79,14 @@ double extentAlong(const Vec3& way_out, IntersectionCurve curve) {
 }
 
 double depthAlong(const Vec3& way_out, IntersectionCurve curve) {
+  constexpr double kParallel = 1e-3;  // a sine; faces along the way out do not bound the overlap on it
   const Vec3 middle = middleOf(curve);
   double low = -std::numeric_limits<double>::infinity(), high = -low;  // on the line, from the middle
   for (const CurveSegment& segment : curve) {
     for (const Vec3& normal : {segment.normal_a, segment.normal_b}) {
-      const double along = normal.dot(way_out), crossing = normal.dot(segment.from - middle) / along;
-      if (along < 0.0) low = std::max(low, crossing);
-      if (along > 0.0) high = std::min(high, crossing);
+      const double along = normal.dot(way_out), height = normal.dot(segment.from - middle);
+      if (along < -kParallel * normal.norm()) low = std::max(low, height / along);
+      if (along > kParallel * normal.norm()) high = std::min(high, height / along);
     }
   }
   return high - low;

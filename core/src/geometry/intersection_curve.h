@@ -29,11 +29,12 @@ std::optional<Vec3> wayOut(IntersectionCurve curve);
 /// The mean of the points of a curve that has a way out.
 Vec3 middleOf(IntersectionCurve curve);
 
-/// How far a curve extends on the way out, a unit vector.
+/// How far the curve extends along the way out, a unit vector.
 double extentAlong(const Vec3& way_out, IntersectionCurve curve);
 
-/// How deep the bodies overlap on the line through the curve's middle on the way out, a unit vector, if the
-/// overlap is a convex body behind the faces that meet in the curve. Negative if there is no such body.
+/// How deep the bodies overlap on the line through the curve's middle along the way out, a unit vector. Takes
+/// the overlap for the convex body behind all faces that meet in the curve. Infinite if these faces do not
+/// bound it on one side; negative if the line misses it.
 double depthAlong(const Vec3& way_out, IntersectionCurve curve);
 
 }  // namespace octoblisk::detail

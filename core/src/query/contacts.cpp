@@ -53,7 +53,7 @@ void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b
     found.push_back(*contact);
     return false;
   });
-  std::ranges::sort(found, {}, &Contact::triangles);
+  std::ranges::sort(found, {}, byTriangles);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void contacts(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_
               std::vector<Contact>& found) {
   found.clear();
   HWY_DYNAMIC_DISPATCH(appendContacts)(treeOf(a), treeOf(b), b_in_a, threshold, found);
-  std::ranges::sort(found, {}, &Contact::triangles);
+  std::ranges::sort(found, {}, byTriangles);
 }
 
 void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,

@@ -9,9 +9,9 @@
 namespace octoblisk::detail {
 
 /// Replaces `near` with all triangle pairs that are no farther apart than `threshold` (>= 0, mesh units), and
-/// some that are slightly farther. Pairs with a thin triangle may be farther by up to 1/16 of its longest
-/// edge. With a threshold of 0, leaves out pairs that surely do not meet. The order is arbitrary. Allocates
-/// nothing if the capacity of `near` suffices.
+/// some that are slightly farther. Pairs with a thin triangle may be farther by up to its width. With a
+/// threshold of 0, leaves out pairs that surely do not meet. The order is arbitrary. Allocates nothing if the
+/// capacity of `near` suffices.
 void nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
                std::vector<NearPair>& near);
 

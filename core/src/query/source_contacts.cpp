@@ -195,8 +195,8 @@ void SourceContacts::numberTouched(std::vector<Contact>& found) {
   std::ranges::sort(touched_, {}, byNumbers);
   touched_.erase(std::ranges::unique(touched_, {}, byNumbers).begin(), touched_.end());
 
-  std::ranges::sort(found, {}, &Contact::triangles);
-  found.erase(std::ranges::unique(found, {}, &Contact::triangles).begin(), found.end());
+  std::ranges::sort(found, {}, byTriangles);
+  found.erase(std::ranges::unique(found, {}, byTriangles).begin(), found.end());
 }
 
 }  // namespace octoblisk

@@ -19,7 +19,7 @@ struct alignas(64) TreeNode {
 };
 static_assert(sizeof(TreeNode) == 512);  // eight cache lines
 
-/// The number of entries of TreeArrays::leaf_vertices of a full tree.
+/// The size of a full tree's TreeArrays::leaf_vertices.
 constexpr std::size_t leafVerticesSize(std::size_t triangles) { return 9 * triangles + kLanes; }
 
 /// The arrays of a tree: `nodes` and `leaf_vertices` for a full tree, `compact_nodes` for a compact one.

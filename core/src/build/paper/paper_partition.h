@@ -9,8 +9,8 @@
 
 namespace octoblisk::detail {
 
-/// The paper's partition over the triangles' centroids. k is 1..8. A leaf of more than 8 triangles becomes
-/// several leaves.
+/// The paper's partition over the triangles' centroids. `options.clusters` is 1..8. A leaf of more than 8
+/// triangles becomes several leaves.
 Partition paperPartition(std::span<const TriangleRecord> records, const PartClusterOptions& options);
 
 }  // namespace octoblisk::detail
