@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/triangle_convex.h"
 #include "geometry/triangle_pair.h"
@@ -245,6 +247,37 @@ TEST(Queries, sliversOfAnySizeAreNotMissed) {
   }
   EXPECT_GT(hits, 0.3 * scenes);
   EXPECT_LT(hits, 0.7 * scenes);
+}
+
+/// Single precision has no normals for such triangles. The threshold is the distance of a pair.
+TEST(Queries, contactsOfThinTriangles_vs_bruteforce) {
+  std::mt19937_64 random(21);
+  const auto triangles = [&] {
+    std::vector<Vec3> vertices;
+    std::vector<TriangleMesh::Indices> corners;
+    for (std::uint32_t i = 0; i < 24; i += 3) {
+      const double width = std::pow(10.0, testing::uniform(random, -9.0, 0.0));
+      const Vec3 middle = testing::randomPoint(random, 0.3), half = testing::randomPoint(random, 1.0);
+      const Vec3 aside = testing::uniform(random, -1.0, 1.0) * half + testing::randomPoint(random, width);
+      vertices.insert(vertices.end(), {middle - half, middle + half, middle + aside});
+      corners.push_back({i, i + 1, i + 2});
+    }
+    return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(corners));
+  };
+  std::vector<Contact> found;
+  std::size_t near_misses = 0;
+  for (int i = 0; i < 500; ++i) {
+    const SharedMesh a = triangles(), b = triangles();
+    const ClusteredOctree tree_a = ClusteredOctree::build(a), tree_b = ClusteredOctree::build(b);
+    const Pose pose = testing::randomPose(random, 0.2);
+    for (const Contact& farthest : testing::bruteForceContacts(*a, *b, pose, 0.3)) {
+      if (!(farthest.distance > 0.0)) continue;
+      contacts(tree_a, tree_b, pose, farthest.distance, found);
+      ASSERT_EQ(found.size(), testing::bruteForceContacts(*a, *b, pose, farthest.distance).size()) << i;
+      ++near_misses;
+    }
+  }
+  EXPECT_GT(near_misses, 5000u);
 }
 
 TEST(Queries, posesThatAreNotFiniteMeetNothing) {
