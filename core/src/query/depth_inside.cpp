@@ -1,19 +1,17 @@
-// Which triangles of B meet A's surface, and which are wholly inside A: the start of DepthQuery's search.
+// The start of DepthSearch: which triangles of B meet A's surface, and which are wholly inside A.
 #include <algorithm>
 
 #include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
-#include "octoblisk/depth.h"
 #include "query/candidate_pairs.h"
+#include "query/depth_search.h"
 #include "tree/tree.h"
 
-namespace octoblisk {
-
-using namespace detail;
+namespace octoblisk::detail {
 
 /// Finds the triangles of B that cross A's surface, and those that lie flat on a triangle of A. No point of a
 /// flat triangle is deeper than the tolerance, so it is not tested against the triangles around it.
-void DepthQuery::findCrossings() {
+void DepthSearch::findCrossings() {
   if (findCopy()) return;
   forEachCandidatePair(treeOf(a_->tree()), treeOf(b_->tree()), b_in_a_, [this](CandidatePair pair) {
     Mark& mark = mark_[pair.triangles.b];
@@ -47,7 +45,7 @@ void DepthQuery::findCrossings() {
 }
 
 /// Whether B lies on a copy of itself and meets it. Then the search is done.
-bool DepthQuery::findCopy() {
+bool DepthSearch::findCopy() {
   const std::size_t count = b_->tree().mesh().triangleCount();
   if (a_->tree().mesh().triangleCount() != count) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -62,7 +60,7 @@ bool DepthQuery::findCopy() {
 
 /// Finds a pair that meets. If no pair meets, each flat triangle of B lies wholly on one side of A's surface,
 /// like B's other triangles.
-void DepthQuery::findTouch() {
+void DepthSearch::findTouch() {
   if (!crossings_.empty()) {
     touch_ = crossings_.front();
   } else if (!flat_.empty()) {
@@ -74,13 +72,13 @@ void DepthQuery::findTouch() {
   }
 }
 
-bool DepthQuery::meet(TrianglePair pair) const {
+bool DepthSearch::meet(TrianglePair pair) const {
   return intersects(a_->tree().mesh(), b_->tree().mesh(), b_in_a_, pair);
 }
 
 /// Whether the triangle of B is within the tolerance of the triangle of A. The distance to a triangle is
 /// convex, so it is greatest at a corner.
-bool DepthQuery::liesOn(TrianglePair pair) {
+bool DepthSearch::liesOn(TrianglePair pair) {
   if (!boundsSolid(pair.a)) return false;
   const Triangle on = a_->tree().mesh().triangle(pair.a);
   double greatest = 0.0;
@@ -94,23 +92,23 @@ bool DepthQuery::liesOn(TrianglePair pair) {
 }
 
 /// Marks a triangle that the search for inside triangles does not pass.
-void DepthQuery::noteBarrier(std::uint32_t triangle) {
+void DepthSearch::noteBarrier(std::uint32_t triangle) {
   marked_.push_back(triangle);
   for (const std::uint32_t corner : b_->corners(triangle)) component_crosses_[b_->component(corner)] = true;
 }
 
-bool DepthQuery::isBarrier(std::uint32_t triangle) const {
+bool DepthSearch::isBarrier(std::uint32_t triangle) const {
   return mark_[triangle] == Mark::crossing || mark_[triangle] == Mark::flat;
 }
 
 /// Whether a triangle around the corner of B is not a barrier: the search can get to the corner by it.
-bool DepthQuery::isReachable(std::uint32_t corner) const {
+bool DepthSearch::isReachable(std::uint32_t corner) const {
   return !std::ranges::all_of(b_->star(corner), [this](std::uint32_t t) { return isBarrier(t); });
 }
 
 /// Marks the triangles of B that are wholly inside A. They are connected to an inside corner by triangles
 /// that do not cross A's surface.
-void DepthQuery::findInside() {
+void DepthSearch::findInside() {
   for (std::size_t i = 0, crossing_corners = indexed_.size(); i < crossing_corners; ++i) {
     const std::uint32_t corner = indexed_[i];
     if (corners_[index_of_corner_[corner]].location) continue;
@@ -132,7 +130,7 @@ void DepthQuery::findInside() {
 /// Gives this corner's location to the corners connected with it: to all of them if inside, but only to those
 /// of crossing triangles if outside, because the outside may be large and does not matter. If A's surface has
 /// holes, B may leave A through one, so each corner is tested.
-void DepthQuery::spread(std::uint32_t from) {
+void DepthSearch::spread(std::uint32_t from) {
   const PointLocation location = corners_[index_of_corner_[from]].location.value();
   if (location == PointLocation::on_surface || location == PointLocation::unknown)
     return;  // all triangles around it are barriers, or may be
@@ -161,4 +159,4 @@ void DepthQuery::spread(std::uint32_t from) {
   }
 }
 
-}  // namespace octoblisk
+}  // namespace octoblisk::detail

@@ -1,16 +1,13 @@
-// The parts of triangles that DepthQuery searches: how deep a part may be, and how it is divided.
+// The parts of triangles that DepthSearch examines: how deep a part may be, and how it is divided.
 #include <algorithm>
 #include <span>
 
 #include "geometry/triangle_pair.h"
-#include "octoblisk/depth.h"
 #include "octoblisk/triangles_in_box.h"
 #include "query/depth_bounds.h"
+#include "query/depth_search.h"
 
-namespace octoblisk {
-
-using namespace detail;
-
+namespace octoblisk::detail {
 namespace {
 
 bool apart(const Triangle& a, const Triangle& b) {
@@ -38,7 +35,7 @@ double leavesPrism(const Triangle& triangle, const Vec3& point, const Vec3& othe
 
 }  // namespace
 
-double DepthQuery::boundOf(const Part& part) {
+double DepthSearch::boundOf(const Part& part) {
   double bound = part.bound;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner& corner = corners_[part.corner[i]];
@@ -94,7 +91,7 @@ double DepthQuery::boundOf(const Part& part) {
 /// Moves the part by the limit, in the direction in which its deepest corner is nearest to A's surface. If
 /// the moved part is entirely outside A, each of its points has passed the surface, so none is deeper than
 /// the limit. A part that lies along many triangles of A therefore need not be divided at their edges.
-double DepthQuery::boundByMovingOut(const Part& part) {
+double DepthSearch::boundByMovingOut(const Part& part) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   if (boundary_) return kUnbounded;  // the part may move through a hole
   Vec3 out = part.met_begin != part.met_end ? outwards(met_[part.met_begin]) : Vec3::Zero();
@@ -111,12 +108,12 @@ double DepthQuery::boundByMovingOut(const Part& part) {
 }
 
 /// The unit normal of a triangle of A.
-Vec3 DepthQuery::outwards(std::uint32_t triangle_a) const {
+Vec3 DepthSearch::outwards(std::uint32_t triangle_a) const {
   return scaledNormal(a_->tree().mesh().triangle(triangle_a)).normalized();
 }
 
 /// Whether the whole triangle is outside A.
-bool DepthQuery::isOutside(const Triangle& triangle) const {
+bool DepthSearch::isOutside(const Triangle& triangle) const {
   const Vec3 along = (triangle[1] - triangle[0]).normalized();
   const Vec3 normal = along.cross(triangle[2] - triangle[0]).normalized();
   Obb box;
@@ -135,7 +132,7 @@ bool DepthQuery::isOutside(const Triangle& triangle) const {
 
 /// Points whose convex hull contains everything of the part that is inside A: its corners that are not
 /// outside, and, if some are, the corners of its intersections with A's surface.
-void DepthQuery::gatherExtremes(const Part& part) {
+void DepthSearch::gatherExtremes(const Part& part) {
   extremes_.clear();
   bool is_whole = true;
   for (const std::uint32_t corner : part.corner) {
@@ -152,13 +149,13 @@ void DepthQuery::gatherExtremes(const Part& part) {
   }
 }
 
-Triangle DepthQuery::triangleOf(const Part& part) const {
+Triangle DepthSearch::triangleOf(const Part& part) const {
   return {corners_[part.corner[0]].point, corners_[part.corner[1]].point, corners_[part.corner[2]].point};
 }
 
 /// Where to cut a part: where a corner's nearest triangle ends or another becomes as near. Otherwise, and
 /// every third time, and always after many cuts, halfway along the longest edge, which produces no needles.
-DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
+DepthSearch::Cut DepthSearch::cutOf(const Part& part) const {
   Cut longest{0, 0.5}, best{0, 0.5};
   double longest_edge = -1.0, best_piece = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -188,7 +185,7 @@ DepthQuery::Cut DepthQuery::cutOf(const Part& part) const {
   return best_piece > 0.0 && part.generation < kOften && part.generation % 3 != 2 ? best : longest;
 }
 
-void DepthQuery::divide(const Part& part) {
+void DepthSearch::divide(const Part& part) {
   const Cut cut = cutOf(part);
   const std::size_t next = (cut.edge + 1) % 3;
   const auto middle = static_cast<std::uint32_t>(corners_.size());
@@ -236,4 +233,4 @@ void DepthQuery::divide(const Part& part) {
   }
 }
 
-}  // namespace octoblisk
+}  // namespace octoblisk::detail
