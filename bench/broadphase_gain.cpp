@@ -21,8 +21,6 @@
 
 namespace octoblisk::bench {
 
-using namespace detail;
-
 namespace {
 
 /// Volumes in mm³, and the fraction that they save against one box around everything.

@@ -13,8 +13,6 @@
 
 namespace octoblisk {
 
-using namespace detail;
-
 namespace {
 
 using testing::at;

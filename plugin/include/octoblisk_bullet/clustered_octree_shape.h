@@ -56,9 +56,6 @@ ClusteredOctreeShape final : public btConcaveShape {
   TriangleId triangleId(std::uint32_t triangle) const { return parts_.id(triangle); }
   const TriangleParts& parts() const { return parts_; }
 
-  /// The mesh before scaling.
-  const TriangleMesh& unscaledMesh() const { return *unscaled_; }
-
   /// Refits the tree to moved vertices of the shape's mesh; parts and triangles must be the same. Applies the
   /// shape's own scaling, not the interface's. Several times faster than a new shape. Changes only this
   /// shape, not others that share its tree. Do not call it while a query runs. For a static or sleeping body,
