@@ -134,7 +134,7 @@ ClusteredOctreeShape shapeOf(const testing::SharedMesh& mesh, BuildOptions optio
     options.part_of_triangle[t] =
         static_cast<int>(t * static_cast<std::size_t>(parts) / mesh->triangleCount());
   }
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, options)));
+  ClusteredOctreeShape shape(treeOver(mesh, options));
   shape.setMargin(0);
   return shape;
 }

@@ -17,6 +17,7 @@
 #include "octoblisk_bullet/register.h"
 #include "plugin/bullet_world.h"
 #include "plugin/message_of.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -41,8 +42,7 @@ TEST(BadUse, moreThanBulletCanNumber) {
 }
 
 TEST(BadUse, partsThatAreNone) {
-  const auto tree =
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6)));
+  const auto tree = treeOver(testing::torus(2, 0.7, 12, 6));
   const auto with = [&](std::vector<std::uint32_t> begin) {
     return messageOf([&] { const ClusteredOctreeShape shape(tree, std::move(begin)); });
   };
@@ -68,8 +68,7 @@ TEST(BadUse, aMissingRegistrationIsReported) {
   btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
   EXPECT_FALSE(isRegistered(&dispatcher));
   {  // without registration, bodies with the plugin's shape do not meet
-    ClusteredOctreeShape torus(
-        std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+    ClusteredOctreeShape torus(treeOver(testing::torus(2, 0.7, 24, 12)));
     ClusteredOctreeBroadphase broadphase;
     btCollisionWorld world(&dispatcher, &broadphase, &configuration);
     btCollisionObject one, other;
@@ -100,8 +99,7 @@ TEST(BadUse, anExhaustedContactPoolDropsContacts) {
   registerAlgorithm(&dispatcher);
   btDbvtBroadphase broadphase;
   btCollisionWorld world(&dispatcher, &broadphase, &configuration);
-  ClusteredOctreeShape torus(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  ClusteredOctreeShape torus(treeOver(testing::torus(2, 0.7, 24, 12)));
   std::array<btCollisionObject, 4> rings;  // all at one position: six pairs with several patches each
   for (std::size_t i = 0; i < rings.size(); ++i) {
     rings[i].setCollisionShape(&torus);
@@ -145,8 +143,7 @@ class FloorThatThrows final : public btConcaveShape {
 };
 
 TEST(BadUse, aQueryThatThrowsIsRepeated) {
-  ClusteredOctreeShape box(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({1, 1, 1}))));
+  ClusteredOctreeShape box(treeOver(testing::boxMesh({1, 1, 1})));
   FloorThatThrows floor;
   btCollisionObject one, other;
   one.setCollisionShape(&box);
@@ -165,8 +162,7 @@ TEST(BadUse, aQueryThatThrowsIsRepeated) {
 }
 
 TEST(BadUse, shapesExchangedInALiveBody) {
-  ClusteredOctreeShape torus(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  ClusteredOctreeShape torus(treeOver(testing::torus(2, 0.7, 24, 12)));
   btBoxShape box(btVector3(3, 3, btScalar(0.5)));
   btSphereShape ball(2);
   btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
@@ -210,8 +206,7 @@ TEST(BadUse, shapesExchangedInALiveBody) {
 }
 
 TEST(BadUse, posesThatAreNoneTouchNothing) {
-  ClusteredOctreeShape torus(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
+  ClusteredOctreeShape torus(treeOver(testing::torus(2, 0.7, 24, 12)));
   btSphereShape ball(btScalar(0.5));
   testing::BulletWorld world;
   btCollisionObject ring, other_ring, sphere;

@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "plugin/broadphase_worlds.h"
+#include "plugin/shape_over.h"
 
 namespace octoblisk {
 namespace {
@@ -135,8 +136,7 @@ TEST(Broadphase, whatAUserRemovesWhileIteratingIsGone) {
 /// Against the rule (docs/bullet.md), but Bullet's broadphases survive it. The deleted shapes lose the
 /// pointers to their virtual functions, so that using them fails.
 TEST(Broadphase, bodiesAreRemovedAfterTheirShapesWereDeleted) {
-  const auto tree =
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.5, 24, 12)));
+  const auto tree = treeOver(testing::torus(2, 0.5, 24, 12));
   alignas(ClusteredOctreeShape) std::array<std::byte, sizeof(ClusteredOctreeShape)> of_ring;
   alignas(btSphereShape) std::array<std::byte, sizeof(btSphereShape)> of_ball;
   auto* const ring = ::new (of_ring.data()) ClusteredOctreeShape(tree);

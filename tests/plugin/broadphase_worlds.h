@@ -10,13 +10,13 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
 
 inline std::unique_ptr<ClusteredOctreeShape> shapeOf(const SharedMesh& mesh) {
-  return std::make_unique<ClusteredOctreeShape>(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  return std::make_unique<ClusteredOctreeShape>(treeOver(mesh));
 }
 
 /// Uses the boxes of btDbvtBroadphase. It notices only some steps later that boxes no longer overlap.

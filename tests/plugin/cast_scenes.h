@@ -12,6 +12,7 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
@@ -96,7 +97,7 @@ struct Scene {
   double miss;  // greatest distance of rays from a vertex
 
   ClusteredOctreeShape shape() const {
-    ClusteredOctreeShape made(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    ClusteredOctreeShape made(treeOver(mesh));
     made.setMargin(0);
     made.setLocalScaling(toBullet(scaling));
     return made;

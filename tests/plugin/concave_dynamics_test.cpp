@@ -89,7 +89,7 @@ TEST(ConcaveDynamics, equalBodiesStackEdgeOverEdge) {
   constexpr double kHalfHeight = 0.25;
   for (const auto& mesh :
        {testing::boxMesh({0.5, 0.5, kHalfHeight}), shapes::cylinder(0.5, kHalfHeight, 64)}) {
-    ClusteredOctreeShape body(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    ClusteredOctreeShape body(treeOver(mesh));
     ClusteredOctreeShape floor = shapeOver(testing::waveSheet(1.5, 0.0, 24));
     std::mt19937_64 random(4);
     BulletWorld world;
@@ -358,7 +358,7 @@ struct Floating {
 };
 
 Floating floatOver(const testing::SharedMesh& sheet, const btTransform& above) {
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(sheet)));
+  ClusteredOctreeShape shape(treeOver(sheet));
   BulletWorld world;
   world->setGravity(btVector3(0, 0, 0));
   world.add(shape, 0, btTransform::getIdentity());

@@ -10,6 +10,7 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -31,10 +32,7 @@ struct Lines final : btIDebugDraw {
   int getDebugMode() const override { return DBG_DrawWireframe; }
 };
 
-ClusteredOctreeShape torusShape() {
-  return ClusteredOctreeShape(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12))));
-}
+ClusteredOctreeShape torusShape() { return ClusteredOctreeShape(treeOver(testing::torus(2, 0.7, 24, 12))); }
 
 /// The index of the box corner at a point, by the signs of its sides; -1: none.
 int cornerOf(const Obb& box, const Vec3& point) {

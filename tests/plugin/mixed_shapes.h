@@ -6,6 +6,7 @@
 
 #include "plugin/bullet_world.h"
 #include "plugin/partners.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
@@ -74,8 +75,7 @@ class MixedShapes {
 
  private:
   ClusteredOctreeShape& add(const SharedMesh& mesh) {
-    ours_.push_back(std::make_unique<ClusteredOctreeShape>(
-        std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh))));
+    ours_.push_back(std::make_unique<ClusteredOctreeShape>(treeOver(mesh)));
     return *ours_.back();
   }
 

@@ -98,8 +98,7 @@ TEST_F(ThinRing, stopsAtASheetThatItTunnelsThrough) {
 }
 
 TEST(MotionClamping, withDefaultMarginsTheNextDetectionMakesContacts) {
-  ClusteredOctreeShape block(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({20, 20, 5}))));
+  ClusteredOctreeShape block(treeOver(testing::boxMesh({20, 20, 5})));
   block.setContactBreakingThreshold(btScalar(0.4));  // for a margin of 0.2
   ASSERT_GT(block.getMargin(), 0.1);
   btSphereShape ball(btScalar(0.2));

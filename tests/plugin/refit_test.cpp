@@ -11,6 +11,7 @@
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
 #include "plugin/message_of.h"
+#include "plugin/shape_over.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
 
@@ -69,14 +70,14 @@ TEST(ShapeRefit, processAllTriangles_vs_bruteforce) {
 
 TEST(ShapeRefit, massFollows) {
   const SharedMesh box = testing::boxMesh({1, 1, 1});
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(box)));
+  ClusteredOctreeShape shape(treeOver(box));
   shape.refit(deformed(*box, [](const Vec3& v) { return Vec3(v.cwiseProduct(Vec3(1, 2, 3))); }));
   EXPECT_NEAR(shape.massProperties().volume, 48.0, 1e-12);
 }
 
 TEST(ShapeRefit, refusesAnotherMesh) {
   const SharedMesh mesh = testing::torus(2, 0.7, 12, 6);
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  ClusteredOctreeShape shape(treeOver(mesh));
   const auto tree = shape.sharedTree();
   BulletMesh fewer(*testing::firstTriangles(*mesh, 143));
   EXPECT_EQ(messageOf([&] { shape.refit(fewer.view()); }),
@@ -104,9 +105,8 @@ TEST(ShapeRefit, contactsOfBeforeAreGone) {
   const SharedMesh stepped =
       deformed(*flat, [](const Vec3& v) { return Vec3(v.x(), v.y(), v.x() > 0.01 ? -1.0 : 0.0); });
   const Vec3 half(1.5, 0.4, 0.3);
-  ClusteredOctreeShape floor(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(flat)));
-  ClusteredOctreeShape bar(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh(half))));
+  ClusteredOctreeShape floor(treeOver(flat));
+  ClusteredOctreeShape bar(treeOver(testing::boxMesh(half)));
   btBoxShape stock_bar(toBullet(half));
   for (btCollisionShape* shape :
        {static_cast<btCollisionShape*>(&bar), static_cast<btCollisionShape*>(&stock_bar)}) {

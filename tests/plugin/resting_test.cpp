@@ -7,6 +7,7 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -73,7 +74,7 @@ class Resting : public ::testing::TestWithParam<Body> {};
 
 TEST_P(Resting, onAFlatFloorOfTriangles_vs_bvhAndClosedForm) {
   const testing::SharedMesh mesh = testing::waveSheet(20, 0.0, 60);
-  ClusteredOctreeShape ours(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  ClusteredOctreeShape ours(treeOver(mesh));
   BulletMesh source(*mesh);
   btBvhTriangleMeshShape bvh(source.view(), true);
   bvh.setMargin(0);

@@ -15,6 +15,7 @@
 #include "octoblisk_bullet/restore.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -132,8 +133,7 @@ TEST(Serialization, whatOthersWroteIsNotRestored) {
 }
 
 TEST(Serialization, aBodyIsRestored) {
-  ClusteredOctreeShape shape(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6))));
+  ClusteredOctreeShape shape(treeOver(testing::torus(2, 0.7, 12, 6)));
   btRigidBody body(4, nullptr, &shape, btVector3(1, 2, 0)), other(0, nullptr, &shape);
   body.setLinearVelocity(btVector3(1, 2, 3));
   body.setAngularVelocity(btVector3(4, 5, 6));
@@ -171,8 +171,7 @@ TEST(Serialization, aBodyIsRestored) {
 }
 
 TEST(Serialization, aWorldIsWrittenWithTheShape) {
-  ClusteredOctreeShape shape(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 12, 6))));
+  ClusteredOctreeShape shape(treeOver(testing::torus(2, 0.7, 12, 6)));
   testing::BulletWorld world;
   world.add(shape, 1, testing::at(1, 2, 3));
   struct Keeping final : btDefaultSerializer {

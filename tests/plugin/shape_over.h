@@ -1,4 +1,4 @@
-// A shape over a mesh, with its own tree and no margin. Contacts are exact on the triangles.
+// Trees and shapes over meshes.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,15 @@
 
 namespace octoblisk {
 
+inline std::shared_ptr<const ClusteredOctree> treeOver(const testing::SharedMesh& mesh,
+                                                       const BuildOptions& options = {}) {
+  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh, options));
+}
+
+/// Without a margin, so that contacts are exact on the triangles.
 inline ClusteredOctreeShape shapeOver(const testing::SharedMesh& mesh,
                                       std::vector<std::uint32_t> part_begin = {0}) {
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)),
-                             std::move(part_begin));
+  ClusteredOctreeShape shape(treeOver(mesh), std::move(part_begin));
   shape.setMargin(0);
   return shape;
 }

@@ -25,7 +25,7 @@ CollectedTriangles allOf(const btConcaveShape& shape) {
 
 TEST(Shape, processAllTriangles_vs_bruteforce) {
   const auto mesh = testing::fan(7, 12);
-  const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  const ClusteredOctreeShape shape(treeOver(mesh));
   std::mt19937_64 random(31);
   std::size_t visited = 0;
   for (int i = 0; i < 300; ++i) {
@@ -49,7 +49,7 @@ TEST(Shape, processAllTriangles_vs_bruteforce) {
 
 TEST(Shape, processAllTrianglesTakesBoxesOfAnySize) {
   const auto mesh = testing::torus(3, 1, 16, 8);
-  const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  const ClusteredOctreeShape shape(treeOver(mesh));
   for (const btScalar size :
        {btScalar(BT_LARGE_FLOAT), SIMD_INFINITY, std::numeric_limits<btScalar>::infinity()}) {
     CollectedTriangles found;
@@ -164,15 +164,14 @@ TEST(Shape, refusesBadMeshes) {
 TEST(Shape, scalingKeepsTheBuildOptionsOfASharedTree) {
   BuildOptions options;
   options.leaf_capacity = 3;
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(
-      ClusteredOctree::build(testing::torus(2, 0.7, 24, 12), options)));
+  ClusteredOctreeShape shape(treeOver(testing::torus(2, 0.7, 24, 12), options));
   shape.setLocalScaling(btVector3(btScalar(1e-15), btScalar(1e-15), btScalar(1e-15)));
   EXPECT_EQ(shape.tree().options().leaf_capacity, 3);
 }
 
 TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
   const auto mesh = testing::torus(3, 1, 16, 8);
-  const auto tree = std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
+  const auto tree = treeOver(mesh);
   ClusteredOctreeShape shape(tree), other(tree);
   shape.setLocalScaling(btVector3(-1, 2, btScalar(0.5)));
   EXPECT_EQ(&other.tree(), tree.get());
@@ -191,7 +190,7 @@ TEST(Shape, scalingIsPerShapeAndKeepsTrianglesFacingOutward) {
 
 TEST(Shape, aClosedMeshHasAMargin) {
   const auto marginOf = [](const testing::SharedMesh& mesh) {
-    const ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    const ClusteredOctreeShape shape(treeOver(mesh));
     return double(shape.getMargin());
   };
   EXPECT_NEAR(marginOf(testing::boxMesh({0.3, 0.2, 0.1})), 0.003, 1e-7);
@@ -199,8 +198,7 @@ TEST(Shape, aClosedMeshHasAMargin) {
   EXPECT_NEAR(marginOf(testing::boxMesh({300, 200, 100})), 0.01, 1e-7);
   EXPECT_EQ(marginOf(testing::waveSheet(3, 1, 8)), 0);
 
-  ClusteredOctreeShape shape(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::boxMesh({0.3, 0.2, 0.1}))));
+  ClusteredOctreeShape shape(treeOver(testing::boxMesh({0.3, 0.2, 0.1})));
   shape.setLocalScaling(btVector3(2, 1, 1));
   EXPECT_NEAR(shape.getMargin(), 0.006, 1e-7);
   shape.setContactBreakingThreshold(btScalar(0.008));
@@ -216,7 +214,7 @@ TEST(Shape, aClosedMeshHasAMargin) {
 
 TEST(Shape, aabbHoldsTheTurnedMeshAndTheMargin) {
   const auto mesh = testing::torus(3, 1, 16, 8);
-  ClusteredOctreeShape shape(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+  ClusteredOctreeShape shape(treeOver(mesh));
   shape.setMargin(btScalar(0.25));
   std::mt19937_64 random(32);
   const btTransform pose = toBullet(testing::randomPose(random, 10));
@@ -232,8 +230,7 @@ TEST(Shape, aabbHoldsTheTurnedMeshAndTheMargin) {
 }
 
 TEST(Shape, breakingThresholdIsSmallAndSettable) {
-  ClusteredOctreeShape large(
-      std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(250, 20, 16, 8))));
+  ClusteredOctreeShape large(treeOver(testing::torus(250, 20, 16, 8)));
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), gContactBreakingThreshold);
   large.setContactBreakingThreshold(btScalar(0.5));
   EXPECT_EQ(large.getContactBreakingThreshold(btScalar(0.02)), btScalar(0.5));

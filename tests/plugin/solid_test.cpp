@@ -97,10 +97,7 @@ TEST(Solid, whatIsInsideComesOut) {
 TEST(Solid, aMeshThatFacesInwardIsNone) {
   const auto torus = testing::torus(0.3, 0.1, 24, 12);
   const auto mirrored = testing::deformed(*torus, [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); });
-  const auto treeOf = [](const testing::SharedMesh& mesh) {
-    return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh));
-  };
-  const ClusteredOctreeShape outward(treeOf(torus)), inward(treeOf(mirrored));
+  const ClusteredOctreeShape outward(treeOver(torus)), inward(treeOver(mirrored));
   EXPECT_TRUE(outward.isSolid());
   EXPECT_GT(outward.getMargin(), 0.0);
   EXPECT_FALSE(inward.isSolid());

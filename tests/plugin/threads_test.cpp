@@ -6,6 +6,7 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -18,10 +19,6 @@ using testing::PairReport;
 constexpr int kThreads = 6;
 
 using SharedTree = std::shared_ptr<const ClusteredOctree>;
-
-SharedTree sharedTree() {
-  return std::make_shared<const ClusteredOctree>(ClusteredOctree::build(testing::torus(2, 0.7, 24, 12)));
-}
 
 /// All answers of a world's queries as numbers, with a count for each kind of query.
 struct Answers {
@@ -97,7 +94,7 @@ Answers answersOf(btCollisionShape& shape, unsigned seed) {
 }
 
 TEST(Threads, worldsOverOneTreeAnswerAsAlone) {
-  const SharedTree tree = sharedTree();
+  const SharedTree tree = treeOver(testing::torus(2, 0.7, 24, 12));
   ClusteredOctreeShape shared_shape(tree);
   std::vector<Answers> alone, together(kThreads);
   for (unsigned i = 0; i < kThreads; ++i) alone.push_back(answersOf(shared_shape, i));

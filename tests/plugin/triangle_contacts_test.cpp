@@ -10,6 +10,7 @@
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {
@@ -72,7 +73,7 @@ TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
     const auto mesh =
         std::make_shared<const TriangleMesh>(std::vector<Vec3>(triangle.begin(), triangle.end()),
                                              std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
-    ClusteredOctreeShape ours(std::make_shared<const ClusteredOctree>(ClusteredOctree::build(mesh)));
+    ClusteredOctreeShape ours(treeOver(mesh));
     triangle_object.setCollisionShape(&ours);
     triangle_object.setWorldTransform(btTransform::getIdentity());
     PairReport report;
