@@ -86,8 +86,8 @@ bool ConvexCore::update(const btConvexShape& shape) {
   readCorners(shape, read_);
   const bool is_same = read_ == points_;
   std::swap(read_, points_);
+  readRims(shape, rims_);
   if (points_.empty()) {
-    readRims(shape, rims_);
     middle_ = rims_.empty() ? middleOf(shape) : Vec3::Zero();
   } else if (!is_same) {
     middle_ = std::accumulate(points_.begin(), points_.end(), Vec3(Vec3::Zero())) / double(points_.size());

@@ -30,6 +30,7 @@ void restore(const Data& saved, btRigidBody& body) {
       inverse(btScalar(saved.m_inverseMass)),
       btVector3(inverse(inverse_inertia.x()), inverse(inverse_inertia.y()), inverse(inverse_inertia.z())));
   body.updateInertiaTensor();
+  body.setGravity(read(saved.m_gravity_acceleration));
   body.setCollisionFlags(object.m_collisionFlags);
   body.setLinearFactor(read(saved.m_linearFactor));
   body.setAngularFactor(read(saved.m_angularFactor));

@@ -120,6 +120,29 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
   EXPECT_GT(with_way_out, poses / 5);
 }
 
+/// Boxes in a block: some cross its surface, some are wholly inside.
+TEST(FarVerticesInSolid, theTrianglesHaveThePoints) {
+  std::mt19937_64 random(84);
+  const ClusteredOctree a = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  const ClusteredOctree b = ClusteredOctree::build(testing::boxMesh({0.4, 0.3, 0.2}));
+  const FarVertices far_of_b = farVertices(b);
+  for (const bool meet : {true, false}) {
+    std::size_t contacts = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Pose pose = testing::randomPose(random, meet ? 1.2 : 0.4);
+      FarVerticesInSolid far;
+      std::vector<Contact> found;
+      far.find(a, b, far_of_b, pose, meet, 0.0, found);
+      contacts += found.size();
+      for (const Contact& contact : found) {
+        EXPECT_LT(distance(a.mesh().triangle(contact.triangle_a), contact.point_on_a), 1e-9);
+        EXPECT_LT(distance(pose * b.mesh().triangle(contact.triangle_b), contact.point_on_b), 1e-9);
+      }
+    }
+    EXPECT_GE(contacts, 500u) << meet;
+  }
+}
+
 TEST(ThinThickness, ofClosedForms) {
   const auto thicknessOf = [](const testing::SharedMesh& mesh) {
     return thinThickness(ClusteredOctree::build(mesh));

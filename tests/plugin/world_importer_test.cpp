@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "octoblisk_bullet/kinematic_body.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/meshes.h"
@@ -153,6 +154,24 @@ TEST(WorldImporter, shapesAndMassesComeBack) {
     for (int c = 0; c < was.getNumChildShapes(); ++c)
       EXPECT_EQ(is.getChildShape(c)->getShapeType(), was.getChildShape(c)->getShapeType());
   }
+}
+
+/// A floating body, and a tool that meets static bodies.
+TEST(WorldImporter, gravityAndFiltersComeBack) {
+  ClusteredOctreeShape ring = shapeOver(testing::torus(0.75, 0.25, 24, 12));
+  BulletWorld world;
+  world.add(ring, 0, at(0, 0, 0));
+  world.add(ring, 1, at(5, 0, 0)).setGravity(btVector3(0, 0, 0));
+  btRigidBody tool(0, nullptr, &ring);
+  tool.setWorldTransform(at(0.5, 0, 0));
+  addKinematicBody(*world, tool);
+  Loaded<WorldImporter> loaded(saved(*world));
+  loaded.world.step(10);
+  world->removeRigidBody(&tool);
+  EXPECT_EQ(loaded.body(1).getLinearVelocity(), btVector3(0, 0, 0));
+  EXPECT_EQ(loaded.body(1).getGravity(), btVector3(0, 0, 0));
+  EXPECT_TRUE(loaded.body(2).isKinematicObject());
+  EXPECT_GT(loaded.world.contactPoints(), 0);
 }
 
 TEST(WorldImporter, aLoadedWorldGoesOnAsTheSavedOne) {

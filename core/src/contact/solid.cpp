@@ -118,7 +118,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
     Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
       return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
-    out.triangle_b = 0;  // Bullet requires a triangle
+    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
     if (!meet) {
       ways_out.assign(1, out);
       return;

@@ -21,18 +21,19 @@ struct ContactBody {
   /// Otherwise -1, -1.
   TriangleId triangle = {-1, -1};
   int blade = 0;  ///< from the body's table; 0 if it has none
-  /// On the body's surface, in the world. For a body that is inside a solid, Bullet computes one of the two
+  /// On the body's margin, in the world. For a body that is inside a solid, Bullet computes one of the two
   /// points from the other, the normal and the depth, so it may be off the surface.
   btVector3 point = btVector3(0, 0, 0);
 };
 
-/// A manifold point as reported. A is the body that was added to the world first.
+/// A manifold point as reported. A is the body with the lower broadphase id. With btDbvtBroadphase and
+/// ClusteredOctreeBroadphase, that is the one that was added to the world first.
 struct ReportedContact {
   ContactBody a;
   ContactBody b;
   btVector3 normal =
       btVector3(0, 0, 0);  ///< unit, in the world, from B to A: moving A along it separates the bodies
-  btScalar distance = 0;   ///< > 0: clearance; <= 0: touching, or minus the depth; world units
+  btScalar distance = 0;   ///< between the margins; > 0: clearance; <= 0: touching, or minus the depth
 };
 
 /// Assigns blade numbers to the triangles of a body with ClusteredOctreeShape. `blade_of_triangle` has one
@@ -45,7 +46,7 @@ struct BladeTable {
 
 /// Replaces `found` with the points of a dispatcher's manifolds whose distance is at most `up_to`, in world
 /// units. The points are those of the last performDiscreteCollisionDetection or step. They are sorted by the
-/// order in which bodies were added to the world, then by triangle, depth and position, so the order does not
+/// broadphase ids of the bodies, then by triangle, depth and position, so the order does not
 /// depend on how the broadphase sorts pairs. A manifold holds a few points of each contact patch, and points
 /// that Bullet keeps from earlier steps. A distance is that of the two points: while two bodies bounce, the
 /// manifold's own distance is 0. For all triangle pairs, use octoblisk/contacts.h.

@@ -20,9 +20,10 @@ class ClusteredOctreeShape;
 std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& saved,
                                                     const btStridingMeshInterface& mesh);
 
-/// Restores the state of a body whose pose is already restored: mass, inertia, velocities, damping, factors,
-/// friction, restitution, the thresholds of motion clamping, collision flags, and sleeping. If the mass
-/// changes between 0 and another value, the body must not be in a world.
+/// Restores the state of a body whose pose is already restored: mass, inertia, gravity, velocities, damping,
+/// factors, friction, restitution, the thresholds of motion clamping, collision flags, and sleeping. If the
+/// mass changes between 0 and another value, the body must not be in a world. Adding the body to a world
+/// replaces its gravity by the world's, as always in Bullet.
 void restoreBody(const btRigidBodyFloatData& saved, btRigidBody& body);
 void restoreBody(const btRigidBodyDoubleData& saved, btRigidBody& body);
 

@@ -104,7 +104,18 @@ class WorldImporter : public btBulletWorldImporter {
     const btScalar mass = saved.m_inverseMass > 0 ? btScalar(1) / btScalar(saved.m_inverseMass) : btScalar(0);
     btRigidBody* body = btBulletWorldImporter::createRigidBody(mass > 0, mass, pose, shapeOf(saved), name);
     restoreBody(saved, *body);
+    restoreFilters(objectOf(saved), *body);
     return body;
+  }
+
+  /// Bullet's importer gives all bodies the default filters. A file of an older Bullet has no filters.
+  template <typename Data>
+  void restoreFilters(const Data& saved, btRigidBody& body) {
+    btBroadphaseProxy* const proxy = body.getBroadphaseHandle();
+    if (!proxy || saved.m_collisionFilterMask == 0) return;
+    proxy->m_collisionFilterGroup = saved.m_collisionFilterGroup;
+    proxy->m_collisionFilterMask = saved.m_collisionFilterMask;
+    m_dynamicsWorld->refreshBroadphaseProxy(&body);
   }
 
   template <typename Data>
