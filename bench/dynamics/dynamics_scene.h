@@ -73,6 +73,7 @@ class DynamicsScene {
   /// A static plane at z = 0. It is measured as a box that extends by `size` to each side and down.
   void addPlane(double size);
 
+  btDiscreteDynamicsWorld& world() { return *world_; }
   const std::vector<Body>& moving() const { return moving_; }
   const std::vector<Body>& fixed() const { return fixed_; }
 
@@ -81,11 +82,8 @@ class DynamicsScene {
   double time_step_, metres_;
   std::vector<std::unique_ptr<const Solid>> solids_;
   KeptShapes shapes_;
-  mutable gallery::BulletWorld world_;
+  gallery::BulletWorld world_;
   std::vector<Body> moving_, fixed_;
-
- protected:
-  btDiscreteDynamicsWorld& world() { return *world_; }
 };
 
 inline Pose placed(const Vec3& where) { return {Mat3::Identity(), where}; }

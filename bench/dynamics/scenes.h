@@ -20,7 +20,7 @@ struct DynamicsEntry {
   std::vector<ShapeKind> kinds;
   DynamicsSize full, quick;  ///< the quick size only checks that the scene runs
   std::function<std::unique_ptr<DynamicsScene>(ShapeKind kind, int bodies)> make;
-  std::vector<int> more_bodies = {};  ///< of more runs of a chaotic scene, which only measure when all sleep
+  bool is_chaotic = false;  ///< more runs, with other numbers of bodies, then measure when all sleep
 };
 
 const std::vector<DynamicsEntry>& dynamicsEntries();

@@ -64,6 +64,7 @@ class BulletWorld {
   btDiscreteDynamicsWorld& operator*() { return world_; }
   btDiscreteDynamicsWorld* operator->() { return &world_; }
   btCollisionDispatcher& dispatcher() { return dispatcher_; }
+  const btCollisionDispatcher& dispatcher() const { return dispatcher_; }
 
  private:
   btDefaultCollisionConfiguration configuration_;

@@ -14,12 +14,13 @@ namespace octoblisk {
 using namespace detail;
 
 ClusteredOctreeBroadphase::ClusteredOctreeBroadphase(int depth)
-    : depth_(depth), stages_(std::make_unique<PairStages>(depth)) {}
+    : stages_(std::make_unique<PairStages>(depth)) {}
 
 ClusteredOctreeBroadphase::~ClusteredOctreeBroadphase() = default;
 
-int ClusteredOctreeBroadphase::coarsePairs() const { return tightPairs() + stages_->tight.apart(); }
-int ClusteredOctreeBroadphase::tightPairs() const { return stages_->tight.getNumOverlappingPairs(); }
+int ClusteredOctreeBroadphase::coarsePairs() const {
+  return stages_->tight.getNumOverlappingPairs() + stages_->tight.apart();
+}
 
 btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() { return &stages_->tight; }
 const btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() const {

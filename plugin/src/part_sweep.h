@@ -18,6 +18,6 @@ double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingB
 /// The sweep of two parts; at least one is ours. The slack is a fraction of the tolerance without the
 /// margins. Points of the clearance are in the world. A convex part has no triangle.
 std::optional<TimeOfImpact> sweepParts(const BodyPart& a, const BodyPart& b, double tolerance,
-                                       const SweepOptions& options = {});
+                                       const SweepOptions& options);
 
 }  // namespace octoblisk::detail

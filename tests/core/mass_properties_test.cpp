@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/oriented_closed.h"
 #include "octoblisk/surface.h"
 #include "shared/solids.h"
 
@@ -118,7 +119,7 @@ TEST(MassProperties, aPartBesideAnotherThatFacesInwardIsNoSolid) {
   const TriangleMesh inward = turnedInsideOut(*testing::boxMesh({0.9, 0.9, 0.9}));
   const TriangleMesh both =
       *testing::joined(*cube, *testing::moved(inward, {Mat3::Identity(), Vec3(4, 0, 0)}));
-  EXPECT_TRUE(isOrientedClosed(both));
+  EXPECT_TRUE(detail::isOrientedClosed(both));
   expectNear(massProperties(both), {false, 8.0 * 2.95, Vec3(1.95, 0, 0), boxInertia({2.95, 1, 1})}, 1e-13);
 
   const TriangleMesh half = turnedInsideOut(*testing::boxMesh({0.5, 0.5, 0.5}));
@@ -175,7 +176,7 @@ TEST(MassProperties, isOrientedClosed_vs_surface) {
     mesh = std::make_shared<const TriangleMesh>(mesh->vertices(), std::move(triangles));
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     const Surface surface(tree);
-    ASSERT_EQ(isOrientedClosed(*mesh), surface.isOriented()) << i;
+    ASSERT_EQ(detail::isOrientedClosed(*mesh), surface.isOriented()) << i;
     oriented += surface.isOriented();
   }
   EXPECT_GT(oriented, kMeshes * 3 / 10);

@@ -5,11 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"

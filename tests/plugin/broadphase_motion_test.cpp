@@ -1,6 +1,5 @@
 // Compares piles with ClusteredOctreeBroadphase and with btDbvtBroadphase: motion, sleep, and touching
 // bodies.
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,51 +14,26 @@ using testing::at;
 using testing::shapeOf;
 
 template <typename Broadphase>
-struct Pile {
-  Pile() {
-    registerAlgorithm(&dispatcher);
-    world.setGravity(btVector3(0, 0, btScalar(-9.81)));
-  }
-  ~Pile() {
-    for (const auto& body : bodies) world.removeRigidBody(body.get());
-    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
-    EXPECT_EQ(configuration.getCollisionAlgorithmPool()->getUsedCount(), 0);
-  }
-  void add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
-    btVector3 inertia(0, 0, 0);
-    if (mass > 0) shape.calculateLocalInertia(mass, inertia);
-    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
-    info.m_startWorldTransform = pose;
-    bodies.push_back(std::make_unique<btRigidBody>(info));
-    bodies.back()->setUserIndex(int(bodies.size()));
-    world.addRigidBody(bodies.back().get());
-  }
-  void step() { world.stepSimulation(btScalar(1.0 / 60.0), 0); }
+struct Pile : testing::DynamicWorld<Broadphase> {
+  Pile() { this->world.setGravity(btVector3(0, 0, btScalar(-9.81))); }
+  void step() { this->world.stepSimulation(btScalar(1.0 / 60.0), 0); }
 
   std::vector<int> sleepers() const {
     std::vector<int> found;
-    for (const auto& body : bodies)
+    for (const auto& body : this->bodies)
       if (!body->isActive()) found.push_back(body->getUserIndex());
     return found;
   }
   std::set<std::pair<int, int>> touching() {
     std::set<std::pair<int, int>> found;
-    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
-      const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+    for (int m = 0; m < this->dispatcher.getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *this->dispatcher.getManifoldByIndexInternal(m);
       if (manifold.getNumContacts() > 0)
         found.emplace(manifold.getBody0()->getUserIndex(), manifold.getBody1()->getUserIndex());
     }
     return found;
   }
-  std::size_t points() { return testing::manifoldPoints(dispatcher).size(); }
-  int pairs() { return broadphase.getOverlappingPairCache()->getNumOverlappingPairs(); }
-
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher{&configuration};
-  Broadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
-  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  std::size_t points() { return testing::manifoldPoints(this->dispatcher).size(); }
 };
 
 /// The same pile with both broadphases.

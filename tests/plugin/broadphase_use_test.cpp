@@ -177,7 +177,7 @@ TEST(Broadphase, aDispatcherThatLooksAtSleepersSeesThemMeet) {
   }
   world.performDiscreteCollisionDetection();
   EXPECT_EQ(broadphase.coarsePairs(), 1);
-  EXPECT_EQ(broadphase.tightPairs(), 0);
+  EXPECT_EQ(broadphase.getOverlappingPairCache()->getNumOverlappingPairs(), 0);
   ball.setWorldTransform(at(1.2, 0, 0));
   world.performDiscreteCollisionDetection();
   ASSERT_GT(dispatcher.getNumManifolds(), 0);

@@ -88,6 +88,41 @@ struct BroadphaseWorld {
   std::vector<std::unique_ptr<btCollisionObject>> objects;
 };
 
+/// A dynamics world. When destroyed, removes all bodies and expects that nothing remains of their pairs.
+template <typename Broadphase>
+struct DynamicWorld {
+  DynamicWorld() { registerAlgorithm(&dispatcher); }
+  ~DynamicWorld() {
+    for (const auto& body : bodies) world.removeRigidBody(body.get());
+    EXPECT_EQ(pairs(), 0);
+    if constexpr (requires { broadphase.coarsePairs(); }) {
+      EXPECT_EQ(broadphase.coarsePairs(), 0);
+    }
+    EXPECT_EQ(dispatcher.getNumManifolds(), 0);
+    EXPECT_EQ(configuration.getCollisionAlgorithmPool()->getUsedCount(), 0);
+  }
+
+  /// Bodies are numbered from 1.
+  btRigidBody& add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
+    btVector3 inertia(0, 0, 0);
+    if (mass > 0) shape.calculateLocalInertia(mass, inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+    info.m_startWorldTransform = pose;
+    bodies.push_back(std::make_unique<btRigidBody>(info));
+    bodies.back()->setUserIndex(int(bodies.size()));
+    world.addRigidBody(bodies.back().get());
+    return *bodies.back();
+  }
+  int pairs() { return broadphase.getOverlappingPairCache()->getNumOverlappingPairs(); }
+
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  Broadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+};
+
 /// Expects the same pairs of overlapping boxes as with btDbvtBroadphase, and that Bullet sees a subset of
 /// them, each once.
 template <typename Stock, typename Tight>

@@ -1,17 +1,36 @@
 // Headless Bullet worlds for tests, and their queries.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <random>
 #include <vector>
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
+#include "shared/meshes.h"
 
 namespace octoblisk::testing {
 
 using gallery::at;
 using gallery::BulletMesh;
 using gallery::BulletWorld;
+
+/// A kind of shape for a parameterized test.
+struct NamedConvex {
+  const char* name;
+  std::function<std::unique_ptr<btConvexShape>()> make;
+};
+
+/// The hull of random points on a sphere.
+inline std::unique_ptr<btConvexShape> roundHull(std::uint64_t seed, int points, double radius) {
+  std::mt19937_64 random(seed);
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (int i = 0; i < points; ++i) hull->addPoint(toBullet(radius * randomPoint(random, 1.0).normalized()));
+  return hull;
+}
 
 /// The points of all manifolds.
 inline std::vector<btManifoldPoint*> manifoldPoints(btDispatcher& dispatcher) {

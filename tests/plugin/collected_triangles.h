@@ -1,6 +1,7 @@
 // Collects the triangles that a shape passes to a callback.
 #pragma once
 
+#include <BulletCollision/CollisionShapes/btConcaveShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleCallback.h>
 
 #include <map>
@@ -20,5 +21,12 @@ struct CollectedTriangles final : btTriangleCallback {
     triangles[{part, index}] = {fromBullet(t[0]), fromBullet(t[1]), fromBullet(t[2])};
   }
 };
+
+inline CollectedTriangles allOf(const btConcaveShape& shape) {
+  CollectedTriangles found;
+  const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
+  shape.processAllTriangles(&found, -far, far);
+  return found;
+}
 
 }  // namespace octoblisk

@@ -1,8 +1,6 @@
 // Tests the inertia of the plugin's shape, and that its bodies turn like solids.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "octoblisk/mass_properties.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"

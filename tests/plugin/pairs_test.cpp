@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
-#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/brute_force.h"
@@ -18,12 +16,8 @@ namespace {
 using testing::at;
 using testing::BulletMesh;
 using testing::BulletWorld;
+using testing::NamedConvex;
 using testing::PairReport;
-
-struct NamedConvex {
-  const char* name;
-  std::function<std::unique_ptr<btConvexShape>()> make;
-};
 
 std::unique_ptr<btConvexShape> randomHull() {
   std::mt19937_64 random(33);

@@ -3,9 +3,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
-#include <vector>
 
 #include "octoblisk/raycast.h"
 #include "plugin/cast_scenes.h"

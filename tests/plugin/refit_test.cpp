@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/mass_properties.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
@@ -15,20 +14,9 @@ namespace {
 
 using testing::BulletMesh;
 using testing::BulletWorld;
+using testing::NamedConvex;
 
-struct Body {
-  const char* name;
-  std::function<std::unique_ptr<btConvexShape>()> make;
-};
-
-std::unique_ptr<btConvexShape> roundHull() {
-  std::mt19937_64 random(95);
-  auto hull = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < 24; ++i) hull->addPoint(toBullet(0.5 * testing::randomPoint(random, 1.0).normalized()));
-  return hull;
-}
-
-const std::vector<Body> kBodies = {
+const std::vector<NamedConvex> kBodies = {
     {"sphere", [] { return std::make_unique<btSphereShape>(btScalar(0.5)); }},
     {"box",
      [] { return std::make_unique<btBoxShape>(btVector3(btScalar(0.6), btScalar(0.5), btScalar(0.4))); }},
@@ -38,7 +26,7 @@ const std::vector<Body> kBodies = {
        return std::make_unique<btCylinderShape>(btVector3(btScalar(0.5), btScalar(0.4), btScalar(0.5)));
      }},
     {"cone", [] { return std::make_unique<btConeShape>(btScalar(0.5), btScalar(0.9)); }},
-    {"hull", roundHull},
+    {"hull", [] { return testing::roundHull(95, 24, 0.5); }},
 };
 
 /// The state of a body at the end of its fall, and of its contacts while it lay.
@@ -70,7 +58,7 @@ Rest restOn(btCollisionShape& floor, btConvexShape& shape, const btTransform& fr
   return rest;
 }
 
-class Resting : public ::testing::TestWithParam<Body> {};
+class Resting : public ::testing::TestWithParam<NamedConvex> {};
 
 TEST_P(Resting, onAFlatFloorOfTriangles_vs_bvhAndClosedForm) {
   const testing::SharedMesh mesh = testing::waveSheet(20, 0.0, 60);

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"

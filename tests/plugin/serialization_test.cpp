@@ -4,10 +4,7 @@
 #include <LinearMath/btSerializer.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <map>
-#include <set>
-#include <string>
 #include <vector>
 
 #include "octoblisk/tree_blob.h"
@@ -37,13 +34,6 @@ struct Importer final : btCollisionWorldImporter {
   }
 };
 
-std::map<std::pair<int, int>, Triangle> trianglesOf(const btConcaveShape& shape) {
-  CollectedTriangles found;
-  const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
-  shape.processAllTriangles(&found, -far, far);
-  return found.triangles;
-}
-
 /// A torus and a sheet as two parts of one interface, scaled.
 struct TwoParts {
   BulletMesh torus{*testing::torus(2, 0.7, 12, 6)}, sheet{*testing::waveSheet(2, 0.3, 5)};
@@ -70,7 +60,7 @@ TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
   ASSERT_NE(loaded, nullptr);
   EXPECT_EQ(loaded->getMargin(), btScalar(0.125));
   EXPECT_EQ(loaded->getMeshInterface()->getNumSubParts(), 2);
-  const auto expected = trianglesOf(shape), found = trianglesOf(*loaded);
+  const auto expected = allOf(shape).triangles, found = allOf(*loaded).triangles;
   ASSERT_EQ(expected.size(), 12u * 6u * 2u + 5u * 5u * 2u);
   ASSERT_EQ(found.size(), expected.size());
   for (const auto& [id, triangle] : expected) {
@@ -113,7 +103,7 @@ TEST(Serialization, theShapeIsRestored) {
     EXPECT_EQ(restored->getLocalScaling(), shape.getLocalScaling());
     EXPECT_EQ(restored->getContactBreakingThreshold(btScalar(0.001)),
               shape.getContactBreakingThreshold(btScalar(0.001)));
-    EXPECT_EQ(trianglesOf(*restored), trianglesOf(shape));
+    EXPECT_EQ(allOf(*restored).triangles, allOf(shape).triangles);
     EXPECT_EQ(restored->parts(), shape.parts());
   }
 }
@@ -205,7 +195,7 @@ TEST(Serialization, aTreeGoesThroughABlobWithItsParts) {
   const auto mesh = std::make_shared<const TriangleMesh>(std::move(read.mesh));
   const ClusteredOctreeShape loaded(std::make_shared<const ClusteredOctree>(fromBlob(blob, mesh)),
                                     read.part_begin);
-  EXPECT_EQ(trianglesOf(loaded), trianglesOf(shape));
+  EXPECT_EQ(allOf(loaded).triangles, allOf(shape).triangles);
   EXPECT_EQ(loaded.parts(), shape.parts());
   EXPECT_EQ(loaded.triangleId(144).part, 1);
   EXPECT_EQ(loaded.triangleId(144).index, 0);

@@ -112,7 +112,6 @@ TEST(Solid, aMeshThatFacesInwardIsNone) {
 TEST(Solid, aCapsuleThatPiercesABallComesOut) {
   std::mt19937_64 random(83);
   auto ball = shapeOver(testing::bumpySphere(random, 1.0, 0.0, 24));
-  ball.setMargin(0);
   constexpr double kRadius = 0.1, kHalfHeight = 0.3;
   btCapsuleShapeZ capsule(btScalar(kRadius), btScalar(2.0 * kHalfHeight));
   int pierces = 0;
@@ -137,6 +136,19 @@ TEST(Solid, aCapsuleThatPiercesABallComesOut) {
   EXPECT_LE(pierces, 16);
 }
 
+/// The deepest contact of a mesh and a shape, both at the origin unless a pose is given.
+double deepestOf(ClusteredOctreeShape& mesh, btCollisionShape& shape,
+                 const btTransform& pose = btTransform::getIdentity()) {
+  btCollisionObject mesh_object, object;
+  mesh_object.setCollisionShape(&mesh);
+  object.setCollisionShape(&shape);
+  object.setWorldTransform(pose);
+  BulletWorld world;
+  PairReport report;
+  world->contactPairTest(&mesh_object, &object, report);
+  return report.deepest();
+}
+
 /// A cavity is outside.
 TEST(Solid, aHollowIsOutside) {
   // A ball shell: an outer sphere of radius 2 and an inner one of 1.5, facing into the cavity.
@@ -155,33 +167,12 @@ TEST(Solid, aHollowIsOutside) {
   ClusteredOctreeShape shell = shapeOver(std::make_shared<const TriangleMesh>(vertices, triangles));
   ASSERT_TRUE(shell.isSolid());
   btSphereShape ball(btScalar(0.1));
-  btCollisionObject shell_object, ball_object;
-  shell_object.setCollisionShape(&shell);
-  ball_object.setCollisionShape(&ball);
-  BulletWorld world;
-  const auto deepestAt = [&](double x) {
-    ball_object.setWorldTransform(at(x, 0, 0));
-    PairReport report;
-    world->contactPairTest(&shell_object, &ball_object, report);
-    return report.points.empty() ? 1.0 : report.deepest();
-  };
-  EXPECT_EQ(deepestAt(0.0), 1.0);
-  EXPECT_EQ(deepestAt(1.2), 1.0);
+  const auto deepestAt = [&](double x) { return deepestOf(shell, ball, at(x, 0, 0)); };
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(deepestAt(0.0), kNone);
+  EXPECT_EQ(deepestAt(1.2), kNone);
   EXPECT_LT(deepestAt(1.7), -0.2);
-  EXPECT_EQ(deepestAt(2.2), 1.0);
-}
-
-/// The deepest contact of a mesh and a shape, both at the origin unless a pose is given.
-double deepestOf(ClusteredOctreeShape& mesh, btCollisionShape& shape,
-                 const btTransform& pose = btTransform::getIdentity()) {
-  btCollisionObject mesh_object, object;
-  mesh_object.setCollisionShape(&mesh);
-  object.setCollisionShape(&shape);
-  object.setWorldTransform(pose);
-  BulletWorld world;
-  PairReport report;
-  world->contactPairTest(&mesh_object, &object, report);
-  return report.deepest();
+  EXPECT_EQ(deepestAt(2.2), kNone);
 }
 
 /// A shape whose origin is outside itself. The middle of each is outside or inside the block.
@@ -298,7 +289,7 @@ TEST(Solid, aTriangleWithoutAreaPushesOut) {
   PairReport report;
   world->contactPairTest(&box_object, &ball_object, report);
   ASSERT_FALSE(report.points.empty());
-  EXPECT_NEAR(report.deepest(), -0.2 - double(box.getMargin()), 1e-6);
+  EXPECT_NEAR(report.deepest(), -0.2, 1e-6);
   for (btCollisionObject* const object : {&box_object, &ball_object}) world->removeCollisionObject(object);
 }
 

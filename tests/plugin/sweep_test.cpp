@@ -2,9 +2,6 @@
 // generic path and as Bullet's own mesh.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "octoblisk/clustered_octree.h"
 #include "plugin/cast_scenes.h"
 

@@ -6,8 +6,6 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
@@ -17,26 +15,15 @@ namespace octoblisk {
 namespace {
 
 using testing::BulletWorld;
+using testing::NamedConvex;
 using testing::PairReport;
 
-struct NamedShape {
-  const char* name;
-  std::function<std::unique_ptr<btConvexShape>()> make;
-};
-
-std::unique_ptr<btConvexShape> hullOfTwenty() {
-  std::mt19937_64 random(61);
-  auto hull = std::make_unique<btConvexHullShape>();
-  for (int i = 0; i < 20; ++i) hull->addPoint(toBullet(0.6 * testing::randomPoint(random, 1.0).normalized()));
-  return hull;
-}
-
-const std::vector<NamedShape> kShapes = {
+const std::vector<NamedConvex> kShapes = {
     {"sphere", [] { return std::make_unique<btSphereShape>(btScalar(0.6)); }},
     {"capsule", [] { return std::make_unique<btCapsuleShape>(btScalar(0.3), btScalar(0.8)); }},
     {"box",
      [] { return std::make_unique<btBoxShape>(btVector3(btScalar(0.7), btScalar(0.5), btScalar(0.3))); }},
-    {"hull", hullOfTwenty},
+    {"hull", [] { return testing::roundHull(61, 20, 0.6); }},
 };
 
 /// The distance, or minus the depth if the two meet. The triangle has no margin.
@@ -54,7 +41,7 @@ double distanceByBullet(const Triangle& triangle, const btConvexShape& shape, co
   return found.m_hasResult ? double(found.m_distance) : 1e30;
 }
 
-class TriangleContacts : public ::testing::TestWithParam<NamedShape> {};
+class TriangleContacts : public ::testing::TestWithParam<NamedConvex> {};
 
 TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
   constexpr double kOfBullet = 2e-3;  // error of Bullet's single-precision search for bodies of size 1

@@ -29,7 +29,4 @@ struct Contact {
   TrianglePair triangles() const { return {triangle_a, triangle_b}; }
 };
 
-/// The projection that sorts contacts by their triangles. Compilers inline it, unlike &Contact::triangles.
-inline constexpr auto byTriangles = [](const Contact& contact) { return contact.triangles(); };
-
 }  // namespace octoblisk

@@ -47,11 +47,6 @@ class Convex {
 /// The farthest of the points in a direction; the first of them if several tie.
 const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction);
 
-/// A few points whose hull contains a body's core: the body's own points, or the corners of the core's box,
-/// written to `room`.
-std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room);
-inline constexpr std::size_t kMaxPointsRoundCore = HullFaceList::kMaxPoints;
-
 /// The convex hull of points, grown by a radius.
 class ConvexHull final : public Convex {
  public:

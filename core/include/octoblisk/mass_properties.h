@@ -26,15 +26,9 @@ struct MassProperties {
 /// Extraction for 2D/3D Objects in Mesh Representation, 2001). Where parts of the solid overlap, each of them
 /// counts. An inner surface that faces the other way is a cavity.
 ///
-/// If the mesh is open, not consistently oriented (isOrientedClosed), or has no volume, returns the
+/// If the mesh is open, not consistently oriented (Surface::isOriented), or has no volume, returns the
 /// properties of the solid bounding box of its triangles.
 MassProperties massProperties(const TriangleMesh& mesh);
-
-/// Whether every edge, identified by the positions of its ends, is used equally often in both directions.
-/// Gives the answer of Surface::isOriented in O(n) and without storing the edges: it compares sums of 64-bit
-/// hashes of the edges of each direction. The answer is wrong with a chance of 2⁻⁶⁴, except for meshes made
-/// to deceive it.
-bool isOrientedClosed(const TriangleMesh& mesh);
 
 /// The frame in which the inertia is diagonal.
 struct PrincipalFrame {

@@ -14,10 +14,10 @@ namespace octoblisk::detail {
 /// it.
 struct ContactPatch {
   std::array<Contact, 4> contacts;
-  int count = 0;
+  std::size_t count = 0;
 
-  void add(const Contact& contact) { contacts[static_cast<std::size_t>(count++)] = contact; }
-  std::span<const Contact> points() const { return {contacts.data(), static_cast<std::size_t>(count)}; }
+  void add(const Contact& contact) { contacts[count++] = contact; }
+  std::span<const Contact> points() const { return {contacts.data(), count}; }
 };
 
 /// Groups contacts into patches. A patch consists of the deepest contact and all contacts whose normals are

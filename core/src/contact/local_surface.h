@@ -76,8 +76,6 @@ class LocalSurface {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   struct Numbered {
     Triangle corners;
     Vec3 normal;

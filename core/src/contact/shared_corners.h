@@ -10,6 +10,8 @@
 
 namespace octoblisk::detail {
 
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
 inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();
 }
@@ -45,8 +47,6 @@ class SharedCorners {
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   /// A corner or an edge of a triangle.
   struct Place {
     double key;

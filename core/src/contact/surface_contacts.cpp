@@ -9,6 +9,7 @@
 
 #include "geometry/triangle_feature.h"
 #include "geometry/triangle_pair.h"
+#include "query/by_triangles.h"
 #include "query/near_pairs.h"
 #include "tree/tree.h"
 
@@ -25,8 +26,6 @@ LocalSurface::Lean leanAt(bool pushes_on_face, double error = 0.0) {
   constexpr double kRocking = 0.3;  // the sine of 17°
   return {kSlightTilt + error, (pushes_on_face ? kRocking : kSlightTilt) + error};
 }
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// Whether two triangles are nearer than `distance`, which is above 0.
 bool areWithin(double distance, const Triangle& a, const Triangle& b) {
@@ -53,9 +52,6 @@ void placeAround(const Vec3& middle, Contact& contact) {
 }
 
 }  // namespace
-
-SurfaceContacts::Face::Face(const Triangle& of, const Vec3& normal, double contact)
-    : triangle(of), facing(normal.normalized()), contact_distance(contact) {}
 
 /// Whether each of two faces is below or on the other's plane, as at a convex edge or on the two sides of a
 /// sheet. False if `other` has no area.
@@ -285,7 +281,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
     const Contact& contact = contacts[c];
     if (!(contact.distance < 0.0) || !own.isPerpendicularTo(contact, pairs_[c])) continue;
     if (faces_.empty()) findFaces(contacts, opposite_one, own);
-    const Face face(own.triangle(pairs_[c]), own.facing(pairs_[c]), contact.distance);
+    const Face face = {own.triangle(pairs_[c]), own.facing(pairs_[c]).normalized(), contact.distance};
     const Vec3& deepest = contact.*opposite.point;
     const double half_way = -0.5 * contact.distance;
     const auto isOver = [&](const Face& other) {
@@ -319,7 +315,7 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
     shallowest_.resize(kMax);
   }
   for (const std::uint32_t c : shallowest_) {
-    faces_.emplace_back(own.triangle(pairs_[c]), own.facing(pairs_[c]), contacts[c].distance);
+    faces_.push_back({own.triangle(pairs_[c]), own.facing(pairs_[c]).normalized(), contacts[c].distance});
   }
 }
 

@@ -90,12 +90,11 @@ class SurfaceContacts {
     }
   };
   struct Face {
-    Face(const Triangle& of, const Vec3& normal, double contact);
-    double depthOf(const Vec3& point) const { return facing.dot(triangle[0] - point); }
-
     Triangle triangle;
-    Vec3 facing;
+    Vec3 facing;  ///< unit
     double contact_distance;
+
+    double depthOf(const Vec3& point) const { return facing.dot(triangle[0] - point); }
   };
   using Members = std::span<const std::uint32_t>;
 

@@ -42,11 +42,4 @@ const Vec3& farthest(std::span<const Vec3> points, const Vec3& direction) {
   return *found;
 }
 
-std::span<const Vec3> pointsRoundCore(const Convex& convex, std::array<Vec3, 8>& room) {
-  const std::span<const Vec3> points = convex.points();
-  if (!points.empty() && points.size() <= kMaxPointsRoundCore) return points;
-  room = convex.coreBounds().corners();
-  return room;
-}
-
 }  // namespace octoblisk

@@ -28,6 +28,7 @@ HWY_AFTER_NAMESPACE();
 
 #include "geometry/triangle_convex.h"
 #include "octoblisk/triangles_near_convex.h"
+#include "query/by_triangles.h"
 
 namespace octoblisk {
 

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "base/rounding.h"
-#include "octoblisk/convex.h"
+#include "geometry/points_round_core.h"
 #include "simd/simd-inl.h"
 #include "tree/node_boxes-inl.h"
 #include "tree/tree.h"

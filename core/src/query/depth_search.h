@@ -16,9 +16,9 @@ namespace octoblisk::detail {
 /// Branch and bound. The search starts with the triangles of B that meet A's surface. From their corners it
 /// spreads to the triangles that are wholly inside. It divides these triangles until no part can be deeper
 /// than the deepest point found by more than the tolerance. It skips triangles of B that lie flat on a
-/// triangle of A, within the tolerance. The bound of a part comes from its distance to nearby triangles of A,
-/// because the signed distance grows by no more than the distance travelled, and from moving the part out of
-/// A as a whole.
+/// triangle of A, within the tolerance. Two bounds hold for a part. One comes from its distance to nearby
+/// triangles of A: the signed distance grows by no more than the distance travelled. The other comes from
+/// moving the whole part out of A.
 class DepthSearch {
  public:
   /// As DepthQuery::deepest. Without a boundary, A must be closed.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "geometry/triangle_pair.h"
+#include "query/by_triangles.h"
 #include "tree/tree.h"
 
 namespace octoblisk {

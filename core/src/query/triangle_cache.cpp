@@ -33,6 +33,7 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "geometry/points_round_core.h"
 #include "octoblisk/triangles_near_convex.h"
 #include "tree/tree.h"
 

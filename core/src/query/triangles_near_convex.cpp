@@ -39,6 +39,8 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "geometry/points_round_core.h"
+
 namespace octoblisk {
 
 using namespace detail;

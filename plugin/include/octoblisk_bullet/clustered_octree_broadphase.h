@@ -26,7 +26,7 @@ struct PairStages;
 /// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep
 /// and the dispatcher ignores the pair (needsCollision), the pair stays as it is, like everything else that
 /// Bullet keeps about it. If a body's shape is replaced, call the cache's cleanProxyFromPairs, as in Bullet.
-/// Otherwise the clusters are not tested for the pairs that the body had with the old kind of shape. In
+/// Otherwise the clusters ignore the pairs that the body had with the old kind of shape. In
 /// builds with assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are
 /// registered (register.h). Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
@@ -41,12 +41,9 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   ClusteredOctreeBroadphase(const ClusteredOctreeBroadphase&) = delete;
   ClusteredOctreeBroadphase& operator=(const ClusteredOctreeBroadphase&) = delete;
 
-  int depth() const { return depth_; }
-
-  /// The number of pairs whose boxes overlap, and some whose boxes separated in the last steps.
+  /// The number of pairs whose boxes overlap, and some whose boxes separated in the last steps. Bullet sees
+  /// those of getOverlappingPairCache().
   int coarsePairs() const;
-  /// The number of these pairs that Bullet sees.
-  int tightPairs() const;
 
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;
   btOverlappingPairCache* getOverlappingPairCache() override;
@@ -70,7 +67,6 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  private:
   bool hasAlgorithms(btDispatcher* dispatcher);
 
-  int depth_;
   bool has_our_shape_ = false;   // whether a body with ClusteredOctreeShape was added
   bool has_algorithms_ = false;  // whether the dispatcher has the shape's algorithms
   std::unique_ptr<detail::PairStages> stages_;
