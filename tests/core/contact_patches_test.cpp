@@ -50,11 +50,34 @@ TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   std::vector<Contact> contacts = square(Vec3::Zero(), 0, 1);
   const std::vector<Contact> other = square(Vec3(100, 0, 0), 50, 2);
   contacts.insert(contacts.end(), other.begin(), other.end());
+  for (Contact& contact : contacts) contact.distance = -0.1;
   ContactPatches reducer;
   const auto patches = reducer.reduce(contacts, 0.0);
   ASSERT_EQ(patches.size(), 1u);
   const auto isOfOther = [](const Contact& contact) { return contact.triangle_b == 2; };
   EXPECT_EQ(std::ranges::count_if(patches[0].points(), isOfOther), 2);
+}
+
+/// A rod that lies on one of its facets. The edges of the next facets are wider apart, but above the floor.
+TEST(ContactPatches, aNarrowFaceCarriesABodyBesideWiderContacts) {
+  std::vector<Contact> contacts;
+  for (const double y : {-1.0, 1.0}) {
+    for (const double x : {-0.3, -0.1, 0.1, 0.3}) {
+      const double clearance = std::abs(x) > 0.2 ? 0.04 : 0.0;
+      contacts.push_back(
+          contactAt(Vec3(x, y, 0), Vec3::UnitZ(), clearance, static_cast<std::uint32_t>(contacts.size()), 0));
+    }
+  }
+  ContactPatches reducer;
+  const auto patches = reducer.reduce(contacts, 0.1);
+  int carrying = 0, wide = 0;
+  for (const ContactPatch& patch : patches) {
+    for (const Contact& contact : patch.points()) ++(contact.distance == 0.0 ? carrying : wide);
+  }
+  EXPECT_EQ(carrying, 4);
+  EXPECT_GE(wide, 2);
+  for (Contact& contact : contacts) contact.distance = 0.0;
+  EXPECT_EQ(reducer.reduce(contacts, 0.1).size(), 1u);
 }
 
 /// Whoever has room for one patch only keeps the deepest.

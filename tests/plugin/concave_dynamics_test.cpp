@@ -114,6 +114,47 @@ TEST(ConcaveDynamics, equalBodiesStackEdgeOverEdge) {
   }
 }
 
+/// Rods that lie on one of 24 narrow facets used to rock for more than a minute.
+TEST(ConcaveDynamics, rodsOfNarrowFacetsFallAsleep) {
+  ClusteredOctreeShape rod(treeOver(shapes::cylinder(0.06, 1.0, 24)));
+  ClusteredOctreeShape floor(treeOver(testing::boxMesh({6, 6, 0.2})));
+  std::mt19937_64 random(7);
+  BulletWorld world;
+  world.add(floor, 0, at(0, 0, -0.2));
+  std::vector<btRigidBody*> rods;
+  for (int i = 0; i < 12; ++i) {
+    const btQuaternion lying(btVector3(1, 0, 0), SIMD_HALF_PI);
+    const btQuaternion turn(btVector3(0, 0, 1), btScalar(testing::uniform(random, 0.0, 6.0)));
+    rods.push_back(&world.add(rod, 1, at(0.6 * i - 3.3, 0, 0.07) * btTransform(lying * turn)));
+  }
+  world.step(30 * 60, 1.0 / 60.0);
+  for (const btRigidBody* body : rods) EXPECT_FALSE(body->isActive());
+}
+
+/// 20 stacks of five coins of radius 10 cm. A quarter of them used to stand.
+TEST(ConcaveDynamics, mostStacksOfCoinsStand) {
+  constexpr double kRadius = 0.1, kHalfHeight = 0.01;
+  ClusteredOctreeShape coin(treeOver(shapes::cylinder(kRadius, kHalfHeight, 32)));
+  ClusteredOctreeShape floor(treeOver(testing::boxMesh({3, 3, 0.2})));
+  const double gap = double(floor.getMargin()) + 3e-4, margin = double(coin.getMargin());
+  std::mt19937_64 random(8);
+  int standing = 0;
+  for (int stack = 0; stack < 20; ++stack) {
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, -0.2));
+    const btRigidBody* top = nullptr;
+    for (int i = 0; i < 5; ++i) {
+      const auto shift = [&] { return testing::uniform(random, -0.02, 0.02) * kRadius; };
+      const double x = shift(), y = shift();
+      const double z = gap + (2 * i + 1) * (kHalfHeight + margin) + i * 1e-4;
+      top = &world.add(coin, 1, at(x, y, z));
+    }
+    world.step(10 * 60, 1.0 / 60.0);
+    standing += top->getWorldTransform().getOrigin().z() > btScalar(0.09);
+  }
+  EXPECT_GE(standing, 13);
+}
+
 /// A bar of fine triangles that falls on another one sinks in by several triangles. It used to stay there, or
 /// was thrown off with up to 9 J more; once its depth was that of a triangle, with up to 4 J more.
 TEST(ConcaveDynamics, barsThatCrossPartWithoutGainingEnergy) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
 constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
-constexpr double kHardlyDeeper = 0.1;  // of the two sides of a groove, as a fraction of the spacing
+constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
 
 /// Deepest first; contacts of equal depth by triangles and positions.
 auto byDepth(const Contact& c) {
@@ -61,6 +61,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return best != nullptr;
   };
 
+  if (members.empty()) return patch;
   patch.add(contacts[members.front()]);
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
@@ -77,6 +78,19 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return gain;
   });
   return patch;
+}
+
+/// Selects from the contacts that carry the body, which are about as deep as the deepest one, if wider ones
+/// that are less deep took their places in a patch. Leaves out those near the patch's own. May be empty.
+ContactPatch ContactPatches::carrying(const ContactPatch& patch, std::span<const Contact> contacts,
+                                      double spacing) {
+  const auto carries = [&](const Contact& contact) { return isAsDeep(contact, patch.contacts[0], spacing); };
+  if (std::ranges::all_of(patch.points(), carries)) return {};
+  std::erase_if(members_, [&](std::uint32_t m) {
+    const auto isNear = [&](const Contact& added) { return areNear(added, contacts[m], spacing); };
+    return !carries(contacts[m]) || std::ranges::any_of(patch.points(), isNear);
+  });
+  return spread(contacts, members_, spacing);
 }
 
 /// For each contact of a patch, selects the one of the members near it that is about as deep and pushes in
@@ -123,8 +137,10 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
       return belongs;
     });
     patches_.push_back(spread(contacts, members_, spacing));
-    const ContactPatch others = otherSides(patches_.back(), contacts, members_, spacing);
-    if (others.count > 0) others_.push_back(others);
+    for (const ContactPatch& others : {otherSides(patches_.back(), contacts, members_, spacing),
+                                       carrying(patches_.back(), contacts, spacing)}) {
+      if (others.count > 0) others_.push_back(others);
+    }
   }
   others_.resize(std::min(others_.size(), kMaxPatches - patches_.size()));
   patches_.insert(patches_.end(), others_.begin(), others_.end());
