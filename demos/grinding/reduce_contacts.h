@@ -8,7 +8,7 @@
 
 namespace octoblisk::demos {
 
-/// Reduces the contacts of each part with each blade or fixture to at most four per contact patch
+/// Reduces the contacts of each part with each blade or fixture to a few of each contact patch
 /// (contact/contact_patches.h), ordered by part, then by body. The deepest contact of a part with a body is
 /// always kept, so a pose's verdict is the same as with all contacts. `body_of_triangle` is that of
 /// Surroundings (fixture.h).

@@ -1,7 +1,6 @@
 #include "paper/detection_experiment.h"
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <utility>
 
@@ -92,8 +91,8 @@ std::vector<Detector> detectorsOf(const ClusteredOctree& blisk, const ClusteredO
                            },
                            true};
   detectors[kOursVerdict] = {"ours, exact: touching or not", our_range,
-                             [query = std::make_shared<PathQuery>(blisk, belt)](const Pose& pose) {
-                               return BoxesLeft{0, query->collide(pose) ? 1u : 0u, 0.0};
+                             [query = PathQuery(blisk, belt)](const Pose& pose) mutable {
+                               return BoxesLeft{0, query.collide(pose) ? 1u : 0u, 0.0};
                              },
                              true};
   return detectors;

@@ -39,7 +39,7 @@ int bladeOf(const btCollisionObject* object, TriangleId triangle, std::span<cons
   return number < table->blade_of_triangle.size() ? table->blade_of_triangle[number] : 0;
 }
 
-/// Increases with each body that is added to a world.
+/// The broadphase id.
 int order(const btCollisionObject* object) { return object->getBroadphaseHandle()->getUid(); }
 
 auto sortedBy(const ReportedContact& contact) {

@@ -48,9 +48,9 @@ TEST(ContactPatches, keepsTheDeepestAndTheCorners) {
 
 TEST(ContactPatches, contactsThatPushAlikeAreOnePatchHoweverFarApart) {
   std::vector<Contact> contacts = square(Vec3::Zero(), 0, 1);
-  const std::vector<Contact> other = square(Vec3(100, 0, 0), 50, 2);
+  std::vector<Contact> other = square(Vec3(100, 0, 0), 50, 2);
+  for (Contact& contact : other) contact.distance += 0.05;
   contacts.insert(contacts.end(), other.begin(), other.end());
-  for (Contact& contact : contacts) contact.distance = -0.1;
   ContactPatches reducer;
   const auto patches = reducer.reduce(contacts, 0.0);
   ASSERT_EQ(patches.size(), 1u);

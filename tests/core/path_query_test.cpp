@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "shared/meshes.h"
 
 namespace octoblisk {
 namespace {
+
+static_assert(std::is_copy_constructible_v<PathQuery>);
 
 /// A path of fine steps along motions between random poses, with a jump between two motions.
 std::vector<Pose> finePath(std::mt19937_64& random, int motions, int steps, double spread) {

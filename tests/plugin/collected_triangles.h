@@ -22,7 +22,7 @@ struct CollectedTriangles final : btTriangleCallback {
   }
 };
 
-inline CollectedTriangles allOf(const btConcaveShape& shape) {
+inline CollectedTriangles trianglesOf(const btConcaveShape& shape) {
   CollectedTriangles found;
   const btVector3 far(btScalar(1e9), btScalar(1e9), btScalar(1e9));
   shape.processAllTriangles(&found, -far, far);

@@ -60,7 +60,7 @@ TEST(Serialization, aStockImporterLoadsTheSameTriangles) {
   ASSERT_NE(loaded, nullptr);
   EXPECT_EQ(loaded->getMargin(), btScalar(0.125));
   EXPECT_EQ(loaded->getMeshInterface()->getNumSubParts(), 2);
-  const auto expected = allOf(shape).triangles, found = allOf(*loaded).triangles;
+  const auto expected = trianglesOf(shape).triangles, found = trianglesOf(*loaded).triangles;
   ASSERT_EQ(expected.size(), 12u * 6u * 2u + 5u * 5u * 2u);
   ASSERT_EQ(found.size(), expected.size());
   for (const auto& [id, triangle] : expected) {
@@ -103,7 +103,7 @@ TEST(Serialization, theShapeIsRestored) {
     EXPECT_EQ(restored->getLocalScaling(), shape.getLocalScaling());
     EXPECT_EQ(restored->getContactBreakingThreshold(btScalar(0.001)),
               shape.getContactBreakingThreshold(btScalar(0.001)));
-    EXPECT_EQ(allOf(*restored).triangles, allOf(shape).triangles);
+    EXPECT_EQ(trianglesOf(*restored).triangles, trianglesOf(shape).triangles);
     EXPECT_EQ(restored->parts(), shape.parts());
   }
 }
@@ -195,7 +195,7 @@ TEST(Serialization, aTreeGoesThroughABlobWithItsParts) {
   const auto mesh = std::make_shared<const TriangleMesh>(std::move(read.mesh));
   const ClusteredOctreeShape loaded(std::make_shared<const ClusteredOctree>(fromBlob(blob, mesh)),
                                     read.part_begin);
-  EXPECT_EQ(allOf(loaded).triangles, allOf(shape).triangles);
+  EXPECT_EQ(trianglesOf(loaded).triangles, trianglesOf(shape).triangles);
   EXPECT_EQ(loaded.parts(), shape.parts());
   EXPECT_EQ(loaded.triangleId(144).part, 1);
   EXPECT_EQ(loaded.triangleId(144).index, 0);

@@ -77,7 +77,7 @@ CollectedTriangles throughInterface(PHY_ScalarType vertex_type, PHY_ScalarType i
   mesh.addIndexedMesh(part, index_type);
   mesh.addIndexedMesh(part, index_type);
   mesh.setScaling(btVector3(2, 3, 4));
-  return allOf(ClusteredOctreeShape(&mesh));
+  return trianglesOf(ClusteredOctreeShape(&mesh));
 }
 
 void expectBothParts(const CollectedTriangles& found) {
@@ -112,7 +112,7 @@ TEST(Shape, sixteenBitIndicesAreUnsigned) {
   part.m_vertexType = PHY_FLOAT;
   btTriangleIndexVertexArray mesh;
   mesh.addIndexedMesh(part, PHY_SHORT);
-  EXPECT_EQ(allOf(ClusteredOctreeShape(&mesh)).triangles.at({0, 0})[2], Vec3(7, 0, 0));
+  EXPECT_EQ(trianglesOf(ClusteredOctreeShape(&mesh)).triangles.at({0, 0})[2], Vec3(7, 0, 0));
 }
 
 std::string messageOf(const btStridingMeshInterface* mesh) {

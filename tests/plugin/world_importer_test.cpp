@@ -156,7 +156,7 @@ TEST(WorldImporter, shapesAndMassesComeBack) {
   }
 }
 
-/// A floating body, and a tool that meets static bodies.
+/// A floating body, a tool that meets static bodies, and a body that meets nothing.
 TEST(WorldImporter, gravityAndFiltersComeBack) {
   ClusteredOctreeShape ring = shapeOver(testing::torus(0.75, 0.25, 24, 12));
   BulletWorld world;
@@ -165,9 +165,13 @@ TEST(WorldImporter, gravityAndFiltersComeBack) {
   btRigidBody tool(0, nullptr, &ring);
   tool.setWorldTransform(at(0.5, 0, 0));
   addKinematicBody(*world, tool);
+  btRigidBody apart(1, nullptr, &ring);
+  world->addRigidBody(&apart, btBroadphaseProxy::DefaultFilter, 0);
   Loaded<WorldImporter> loaded(saved(*world));
   loaded.world.step(10);
   world->removeRigidBody(&tool);
+  world->removeRigidBody(&apart);
+  EXPECT_EQ(loaded.body(3).getBroadphaseHandle()->m_collisionFilterMask, 0);
   EXPECT_EQ(loaded.body(1).getLinearVelocity(), btVector3(0, 0, 0));
   EXPECT_EQ(loaded.body(1).getGravity(), btVector3(0, 0, 0));
   EXPECT_TRUE(loaded.body(2).isKinematicObject());

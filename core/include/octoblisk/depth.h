@@ -54,6 +54,8 @@ struct DepthsSought {
 class DepthQuery {
  public:
   DepthQuery();
+  DepthQuery(const DepthQuery&);  ///< the copy gets its own memory
+  DepthQuery& operator=(const DepthQuery&);
   DepthQuery(DepthQuery&&) noexcept;
   DepthQuery& operator=(DepthQuery&&) noexcept;
   ~DepthQuery();

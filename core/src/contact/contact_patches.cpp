@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
-constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
-constexpr double kHardlyDeeper = 0.1;  // as a fraction of the spacing
+constexpr double kPreference = 1.5;  // factor for lengths and areas of contacts kept from the last call
+constexpr double kHardlyDeeper = 0.1;  // a difference of depths that does not count, over the spacing
 
 /// Deepest first; contacts of equal depth by triangles and positions.
 auto byDepth(const Contact& c) {
@@ -34,10 +34,11 @@ bool isAsDeep(const Contact& contact, const Contact& other, double spacing) {
 }  // namespace
 
 /// Selects from the members, which are sorted by depth: the deepest, the farthest from it, then those that
-/// make the widest triangle and the widest quadrangle.
+/// make the widest triangle and the widest quadrangle. Empty if there are no members.
 ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members members,
                                     double spacing) const {
   ContactPatch patch;
+  if (members.empty()) return patch;
   const auto at = [&](std::size_t i) -> const Vec3& { return patch.contacts[i].point_on_a; };
   const auto wasKept = [&](const Contact& contact) {
     return std::ranges::any_of(
@@ -61,7 +62,6 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return best != nullptr;
   };
 
-  if (members.empty()) return patch;
   patch.add(contacts[members.front()]);
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
@@ -80,8 +80,8 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
   return patch;
 }
 
-/// Selects from the contacts that carry the body, which are about as deep as the deepest one, if wider ones
-/// that are less deep took their places in a patch. Leaves out those near the patch's own. May be empty.
+/// If contacts of a patch are less deep than its deepest, selects others that carry the body: members about
+/// as deep as the deepest, and not near the patch's own. May be empty. Leaves only these members.
 ContactPatch ContactPatches::carrying(const ContactPatch& patch, std::span<const Contact> contacts,
                                       double spacing) {
   const auto carries = [&](const Contact& contact) { return isAsDeep(contact, patch.contacts[0], spacing); };
@@ -137,10 +137,12 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
       return belongs;
     });
     patches_.push_back(spread(contacts, members_, spacing));
-    for (const ContactPatch& others : {otherSides(patches_.back(), contacts, members_, spacing),
-                                       carrying(patches_.back(), contacts, spacing)}) {
+    const ContactPatch& patch = patches_.back();
+    const auto addOthers = [&](const ContactPatch& others) {
       if (others.count > 0) others_.push_back(others);
-    }
+    };
+    addOthers(otherSides(patch, contacts, members_, spacing));
+    addOthers(carrying(patch, contacts, spacing));  // last, because it removes members
   }
   others_.resize(std::min(others_.size(), kMaxPatches - patches_.size()));
   patches_.insert(patches_.end(), others_.begin(), others_.end());

@@ -27,7 +27,7 @@ class LocalSurface {
   std::uint32_t add(std::uint32_t index, const Triangle& triangle) {
     if (2 * triangles_.size() >= numbers_.size()) grow();
     std::uint32_t& number = numbers_[slotOf(index)];
-    if (number != kNone) return number;
+    if (number != kNoIndex) return number;
     number = size();
     triangles_.push_back({triangle, scaledNormal(triangle), index});
     corners_.addCorners(triangle, number);
@@ -91,12 +91,12 @@ class LocalSurface {
   std::size_t slotOf(std::uint32_t index) const {
     const std::size_t last = numbers_.size() - 1;
     std::size_t slot = index * 0x9e3779b9u >> (32 - std::countr_zero(numbers_.size()));
-    while (numbers_[slot] != kNone && triangles_[numbers_[slot]].index != index) slot = (slot + 1) & last;
+    while (numbers_[slot] != kNoIndex && triangles_[numbers_[slot]].index != index) slot = (slot + 1) & last;
     return slot;
   }
 
   void grow() {
-    numbers_.assign(std::max<std::size_t>(32, 2 * numbers_.size()), kNone);
+    numbers_.assign(std::max<std::size_t>(32, 2 * numbers_.size()), kNoIndex);
     for (std::uint32_t number = 0; number < size(); ++number) {
       numbers_[slotOf(triangles_[number].index)] = number;
     }

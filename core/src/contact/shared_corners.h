@@ -10,7 +10,7 @@
 
 namespace octoblisk::detail {
 
-inline constexpr std::uint32_t kNone = 0xffffffffu;
+inline constexpr std::uint32_t kNoIndex = 0xffffffffu;  // no triangle, corner or place
 
 inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();
@@ -71,12 +71,12 @@ class SharedCorners {
   }
 
   void add(double key, std::uint32_t index) {
-    places_.push_back({key, index, kNone});
+    places_.push_back({key, index, kNoIndex});
     if (areFew()) return;
     if (places_.size() <= first_.size()) {
       chain(places_.size() - 1);
     } else {
-      first_.assign(2 * std::bit_ceil(places_.size()), kNone);
+      first_.assign(2 * std::bit_ceil(places_.size()), kNoIndex);
       for (std::size_t place = 0; place < places_.size(); ++place) chain(place);
     }
   }
@@ -93,7 +93,7 @@ class SharedCorners {
       return std::ranges::any_of(places_,
                                  [&](const Place& place) { return place.key == key && visit(place.index); });
     }
-    for (std::uint32_t place = first_[slotOf(key)]; place != kNone; place = places_[place].next) {
+    for (std::uint32_t place = first_[slotOf(key)]; place != kNoIndex; place = places_[place].next) {
       if (places_[place].key == key && visit(places_[place].index)) return true;
     }
     return false;

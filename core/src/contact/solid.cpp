@@ -118,12 +118,10 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
     Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
       return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
+    if (meet && !(out.distance < -least_depth)) continue;
     out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
-    if (!meet) {
-      ways_out.assign(1, out);
-      return;
-    }
-    if (out.distance < -least_depth) ways_out.push_back(out);
+    ways_out.push_back(out);
+    if (!meet) return;
   }
 }
 

@@ -330,10 +330,10 @@ void SurfaceContacts::findGroups(std::initializer_list<const std::vector<Pair>*>
 
 /// Finds the deepest contact of each group.
 void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts) {
-  deepest_.assign(parent_.size(), kNone);
+  deepest_.assign(parent_.size(), kNoIndex);
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
-    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
+    if (deepest == kNoIndex || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
 }
 
@@ -351,7 +351,7 @@ void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
     if (removed_[c] == Removed::no) stays_[groupOf(pairs_[c])] = true;
   }
   for (std::uint32_t node = 0; node < parent_.size(); ++node) {
-    if (deepest_[node] != kNone && !stays_[node]) removed_[deepest_[node]] = Removed::no;
+    if (deepest_[node] != kNoIndex && !stays_[node]) removed_[deepest_[node]] = Removed::no;
   }
 }
 
@@ -415,14 +415,14 @@ void SurfaceContacts::openPinch(std::vector<Contact>& contacts, Members members,
     return false;
   };
   const bool has_way_out = isAnyPushing(*out, kOut);
-  std::uint32_t deepest = kNone;
+  std::uint32_t deepest = kNoIndex;
   for (const std::uint32_t c : members) {
     const Vec3& normal = contacts[c].normal;
     if (normal.dot(*out) >= kAcross || (has_way_out && !isAnyPushing(-normal, kOpposed))) continue;
     removed_[c] = Removed::pinches;
-    if (deepest == kNone || contacts[c].distance < contacts[deepest].distance) deepest = c;
+    if (deepest == kNoIndex || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
-  if (deepest == kNone) return;
+  if (deepest == kNoIndex) return;
   removed_[deepest] = Removed::no;
   Contact& contact = contacts[deepest];
   contact.normal = *out;

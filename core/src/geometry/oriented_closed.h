@@ -1,4 +1,4 @@
-// Whether a mesh bounds a solid, with less work than a Surface.
+// Whether a mesh is closed and consistently oriented, with less work than a Surface.
 #pragma once
 
 #include "octoblisk/triangle_mesh.h"

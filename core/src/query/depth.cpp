@@ -5,6 +5,8 @@
 namespace octoblisk {
 
 DepthQuery::DepthQuery() = default;
+DepthQuery::DepthQuery(const DepthQuery&) {}
+DepthQuery& DepthQuery::operator=(const DepthQuery&) { return *this; }
 DepthQuery::DepthQuery(DepthQuery&&) noexcept = default;
 DepthQuery& DepthQuery::operator=(DepthQuery&&) noexcept = default;
 DepthQuery::~DepthQuery() = default;

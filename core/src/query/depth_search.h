@@ -55,7 +55,6 @@ class DepthSearch {
 
   void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                const DepthsSought& sought);
-  GougeDepth run();
   PointLocation located(const Vec3& point) const;
   PointLocation located(Corner& corner);
   bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }

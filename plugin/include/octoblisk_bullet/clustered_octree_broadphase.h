@@ -26,9 +26,9 @@ struct PairStages;
 /// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep
 /// and the dispatcher ignores the pair (needsCollision), the pair stays as it is, like everything else that
 /// Bullet keeps about it. If a body's shape is replaced, call the cache's cleanProxyFromPairs, as in Bullet.
-/// Otherwise the clusters ignore the pairs that the body had with the old kind of shape. In
-/// builds with assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are
-/// registered (register.h). Clients must be btCollisionObject, as in every world, or null.
+/// Otherwise the clusters ignore the pairs that the body had with the old kind of shape. In builds with
+/// assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are registered
+/// (register.h). Clients must be btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// A few thousand boxes at most; queries visit few of them.
@@ -42,7 +42,7 @@ class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
   ClusteredOctreeBroadphase& operator=(const ClusteredOctreeBroadphase&) = delete;
 
   /// The number of pairs whose boxes overlap, and some whose boxes separated in the last steps. Bullet sees
-  /// those of getOverlappingPairCache().
+  /// only the pairs in getOverlappingPairCache().
   int coarsePairs() const;
 
   void calculateOverlappingPairs(btDispatcher* dispatcher) override;

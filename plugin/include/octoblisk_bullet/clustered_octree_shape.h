@@ -129,8 +129,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers
   /// create a btBvhTriangleMeshShape from it; WorldImporter (world_importer.h) restores this shape. Vertices
-  /// are written as doubles whatever Bullet's precision is. docs/saving.md says when a
-  /// saved tree (octoblisk/tree_blob.h) fits the mesh that is read back.
+  /// are written as doubles whatever Bullet's precision is. docs/saving.md says when a saved tree
+  /// (octoblisk/tree_blob.h) fits the mesh that is read back.
   int calculateSerializeBufferSize() const override;
   const char* serialize(void* buffer, btSerializer* serializer) const override;
 

@@ -21,8 +21,8 @@ struct ContactBody {
   /// Otherwise -1, -1.
   TriangleId triangle = {-1, -1};
   int blade = 0;  ///< from the body's table; 0 if it has none
-  /// On the body's margin, in the world. For a body that is inside a solid, Bullet computes one of the two
-  /// points from the other, the normal and the depth, so it may be off the surface.
+  /// On the outside of the body's margin, in the world. For a body that is inside a solid, Bullet computes
+  /// one of the two points from the other, the normal and the depth, so it may be off the surface.
   btVector3 point = btVector3(0, 0, 0);
 };
 
@@ -46,10 +46,10 @@ struct BladeTable {
 
 /// Replaces `found` with the points of a dispatcher's manifolds whose distance is at most `up_to`, in world
 /// units. The points are those of the last performDiscreteCollisionDetection or step. They are sorted by the
-/// broadphase ids of the bodies, then by triangle, depth and position, so the order does not
-/// depend on how the broadphase sorts pairs. A manifold holds a few points of each contact patch, and points
-/// that Bullet keeps from earlier steps. A distance is that of the two points: while two bodies bounce, the
-/// manifold's own distance is 0. For all triangle pairs, use octoblisk/contacts.h.
+/// broadphase ids of the bodies, then by triangle, depth and position, so the order does not depend on how
+/// the broadphase sorts pairs. A manifold holds a few points of each contact patch, and points that Bullet
+/// keeps from earlier steps. A distance is that of the two points: while two bodies bounce, the manifold's own
+/// distance is 0. For all triangle pairs, use octoblisk/contacts.h.
 ///
 /// Bodies must be in a world. Throws std::invalid_argument if a table's body is null, has another kind of
 /// shape, or has a mesh with another number of triangles. Allocates nothing if the capacity of `found`

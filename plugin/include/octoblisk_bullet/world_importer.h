@@ -16,9 +16,9 @@ namespace octoblisk {
 
 /// Replaces btBulletWorldImporter, which turns a saved ClusteredOctreeShape into a static
 /// btBvhTriangleMeshShape. Bodies and compounds get their ClusteredOctreeShape back, as restoredShape makes
-/// it, and all bodies get the state that restoreBody restores. Call registerAlgorithm (register.h) on the
-/// dispatcher. As with Bullet's importer, deleteAllData deletes everything that was created, and named shapes
-/// can be found by name.
+/// it. Rigid bodies get the state that restoreBody restores, and their collision filters. Call
+/// registerAlgorithm (register.h) on the dispatcher. As with Bullet's importer, deleteAllData deletes
+/// everything that was created, and named shapes can be found by name.
 class WorldImporter : public btBulletWorldImporter {
  public:
   using btBulletWorldImporter::btBulletWorldImporter;
@@ -108,13 +108,15 @@ class WorldImporter : public btBulletWorldImporter {
     return body;
   }
 
-  /// Bullet's importer gives all bodies the default filters. A file of an older Bullet has no filters.
+  /// Bullet's importer gives all bodies the default filters. In a file of an older Bullet, both are 0.
   template <typename Data>
   void restoreFilters(const Data& saved, btRigidBody& body) {
     btBroadphaseProxy* const proxy = body.getBroadphaseHandle();
-    if (!proxy || saved.m_collisionFilterMask == 0) return;
-    proxy->m_collisionFilterGroup = saved.m_collisionFilterGroup;
-    proxy->m_collisionFilterMask = saved.m_collisionFilterMask;
+    const int group = saved.m_collisionFilterGroup, mask = saved.m_collisionFilterMask;
+    if (!proxy || (group == 0 && mask == 0)) return;
+    if (proxy->m_collisionFilterGroup == group && proxy->m_collisionFilterMask == mask) return;
+    proxy->m_collisionFilterGroup = group;
+    proxy->m_collisionFilterMask = mask;
     m_dynamicsWorld->refreshBroadphaseProxy(&body);
   }
 
