@@ -33,7 +33,7 @@ struct ReportedContact {
   ContactBody b;
   btVector3 normal =
       btVector3(0, 0, 0);  ///< unit, in the world, from B to A: moving A along it separates the bodies
-  btScalar distance = 0;   ///< between the margins; > 0: clearance; <= 0: touching, or minus the depth
+  btScalar distance = 0;   ///< between the margins, world units; > 0: clearance; <= 0: touching, or -depth
 };
 
 /// Assigns blade numbers to the triangles of a body with ClusteredOctreeShape. `blade_of_triangle` has one
