@@ -17,6 +17,7 @@ bool areSmooth(const Vec3& normal_a, const Vec3& normal_b) {
 }  // namespace
 
 void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh) {
+  constexpr double kLean = 1e-3;  // a sine
   if (contacts.size() < 2) return;
   places_.clear();
   places_.reserve(contacts.size());
@@ -48,7 +49,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
       if (!shares.is_internal && !shares.is_perpendicular) return false;
       if (!shares.is_perpendicular && !areSmooth(place.normal, shares.normal)) return false;
       if (!hasCorner(shares.triangle, from) || !hasCorner(shares.triangle, to)) return false;
-      return leansOver(shares.triangle, from, to, -contacts[c].normal);
+      return sineOfLean(shares.triangle, from, to, -contacts[c].normal) > kLean;
     });
   }
   std::size_t kept = 0;

@@ -23,12 +23,15 @@ class LocalSurface {
     numbers_.clear();
   }
 
-  /// Adds a triangle unless it has been added before. `index` identifies it. Returns its number.
-  std::uint32_t add(std::uint32_t index, const Triangle& triangle) {
+  /// Adds the triangle that triangleOf() returns, unless it has been added before. `index` identifies it.
+  /// Returns its number.
+  template <typename TriangleOf>
+  std::uint32_t add(std::uint32_t index, TriangleOf&& triangleOf) {
     if (2 * triangles_.size() >= numbers_.size()) grow();
     std::uint32_t& number = numbers_[slotOf(index)];
     if (number != kNoIndex) return number;
     number = size();
+    const Triangle triangle = triangleOf();
     triangles_.push_back({triangle, scaledNormal(triangle), index});
     corners_.addCorners(triangle, number);
     edges_.addEdges(triangle, number);
@@ -58,10 +61,9 @@ class LocalSurface {
     const auto isIt = [&](std::uint32_t other) {
       if (other == triangle) return false;
       const Triangle& shares = triangles_[other].corners;
-      return hasCorner(shares, from) && hasCorner(shares, to) &&
-             leansOver(shares, from, to, direction, least.flat) &&
-             (leansOver(shares, from, to, direction, least.bent) || areFlat(triangle, other)) &&
-             accept(other);
+      if (!hasCorner(shares, from) || !hasCorner(shares, to)) return false;
+      const double lean = sineOfLean(shares, from, to, direction);
+      return lean > least.flat && (lean > least.bent || areFlat(triangle, other)) && accept(other);
     };
     return first == second ? corners_.anyAt(from, isIt) : edges_.anyAlong(from, to, isIt);
   }

@@ -73,30 +73,28 @@ void SurfaceContacts::clear() {
   meeting_.clear();
 }
 
-SurfaceContacts::Pair SurfaceContacts::add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b,
-                                           const Triangle& b) {
-  return {a_.surface.add(index_a, a), b_.surface.add(index_b, b)};
-}
-
 void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                            double threshold, std::vector<Contact>& found) {
   found.clear();
   clear();
   nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
-  for (const NearPair& near : near_) {
+  bool meet = false;
+  for (NearPair& near : near_) {
     const auto [triangle_a, triangle_b] = near.triangles;
-    pairs_.push_back(
-        add(triangle_a, a.mesh().triangle(triangle_a), triangle_b, b_in_a * b.mesh().triangle(triangle_b)));
+    const Pair pair = {a_.surface.add(triangle_a, [&] { return a.mesh().triangle(triangle_a); }),
+                       b_.surface.add(triangle_b, [&] { return b_in_a * b.mesh().triangle(triangle_b); })};
+    pairs_.push_back(pair);
+    if (near.meeting == Meeting::maybe) {
+      near.meeting = intersects(a_.triangle(pair), b_.triangle(pair)) ? Meeting::yes : Meeting::no;
+    }
+    meet = meet || near.meeting == Meeting::yes;
   }
-  // Where triangles of a group meet, contacts that filter removes decide about others.
-  findGroups({&pairs_});
-  may_meet_.assign(parent_.size(), false);
-  for (std::size_t n = 0; n < near_.size(); ++n) {
-    if (near_[n].meeting != Meeting::no) may_meet_[groupOf(pairs_[n])] = true;
-  }
+  if (meet) findMeetingGroups();
   order_.clear();
   for (std::uint32_t n = 0; n < near_.size(); ++n) {
-    if (!may_meet_[groupOf(pairs_[n])] && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
+    // Where triangles of a group meet, contacts that filter removes decide about others.
+    const bool may_skip = !meet || !meets_[groupOf(pairs_[n])];
+    if (may_skip && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
       skipped_.push_back(pairs_[n]);
     } else {
       order_.push_back(n);
@@ -116,10 +114,20 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
   filter(found, threshold);
 }
 
+/// Finds the groups of near pairs in which triangles meet.
+void SurfaceContacts::findMeetingGroups() {
+  findGroups({&pairs_});
+  meets_.assign(parent_.size(), false);
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    if (near_[n].meeting == Meeting::yes) meets_[groupOf(pairs_[n])] = true;
+  }
+}
+
 /// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
 /// surely comes nearer beyond the edge or corner where they are closest.
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
                                     double threshold) const {
+  if (features.which == ClosestFeatures::kUnknown) return false;
   const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
   const PlaceOnTriangle &on_a = places.first, &on_b = places.second;

@@ -50,7 +50,8 @@ class SurfaceContacts {
               TriangleB&& triangle_b) {
     clear();
     for (const Contact& contact : contacts) {
-      pairs_.push_back(add(contact.triangle_a, triangle_a(contact), contact.triangle_b, triangle_b(contact)));
+      pairs_.push_back({a_.surface.add(contact.triangle_a, [&] { return triangle_a(contact); }),
+                        b_.surface.add(contact.triangle_b, [&] { return triangle_b(contact); })});
     }
     filter(contacts, threshold);
   }
@@ -99,7 +100,7 @@ class SurfaceContacts {
   using Members = std::span<const std::uint32_t>;
 
   void clear();
-  Pair add(std::uint32_t index_a, const Triangle& a, std::uint32_t index_b, const Triangle& b);
+  void findMeetingGroups();
   bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold) const;
   void filter(std::vector<Contact>& contacts, double threshold);
   void removeWrong(std::vector<Contact>& contacts);
@@ -142,7 +143,7 @@ class SurfaceContacts {
   std::vector<Face> faces_;             // faces that meet a triangle
   std::vector<std::uint32_t> parent_;   // per triangle of A, then of B
   std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
-  std::vector<bool> may_meet_;          // per root: whether triangles of its group may meet
+  std::vector<bool> meets_;             // per root: whether triangles of its group meet
   std::vector<bool> stays_;             // per root: whether a contact of its group stays
 };
 

@@ -1,6 +1,7 @@
 // The feature of a triangle on which a contact lies: the inside, an edge or a corner.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -48,17 +49,19 @@ inline bool isPerpendicular(const Vec3& normal, const Vec3& direction) {
   return along * along > kParallelCosine * kParallelCosine * normal.squaredNorm();
 }
 
-/// Whether a direction from an edge or a corner (both ends equal) leans over a triangle that has this edge or
-/// corner, by an angle with at least this sine.
-inline bool leansOver(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction,
-                      double least_sine = 1e-3) {
+/// The sine of the angle by which a direction from an edge or a corner (both ends equal) leans over a triangle
+/// that has this edge or corner; negative if it leans away. The direction is a unit vector.
+inline double sineOfLean(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
   const Vec3 edge = to - from;
+  const double squared = edge.squaredNorm();
+  double greatest = -1.0;
   for (const Vec3& corner : triangle) {
     Vec3 inward = corner - from;
-    if (edge.squaredNorm() > 0.0) inward -= edge * (edge.dot(inward) / edge.squaredNorm());
-    if (direction.dot(inward) > least_sine * inward.norm()) return true;
+    if (squared > 0.0) inward -= edge * (edge.dot(inward) / squared);
+    const double length = inward.norm();
+    if (length > 0.0) greatest = std::max(greatest, direction.dot(inward) / length);
   }
-  return false;
+  return greatest;
 }
 
 }  // namespace octoblisk::detail

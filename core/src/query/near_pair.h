@@ -20,7 +20,8 @@ struct PlaceOnTriangle {
 /// The closest features of two triangles A and B that do not meet, in single precision: an edge of each, or
 /// a corner of one and the face of the other.
 struct ClosestFeatures {
-  std::uint8_t which = 0;
+  static constexpr std::uint8_t kUnknown = 15;
+  std::uint8_t which = kUnknown;
   float along_a = 0.0f, along_b = 0.0f;  ///< of two edges: the fraction of the way along each; 0, 1: its ends
 
   // Edge v runs from corner v to the next one.
@@ -59,7 +60,7 @@ enum class Meeting : std::uint8_t { no, maybe, yes };
 struct NearPair {
   TrianglePair triangles;
   Meeting meeting = Meeting::maybe;
-  ClosestFeatures features;  ///< only if meeting is no
+  ClosestFeatures features;  ///< unknown unless meeting is no
 };
 
 /// The contact of two near triangles; none if they are farther apart than `threshold`.
