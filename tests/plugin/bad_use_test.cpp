@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/register.h"
 #include "plugin/bullet_world.h"

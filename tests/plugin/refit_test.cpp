@@ -1,7 +1,6 @@
 // Shapes whose vertices move: queries, scaling, and existing contacts.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "octoblisk/clustered_octree.h"

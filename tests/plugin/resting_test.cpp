@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/meshes.h"

@@ -6,7 +6,6 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <gtest/gtest.h>
 
-#include "octoblisk/clustered_octree.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
 #include "shared/meshes.h"
