@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -32,7 +33,7 @@ class LocalSurface {
     if (number != kNoIndex) return number;
     number = size();
     const Triangle triangle = triangleOf();
-    triangles_.push_back({triangle, scaledNormal(triangle), index});
+    triangles_.push_back({triangle, scaledNormal(triangle), roundingOf(triangle), index});
     corners_.addCorners(triangle, number);
     edges_.addEdges(triangle, number);
     return number;
@@ -42,6 +43,8 @@ class LocalSurface {
   const Triangle& triangle(std::uint32_t number) const { return triangles_[number].corners; }
   /// scaledNormal of the triangle.
   const Vec3& normal(std::uint32_t number) const { return triangles_[number].normal; }
+  /// Slack for the rounding of distances from the triangle.
+  double rounding(std::uint32_t number) const { return triangles_[number].rounding; }
   std::uint32_t index(std::uint32_t number) const { return triangles_[number].index; }
 
   /// The least sines of the angle by which a triangle must lean: one that goes on in the same plane, and one
@@ -81,8 +84,18 @@ class LocalSurface {
   struct Numbered {
     Triangle corners;
     Vec3 normal;
+    double rounding;
     std::uint32_t index;
   };
+
+  static double roundingOf(const Triangle& triangle) {
+    double farthest = 0.0, longest = 0.0;
+    for (const Vec3& corner : triangle) {
+      farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());
+      longest = std::max(longest, (corner - triangle[0]).squaredNorm());
+    }
+    return 1e-9 * std::sqrt(longest) + 1e-14 * farthest;
+  }
 
   bool areFlat(std::uint32_t one, std::uint32_t other) const {
     constexpr double kFlat = 0.999;  // the cosine of 2.6°

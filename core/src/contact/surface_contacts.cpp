@@ -33,18 +33,6 @@ bool areWithin(double distance, const Triangle& a, const Triangle& b) {
   return std::ranges::any_of(a, isOfB) || contactOf(a, b).distance < distance;
 }
 
-/// Slack for the rounding of distances between two triangles, and between their neighbours.
-double roundingOf(const Triangle& a, const Triangle& b) {
-  double farthest = 0.0, longest = 0.0;
-  for (const Triangle* const triangle : {&a, &b}) {
-    for (const Vec3& corner : *triangle) {
-      farthest = std::max(farthest, corner.cwiseAbs().maxCoeff());
-      longest = std::max(longest, (corner - a[0]).squaredNorm());
-    }
-  }
-  return 1e-9 * std::sqrt(longest) + 1e-14 * farthest;
-}
-
 /// Places the points of a contact at its distance along its normal.
 void placeAround(const Vec3& middle, Contact& contact) {
   contact.point_on_a = middle + 0.5 * contact.distance * contact.normal;
@@ -147,7 +135,7 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
   // The differences of points of two triangles are a convex set. So the direction between points that are
   // nearly the closest ones is off by an angle with at most this tangent.
   const double error = std::sqrt(std::max(0.0, squared - least * least)) / least;
-  const double limit = least - roundingOf(a, b);
+  const double limit = least - roundingOf(pair);
   if (!(limit > 0.0)) return false;
   const auto isSurelyTilted = [&](const Side& side) {
     const Vec3& facing = side.facing(pair);
@@ -199,8 +187,7 @@ void SurfaceContacts::addCorners(std::vector<Contact>& contacts, double threshol
       for (const Vec3& corner : own.triangle(pair)) {
         const double height = outward.dot(corner - face[0]);
         if (!(height <= threshold) || !isOver(face, facing, corner)) continue;
-        if ((corner - of_pair.*own.point).norm() <= roundingOf(a_.triangle(pair), b_.triangle(pair)))
-          continue;
+        if ((corner - of_pair.*own.point).norm() <= roundingOf(pair)) continue;
         Contact contact = of_pair;
         contact.*own.point = corner;
         contact.*opposite.point = corner - height * outward;
@@ -474,7 +461,7 @@ bool SurfaceContacts::isInner(const std::vector<Contact>& contacts, std::uint32_
   const std::uint32_t number = pair.*own.number;
   const LocalSurface::Lean least = leanAt(opposite.isPushedBy(contact, pair));
   if (contact.distance > 0.0) {
-    const double limit = contact.distance - roundingOf(a_.triangle(pair), b_.triangle(pair));
+    const double limit = contact.distance - roundingOf(pair);
     if (limit > 0.0) return own.surface.comesNearer(number, feature, point, opposite_point, limit, least);
   }
   const Vec3 towards = own.outward * contact.normal;

@@ -1,6 +1,7 @@
 // Contacts of two surfaces, without those that exist only because the surfaces are divided into triangles.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -100,6 +101,10 @@ class SurfaceContacts {
   using Members = std::span<const std::uint32_t>;
 
   void clear();
+  /// Slack for the rounding of distances between two triangles, and between their neighbours.
+  double roundingOf(const Pair& pair) const {
+    return std::max(a_.surface.rounding(pair.a), b_.surface.rounding(pair.b));
+  }
   void findMeetingGroups();
   bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold) const;
   void filter(std::vector<Contact>& contacts, double threshold);
