@@ -149,7 +149,7 @@ Image divisionPicture(const Tree& tree) {
     for (const std::uint32_t t : triangles) {
       colors[t] = kColors[c];
       const Triangle corners = mesh.triangle(t);
-      const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+      const Vec3 centroid = centroidOf(corners);
       const Vec3 place = box.axes.transpose() * (centroid - box.center);
       places.push_back({place.x(), place.y(), height * scaledNormal(corners).normalized().dot(thin)});
     }

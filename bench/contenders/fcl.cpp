@@ -5,7 +5,6 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <array>
-#include <cstdint>
 
 #include "contender.h"
 #include "shared/fcl_model.h"

@@ -23,7 +23,7 @@ std::vector<Vec3> centroidsOf(const TriangleMesh& mesh) {
   std::vector<Vec3> centroids;
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle triangle = mesh.triangle(t);
-    centroids.push_back((triangle[0] + triangle[1] + triangle[2]) / 3.0);
+    centroids.push_back(centroidOf(triangle));
   }
   return centroids;
 }

@@ -1,5 +1,4 @@
 // Piles of concave bodies.
-#include <cmath>
 #include <random>
 
 #include "dynamics/scenes.h"

@@ -6,7 +6,6 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "dynamics/kept_shapes.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "octoblisk/containment.h"
 #include "timed_task.h"

@@ -31,7 +31,7 @@ Sweeps makeSweeps(const Scene& scene, std::size_t count) {
   Sweeps sweeps;
   while (sweeps.segments.size() < count) {
     const Triangle triangle = scene.blisk->triangle(random() % scene.blisk->triangleCount());
-    const Vec3 target = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    const Vec3 target = centroidOf(triangle);
     const Vec3 towards = testing::randomRotation(random).col(0);
     const Vec3 from = target - testing::uniform(random, 10.0, 60.0) * towards;
     const Vec3 to = from + testing::uniform(random, 0.4, 1.4) * (target - from);

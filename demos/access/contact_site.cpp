@@ -12,6 +12,7 @@
 #include "models/blade_section.h"
 #include "models/require.h"
 #include "models/shared_tree.h"
+#include "models/welded_surface.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/distance.h"
 
@@ -19,8 +20,6 @@ namespace octoblisk::demos {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-
-double radialOf(const Vec3& point) { return std::hypot(point.x(), point.y()); }
 
 /// The triangles of a blade, or of one of its sides, with normals that change smoothly over them.
 class SmoothSide {
@@ -63,7 +62,7 @@ class SmoothSide {
     for (std::size_t t = 0; t < blisk.triangleCount(); ++t) {
       if (blades.blade_of_triangle[t] != blade) continue;
       const Triangle corners = blisk.triangle(t);
-      const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+      const Vec3 centre = centroidOf(corners);
       const double forward = scaledNormal(corners).dot(Vec3(-centre.y(), centre.x(), 0.0));
       if (side == Side::forward && forward <= 0.0) continue;
       if (side == Side::backward && forward >= 0.0) continue;
@@ -212,8 +211,8 @@ std::vector<ContactSite> sitesOfPath(const TriangleMesh& blisk, const BladesFoun
     const Vec3 off = path[p].translation - site.point;  // the wheel's centre is on the normal of the point
     site.normal = off.isZero() ? whole.normalAt(*closest) : off.normalized();
     site.base = path[p];
-    site.height = radialOf(site.point) - blades.root_radius;
-    if (const auto section = sectionAt(cutter, radialOf(site.point))) {
+    site.height = radiusOf(site.point) - blades.root_radius;
+    if (const auto section = sectionAt(cutter, radiusOf(site.point))) {
       const PlaceOnSide forward = placeOn(section->forward, site.point);
       const PlaceOnSide backward = placeOn(section->backward, site.point);
       site.arc = forward.off <= backward.off ? forward.arc : backward.arc;

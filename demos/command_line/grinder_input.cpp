@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <stdexcept>
 
 #include "command_line/blisk_options.h"
@@ -11,6 +10,7 @@
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
 #include "io/mesh_file.h"
+#include "io/new_file.h"
 #include "io/number_text.h"
 #include "io/quoted_text.h"
 #include "io/table_name.h"
@@ -333,19 +333,13 @@ VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, 
 }
 
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables) {
+  std::vector<std::filesystem::path> inputs = {files.path, files.blisk, files.belt, files.tool};
+  for (const std::string& text : files.obstacles) {
+    inputs.emplace_back(text);
+    inputs.emplace_back(text.substr(0, text.rfind(',')));
+  }
   for (const std::string& table : tables) {
-    const std::filesystem::path file = std::filesystem::path(files.out) / table;
-    std::vector<std::string> inputs = {files.path, files.blisk, files.belt, files.tool};
-    for (const std::string& text : files.obstacles) {
-      inputs.push_back(text);
-      inputs.push_back(text.substr(0, text.rfind(',')));
-    }
-    for (const std::string& input : inputs) {
-      std::error_code ignored;  // usually the file does not exist
-      if (!input.empty() && std::filesystem::equivalent(input, file, ignored)) {
-        throw std::runtime_error(file.string() + ": is also an input file: choose another --out");
-      }
-    }
+    requireNotRead((std::filesystem::path(files.out) / table).string(), inputs);
   }
 }
 

@@ -6,7 +6,6 @@
 #include <memory>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "command_line/blisk_options.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "models/belt_path.h"
 #include "models/blade_anatomy.h"

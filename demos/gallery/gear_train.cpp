@@ -1,5 +1,4 @@
 // Gears on axles: the first has a motor; the teeth turn the others.
-#include <cmath>
 #include <numbers>
 
 #include "gallery/rigid_scene.h"

@@ -1,7 +1,6 @@
 // The common base of rigid-body scenes: a world, colours, a camera.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 

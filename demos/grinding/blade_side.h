@@ -15,7 +15,7 @@ inline std::string sideOf(const TriangleMesh& mesh, const Pose& mesh_in_blisk, s
                           int blade) {
   if (blade == 0) return {};
   const Triangle corners = mesh_in_blisk * mesh.triangle(triangle);
-  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const Vec3 middle = centroidOf(corners);
   const Vec3 e_theta(-middle.y(), middle.x(), 0.0);
   return scaledNormal(corners).dot(e_theta) > 0.0 ? "forward" : "backward";
 }

@@ -1,7 +1,6 @@
 // A run of the grinder along a path: the findings at its poses and between them.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>

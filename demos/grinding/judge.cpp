@@ -1,7 +1,6 @@
 #include "grinding/judge.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "base/parallel.h"

@@ -1,7 +1,6 @@
 #include "grinding/motion_check.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/parallel.h"

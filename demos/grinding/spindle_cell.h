@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "grinding/belt_loop.h"
 #include "grinding/grinding_cell.h"

@@ -1,7 +1,6 @@
 #include "grinding/support_planes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "query/farthest_vertex.h"

@@ -1,7 +1,6 @@
 #include "grinding/tool_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>

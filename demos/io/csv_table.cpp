@@ -1,6 +1,5 @@
 #include "io/csv_table.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>

@@ -19,7 +19,6 @@
 
 #include <array>
 #include <cerrno>
-#include <string>
 #include <system_error>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "models/welded_surface.h"
 #include "octoblisk/closest_point.h"

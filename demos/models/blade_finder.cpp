@@ -21,7 +21,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 /// the angle that the facet spans.
 bool isOfRevolution(const Triangle& t) {
   constexpr double kTolerance = 0.05;
-  const Vec3 centroid = (t[0] + t[1] + t[2]) / 3.0;
+  const Vec3 centroid = centroidOf(t);
   const Vec3 e_theta = Vec3(-centroid.y(), centroid.x(), 0.0).normalized();
   double half_width = 0.0;
   for (const Vec3& corner : t) half_width = std::max(half_width, std::abs(corner.dot(e_theta)));
@@ -91,7 +91,7 @@ double slenderness(const TriangleMesh& mesh, const BladesFound& found) {
     const int blade = found.blade_of_triangle[t];
     if (blade == 0) continue;
     const Triangle corners = mesh.triangle(t);
-    const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const Vec3 centroid = centroidOf(corners);
     const double angle = std::atan2(centroid.y(), centroid.x());
     if (first_angle[blade - 1] == kTurn) first_angle[blade - 1] = angle;
     const double turn = std::remainder(angle - first_angle[blade - 1], kTurn);

@@ -1,7 +1,6 @@
 // The closed curve in which a cylinder about the axis cuts a blade of any blisk mesh.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "models/blade_finder.h"

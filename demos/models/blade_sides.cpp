@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "models/require.h"
 #include "models/welded_surface.h"
@@ -13,8 +12,6 @@ namespace octoblisk::demos {
 namespace {
 
 using Neighbours = std::vector<std::vector<std::uint32_t>>;
-
-Vec3 centerOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 double areaOf(const Triangle& t) { return 0.5 * scaledNormal(t).norm(); }
 
@@ -27,7 +24,7 @@ double outflow(const TriangleMesh& blisk, const BladesFound& blades) {
     const int blade = blades.blade_of_triangle[t];
     if (blade == 0) continue;
     const Triangle corners = blisk.triangle(t);
-    const Vec3 center = centerOf(corners);
+    const Vec3 center = centroidOf(corners);
     const double angle = std::atan2(center.y(), center.x());
     double& first = first_angle[blade - 1];
     if (std::isnan(first)) first = angle;
@@ -59,7 +56,7 @@ void adoptEdges(const TriangleMesh& blisk, const Neighbours& beside, std::vector
 
 BladePart partFacing(const Triangle& t, double outwards) {
   constexpr double kAtTip = 0.7;
-  const Vec3 center = centerOf(t);
+  const Vec3 center = centroidOf(t);
   const Vec3 e_r = Vec3(center.x(), center.y(), 0.0).normalized();
   const Vec3 normal = outwards * scaledNormal(t).normalized();
   if (normal.dot(e_r) > kAtTip) return BladePart::tip;

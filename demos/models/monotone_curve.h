@@ -1,7 +1,6 @@
 // A smooth curve through given points that never overshoots.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "octoblisk/types.h"

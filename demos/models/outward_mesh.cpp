@@ -1,7 +1,6 @@
 #include "models/outward_mesh.h"
 
 #include <stdexcept>
-#include <utility>
 
 #include "io/mesh_file.h"
 #include "models/orientation.h"

@@ -1,7 +1,6 @@
 #include "models/side_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "models/require.h"

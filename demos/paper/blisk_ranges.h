@@ -1,7 +1,6 @@
 // Compares ways to divide the whole blisk's cloud: by k-means at once, or into its parts first.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include "paper/box_detection.h"
 
-#include <utility>
 #include <vector>
 
 #include "build/paper/principal_box.h"

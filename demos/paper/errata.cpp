@@ -1,7 +1,6 @@
 #include "paper/errata.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // The numbers printed in the paper's Tables 1–4.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "paper/method_table.h"

@@ -1,7 +1,6 @@
 // The paper's segmentation of a point cloud: clusters, and an octree over each (sections 2.3 and 3.2).
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

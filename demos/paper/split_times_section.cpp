@@ -1,7 +1,5 @@
 #include "paper/split_times_section.h"
 
-#include <utility>
-
 #include "io/number_text.h"
 #include "paper/fnop_table.h"
 #include "paper/published.h"

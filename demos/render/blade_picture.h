@@ -1,8 +1,6 @@
 // Draws the blades found on a mesh.
 #pragma once
 
-#include <string>
-
 #include "models/blade_anatomy.h"
 #include "models/blisk_axis.h"
 #include "render/picture.h"

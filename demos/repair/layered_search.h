@@ -8,7 +8,6 @@
 #include <functional>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "repair/change_grid.h"

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 #include "access/access_summary.h"
 #include "io/new_file.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "io/new_file.h"

@@ -1,10 +1,8 @@
 #include "report/grinding_pictures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <optional>
 #include <sstream>
 

@@ -1,9 +1,7 @@
 #include "report/grinding_replay.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <sstream>
 
 #include "grinding/motion_check.h"
 #include "io/number_text.h"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "grinding/belt_loop.h"
 #include "grinding/blade_side.h"

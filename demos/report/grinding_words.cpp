@@ -1,7 +1,6 @@
 #include "report/grinding_words.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <vector>
 

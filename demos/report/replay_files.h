@@ -8,9 +8,6 @@
 
 namespace octoblisk::demos {
 
-/// The file names, without a folder.
-inline constexpr const char* kReplayFiles[] = {"report.html", "run.glb", "contacts.vtk", "path.vtk"};
-
 /// Adds report.html, run.glb, contacts.vtk and path.vtk of the folder to `files`. Throws std::runtime_error
 /// naming a file that cannot be written.
 void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder, WholeFiles& files);

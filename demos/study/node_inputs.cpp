@@ -1,6 +1,5 @@
 #include "study/node_inputs.h"
 
-#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <type_traits>

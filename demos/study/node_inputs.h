@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "octoblisk/clustered_octree.h"
 #include "study/ranks.h"

@@ -4,7 +4,6 @@
 #include <iostream>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "base/checksum.h"
 #include "io/progress_bar.h"

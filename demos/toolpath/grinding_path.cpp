@@ -10,15 +10,12 @@
 #include <string>
 
 #include "models/radians.h"
+#include "models/welded_surface.h"
 
 namespace octoblisk::demos {
 namespace {
 
-double radiusOf(const Vec3& point) { return std::hypot(point.x(), point.y()); }
-
 Vec3 tangentialAt(const Vec3& point) { return Vec3(-point.y(), point.x(), 0.0).normalized(); }
-
-Vec3 centroidOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 /// True if the normals of a blade's triangles point out of the blade. The field θ e_theta has the divergence
 /// 1/radius > 0, and none of it flows through the blade's open root, a surface of revolution.

@@ -62,7 +62,7 @@ void reportContacts(btDispatcher& dispatcher, std::vector<ReportedContact>& foun
       // For a bounce, bounceAtTouch has overwritten point.getDistance().
       const btVector3 between = point.getPositionWorldOnA() - point.getPositionWorldOnB();
       const btScalar distance = between.dot(point.m_normalWorldOnB);
-      if (distance > up_to) continue;
+      if (!(distance <= up_to)) continue;  // or NaN
       const auto body = [&](const btCollisionObject* object, int part, int index, const btVector3& on) {
         return ContactBody{object, {part, index}, bladeOf(object, {part, index}, blades), on};
       };

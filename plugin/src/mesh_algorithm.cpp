@@ -149,11 +149,6 @@ MeshAlgorithm::MeshAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
       substitute_(nullptr, {info.m_dispatcher1}),
       manifolds_(*info.m_dispatcher1, body0->getCollisionObject(), body1->getCollisionObject()) {}
 
-void MeshAlgorithm::AlgorithmDeleter::operator()(btCollisionAlgorithm* algorithm) const {
-  algorithm->~btCollisionAlgorithm();
-  dispatcher->freeCollisionAlgorithm(algorithm);
-}
-
 btCollisionAlgorithm& MeshAlgorithm::substituteFor(const ShapeTypes& types,
                                                    const btCollisionObjectWrapper& body0,
                                                    const btCollisionObjectWrapper& body1) {

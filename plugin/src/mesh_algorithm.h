@@ -26,6 +26,16 @@ namespace octoblisk::detail {
 /// A triangle of a ClusteredOctreeShape, in the shape's frame, with Bullet's numbers.
 SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
 
+struct AlgorithmDeleter {
+  btDispatcher* dispatcher;
+  void operator()(btCollisionAlgorithm* algorithm) const {
+    algorithm->~btCollisionAlgorithm();
+    dispatcher->freeCollisionAlgorithm(algorithm);
+  }
+};
+/// An algorithm of a dispatcher's pool.
+using OwnedAlgorithm = std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter>;
+
 /// The algorithm of a pair of bodies. One of them, the mesh, has a ClusteredOctreeShape. If setCollisionShape
 /// later gives a body a shape of another type, the dispatcher's algorithm for the new types takes over.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
@@ -61,11 +71,6 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     std::type_index of0, of1;
     ShapeTypes(const btCollisionObjectWrapper& body0, const btCollisionObjectWrapper& body1);
     bool operator==(const ShapeTypes&) const = default;
-  };
-
-  struct AlgorithmDeleter {
-    btDispatcher* dispatcher;
-    void operator()(btCollisionAlgorithm* algorithm) const;
   };
 
   /// The dispatcher's algorithm for shapes that replaced the original ones.
@@ -108,7 +113,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   const bool mesh_is_body1_;
   const ShapeTypes types_;
   ShapeTypes substitute_types_;
-  std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter> substitute_;  // for other types of shapes
+  OwnedAlgorithm substitute_;  // for other types of shapes
   Manifolds manifolds_;
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;

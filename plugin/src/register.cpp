@@ -143,12 +143,9 @@ bool isRegistered(btCollisionDispatcher* dispatcher) {
   btCollisionObject body;
   body.setCollisionShape(&shape);
   const Wrapper wrapper(nullptr, &shape, &body, body.getWorldTransform(), -1, -1);
-  btCollisionAlgorithm* const algorithm =
-      dispatcher->findAlgorithm(&wrapper, &wrapper, nullptr, BT_CLOSEST_POINT_ALGORITHMS);
-  const bool is_ours = dynamic_cast<MeshMeshAlgorithm*>(algorithm) != nullptr;
-  algorithm->~btCollisionAlgorithm();
-  dispatcher->freeCollisionAlgorithm(algorithm);
-  return is_ours;
+  const OwnedAlgorithm algorithm(
+      dispatcher->findAlgorithm(&wrapper, &wrapper, nullptr, BT_CLOSEST_POINT_ALGORITHMS), {dispatcher});
+  return dynamic_cast<MeshMeshAlgorithm*>(algorithm.get()) != nullptr;
 }
 
 }  // namespace octoblisk

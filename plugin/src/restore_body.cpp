@@ -31,6 +31,11 @@ void restore(const Data& saved, btRigidBody& body) {
       btVector3(inverse(inverse_inertia.x()), inverse(inverse_inertia.y()), inverse(inverse_inertia.z())));
   body.updateInertiaTensor();
   body.setGravity(read(saved.m_gravity_acceleration));
+  if ((object.m_collisionFlags & btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING) != 0)
+    body.setContactStiffnessAndDamping(btScalar(object.m_contactStiffness),
+                                       btScalar(object.m_contactDamping));
+  body.setAnisotropicFriction(read(object.m_anisotropicFriction), object.m_hasAnisotropicFriction);
+  body.setContactProcessingThreshold(btScalar(object.m_contactProcessingThreshold));
   body.setCollisionFlags(object.m_collisionFlags);
   body.setLinearFactor(read(saved.m_linearFactor));
   body.setAngularFactor(read(saved.m_angularFactor));

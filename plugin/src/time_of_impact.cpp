@@ -21,7 +21,7 @@ TriangleId triangleId(const BodyPart& part, std::uint32_t triangle) {
 StepImpact stepImpactOf(const TimeOfImpact& impact, const BodyPart& a, const BodyPart& b) {
   const Clearance& clearance = impact.clearance;
   return {btScalar(impact.fraction),
-          btScalar(clearance.distance) - btScalar(a.margin()) - btScalar(b.margin()),
+          btScalar(clearance.distance - a.margin() - b.margin()),
           toBullet(clearance.point_on_a),
           toBullet(clearance.point_on_b),
           triangleId(a, clearance.triangle_a),

@@ -1,7 +1,6 @@
 // The dynamics suite: its scenes run, and its measurements are correct.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

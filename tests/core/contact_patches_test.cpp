@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <span>
 #include <utility>
 

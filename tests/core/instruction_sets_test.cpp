@@ -1,7 +1,6 @@
 // Trees and ray hits are the same to the last bit on every instruction set of the machine.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <tuple>
 
 #include "geometry/ray_triangle.h"
@@ -170,7 +169,7 @@ class RayMaker {
         ray.origin = triangle[0];
         break;  // from a corner
       case 6:
-        ray.origin = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+        ray.origin = centroidOf(triangle);
         break;  // from the surface
       default:
         ray.origin = center + 100.0 * (ray.origin - center);

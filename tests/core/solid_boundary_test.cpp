@@ -25,15 +25,13 @@ SharedMesh without(const TriangleMesh& mesh, const auto& is_left_out) {
   return std::make_shared<const TriangleMesh>(mesh.vertices(), std::move(kept));
 }
 
-Vec3 middleOf(const Triangle& triangle) { return (triangle[0] + triangle[1] + triangle[2]) / 3.0; }
-
 /// A sphere with bumps. `holed` cuts a hole around its top.
 SharedMesh bumpy() {
   std::mt19937_64 random(5);
   return testing::bumpySphere(random, 1.0, 0.3, 14);
 }
 SharedMesh holed(const TriangleMesh& mesh) {
-  return without(mesh, [](const Triangle& triangle) { return middleOf(triangle).normalized().z() > 0.9; });
+  return without(mesh, [](const Triangle& triangle) { return centroidOf(triangle).normalized().z() > 0.9; });
 }
 
 bool sharesCorner(const Triangle& a, const Triangle& b) {
@@ -62,7 +60,7 @@ std::vector<bool> boundaryOf(const TriangleMesh& mesh) {
       if (s != t && !sharesCorner(triangle, other) && detail::intersects(triangle, other)) bounds[t] = false;
     }
     const Vec3 normal = scaledNormal(triangle).normalized();
-    if (testing::windingNumber(mesh, middleOf(triangle) + 1e-9 * normal) > 0.5) bounds[t] = false;
+    if (testing::windingNumber(mesh, centroidOf(triangle) + 1e-9 * normal) > 0.5) bounds[t] = false;
   }
   return bounds;
 }
@@ -79,7 +77,7 @@ TEST(SolidBoundary, isWholeWhereTheSurfaceIsASolids) {
 TEST(SolidBoundary, triangles_vs_bruteforce) {
   const SharedMesh ball = bumpy(), ring = testing::torus(1.0, 0.35, 18, 10);
   const SharedMesh beside = testing::moved(*ring, {Mat3::Identity(), Vec3(1.1, 0.1, 0.05)});
-  const auto isHigh = [](const Triangle& triangle) { return middleOf(triangle).z() > -0.5; };
+  const auto isHigh = [](const Triangle& triangle) { return centroidOf(triangle).z() > -0.5; };
   const SharedMesh meshes[] = {holed(*ball),                                     // a hole
                                testing::joined(*ball, *without(*ball, isHigh)),  // doubled below
                                testing::joined(*ring, *beside),                  // overlapping

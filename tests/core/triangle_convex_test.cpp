@@ -64,7 +64,7 @@ Triangle awkwardTriangle(std::mt19937_64& random, int kind) {
       break;
     case 3:
       for (Vec3& corner : t) corner *= 1000.0;
-      t[2] += 0.3 * randomPoint(random, 1) - (t[0] + t[1] + t[2]) / 3.0;
+      t[2] += 0.3 * randomPoint(random, 1) - centroidOf(t);
       break;
     default:  // along the box's axes, where faces of the difference are flat and edges parallel
       for (Vec3& corner : t) corner = (2.0 * corner).array().round() * 0.5;
@@ -153,7 +153,7 @@ TEST(TriangleConvex, hullsByTheirFacesEqualSearches) {
     ASSERT_FALSE(hull.faces().empty());
     const double size = std::pow(10.0, uniform(random, -2, 2));  // of the triangle: small and large
     Triangle triangle = randomTriangle(random, size);
-    const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0, to = randomPoint(random, 1.1);
+    const Vec3 middle = centroidOf(triangle), to = randomPoint(random, 1.1);
     for (Vec3& corner : triangle) corner += to - middle;
     expectAsSearched(triangle, hull, 3.0 + 3.0 * size, seen);
     if (::testing::Test::HasFatalFailure()) return;

@@ -3,19 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <stdexcept>
 #include <string>
+
+#include "shared/message_of.h"
 
 namespace octoblisk {
 namespace {
 
 std::string messageOf(std::vector<Vec3> vertices, std::vector<TriangleMesh::Indices> triangles) {
-  try {
-    const TriangleMesh mesh(std::move(vertices), std::move(triangles));
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
+  return testing::messageOf([&] { TriangleMesh(std::move(vertices), std::move(triangles)); });
 }
 
 const std::vector<Vec3> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -25,8 +25,6 @@ using ::testing::HasSubstr;
 
 double radius(const Vec3& point) { return std::hypot(point.x(), point.y()); }
 double angle(const Vec3& point) { return std::atan2(point.y(), point.x()); }
-Vec3 centroid(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
-
 /// The point of a triangle at a place of the meridian (z, radius); none if the triangle does not reach it.
 std::optional<Vec3> atMeridian(const Triangle& t, double z, double r) {
   Vec3 weights;
@@ -56,7 +54,7 @@ std::map<std::size_t, BladePart> trueParts(const Blisk& blisk, int blade, double
       parts[t] = BladePart::tip;
       continue;
     }
-    const Vec3 center = centroid(corners);
+    const Vec3 center = centroidOf(corners);
     for (const std::size_t other : of_blade) {
       if (other == t) continue;
       const auto opposite = atMeridian(blisk.mesh.triangle(other), center.z(), radius(center));
@@ -207,7 +205,7 @@ TEST(BladeAnatomy, theChannelIsAsWideAsBruteForceSays) {
   const BliskAnatomy anatomy = findAnatomy(blisk.mesh, findBlades(blisk.mesh));
   std::vector<Vec3> here, there;  // at about mid height
   for (std::size_t t = 0; t < blisk.mesh.triangleCount(); ++t) {
-    const Vec3 center = centroid(blisk.mesh.triangle(t));
+    const Vec3 center = centroidOf(blisk.mesh.triangle(t));
     if (std::abs(radius(center) - 188.0) > 5.0) continue;
     if (blisk.blade_of_triangle[t] == 3) here.push_back(center);
     if (blisk.blade_of_triangle[t] == 4) there.push_back(center);

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "demos/default_blisk.h"
 #include "models/blisk.h"
 

@@ -1,10 +1,8 @@
 // Preston's removal compared with closed forms on a flat plate, and the accuracy of a plan.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "cmm_shapes.h"

@@ -96,7 +96,7 @@ TEST(GrindingRun, depths_vs_fcl) {
                             const Pose& mesh_in_solid) {
       for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
         const Triangle corners = mesh.triangle(t);
-        const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        const Vec3 middle = centroidOf(corners);
         if ((placed * middle - pose.depths.front().point_on_blisk).norm() > kNear) continue;
         for (int i = 0; i <= kSteps; ++i) {
           for (int j = 0; i + j <= kSteps; ++j) {

@@ -301,7 +301,7 @@ TEST(BeltGrinder, facetsFollowTheContactWheel) {
   const TriangleMesh belt = makeBelt();
   for (std::size_t t = 0; t < belt.triangleCount(); ++t) {
     const Triangle corners = belt.triangle(t);
-    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const Vec3 middle = centroidOf(corners);
     if (middle.x() > -1.0) continue;
     const double radius = middle.head<2>().norm();
     EXPECT_TRUE(radius < 9.5 + 1e-9 && radius > 8.0 - 0.002) << radius;

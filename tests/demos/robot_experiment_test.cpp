@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "models/belt_grinder.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <string>
 
 #include "demos/block.h"

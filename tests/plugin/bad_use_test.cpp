@@ -12,9 +12,9 @@
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/register.h"
 #include "plugin/bullet_world.h"
-#include "plugin/message_of.h"
 #include "plugin/shape_over.h"
 #include "shared/meshes.h"
+#include "shared/message_of.h"
 
 namespace octoblisk {
 namespace {

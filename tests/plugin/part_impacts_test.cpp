@@ -42,7 +42,7 @@ btTransform integratedPose(const btRigidBody& body, double fraction) {
 double distanceOf(const Triangle& triangle, const btConvexShape& convex, const btTransform& pose) {
   btTriangleShape shape(toBullet(triangle[0]), toBullet(triangle[1]), toBullet(triangle[2]));
   shape.setMargin(0);
-  const Vec3 way = fromBullet(pose.getOrigin()) - (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+  const Vec3 way = fromBullet(pose.getOrigin()) - centroidOf(triangle);
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& guess : {way, Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
     btGjkEpaSolver2::sResults results;

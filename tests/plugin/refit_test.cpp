@@ -7,9 +7,9 @@
 #include "octoblisk/mass_properties.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
-#include "plugin/message_of.h"
 #include "plugin/shape_over.h"
 #include "shared/brute_force.h"
+#include "shared/message_of.h"
 #include "shared/solids.h"
 
 namespace octoblisk {

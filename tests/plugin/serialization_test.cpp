@@ -135,6 +135,9 @@ TEST(Serialization, aBodyIsRestored) {
   body.setRestitution(btScalar(0.375));
   body.setCcdMotionThreshold(btScalar(0.0625));
   body.setCcdSweptSphereRadius(btScalar(0.03125));
+  body.setContactStiffnessAndDamping(1000, 50);
+  body.setAnisotropicFriction(btVector3(1, btScalar(0.5), 1));
+  body.setContactProcessingThreshold(btScalar(0.25));
   body.forceActivationState(DISABLE_DEACTIVATION);
   InMemorySerializer serializer;
   serializer.startSerialization();
@@ -157,6 +160,12 @@ TEST(Serialization, aBodyIsRestored) {
   EXPECT_EQ(other.getRestitution(), body.getRestitution());
   EXPECT_EQ(other.getCcdMotionThreshold(), body.getCcdMotionThreshold());
   EXPECT_EQ(other.getCcdSweptSphereRadius(), body.getCcdSweptSphereRadius());
+  EXPECT_TRUE((other.getCollisionFlags() & btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING) != 0);
+  EXPECT_EQ(other.getContactStiffness(), 1000);
+  EXPECT_EQ(other.getContactDamping(), 50);
+  EXPECT_TRUE(other.hasAnisotropicFriction());
+  EXPECT_EQ(other.getAnisotropicFriction(), body.getAnisotropicFriction());
+  EXPECT_EQ(other.getContactProcessingThreshold(), body.getContactProcessingThreshold());
   EXPECT_EQ(other.getActivationState(), DISABLE_DEACTIVATION);
 }
 

@@ -4,10 +4,10 @@
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "plugin/bullet_world.h"
 #include "plugin/collected_triangles.h"
-#include "plugin/message_of.h"
 #include "plugin/shape_over.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
+#include "shared/message_of.h"
 
 namespace octoblisk {
 namespace {

@@ -54,7 +54,7 @@ TEST_P(TriangleContacts, distancesAndDepths_vs_btGjkPairDetector) {
   constexpr int kCases = 1000;
   for (int i = 0; i < kCases; ++i) {
     Triangle triangle = testing::randomTriangle(random, i % 2 ? 0.4 : 3.0);
-    const Vec3 shift = testing::randomPoint(random, 0.9) - (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    const Vec3 shift = testing::randomPoint(random, 0.9) - centroidOf(triangle);
     for (Vec3& corner : triangle) corner += shift;
     const auto mesh =
         std::make_shared<const TriangleMesh>(std::vector<Vec3>(triangle.begin(), triangle.end()),

@@ -1,6 +1,5 @@
 #include "shared/hard_meshes.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

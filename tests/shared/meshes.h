@@ -1,7 +1,6 @@
 // Seeded, closed-form meshes and random poses for tests and benchmarks.
 #pragma once
 
-#include <memory>
 #include <random>
 
 #include "shapes/bodies.h"

@@ -81,7 +81,7 @@ TrianglePairSample touching(std::mt19937_64& random, PairKind kind) {
   switch (kind) {
     case PairKind::random: {
       const double radius = uniform(random, 0.3, 1.0);  // around the centre of b
-      for (Vec3& corner : a) corner = radius * corner + (b[0] + b[1] + b[2]) / 3.0;
+      for (Vec3& corner : a) corner = radius * corner + centroidOf(b);
       break;
     }
     case PairKind::grid:

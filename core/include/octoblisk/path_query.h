@@ -31,12 +31,11 @@ class PathQuery {
   PathQuery(const Surface& a, const Surface& b);
 
   /// A pair of triangles that meet, or none. Tests the pair that met at the previous pose first, then the
-  /// triangles around it. Tests nothing else if the last distance exceeds the displacement of B's points
-  /// since.
+  /// triangles around it. Tests nothing else if B's points have moved by less than the last distance.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
-  /// The least distance. The last pair found serves as the hint; before there is one, the hint of the options
-  /// does. Tests nothing if the last distance less the displacement of B's points since is at least the upper
+  /// The least distance. The last pair found is the hint. Before there is one, the hint of the options is
+  /// used. Tests nothing if the last distance less the displacement of B's points since is at least the upper
   /// bound.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 

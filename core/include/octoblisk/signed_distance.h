@@ -29,9 +29,9 @@ struct SignedDistance {
 };
 
 struct SignedDistanceOptions {
-  /// The greatest error of the penetration depth, as a length. 0 selects 1e-7 of the surfaces' sizes; values
-  /// below 1e-10 of these sizes are raised to it. The derivative belongs to a point whose depth is within
-  /// about ten times this length of the greatest. The least distance is exact.
+  /// The greatest error of the penetration depth, as a length. 0 selects 1e-7 of the surfaces' sizes. The
+  /// least is 1e-10 of these sizes; smaller values count as that. The derivative belongs to a point whose
+  /// depth is within about ten times this length of the greatest. The least distance is exact.
   double tolerance = 0.0;
 };
 

@@ -19,12 +19,11 @@ namespace octoblisk {
 /// (doubled surfaces), triangles that intersect the surface, triangles inside a solid that another part
 /// bounds, and degenerate triangles.
 ///
-/// Built once in O(n log n), plus one winding number, O(n), for each region of such triangles connected by
-/// edges. Only the kMaxRegions largest regions are examined; the triangles of the others bound nothing.
+/// Built once, in O(n log n) plus O(n) for the winding number of each region. A region is a set of triangles
+/// that satisfy 1 and 2 and are connected by edges. Only the 128 largest regions are examined. The triangles
+/// of other regions bound nothing.
 class SolidBoundary {
  public:
-  static constexpr std::size_t kMaxRegions = 128;
-
   /// The surface must outlive it. `threads`: 0 for as many as the machine has; the answers do not depend on
   /// it.
   explicit SolidBoundary(const Surface& surface, int threads = 0);

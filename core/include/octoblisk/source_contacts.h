@@ -27,7 +27,7 @@ class SourceContacts {
             std::vector<Contact>& found);
 
   /// The source's triangle of a contact that the last find() returned, in the source's frame. The numbers
-  /// follow part, index and corners.
+  /// ascend by part, index and corners.
   const SourceTriangle& triangle(std::uint32_t triangle_b) const { return touched_[triangle_b]; }
 
  private:

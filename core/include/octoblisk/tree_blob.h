@@ -2,8 +2,8 @@
 // check them, but never copied.
 //
 // A blob holds the tree and a fingerprint of the mesh, but not the mesh. It is bound to the format version,
-// to the machine's byte order and to the mesh. A checksum (XXH64) covers all of it. A blob is
-// rejected if it was truncated, changed, made for another mesh, or forged so that a query could fail on it.
+// to the machine's byte order and to the mesh. A checksum (XXH64) covers all of it. fromBlob refuses a blob
+// that was truncated, changed, made for another mesh, or forged so that a query could fail on it.
 // Only validate() checks that the boxes are right.
 //
 // Layout: a header of 128 bytes (magic "OctoBlsk", version, byte order, at byte 16 the checksum of all bytes

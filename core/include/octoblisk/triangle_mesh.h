@@ -15,6 +15,8 @@ using Triangle = std::array<Vec3, 3>;
 /// (b−a)×(c−a): the outward normal, as long as twice the triangle's area; zero for a degenerate triangle.
 inline Vec3 scaledNormal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
+inline Vec3 centroidOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
 inline Triangle operator*(const Pose& pose, const Triangle& t) {
   return {pose * t[0], pose * t[1], pose * t[2]};
 }

@@ -9,10 +9,6 @@
 namespace octoblisk::detail {
 namespace {
 
-bool isIn(const Aabb& box, const Vec3& point) {
-  return (box.min.array() <= point.array()).all() && (point.array() <= box.max.array()).all();
-}
-
 /// A contact that pushes B out of A along the line from a point inside to the closest point of the surface.
 /// `farthest_of_b(direction)` is the farthest point of B, or of the part of B that is to get out.
 template <typename Farthest>
@@ -35,7 +31,7 @@ Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& fart
 
 bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
   const Aabb& bounds = tree.mesh().bounds();
-  if (!isIn(bounds, point)) return false;
+  if (!bounds.meets({point, point})) return false;
   // Usually, the shortest way out of the bounds meets the fewest boxes.
   Eigen::Index axis_down, axis_up;
   const double down = (point - bounds.min).minCoeff(&axis_down), up = (bounds.max - point).minCoeff(&axis_up);
@@ -48,7 +44,7 @@ bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
 }
 
 bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
-  if (!isIn(tree.mesh().bounds(), point)) return false;
+  if (!tree.mesh().bounds().meets({point, point})) return false;
   if ((point - point_).norm() < clearance_) return is_inside_;
   point_ = point;
   if (has_looked_) clearance_ = closestPoint(tree, point)->distance;  // not needed for a single test

@@ -29,7 +29,7 @@ double thinThickness(const ClusteredOctree& tree) {
     const Triangle triangle = mesh.triangle(static_cast<std::uint32_t>(t));
     Ray ray;
     ray.direction = towards_inside * scaledNormal(triangle).normalized();
-    ray.origin = (triangle[0] + triangle[1] + triangle[2]) / 3.0 + inward * ray.direction;
+    ray.origin = centroidOf(triangle) + inward * ray.direction;
     if (const auto hit = closestHit(tree, ray)) thickness.push_back(inward + hit->t);
   }
   if (thickness.empty()) return 0.0;

@@ -118,7 +118,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
   GjkResult result;
   Simplex& simplex = result.simplex;
   // The vector from the middle of the triangle to that of the core is a good first guess, unless it is 0.
-  const Vec3 way = convex.middle() - (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+  const Vec3 way = convex.middle() - centroidOf(triangle);
   simplex.point[0] = supportOfDifference(triangle, convex, way.squaredNorm() > 0.0 ? way : Vec3::UnitX());
   simplex.count = 1;
   Closest closest = closestOnSimplex(simplex);

@@ -1,6 +1,6 @@
 #include "geometry/half_line_crossing.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "geometry/predicates.h"
 #include "geometry/triangle_pair.h"

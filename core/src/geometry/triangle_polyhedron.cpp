@@ -24,10 +24,7 @@ constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis o
 class Axes {
  public:
   Axes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& hull)
-      : triangle_(triangle),
-        points_(points),
-        hull_(hull),
-        middle_((triangle[0] + triangle[1] + triangle[2]) / 3.0) {
+      : triangle_(triangle), points_(points), hull_(hull), middle_(centroidOf(triangle)) {
     for (const Vec3& corner : triangle) {
       size_ = std::max(size_, corner.cwiseAbs().maxCoeff());
       radius_ = std::max(radius_, (corner - middle_).norm());

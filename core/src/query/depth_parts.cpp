@@ -10,15 +10,7 @@
 namespace octoblisk::detail {
 namespace {
 
-bool apart(const Triangle& a, const Triangle& b) {
-  for (int k = 0; k < 3; ++k) {
-    if (std::min({a[0][k], a[1][k], a[2][k]}) > std::max({b[0][k], b[1][k], b[2][k]}) ||
-        std::min({b[0][k], b[1][k], b[2][k]}) > std::max({a[0][k], a[1][k], a[2][k]})) {
-      return true;
-    }
-  }
-  return false;
-}
+bool areMeeting(const Triangle& a, const Triangle& b) { return boundsOf(a).meets(boundsOf(b)) && intersects(a, b); }
 
 /// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle; 1
 /// if it does not, 0 if it is already outside.
@@ -125,7 +117,7 @@ bool DepthSearch::isOutside(const Triangle& triangle) const {
   if (!box.axes.allFinite()) return false;  // the triangle is a needle
   const bool meets = forEachTriangleIn(a_->tree(), box, 0.0, [&](std::uint32_t triangle_a) {
     const Triangle other = a_->tree().mesh().triangle(triangle_a);
-    return !apart(triangle, other) && intersects(triangle, other);
+    return areMeeting(triangle, other);
   });
   return !meets && located(triangle[0]) == PointLocation::outside;
 }
@@ -210,7 +202,7 @@ void DepthSearch::divide(const Part& part) {
       half.met_begin = static_cast<std::uint32_t>(met_.size());
       for (std::uint32_t i = part.met_begin; i < part.met_end; ++i) {
         const Triangle other = a_->tree().mesh().triangle(met_[i]);
-        if (!apart(triangle, other) && intersects(triangle, other)) met_.push_back(met_[i]);
+        if (areMeeting(triangle, other)) met_.push_back(met_[i]);
       }
       half.met_end = static_cast<std::uint32_t>(met_.size());
       if (half.met_begin == half.met_end) {  // the half is on one side

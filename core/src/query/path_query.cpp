@@ -1,6 +1,5 @@
 #include "octoblisk/path_query.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "octoblisk/path_query.h"
 #include "octoblisk/triangles_in_box.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
@@ -100,13 +99,14 @@ void SolidBoundary::findRegions(int threads) {
   std::ranges::sort(regions, {}, [](const std::vector<std::uint32_t>& region) {
     return std::pair(~region.size(), region.front());  // largest first
   });
+  constexpr std::size_t kMaxRegions = 128;
   parallelFor(regions.size(), threads, [&](std::size_t r, std::size_t) {
     bool is_boundary = false;
     if (r < kMaxRegions) {
       const std::uint32_t largest = *std::ranges::max_element(
           regions[r], {}, [&](std::uint32_t t) { return scaledNormal(mesh.triangle(t)).squaredNorm(); });
       const Triangle triangle = mesh.triangle(largest);
-      const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+      const Vec3 middle = centroidOf(triangle);
       const double outside = windingNumber(mesh, middle, largest) - 0.5;
       // This value is -1/2 for a lone sheet, -1 for a region that faces inward, and 1 for one inside another
       // solid.

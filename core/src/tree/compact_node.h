@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "simd/box8.h"
 #include "tree/child.h"

@@ -1,7 +1,6 @@
 // Simulates the paper's measurement of a blade before and after grinding (Table 5, figs. 13-14).
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "paper/cmm/blade_strip.h"

@@ -1,7 +1,6 @@
 // The tables of Table 5's section.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "paper/cmm/cmm_experiment.h"

@@ -1,7 +1,6 @@
 // The statistics of a sample of errors that the paper's Table 5 gives.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 namespace octoblisk::demos {

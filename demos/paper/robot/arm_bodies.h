@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "octoblisk/triangle_mesh.h"
 #include "paper/robot/six_axis_arm.h"

@@ -1,6 +1,5 @@
 #include "paper/robot/six_axis_arm.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace octoblisk::demos {

@@ -23,7 +23,7 @@ class AllContacts final : public btManifoldResult {
   /// library has run.
   const btCollisionObject* a() const { return a_; }
 
-  /// Valid until the algorithm runs again.
+  /// Valid until the algorithm runs again or is deleted.
   std::span<const Contact> contacts() const { return contacts_; }
 
   /// Called by the algorithm.

@@ -37,7 +37,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// Copies the triangles from the interface, applies the interface's scaling, and builds the tree. The
   /// interface is not needed afterwards. Throws std::invalid_argument if the interface is null or unusable
   /// (mesh_interface.h), if it has more parts or triangles than Bullet can number (triangle_parts.h), or if
-  /// ClusteredOctree::build rejects the mesh or the options.
+  /// ClusteredOctree::build refuses the mesh or the options.
   explicit ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                 const BuildOptions& options = {});
 

@@ -27,7 +27,8 @@ struct ContactBody {
 };
 
 /// A manifold point as reported. A is the body with the lower broadphase id. With btDbvtBroadphase and
-/// ClusteredOctreeBroadphase, that is the one that was added to the world first.
+/// ClusteredOctreeBroadphase, that is the one that was added to the world first, or whose proxy was made
+/// first (refreshBroadphaseProxy).
 struct ReportedContact {
   ContactBody a;
   ContactBody b;

@@ -54,7 +54,7 @@ class MotionClamping final : public btActionInterface {
   void updateAction(btCollisionWorld* world, btScalar dt) override;
   void debugDraw(btIDebugDraw*) override {}
 
-  /// Those of the last step, in the world's order of bodies.
+  /// Those of the last step, in the world's order of bodies. Do not use a body that was deleted since.
   const std::vector<Clamped>& clamped() const { return clamped_; }
 
  private:

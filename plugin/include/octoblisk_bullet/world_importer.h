@@ -157,7 +157,11 @@ class WorldImporter : public btBulletWorldImporter {
     for (int child = 0, s = 0; child < compound.getNumChildShapes(); ++child, ++s) {
       btCollisionShape* const read = compound.getChildShape(child);
       // Bullet's importer leaves out children of unknown type.
-      while (saved.m_childShapePtr[s].m_childShape->m_shapeType != read->getShapeType()) ++s;
+      const auto isRead = [&] {
+        return saved.m_childShapePtr[s].m_childShape->m_shapeType == read->getShapeType();
+      };
+      while (s < saved.m_numChildShapes && !isRead()) ++s;
+      if (s == saved.m_numChildShapes) return;
       btCollisionShape* const shape = restored(*saved.m_childShapePtr[s].m_childShape, read);
       if (shape == read) continue;
       btCompoundShapeChild& place = compound.getChildList()[child];
