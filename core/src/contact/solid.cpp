@@ -111,13 +111,28 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
   for (std::size_t v = 0; v < in_a_.size(); ++v) {
     const Vec3 vertex = b_in_a * far_of_b.positions[v];
     if (!in_a_[v].contains(a, vertex)) continue;
-    Contact out = wayOutFrom(a, vertex, [&](const Vec3& direction) -> Vec3 {
-      return meet ? vertex : b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
-    });
-    if (meet && !(out.distance < -least_depth)) continue;
-    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
+    if (meet) {
+      const Contact out = wayOutFrom(a, vertex, [&](const Vec3&) { return vertex; });
+      if (out.distance < -least_depth) ways_out.push_back(out);
+      continue;
+    }
+    // One direction for all of B, by contacts that are spread over B so that they do not turn it.
+    if (ways_out.empty()) {
+      const Vec3 middle = b_in_a * b.mesh().bounds().center();
+      ways_out.push_back(
+          wayOutFrom(a, isInSolid(a, middle) ? middle : vertex, [&](const Vec3& direction) -> Vec3 {
+            return b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
+          }));
+    }
+    Contact out = ways_out.front();
+    out.distance = (out.point_on_a - vertex).dot(out.normal);
+    out.point_on_a = vertex + out.distance * out.normal;
+    out.point_on_b = vertex;
+    out.triangle_a = closestPoint(a, out.point_on_a)->triangle;
     ways_out.push_back(out);
-    if (!meet) return;
+  }
+  for (Contact& out : ways_out) {
+    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
   }
 }
 

@@ -54,8 +54,8 @@ FarVertices farVertices(const ClusteredOctree& tree);
 class FarVerticesInSolid {
  public:
   /// Replaces `ways_out` with contacts of A and B. If the surfaces meet, each far vertex that is inside A
-  /// deeper than `least_depth` gets a contact that moves it out. Otherwise, if B is inside A, one contact
-  /// moves all of B out.
+  /// deeper than `least_depth` gets a contact that moves it out. Otherwise, contacts at the far vertices
+  /// that are inside A move B out in one direction.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
             const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 
