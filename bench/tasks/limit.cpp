@@ -1,5 +1,7 @@
 // Compares each query with a lower bound: the exact test of the triangles that really touch, without a search
 // for them. The bound leaves out the proof that a clear pose or a free segment is clear.
+#include <algorithm>
+
 #include "boolean.h"
 #include "contacts.h"
 #include "distance.h"
@@ -66,7 +68,7 @@ Trial pairsTrial(const Scene& scene, bool all) {
     }
     for (std::vector<std::uint32_t>* list : {&of_blisk, &of_belt}) {
       std::ranges::sort(*list);
-      triangles += static_cast<std::size_t>(std::ranges::unique(*list).begin() - list->begin());
+      triangles += static_cast<std::size_t>(std::unique(list->begin(), list->end()) - list->begin());
     }
   }
   const auto poses = static_cast<double>(scene.path.size());

@@ -59,7 +59,7 @@ void reportContacts(btDispatcher& dispatcher, std::vector<ReportedContact>& foun
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       const btManifoldPoint& point = manifold.getContactPoint(p);
-      // For a bounce, bounceAtTouch has overwritten point.getDistance().
+      // correctForStep may have overwritten point.getDistance().
       const btVector3 between = point.getPositionWorldOnA() - point.getPositionWorldOnB();
       const btScalar distance = between.dot(point.m_normalWorldOnB);
       if (!(distance <= up_to)) continue;  // or NaN

@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "body_parts.h"
-#include "bounce.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "shape_bounds.h"
+#include "step_correction.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -248,7 +248,7 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
                              btScalar(contact.distance - mesh_margin - other_margin));
     }
     result.refreshContactPoints();
-    bounceAtTouch(*manifold, time_step);
+    correctForStep(*manifold, time_step);
   }
 }
 

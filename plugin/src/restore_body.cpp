@@ -31,7 +31,7 @@ void restore(const Data& saved, btRigidBody& body) {
       btVector3(inverse(inverse_inertia.x()), inverse(inverse_inertia.y()), inverse(inverse_inertia.z())));
   body.updateInertiaTensor();
   body.setGravity(read(saved.m_gravity_acceleration));
-  if ((object.m_collisionFlags & btCollisionObject::CF_HAS_CONTACT_STIFFNESS_DAMPING) != 0)
+  if (object.m_contactStiffness != 0)  // it is 0 in a file of an older Bullet
     body.setContactStiffnessAndDamping(btScalar(object.m_contactStiffness),
                                        btScalar(object.m_contactDamping));
   body.setAnisotropicFriction(read(object.m_anisotropicFriction), object.m_hasAnisotropicFriction);

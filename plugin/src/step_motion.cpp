@@ -28,7 +28,7 @@ double turnOf(double speed, double dt) {
 Motion stepMotion(const btTransform& from, const btVector3& linear_velocity,
                   const btVector3& angular_velocity, btScalar dt) {
   assert(dt > 0);
-  const Pose pose = orthonormalPose(from);
+  const Pose pose = detail::orthonormalPose(from);
   const Vec3 velocity = fromBullet(angular_velocity);
   const double speed = velocity.norm();
   const Vec3 turn = speed > 0.0 ? Vec3(velocity * (turnOf(speed, double(dt)) / speed)) : Vec3(Vec3::Zero());

@@ -114,7 +114,7 @@ TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
       const Triangle start = mesh->triangle(random() % mesh->triangleCount());
       const double away = scale * std::pow(10.0, 2 - i % 10);
       const Vec3 point =
-          (i / 10 % 2 == 0 ? start[0] : Vec3(centroidOf(start))) + testing::randomPoint(random, away);
+          (i / 10 % 2 == 0 ? start[0] : centroidOf(start)) + testing::randomPoint(random, away);
       const ClosestPoint expected = ofEveryTriangle(*mesh, point, ties);
       for (const ClusteredOctree* tree : {&full, &compact}) {
         const auto found = closestPoint(*tree, point);

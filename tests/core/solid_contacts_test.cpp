@@ -136,6 +136,12 @@ TEST(FarVerticesInSolid, theTrianglesHaveThePoints) {
       for (const Contact& contact : found) {
         EXPECT_LT(distance(a.mesh().triangle(contact.triangle_a), contact.point_on_a), 1e-9);
         EXPECT_LT(distance(pose * b.mesh().triangle(contact.triangle_b), contact.point_on_b), 1e-9);
+        EXPECT_LT(contact.distance, 0.0);
+        const Vec3 way = contact.point_on_a - contact.point_on_b;
+        EXPECT_LT((way - contact.distance * contact.normal).norm(), 1e-9);
+        if (!meet) {
+          EXPECT_EQ(contact.normal, found.front().normal);
+        }
       }
     }
     EXPECT_GE(contacts, 500u) << meet;

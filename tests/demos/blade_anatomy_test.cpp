@@ -25,6 +25,7 @@ using ::testing::HasSubstr;
 
 double radius(const Vec3& point) { return std::hypot(point.x(), point.y()); }
 double angle(const Vec3& point) { return std::atan2(point.y(), point.x()); }
+
 /// The point of a triangle at a place of the meridian (z, radius); none if the triangle does not reach it.
 std::optional<Vec3> atMeridian(const Triangle& t, double z, double r) {
   Vec3 weights;

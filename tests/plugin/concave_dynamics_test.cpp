@@ -250,6 +250,31 @@ TEST(ConcaveDynamics, smallBodiesFallAsleep) {
   }
 }
 
+/// Solid wheels of radius 0.5 m that roll for 4 s from 3 m/s. An edge that comes down takes a part of the
+/// speed, because the impact is inelastic. The solver used to stop edges that do not reach the plane; with
+/// 128 edges, a third of the speed was lost that way.
+TEST(ConcaveDynamics, wheelsRoll_vs_closedForm) {
+  for (const int edges : {32, 64, 128}) {
+    constexpr double kRadius = 0.5, kSeconds = 4.0;
+    const double turn = 2.0 * std::numbers::pi / edges, side = 2.0 * kRadius * std::sin(0.5 * turn);
+    double expected = 3.0;
+    for (double time = 0.0; time < kSeconds; time += side / expected)
+      expected *= 1.0 - 2.0 / 3.0 * (1.0 - std::cos(turn));
+
+    ClusteredOctreeShape wheel(treeOver(shapes::cylinder(kRadius, 0.2, static_cast<std::uint32_t>(edges))));
+    btStaticPlaneShape plane(btVector3(0, 0, 1), 0);
+    BulletWorld world;
+    world.add(plane, 0, at(0, 0, 0));
+    const btQuaternion lying(btVector3(1, 0, 0), SIMD_HALF_PI);
+    btRigidBody& rolling =
+        world.add(wheel, 1, at(0, 0, kRadius + double(wheel.getMargin())) * btTransform(lying));
+    rolling.setLinearVelocity(btVector3(3, 0, 0));
+    rolling.setAngularVelocity(btVector3(0, btScalar(3 / kRadius), 0));
+    world.step(static_cast<int>(kSeconds * 60.0), 1.0 / 60.0);
+    EXPECT_NEAR(double(rolling.getLinearVelocity().length()), expected, 0.2 * expected) << edges << " edges";
+  }
+}
+
 /// When such a body rolls, its next corner touches at once. If that corner gets deep before it has a contact,
 /// Bullet pushes it out, and the body never stops.
 TEST(ConcaveDynamics, bodiesWithARoundBottomComeToRestOnAPlane) {

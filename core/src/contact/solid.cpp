@@ -1,6 +1,7 @@
 #include "contact/solid.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "octoblisk/closest_point.h"
 #include "query/farthest_vertex.h"
@@ -108,31 +109,41 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
                               const Pose& b_in_a, bool meet, double least_depth,
                               std::vector<Contact>& ways_out) {
   ways_out.clear();
+  std::optional<Contact> of_all;  // the way out of all of B
+  const auto findWayOfAll = [&](const Vec3& inside) {
+    of_all = wayOutFrom(a, inside, [&](const Vec3& direction) -> Vec3 {
+      return b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
+    });
+  };
+  const auto add = [&](Contact out) {
+    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
+    ways_out.push_back(out);
+  };
+  const auto addWayOfAll = [&](const Vec3& point_on_b) {
+    Contact out = *of_all;
+    out.distance = (out.point_on_a - point_on_b).dot(out.normal);
+    const bool is_known = std::ranges::find(ways_out, point_on_b, &Contact::point_on_b) != ways_out.end();
+    if (!(out.distance < 0.0) || is_known) return;
+    out.point_on_a = point_on_b + out.distance * out.normal;
+    out.point_on_b = point_on_b;
+    out.triangle_a = closestPoint(a, out.point_on_a)->triangle;
+    add(out);
+  };
   for (std::size_t v = 0; v < in_a_.size(); ++v) {
     const Vec3 vertex = b_in_a * far_of_b.positions[v];
     if (!in_a_[v].contains(a, vertex)) continue;
     if (meet) {
       const Contact out = wayOutFrom(a, vertex, [&](const Vec3&) { return vertex; });
-      if (out.distance < -least_depth) ways_out.push_back(out);
+      if (out.distance < -least_depth) add(out);
       continue;
     }
-    // One direction for all of B, by contacts that are spread over B so that they do not turn it.
-    if (ways_out.empty()) {
+    if (!of_all) {
       const Vec3 middle = b_in_a * b.mesh().bounds().center();
-      ways_out.push_back(
-          wayOutFrom(a, isInSolid(a, middle) ? middle : vertex, [&](const Vec3& direction) -> Vec3 {
-            return b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
-          }));
+      if (isInSolid(a, middle)) findWayOfAll(middle);
+      if (!of_all || !(of_all->distance < 0.0)) findWayOfAll(vertex);  // the middle may be outside B
+      addWayOfAll(of_all->point_on_b);
     }
-    Contact out = ways_out.front();
-    out.distance = (out.point_on_a - vertex).dot(out.normal);
-    out.point_on_a = vertex + out.distance * out.normal;
-    out.point_on_b = vertex;
-    out.triangle_a = closestPoint(a, out.point_on_a)->triangle;
-    ways_out.push_back(out);
-  }
-  for (Contact& out : ways_out) {
-    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
+    addWayOfAll(vertex);  // contacts that are spread over B do not turn it
   }
 }
 

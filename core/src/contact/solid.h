@@ -54,8 +54,10 @@ FarVertices farVertices(const ClusteredOctree& tree);
 class FarVerticesInSolid {
  public:
   /// Replaces `ways_out` with contacts of A and B. If the surfaces meet, each far vertex that is inside A
-  /// deeper than `least_depth` gets a contact that moves it out. Otherwise, contacts at the far vertices
-  /// that are inside A move B out in one direction.
+  /// deeper than `least_depth` gets a contact that moves it out. Otherwise, if far vertices are inside A, all
+  /// of B moves out in one direction: along the shortest way out of its middle, or of a far vertex if the
+  /// middle does not show the way. B's farthest vertex in this direction and each far vertex inside A get a
+  /// contact.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
             const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 

@@ -68,9 +68,9 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
   nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
   bool meet = false;
   for (NearPair& near : near_) {
-    const auto [triangle_a, triangle_b] = near.triangles;
-    const Pair pair = {a_.surface.add(triangle_a, [&] { return a.mesh().triangle(triangle_a); }),
-                       b_.surface.add(triangle_b, [&] { return b_in_a * b.mesh().triangle(triangle_b); })};
+    const TrianglePair of = near.triangles;
+    const Pair pair = {a_.surface.add(of.a, [&] { return a.mesh().triangle(of.a); }),
+                       b_.surface.add(of.b, [&] { return b_in_a * b.mesh().triangle(of.b); })};
     pairs_.push_back(pair);
     if (near.meeting == Meeting::maybe) {
       near.meeting = intersects(a_.triangle(pair), b_.triangle(pair)) ? Meeting::yes : Meeting::no;
@@ -115,7 +115,7 @@ void SurfaceContacts::findMeetingGroups() {
 /// surely comes nearer beyond the edge or corner where they are closest.
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
                                     double threshold) const {
-  if (features.which == ClosestFeatures::kUnknown) return false;
+  if (!features.areKnown()) return false;
   const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
   const PlaceOnTriangle &on_a = places.first, &on_b = places.second;

@@ -49,8 +49,9 @@ inline bool isPerpendicular(const Vec3& normal, const Vec3& direction) {
   return along * along > kParallelCosine * kParallelCosine * normal.squaredNorm();
 }
 
-/// The sine of the angle by which a direction from an edge or a corner (both ends equal) leans over a
-/// triangle that has this edge or corner; negative if it leans away. The direction is a unit vector.
+/// The sine of the angle by which a direction from an edge leans over a triangle that has this edge; negative
+/// if it leans away. From a corner (both ends equal): the greater cosine of its angles to the two edges
+/// there. -1 if the triangle has no area there. The direction is a unit vector.
 inline double sineOfLean(const Triangle& triangle, const Vec3& from, const Vec3& to, const Vec3& direction) {
   const Vec3 edge = to - from;
   const double squared = edge.squaredNorm();

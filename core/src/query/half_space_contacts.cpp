@@ -36,7 +36,10 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
     return false;
   });
   std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_b, c.triangle_a); });
-  found.erase(std::ranges::unique(found, {}, &Contact::triangle_b).begin(), found.end());
+  const auto areOfOneVertex = [](const Contact& one, const Contact& other) {
+    return one.triangle_b == other.triangle_b;
+  };
+  found.erase(std::unique(found.begin(), found.end(), areOfOneVertex), found.end());
   std::ranges::sort(found, {}, [](const Contact& c) { return std::tuple(c.triangle_a, c.triangle_b); });
   for (Contact& contact : found) contact.triangle_b = kNoTriangle;
 }

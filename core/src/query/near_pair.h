@@ -29,7 +29,9 @@ struct ClosestFeatures {
   static constexpr int ofCornerOfA(int corner) { return 9 + corner; }
   static constexpr int ofCornerOfB(int corner) { return 12 + corner; }
 
-  /// The closest points, computed in double precision from these features.
+  bool areKnown() const { return which != kUnknown; }
+
+  /// The closest points, computed in double precision from these features, which must be known.
   std::pair<PlaceOnTriangle, PlaceOnTriangle> places(const Triangle& a, const Triangle& b) const {
     if (which >= 12) {
       const auto [on_b, on_a] = cornerAndFoot(which - 12u, b, a);
@@ -60,7 +62,7 @@ enum class Meeting : std::uint8_t { no, maybe, yes };
 struct NearPair {
   TrianglePair triangles;
   Meeting meeting = Meeting::maybe;
-  ClosestFeatures features;  ///< unknown unless meeting is no
+  ClosestFeatures features;  ///< unknown where single precision did not show that the triangles are apart
 };
 
 /// The contact of two near triangles; none if they are farther apart than `threshold`.

@@ -194,10 +194,15 @@ void SourceContacts::numberTouched(std::vector<Contact>& found) {
   }
   for (Contact& contact : found) contact.triangle_b = number_[contact.triangle_b];
   std::ranges::sort(touched_, {}, byNumbers);
-  touched_.erase(std::ranges::unique(touched_, {}, byNumbers).begin(), touched_.end());
+  // Clang 14 does not compile std::ranges::unique.
+  const auto areOne = [](const SourceTriangle& a, const SourceTriangle& b) {
+    return byNumbers(a) == byNumbers(b);
+  };
+  touched_.erase(std::unique(touched_.begin(), touched_.end(), areOne), touched_.end());
 
   std::ranges::sort(found, {}, byTriangles);
-  found.erase(std::ranges::unique(found, {}, byTriangles).begin(), found.end());
+  const auto areOfOnePair = [](const Contact& a, const Contact& b) { return a.triangles() == b.triangles(); };
+  found.erase(std::unique(found.begin(), found.end(), areOfOnePair), found.end());
 }
 
 }  // namespace octoblisk

@@ -27,8 +27,8 @@ struct ContactBody {
 };
 
 /// A manifold point as reported. A is the body with the lower broadphase id. With btDbvtBroadphase and
-/// ClusteredOctreeBroadphase, that is the one that was added to the world first, or whose proxy was made
-/// first (refreshBroadphaseProxy).
+/// ClusteredOctreeBroadphase, that is the body whose proxy was made first. A proxy is made when a body is
+/// added to the world, and again by refreshBroadphaseProxy.
 struct ReportedContact {
   ContactBody a;
   ContactBody b;

@@ -21,8 +21,8 @@ std::unique_ptr<ClusteredOctreeShape> restoredShape(const btCollisionShapeData& 
                                                     const btStridingMeshInterface& mesh);
 
 /// Restores the state of a body whose pose is already restored: mass, inertia, gravity, velocities, damping,
-/// factors, friction, restitution, contact stiffness and damping, the thresholds of motion clamping and of
-/// contact processing, collision flags, and sleeping. Bullet saves no spinning friction. If the
+/// factors, friction (also anisotropic), restitution, contact stiffness and damping, the thresholds of motion
+/// clamping and of contact processing, collision flags, and sleep. Bullet saves no spinning friction. If the
 /// mass changes between 0 and another value, the body must not be in a world. Adding the body to a world
 /// replaces its gravity by the world's, as always in Bullet.
 void restoreBody(const btRigidBodyFloatData& saved, btRigidBody& body);
