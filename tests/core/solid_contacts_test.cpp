@@ -148,6 +148,30 @@ TEST(FarVerticesInSolid, theTrianglesHaveThePoints) {
   }
 }
 
+/// A tetrahedron in one of two blocks with a slot between them. The middle of its bounds is in the other
+/// block.
+TEST(FarVerticesInSolid, theMiddleOfBMayBeInAnotherPartOfA) {
+  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3::Ones()).toRotationMatrix();
+  const auto blockAlong = [&](double from, double to) {
+    return testing::moved(*testing::boxMesh({3, 3, 0.5 * (to - from)}),
+                          {turn, turn.col(2) * 0.5 * (from + to)});
+  };
+  const ClusteredOctree a =
+      ClusteredOctree::build(testing::joined(*blockAlong(-2.0, 0.63), *blockAlong(0.75, 2.75)));
+  const ClusteredOctree b = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
+      std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      std::vector<TriangleMesh::Indices>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
+  ASSERT_TRUE(isInSolid(a, b.mesh().bounds().center()));
+  FarVerticesInSolid far;
+  std::vector<Contact> found;
+  far.find(a, b, farVertices(b), Pose(), false, 0.0, found);
+  EXPECT_FALSE(found.empty());
+  for (const Contact& contact : found) {
+    EXPECT_LT(contact.distance, 0.0);
+    EXPECT_LT(contact.normal.dot(turn.col(2)), -0.9);  // out into the slot
+  }
+}
+
 TEST(ThinThickness, ofClosedForms) {
   const auto thicknessOf = [](const testing::SharedMesh& mesh) {
     return thinThickness(ClusteredOctree::build(mesh));

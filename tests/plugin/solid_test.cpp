@@ -99,29 +99,36 @@ TEST(Solid, whatIsInsideComesOut) {
 TEST(Solid, platesThatFallIntoAFloorComeOut) {
   ClusteredOctreeShape plate(treeOver(testing::boxMesh({0.15, 0.15, 0.01})));
   ClusteredOctreeShape floor(treeOver(testing::boxMesh({5, 5, 0.1})));
-  std::mt19937_64 random(11);
-  const auto uniform = [&](double low, double high) { return btScalar(testing::uniform(random, low, high)); };
-  BulletWorld world;
-  world.add(floor, 0, at(0, 0, -0.1));
-  constexpr int kPlates = 64;
-  std::vector<btRigidBody*> plates;
-  for (int i = 0; i < kPlates; ++i) {
-    const btVector3 place(btScalar(i % 8 - 3.5), btScalar(i / 8 - 3.5), uniform(0.5, 3.0));
-    const btVector3 axis = btVector3(uniform(-1, 1), uniform(-1, 1), 0).normalized();
-    plates.push_back(&world.add(plate, 0.5, btTransform(btQuaternion(axis, uniform(-0.05, 0.05)), place)));
-  }
-  std::vector<bool> was_inside(kPlates), has_spun(kPlates);
-  for (int step = 0; step < 2 * 60; ++step) {
-    world.step(1, 1.0 / 60.0);
-    for (std::size_t i = 0; i < kPlates; ++i) {
-      if (plates[i]->getWorldTransform().getOrigin().z() < btScalar(-0.03)) was_inside[i] = true;
-      if (plates[i]->getAngularVelocity().length() > 15) has_spun[i] = true;
+  for (const bool floor_first : {true, false}) {
+    std::mt19937_64 random(11);
+    const auto uniform = [&](double low, double high) {
+      return btScalar(testing::uniform(random, low, high));
+    };
+    BulletWorld world;
+    if (floor_first) world.add(floor, 0, at(0, 0, -0.1));
+    constexpr int kPlates = 64;
+    std::vector<btRigidBody*> plates;
+    for (int i = 0; i < kPlates; ++i) {
+      const btVector3 place(btScalar(i % 8 - 3.5), btScalar(i / 8 - 3.5), uniform(0.5, 3.0));
+      const btVector3 axis = btVector3(uniform(-1, 1), uniform(-1, 1), 0).normalized();
+      plates.push_back(&world.add(plate, 0.5, btTransform(btQuaternion(axis, uniform(-0.05, 0.05)), place)));
     }
+    if (!floor_first) world.add(floor, 0, at(0, 0, -0.1));
+    std::vector<bool> was_inside(kPlates), has_spun(kPlates);
+    for (int step = 0; step < 2 * 60; ++step) {
+      world.step(1, 1.0 / 60.0);
+      for (std::size_t i = 0; i < kPlates; ++i) {
+        if (plates[i]->getWorldTransform().getOrigin().z() < btScalar(-0.03)) was_inside[i] = true;
+        if (plates[i]->getAngularVelocity().length() > 15) has_spun[i] = true;
+      }
+    }
+    EXPECT_GE(std::ranges::count(was_inside, true), kPlates / 4);
+    EXPECT_LE(std::ranges::count(has_spun, true), kPlates / 8);
+    const auto isBelow = [](const btRigidBody* body) {
+      return body->getWorldTransform().getOrigin().z() < 0;
+    };
+    EXPECT_LE(std::ranges::count_if(plates, isBelow), kPlates / 32);
   }
-  EXPECT_GE(std::ranges::count(was_inside, true), kPlates / 4);
-  EXPECT_LE(std::ranges::count(has_spun, true), kPlates / 8);
-  const auto isBelow = [](const btRigidBody* body) { return body->getWorldTransform().getOrigin().z() < 0; };
-  EXPECT_LE(std::ranges::count_if(plates, isBelow), kPlates / 32);
 }
 
 /// Its triangles push bodies inward, so it must not pass for a solid.
