@@ -31,19 +31,21 @@ void correctForStep(btPersistentManifold& manifold, btScalar time_step) {
   if (isLink(manifold.getBody0()) || isLink(manifold.getBody1())) return;
   for (int i = 0; i < manifold.getNumContacts(); ++i) {
     btManifoldPoint& point = manifold.getContactPoint(i);
+    const bool is_ahead = point.getDistance() > 0, bounces = point.m_combinedRestitution > 0;
+    if (!is_ahead && !bounces) continue;
     const PointMotion on_a(manifold.getBody0(), point.getPositionWorldOnA());
     const PointMotion on_b(manifold.getBody1(), point.getPositionWorldOnB());
     const btVector3& normal = point.m_normalWorldOnB;  // from B to A
-    if (point.getDistance() > 0) {
+    if (is_ahead) {
       const btScalar curving = normal.dot(on_a.acceleration - on_b.acceleration);
       point.setDistance(point.getDistance() +
                         btScalar(0.5) * std::max(curving, btScalar(0)) * time_step * time_step);
     }
-    if (!(point.m_combinedRestitution > 0)) continue;
+    if (!bounces) continue;
     const btScalar approach = normal.dot(on_b.velocity - on_a.velocity);
     if (btFabs(point.getDistance()) < approach * time_step) {
       point.setDistance(0);  // the bodies touch within this step, or did within the last one
-    } else if (point.getDistance() > 0) {
+    } else if (is_ahead) {
       point.m_combinedRestitution = 0;
     }
   }
