@@ -40,6 +40,8 @@ class Manifolds {
     return patch < manifolds_.size() ? manifolds_[patch] : nullptr;
   }
 
+  bool empty() const { return manifolds_.empty(); }
+
   /// Removes all points and their impulses.
   void clear() {
     for (btPersistentManifold* manifold : manifolds_) manifold->clearManifold();

@@ -218,12 +218,13 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
 void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
                                 const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
                                 btManifoldResult& result) {
+  const std::span<const ContactPatch> patches = patches_.last();
+  if (patches.empty() && manifolds_.empty()) return;
   const double mesh_margin = double(shapes.mesh.getMargin()), other_margin = marginOfOther(shapes.other);
   const Pose motion = shapes.other_in_mesh * other_in_mesh_->inverse();
   const Vec3 shift = shapes.other_in_mesh.translation - other_in_mesh_->translation;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());
   const btCollisionObject* const body0 = (mesh_is_body1_ ? other : mesh).getCollisionObject();
-  const std::span<const ContactPatch> patches = patches_.last();
   const btScalar rounding = roundingBetween(mesh, other, shapes.mesh.tree().mesh().bounds());
   manifolds_.match(patches,
                    {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,

@@ -105,26 +105,26 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
                                                    const Pose& convex_in_tree, double reach) {
   std::array<Vec3, 8> room;
   const std::span<const Vec3> points = pointsRoundCore(convex, room);
-  if (tree_ != &tree || !std::ranges::equal(core_, points)) {
-    tree_ = &tree;
-    core_.assign(points.begin(), points.end());
-    bounds_ = boundsOf(core_);
-    forget();
-  }
+  const Aabb bounds = boundsOf(points);
+  if (tree_ != &tree || bounds.min != bounds_.min || bounds.max != bounds_.max) forget();
+  tree_ = &tree;
+  bounds_ = bounds;
   const double of_core = reach + convex.radius();
   const auto areKept = [&] {
+    if (kept_reach_ == kNothing || !std::ranges::equal(core_, points)) return false;
     const double rounding = kDoubleRounding * (kept_at_.translation.norm() + bounds_.halfExtents().norm());
     return of_core + displacementBound(convex_in_tree, kept_at_) + rounding <= kept_reach_;
   };
-  if (kept_reach_ == kNothing || !areKept()) {
+  if (!areKept()) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
     gather(tree, convex, convex_in_tree, reach, reserve);
+    if (reserve > 0.0) core_.assign(points.begin(), points.end());
   }
   last_at_ = convex_in_tree;
   if (kept_reach_ == kNothing) return found_;
   found_.clear();
   const auto siftAll = HWY_DYNAMIC_DISPATCH(sift);
-  siftAll(kept_, treeOf(tree).origin(), core_, bounds_, convex_in_tree, of_core, found_);
+  siftAll(kept_, treeOf(tree).origin(), points, bounds_, convex_in_tree, of_core, found_);
   return found_;
 }
 
