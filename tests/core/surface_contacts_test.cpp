@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "octoblisk/contacts.h"
+#include "query/near_pairs.h"
 #include "shared/block.h"
 #include "shared/brute_force.h"
 #include "shared/hard_meshes.h"
@@ -23,6 +24,10 @@ using namespace detail;
 namespace {
 
 using testing::uniform;
+
+auto asTuple(const Contact& c) {
+  return std::tuple(c.triangle_a, c.triangle_b, c.distance, c.normal, c.point_on_a, c.point_on_b);
+}
 
 /// The contacts of two meshes before and after the filter.
 struct Found {
@@ -487,9 +492,6 @@ TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
     pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.4, 2.8);
     const Found found(a, b, pose, uniform(random, 0.01, 0.2));
     surfaces.find(a, b, pose, found.threshold, at_once);
-    const auto asTuple = [](const Contact& c) {
-      return std::tuple(c.triangle_a, c.triangle_b, c.distance, c.normal, c.point_on_a, c.point_on_b);
-    };
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     if (found.all.empty()) continue;
     ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
@@ -498,6 +500,31 @@ TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
   EXPECT_GT(clear, 100);
   EXPECT_GT(meeting, 200);
   EXPECT_GT(filtered, 400);
+}
+
+/// Where very many pairs are within the threshold, the threshold shrinks, and nothing else changes.
+TEST(SurfaceContacts, fineMeshesHaveTheContactsOfASmallerThreshold) {
+  std::mt19937_64 random(105);
+  const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.35, 60, 30));
+  int reduced = 0, clear = 0, meeting = 0;
+  SurfaceContacts surfaces;
+  std::vector<Contact> at_once;
+  std::vector<NearPair> near;
+  for (int i = 0; i < 30; ++i) {
+    Pose pose{Mat3(Eigen::AngleAxisd(uniform(random, 0.0, 3.0), Vec3::UnitZ())), Vec3::Zero()};
+    pose.translation = Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
+    const double threshold = uniform(random, 0.1, 0.2);
+    const double reach = nearPairs(treeOf(tree), treeOf(tree), pose, threshold, near);
+    surfaces.find(tree, tree, pose, threshold, at_once);
+    const Found found(tree, tree, pose, reach);
+    ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
+    ASSERT_FALSE(at_once.empty());
+    reduced += reach < threshold;
+    ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
+  }
+  EXPECT_GT(reduced, 20);
+  EXPECT_GT(clear, 5);
+  EXPECT_GT(meeting, 10);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
                            double threshold, std::vector<Contact>& found) {
   found.clear();
   clear();
-  nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
+  threshold = nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
   bool meet = false;
   for (NearPair& near : near_) {
     const TrianglePair of = near.triangles;
@@ -80,9 +80,8 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
   if (meet) findMeetingGroups();
   order_.clear();
   for (std::uint32_t n = 0; n < near_.size(); ++n) {
-    // Where triangles of a group meet, contacts that filter removes decide about others.
-    const bool may_skip = !meet || !meets_[groupOf(pairs_[n])];
-    if (may_skip && isSurelyInner(near_[n].features, pairs_[n], threshold)) {
+    const bool group_meets = meet && meets_[groupOf(pairs_[n])];
+    if (isSurelyInner(near_[n].features, pairs_[n], threshold, group_meets)) {
       skipped_.push_back(pairs_[n]);
     } else {
       order_.push_back(n);
@@ -112,9 +111,10 @@ void SurfaceContacts::findMeetingGroups() {
 }
 
 /// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
-/// surely comes nearer beyond the edge or corner where they are closest.
+/// surely comes nearer beyond the edge or corner where they are closest. False if the contact would be past a
+/// face in a group that meets, because such a contact decides about others (isInner).
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
-                                    double threshold) const {
+                                    double threshold, bool group_meets) const {
   if (!features.areKnown()) return false;
   const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
@@ -142,6 +142,11 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
     const double tilt = kParallelSine + error;
     return facing.cross(way).squaredNorm() > tilt * tilt * squared * facing.squaredNorm();
   };
+  const auto isSurelyInFrontOf = [&](const Side& side) {
+    const Vec3& facing = side.facing(pair);
+    return -side.outward * way.dot(facing) > error * length * facing.norm();
+  };
+  if (group_meets && !(isSurelyInFrontOf(a_) && isSurelyInFrontOf(b_))) return false;
   const auto isInner = [&](const Side& own, const PlaceOnTriangle& at, const Side& opposite,
                            const PlaceOnTriangle& opposite_at) {
     if (at.feature == 0b111u || !isSurelyTilted(own)) return false;

@@ -106,7 +106,8 @@ class SurfaceContacts {
     return std::max(a_.surface.rounding(pair.a), b_.surface.rounding(pair.b));
   }
   void findMeetingGroups();
-  bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold) const;
+  bool isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold,
+                     bool group_meets) const;
   void filter(std::vector<Contact>& contacts, double threshold);
   void removeWrong(std::vector<Contact>& contacts);
   void addCorners(std::vector<Contact>& contacts, double threshold);

@@ -11,7 +11,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 void appendContacts(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
                     std::vector<Contact>& found) {
-  forEachNearPair(a, b, b_in_a, threshold, [&](const NearPair& pair) {
+  const auto reach = [threshold] { return threshold; };
+  forEachNearPair(a, b, b_in_a, threshold, reach, [&](const NearPair& pair) {
     const Triangle of_a = a.mesh().triangle(pair.triangles.a),
                    of_b = b_in_a * b.mesh().triangle(pair.triangles.b);
     if (const std::optional<Contact> contact = contactWithin(threshold, pair, of_a, of_b)) {

@@ -63,6 +63,7 @@ struct NearPair {
   TrianglePair triangles;
   Meeting meeting = Meeting::maybe;
   ClosestFeatures features;  ///< unknown where single precision did not show that the triangles are apart
+  float least_distance = 0.0f;
 };
 
 /// The contact of two near triangles; none if they are farther apart than `threshold`.

@@ -15,21 +15,23 @@ HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
 /// Calls visit(NearPair) for each triangle pair that may be within `threshold`; with a threshold of 0, only
-/// if it may meet.
-template <typename Visit>
-void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, Visit&& visit) {
+/// if it may meet. `reach()` is the threshold at first, and may shrink.
+template <typename Reach, typename Visit>
+void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, Reach&& reach,
+                     Visit&& visit) {
   const LocalPose pose(a, b, b_in_a);
-  const float limit = pose.limit(threshold);
+  const auto limitNow = [&] { return pose.limit(reach()); };
   PairDistances apart;
   std::array<NearPair, kLanes> near;
   const auto visitApart = [&]() HWY_ATTR {
-    const std::uint32_t count = apart.nearPairs(limit, near);
+    const std::uint32_t count = apart.nearPairs(limitNow(), near);
     for (std::uint32_t k = 0; k < count; ++k) visit(near[k]);
     apart.clear();
   };
   walkPairs<TraversalStack>(
-      a, b, pose, NodePair(), WidestGap(), [&] { return limit; },
+      a, b, pose, NodePair(), WidestGap(), limitNow,
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        const float limit = limitNow();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
         auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
         if (bounds.of_a == 0) return false;

@@ -5,13 +5,14 @@
 #include <hwy/foreach_target.h>
 
 #include "query/near_pair_walk-inl.h"
+#include "query/nearest_pairs.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-void appendNearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
-                     std::vector<NearPair>& near) {
-  forEachNearPair(a, b, b_in_a, threshold, [&](const NearPair& pair) { near.push_back(pair); });
+void addNearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, NearestPairs& near) {
+  const auto reach = [&near] { return near.reach(); };
+  forEachNearPair(a, b, b_in_a, threshold, reach, [&](const NearPair& pair) { near.add(pair); });
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -21,13 +22,14 @@ HWY_AFTER_NAMESPACE();
 namespace octoblisk::detail {
 
 namespace {
-HWY_EXPORT(appendNearPairs);
+HWY_EXPORT(addNearPairs);
 }
 
-void nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
-               std::vector<NearPair>& near) {
-  near.clear();
-  HWY_DYNAMIC_DISPATCH(appendNearPairs)(a, b, b_in_a, threshold, near);
+double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
+                 std::vector<NearPair>& near) {
+  NearestPairs nearest(near, threshold);
+  HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, nearest);
+  return nearest.reach();
 }
 
 }  // namespace octoblisk::detail

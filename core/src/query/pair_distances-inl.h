@@ -53,15 +53,20 @@ class PairDistances {
     const Triangle8 of_a = triangles(of_a_), of_b = triangles(of_b_);
     const Closest closest(of_a, of_b);
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
-    const unsigned far = less(Float8(limit), least(of_a, of_b, closest, size, rounding));
-    float which[kLanes], along_a[kLanes], along_b[kLanes];
+    const Float8 apart = least(of_a, of_b, closest, size, rounding);
+    const unsigned far = less(Float8(limit), apart);
+    float which[kLanes], along_a[kLanes], along_b[kLanes], distance[kLanes];
     closest.which.store(which);
     closest.along_a.store(along_a);
     closest.along_b.store(along_b);
+    max(apart, Float8(0.0f)).store(distance);
     std::uint32_t count = 0;
     for (unsigned left = ((1u << count_) - 1u) & ~far; left != 0; left &= left - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      near[count++] = {pairs_[k], Meeting::no, {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]}};
+      near[count++] = {pairs_[k],
+                       Meeting::no,
+                       {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]},
+                       distance[k]};
     }
     return count;
   }

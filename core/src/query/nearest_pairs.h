@@ -1,0 +1,51 @@
+// Collects pairs of triangles that are near each other, and not many more than matter.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "query/near_pair.h"
+
+namespace octoblisk::detail {
+
+/// Where two fine meshes touch, the number of pairs within a threshold grows with the square of the number of
+/// triangles. If the pairs become many, the reach shrinks, and pairs beyond it are dropped.
+class NearestPairs {
+ public:
+  /// Replaces the content of `pairs`.
+  NearestPairs(std::vector<NearPair>& pairs, double threshold)
+      : pairs_(pairs), reach_(threshold), surplus_(kSurplus * threshold) {
+    pairs_.clear();
+  }
+
+  /// All pairs of a larger distance are of no interest.
+  double reach() const { return reach_; }
+
+  void add(const NearPair& pair) {
+    pairs_.push_back(pair);
+    if (pairs_.size() >= many_) shrink();
+  }
+
+ private:
+  static constexpr std::size_t kMany = 16384;
+  static constexpr double kSurplus = 0.1;  // the least reach beyond the nearest pair, over the threshold
+
+  /// Keeps about half of the pairs, or more if more are nearly the nearest.
+  void shrink() {
+    const auto distance = &NearPair::least_distance;
+    const double nearest = double(std::ranges::min_element(pairs_, {}, distance)->least_distance);
+    const auto middle = pairs_.begin() + kMany / 2;
+    std::ranges::nth_element(pairs_, middle, {}, distance);
+    reach_ = std::min(reach_, std::max(double(middle->least_distance), nearest + surplus_));
+    std::erase_if(pairs_, [&](const NearPair& pair) { return double(pair.least_distance) > reach_; });
+    many_ = std::max(kMany, 2 * pairs_.size());
+  }
+
+  std::vector<NearPair>& pairs_;
+  double reach_;
+  const double surplus_;
+  std::size_t many_ = kMany;
+};
+
+}  // namespace octoblisk::detail

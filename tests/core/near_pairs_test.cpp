@@ -1,0 +1,71 @@
+// The search for near triangle pairs: all within the distance that it returns, but not many more.
+#include "query/near_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "shared/brute_force.h"
+#include "shared/meshes.h"
+#include "shared/solids.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+using testing::uniform;
+
+TEST(NearPairs, allWithinTheReturnedDistance_vs_bruteForce) {
+  std::mt19937_64 random(104);
+  const std::vector<testing::SharedMesh> meshes = {testing::torus(1.0, 0.35, 48, 24),
+                                                   testing::bumpySphere(random, 1.0, 0.2, 30)};
+  std::vector<ClusteredOctree> trees;
+  for (const testing::SharedMesh& mesh : meshes) trees.push_back(ClusteredOctree::build(mesh));
+  int reduced = 0, whole = 0, meeting = 0;
+  std::size_t within = 0, beyond = 0;
+  std::vector<NearPair> near;
+  for (std::size_t i = 0; i < 40; ++i) {
+    const ClusteredOctree &a = trees[i % 2], &b = trees[i / 2 % 2];
+    Pose pose = testing::randomPose(random, 0.0);
+    pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.0, 2.4);
+    const double threshold = uniform(random, 0.1, 1.0);
+    const double reach = nearPairs(treeOf(a), treeOf(b), pose, threshold, near);
+
+    const std::vector<Contact> all = testing::bruteForceContacts(a.mesh(), b.mesh(), pose, threshold);
+    std::map<TrianglePair, double> distances;
+    for (const Contact& contact : all) distances.emplace(contact.triangles(), contact.distance);
+    if (all.empty()) continue;
+    const double nearest = std::max(0.0, testing::deepest(all));
+    ASSERT_LE(reach, threshold);
+    ASSERT_GE(reach, std::min(threshold, nearest + 0.1 * threshold) - 1e-5) << "case " << i;
+
+    std::vector<TrianglePair> found;
+    for (const NearPair& pair : near) found.push_back(pair.triangles);
+    std::ranges::sort(found);
+    ASSERT_EQ(std::ranges::adjacent_find(found), found.end()) << "case " << i;
+    for (const auto& [pair, distance] : distances) {
+      if (distance > reach) continue;
+      ASSERT_TRUE(std::ranges::binary_search(found, pair)) << "case " << i << ": " << distance;
+      ++within;
+    }
+    for (const TrianglePair& pair : found) {
+      const auto distance = distances.find(pair);
+      beyond += distance == distances.end() || distance->second > reach;
+    }
+    ++(reach < threshold ? reduced : whole);
+    meeting += nearest == 0.0;
+    if (reach < threshold && nearest + 0.1 * threshold < reach) {
+      ASSERT_LE(near.size(), 16384u) << "case " << i;
+    }
+  }
+  EXPECT_GT(reduced, 5);
+  EXPECT_GT(whole, 5);
+  EXPECT_GT(meeting, 5);
+  EXPECT_LT(beyond, within / 1000);
+}
+
+}  // namespace
+}  // namespace octoblisk
