@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/shared_corners.h"
 #include "geometry/polygon.h"
 
 namespace octoblisk::detail {
@@ -55,7 +56,8 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
   for (std::size_t c = 0; c < of_triangles; ++c) {
     const Contact of_triangle = contacts[c];
     const Triangle triangle = mesh.triangle(of_triangle.triangle_a);
-    Vec3 normal_in_mesh = scaledNormal(triangle).normalized();
+    const Vec3 facing = scaledNormal(triangle);
+    Vec3 normal_in_mesh = facing.normalized();
     const double along_contact = normal_in_mesh.dot(of_triangle.normal);
     if (!(std::abs(along_contact) > kNearlyAlong)) continue;
     if (along_contact < 0.0) normal_in_mesh = -normal_in_mesh;
@@ -63,17 +65,24 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
     const auto [number, along] = faceAlong(hull, normal);
     if (!(along > kNearlyAlong)) continue;
     const HullFace& face = hull.faces[number];
-    FlatPolygon shared(mesh_in_convex * triangle);
+    const Triangle triangle_in_convex = mesh_in_convex * triangle;
+    FlatPolygon shared(triangle_in_convex);
     cutToFace(shared, number, hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
-      const double gap = (face.normal.dot(corner) - face.offset) / along;
-      const double apart = gap - convex.radius();
+      // A corner of the triangle is pushed by the face; elsewhere the triangle pushes.
+      const bool is_of_triangle = hasCorner(triangle_in_convex, corner);
+      const Vec3 on_triangle = convex_in_mesh * corner;
+      if (is_of_triangle && (on_triangle - of_triangle.point_on_a).squaredNorm() < 1e-12 * facing.norm())
+        continue;  // the contact itself
+      const double height = face.normal.dot(corner) - face.offset;
+      const double apart = (is_of_triangle ? height : height / along) - convex.radius();
       if (apart > threshold) continue;
       // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
       const bool is_too_far_in = apart < of_triangle.distance;
       const double distance = is_too_far_in ? of_triangle.distance : apart;
-      const Vec3& out = is_too_far_in ? of_triangle.normal : normal_in_mesh;
-      const Vec3 on_triangle = convex_in_mesh * corner;
+      const Vec3 out = is_too_far_in    ? of_triangle.normal
+                       : is_of_triangle ? Vec3(convex_in_mesh.rotation * face.normal)
+                                        : normal_in_mesh;
       contacts.push_back(
           {on_triangle, on_triangle - distance * out, out, distance, of_triangle.triangle_a, kNoTriangle});
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -62,8 +63,9 @@ enum class Meeting : std::uint8_t { no, maybe, yes };
 struct NearPair {
   TrianglePair triangles;
   Meeting meeting = Meeting::maybe;
-  ClosestFeatures features;  ///< unknown where single precision did not show that the triangles are apart
-  float least_distance = 0.0f;
+  ClosestFeatures features;     ///< unknown where single precision did not show that the triangles are apart
+  float least_distance = 0.0f;  ///< a lower bound
+  float most_distance = std::numeric_limits<float>::infinity();  ///< an upper bound
 };
 
 /// The contact of two near triangles; none if they are farther apart than `threshold`.

@@ -29,8 +29,7 @@ void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double th
     apart.clear();
   };
   walkPairs<TraversalStack>(
-      a, b, pose, NodePair(), WidestGap(), limitNow,
-      [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+      a, b, pose, NodePair(), WidestGap(), limitNow, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         const float limit = limitNow();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
         auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
@@ -45,9 +44,13 @@ void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double th
           for (unsigned left = threshold > 0.0 ? close : meet | open; left != 0; left &= left - 1) {
             const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
             if (((meet | open) >> j & 1u) != 0) {
-              const bool surely = (meet >> j & 1u) != 0;
-              visit(NearPair{
-                  {leaves.triangleA(i), leaves.triangleB(j)}, surely ? Meeting::yes : Meeting::maybe, {}});
+              NearPair pair;
+              pair.triangles = {leaves.triangleA(i), leaves.triangleB(j)};
+              if ((meet >> j & 1u) != 0) {
+                pair.meeting = Meeting::yes;
+                pair.most_distance = 0.0f;
+              }
+              visit(pair);
             } else {
               apart.add(leaves, i, j);
               if (apart.isFull()) visitApart();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "query/near_pair.h"
@@ -24,6 +25,7 @@ class NearestPairs {
 
   void add(const NearPair& pair) {
     pairs_.push_back(pair);
+    nearest_ = std::min(nearest_, double(pair.most_distance));
     if (pairs_.size() >= many_) shrink();
   }
 
@@ -33,11 +35,9 @@ class NearestPairs {
 
   /// Keeps about half of the pairs, or more if more are nearly the nearest.
   void shrink() {
-    const auto distance = &NearPair::least_distance;
-    const double nearest = double(std::ranges::min_element(pairs_, {}, distance)->least_distance);
     const auto middle = pairs_.begin() + kMany / 2;
-    std::ranges::nth_element(pairs_, middle, {}, distance);
-    reach_ = std::min(reach_, std::max(double(middle->least_distance), nearest + surplus_));
+    std::ranges::nth_element(pairs_, middle, {}, &NearPair::least_distance);
+    reach_ = std::min(reach_, std::max(double(middle->least_distance), nearest_ + surplus_));
     std::erase_if(pairs_, [&](const NearPair& pair) { return double(pair.least_distance) > reach_; });
     many_ = std::max(kMany, 2 * pairs_.size());
   }
@@ -45,6 +45,7 @@ class NearestPairs {
   std::vector<NearPair>& pairs_;
   double reach_;
   const double surplus_;
+  double nearest_ = std::numeric_limits<double>::infinity();  // an upper bound of the least distance
   std::size_t many_ = kMany;
 };
 

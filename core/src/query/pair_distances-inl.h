@@ -44,7 +44,7 @@ class PairDistances {
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
     DistanceBounds8 result;
     least(of_a, of_b, closest, size, rounding).store(result.least.data());
-    (sqrt(closest.squared) * size + rounding).store(result.most.data());
+    most(closest, size, rounding).store(result.most.data());
     return result;
   }
 
@@ -55,18 +55,20 @@ class PairDistances {
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
     const Float8 apart = least(of_a, of_b, closest, size, rounding);
     const unsigned far = less(Float8(limit), apart);
-    float which[kLanes], along_a[kLanes], along_b[kLanes], distance[kLanes];
+    float which[kLanes], along_a[kLanes], along_b[kLanes], least_distance[kLanes], most_distance[kLanes];
     closest.which.store(which);
     closest.along_a.store(along_a);
     closest.along_b.store(along_b);
-    max(apart, Float8(0.0f)).store(distance);
+    max(apart, Float8(0.0f)).store(least_distance);
+    most(closest, size, rounding).store(most_distance);
     std::uint32_t count = 0;
     for (unsigned left = ((1u << count_) - 1u) & ~far; left != 0; left &= left - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
       near[count++] = {pairs_[k],
                        Meeting::no,
                        {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]},
-                       distance[k]};
+                       least_distance[k],
+                       most_distance[k]};
     }
     return count;
   }
@@ -107,6 +109,11 @@ class PairDistances {
                                  const Float8& size, const Float8& rounding) {
     const Float8 lost = Float8(0x1p-18f) * max(of_a.longest, of_b.longest);
     return (sqrt(max(closest.squared - lost, Float8(0.0f))) - max(of_a.thin, of_b.thin)) * size - rounding;
+  }
+
+  /// Upper bounds of the true distances.
+  static HWY_INLINE Float8 most(const Closest& closest, const Float8& size, const Float8& rounding) {
+    return sqrt(closest.squared) * size + rounding;
   }
 
   HWY_INLINE Triangle8 triangles(const Corners& corners) const {
