@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
+#include "contact/surface_contacts.h"
+#include "shared/block.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
@@ -65,6 +68,32 @@ TEST(NearPairs, allWithinTheReturnedDistance_vs_bruteForce) {
   EXPECT_GT(whole, 5);
   EXPECT_GT(meeting, 5);
   EXPECT_LT(beyond, within / 1000);
+}
+
+/// The reach shrinks at most to a tenth of the threshold beyond the nearest pair. Large triangles have
+/// inaccurate distances in single precision, and triangles in one plane may seem to meet.
+TEST(NearPairs, flatFacesStayWithinReach) {
+  constexpr double kThreshold = 0.035;
+  const auto blockTree = [](const Vec3& half, int steps) {
+    return ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block(half, steps)));
+  };
+  const ClusteredOctree fine = blockTree(Vec3::Constant(0.5), 92), floor = blockTree({4, 4, 0.5}, 1);
+  std::vector<NearPair> near;
+  SurfaceContacts surfaces;
+  std::vector<Contact> found;
+  int reduced = 0;
+  for (const ClusteredOctree* below : {&floor, &fine}) {
+    for (const double gap : {0.018, 0.006}) {
+      const Pose pose{Mat3::Identity(), {0, 0, 1.0 + gap}};
+      const double reach = nearPairs(treeOf(*below), treeOf(fine), pose, kThreshold, near);
+      EXPECT_GT(reach, gap + 0.1 * kThreshold - 1e-6);
+      reduced += reach < kThreshold;
+      surfaces.find(*below, fine, pose, kThreshold, found);
+      EXPECT_GE(found.size(), 4u);
+      EXPECT_NEAR(testing::deepest(found), gap, 1e-12);
+    }
+  }
+  EXPECT_GT(reduced, 1);
 }
 
 }  // namespace

@@ -221,5 +221,32 @@ TEST(FlatContacts, ofABoxThatCrossesASquare) {
   EXPECT_EQ(askew, 4);  // two corners of each tilted box
 }
 
+/// A rough mesh stands on its corners: on a flat face, all of them push along the face's normal.
+TEST(FlatContacts, ofARoughMeshPushAlongTheFace) {
+  std::mt19937_64 random(106);
+  const testing::SharedMesh sheet = testing::waveSheet(1.0, 0.0, 40);
+  std::vector<Vec3> vertices(sheet->vertices().begin(), sheet->vertices().end());
+  for (Vec3& vertex : vertices) vertex.z() += testing::uniform(random, -0.002, 0.002);
+  const ClusteredOctree tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
+      vertices, std::vector<TriangleMesh::Indices>(sheet->triangles().begin(), sheet->triangles().end())));
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), {0.5, 0.5, 0.2}});
+  constexpr double kThreshold = 0.01, kBottom = 0.003;
+  const Pose box_in_sheet{Mat3::Identity(), {0.01, 0.02, 0.2 + kBottom}};
+  std::vector<Contact> found;
+  contacts(tree, box, box_in_sheet, kThreshold, found);
+  const std::size_t of_triangles = found.size();
+  addFlatContacts(tree.mesh(), box, box_in_sheet, kThreshold, found);
+  std::size_t at_corners = 0;
+  for (std::size_t c = of_triangles; c < found.size(); ++c) {
+    const Vec3& place = found[c].point_on_a;
+    const auto isHere = [&](const Vec3& corner) { return (corner - place).norm() < 1e-12; };
+    if (std::ranges::none_of(tree.mesh().triangle(found[c].triangle_a), isHere)) continue;
+    ++at_corners;
+    ASSERT_NEAR(found[c].normal.z(), -1.0, 1e-12);
+    ASSERT_NEAR(found[c].distance, kBottom - place.z(), 1e-12);
+  }
+  EXPECT_GT(at_corners, 500u);
+}
+
 }  // namespace
 }  // namespace octoblisk

@@ -512,7 +512,8 @@ TEST(SurfaceContacts, fineMeshesHaveTheContactsOfASmallerThreshold) {
   std::vector<NearPair> near;
   for (int i = 0; i < 30; ++i) {
     Pose pose{Mat3(Eigen::AngleAxisd(uniform(random, 0.0, 3.0), Vec3::UnitZ())), Vec3::Zero()};
-    pose.translation = Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
+    pose.translation =
+        Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
     const double threshold = uniform(random, 0.1, 0.2);
     const double reach = nearPairs(treeOf(tree), treeOf(tree), pose, threshold, near);
     surfaces.find(tree, tree, pose, threshold, at_once);

@@ -113,8 +113,8 @@ void SurfaceContacts::findMeetingGroups() {
 /// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
 /// surely comes nearer beyond the edge or corner where they are closest. False if the contact would be past a
 /// face in a group that meets, because such a contact decides about others (isInner).
-bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair,
-                                    double threshold, bool group_meets) const {
+bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold,
+                                    bool group_meets) const {
   if (!features.areKnown()) return false;
   const Triangle &a = a_.triangle(pair), &b = b_.triangle(pair);
   const auto places = features.places(a, b);
