@@ -1,5 +1,7 @@
 #include "query/near_pairs.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/near_pairs.cpp"
 #include <hwy/foreach_target.h>
@@ -27,7 +29,8 @@ HWY_EXPORT(addNearPairs);
 
 double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
                  std::vector<NearPair>& near) {
-  NearestPairs nearest(near, threshold);
+  const double surplus = std::min(0.1 * threshold, std::min(a.radius(), b.radius()) / 500.0);
+  NearestPairs nearest(near, threshold, surplus);
   HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, nearest);
   return nearest.reach();
 }

@@ -14,9 +14,10 @@ namespace octoblisk::detail {
 /// triangles. If the pairs become many, the reach shrinks, and pairs beyond it are dropped.
 class NearestPairs {
  public:
-  /// Replaces the content of `pairs`.
-  NearestPairs(std::vector<NearPair>& pairs, double threshold)
-      : pairs_(pairs), reach_(threshold), surplus_(kSurplus * threshold) {
+  /// Replaces the content of `pairs`. The reach is `threshold` at first; it stays at least `surplus` beyond
+  /// the nearest pair.
+  NearestPairs(std::vector<NearPair>& pairs, double threshold, double surplus)
+      : pairs_(pairs), reach_(threshold), surplus_(surplus) {
     pairs_.clear();
   }
 
@@ -31,7 +32,6 @@ class NearestPairs {
 
  private:
   static constexpr std::size_t kMany = 16384;
-  static constexpr double kSurplus = 0.1;  // the least reach beyond the nearest pair, over the threshold
 
   /// Keeps about half of the pairs, or more if more are nearly the nearest.
   void shrink() {
