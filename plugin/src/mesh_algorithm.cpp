@@ -23,9 +23,8 @@
 namespace octoblisk::detail {
 namespace {
 
-// Fractions of the contact breaking threshold.
-constexpr double kCreated = 0.5;  // contacts are created within this distance
-constexpr double kStill = 0.2;    // bodies that have moved less keep their contacts
+/// Bodies that have moved less than this fraction of the contact breaking threshold keep their contacts.
+constexpr double kStill = 0.2;
 
 /// One body of a contact in the form that Bullet expects. A mesh is identified by part and triangle, and
 /// gContactAddedCallback sees the triangle itself as the shape. Any other body keeps its identifiers, e.g.
@@ -170,13 +169,14 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   substitute_.reset();
   const btCollisionObjectWrapper& mesh = mesh_is_body1_ ? *body1 : *body0;
   const btCollisionObjectWrapper& other = mesh_is_body1_ ? *body0 : *body1;
-  const PosedShapes shapes{
-      static_cast<const ClusteredOctreeShape&>(*mesh.m_shape), *other.m_shape,
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform())};
-  noticeChanges(shapes);
+  const auto& mesh_shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double breaking = double(std::min(
-      breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &shapes.mesh),
-      breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asClusters(shapes.other))));
+      breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &mesh_shape),
+      breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asClusters(*other.m_shape))));
+  const PosedShapes shapes{
+      mesh_shape, *other.m_shape,
+      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()), breaking};
+  noticeChanges(shapes);
   const double near = double(shapes.mesh.getMargin()) + marginOfOther(shapes.other) +
                       double(result->m_closestPointDistanceThreshold);
   // contactTest and similar functions use derived results.
@@ -197,7 +197,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
   }
-  showPatches(shapes, mesh, other, breaking, info.m_timeStep, *result);
+  showPatches(shapes, mesh, other, info.m_timeStep, *result);
 }
 
 void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
@@ -216,7 +216,7 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
 }
 
 void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
-                                const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
+                                const btCollisionObjectWrapper& other, btScalar time_step,
                                 btManifoldResult& result) {
   const std::span<const ContactPatch> patches = patches_.last();
   if (patches.empty() && manifolds_.empty()) return;
@@ -229,7 +229,7 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
   manifolds_.match(patches,
                    {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,
                     mesh_is_body1_},
-                   std::max(btScalar(breaking), rounding));
+                   std::max(btScalar(shapes.breaking), rounding));
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does

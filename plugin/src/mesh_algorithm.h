@@ -58,11 +58,16 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   }
 
  protected:
-  /// The shapes of the two bodies, and the other body's pose in the mesh's frame.
+  /// Contacts are created within this fraction of the contact breaking threshold.
+  static constexpr double kCreated = 0.5;
+
+  /// The shapes of the two bodies, the other body's pose in the mesh's frame, and the contact breaking
+  /// threshold of the pair.
   struct PosedShapes {
     const ClusteredOctreeShape& mesh;
     const btCollisionShape& other;
     Pose other_in_mesh;
+    double breaking;
   };
 
  private:
@@ -81,7 +86,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// `reach`, in the mesh's frame.
   virtual void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
-  /// The same, but contacts of the surfaces, without effects of internal edges.
+  /// The same, but contacts of the surfaces, without effects of internal edges. Where very many triangles are
+  /// near, contacts that are farther apart than the nearest by more than kCreated may be missing.
   virtual void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
     findContacts(shapes, reach, found);
   }
@@ -107,8 +113,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
 
   /// Passes the points of the patches to Bullet at the current poses.
   void showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
-                   const btCollisionObjectWrapper& other, double breaking, btScalar time_step,
-                   btManifoldResult& result);
+                   const btCollisionObjectWrapper& other, btScalar time_step, btManifoldResult& result);
 
   const bool mesh_is_body1_;
   const ShapeTypes types_;

@@ -29,7 +29,7 @@ void MeshMeshAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double re
                                             std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = clusters(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, found);
+  surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, kCreated * shapes.breaking, found);
   if (shape_a.isSolid() && shape_b.isSolid()) surface_contacts_.openPinches(found);
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);  // the triangles handle vertices that are less deep
 }

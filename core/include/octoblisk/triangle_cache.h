@@ -41,12 +41,12 @@ class TriangleCache {
 
   double displacementBound(const Pose& pose, const Pose& from) const;
   double reserveFor(const Pose& convex_in_tree, double radius) const;
-  void gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree, double reach,
-              double reserve);
+  void gather(const ClusteredOctree& tree, const Convex& convex, std::span<const Vec3> core,
+              const Pose& convex_in_tree, double reach, double reserve);
 
   const ClusteredOctree* tree_ = nullptr;
-  std::vector<Vec3> core_;        ///< points whose hull contains the body's core
-  Aabb bounds_;                   ///< of core_
+  std::vector<Vec3> core_;        ///< points whose hull contains the body's core, for the kept triangles
+  Aabb bounds_;                   ///< of these points at the last query
   double kept_reach_ = kNothing;  ///< from the core
   Pose kept_at_;
   std::optional<Pose> last_at_;  ///< at the last query

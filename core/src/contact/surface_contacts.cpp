@@ -62,10 +62,10 @@ void SurfaceContacts::clear() {
 }
 
 void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                           double threshold, std::vector<Contact>& found) {
+                           double threshold, double surplus, std::vector<Contact>& found) {
   found.clear();
   clear();
-  threshold = nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, near_);
+  threshold = nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, surplus, near_);
   bool meet = false;
   for (NearPair& near : near_) {
     const TrianglePair of = near.triangles;
@@ -111,8 +111,8 @@ void SurfaceContacts::findMeetingGroups() {
 }
 
 /// Whether two triangles that do not meet are surely within the threshold, and the surface of one of them
-/// surely comes nearer beyond the edge or corner where they are closest. False if the contact would be past a
-/// face in a group that meets, because such a contact decides about others (isInner).
+/// surely comes nearer beyond the edge or corner where they are closest. In a group that meets, false unless
+/// both triangles surely face each other there, because contacts past a face decide about others (isInner).
 bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair& pair, double threshold,
                                     bool group_meets) const {
   if (!features.areKnown()) return false;

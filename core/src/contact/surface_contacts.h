@@ -32,11 +32,12 @@ namespace octoblisk::detail {
 class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`: what filter makes of
-  /// octoblisk::contacts. Most contacts that filter would remove are not computed in the first place. Where
-  /// the closest points of two triangles are not unique, or nearly so, find may keep other contacts than
-  /// filter does. Allocates nothing once warm.
+  /// octoblisk::contacts. Where very many triangle pairs are within the threshold, uses a smaller one, but at
+  /// least the distance of the nearest pair plus `surplus`. Most contacts that filter would remove are not
+  /// computed in the first place. Where the closest points of two triangles are not unique, or nearly so,
+  /// find may keep other contacts than filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
-            std::vector<Contact>& found);
+            double surplus, std::vector<Contact>& found);
 
   /// Treats the contacts of A and B within `threshold`, which are in ascending order of triangles. Contacts
   /// of the last kind above get a normal perpendicular to a face; their distances stay. Contacts of the other

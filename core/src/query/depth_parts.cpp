@@ -10,7 +10,9 @@
 namespace octoblisk::detail {
 namespace {
 
-bool areMeeting(const Triangle& a, const Triangle& b) { return boundsOf(a).meets(boundsOf(b)) && intersects(a, b); }
+bool areMeeting(const Triangle& a, const Triangle& b) {
+  return boundsOf(a).meets(boundsOf(b)) && intersects(a, b);
+}
 
 /// How far along the segment from `point` to `other` the foot on the triangle's plane leaves the triangle; 1
 /// if it does not, 0 if it is already outside.

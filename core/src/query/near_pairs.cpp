@@ -1,7 +1,5 @@
 #include "query/near_pairs.h"
 
-#include <algorithm>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "query/near_pairs.cpp"
 #include <hwy/foreach_target.h>
@@ -27,9 +25,8 @@ namespace {
 HWY_EXPORT(addNearPairs);
 }
 
-double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
+double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, double surplus,
                  std::vector<NearPair>& near) {
-  const double surplus = std::min(0.1 * threshold, std::min(a.radius(), b.radius()) / 500.0);
   NearestPairs nearest(near, threshold, surplus);
   HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, nearest);
   return nearest.reach();

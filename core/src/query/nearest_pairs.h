@@ -21,7 +21,7 @@ class NearestPairs {
     pairs_.clear();
   }
 
-  /// All pairs of a larger distance are of no interest.
+  /// Pairs that are farther apart need not be added.
   double reach() const { return reach_; }
 
   void add(const NearPair& pair) {
@@ -33,7 +33,7 @@ class NearestPairs {
  private:
   static constexpr std::size_t kMany = 16384;
 
-  /// Keeps about half of the pairs, or more if more are nearly the nearest.
+  /// Keeps the nearest kMany / 2 pairs, and all that are within the surplus.
   void shrink() {
     const auto middle = pairs_.begin() + kMany / 2;
     std::ranges::nth_element(pairs_, middle, {}, &NearPair::least_distance);

@@ -82,8 +82,8 @@ double TriangleCache::reserveFor(const Pose& convex_in_tree, double radius) cons
 }
 
 /// Finds the triangles within the reach plus the reserve. Keeps them if there is a reserve.
-void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
-                           double reach, double reserve) {
+void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, std::span<const Vec3> core,
+                           const Pose& convex_in_tree, double reach, double reserve) {
   found_.clear();
   found_.reserve(4 * kLanes);
   forEachTriangleNear(tree, convex, convex_in_tree, reach + reserve, [this](std::uint32_t triangle) {
@@ -92,6 +92,7 @@ void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, co
   });
   kept_reach_ = kNothing;
   if (reserve == 0.0) return;
+  core_.assign(core.begin(), core.end());
   kept_.resize((found_.size() + kLanes - 1) / kLanes);
   for (std::size_t b = 0; b < kept_.size(); ++b) {
     const std::size_t begin = b * kLanes, count = std::min<std::size_t>(kLanes, found_.size() - begin);
@@ -117,8 +118,7 @@ std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, 
   };
   if (!areKept()) {
     const double reserve = reserveFor(convex_in_tree, convex.radius());
-    gather(tree, convex, convex_in_tree, reach, reserve);
-    if (reserve > 0.0) core_.assign(points.begin(), points.end());
+    gather(tree, convex, points, convex_in_tree, reach, reserve);
   }
   last_at_ = convex_in_tree;
   if (kept_reach_ == kNothing) return found_;
