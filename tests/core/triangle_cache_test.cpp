@@ -120,6 +120,23 @@ TEST(TriangleCache, followARadiusThatGrows) {
   EXPECT_GT(before, 10u);
 }
 
+TEST(TriangleCache, followACoreThatGrowsWithinItsBounds) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::waveSheet(2.0, 0.0, 40));
+  std::vector<Vec3> corners;
+  for (int c = 0; c < 8; ++c)
+    corners.emplace_back(c & 1 ? 0.5 : -0.5, c & 2 ? 0.5 : -0.5, c & 4 ? 0.5 : -0.5);
+  const ConvexHull tetrahedron({corners[0], corners[3], corners[5], corners[6]}), box(corners);
+  Pose pose{Mat3::Identity(), {0.01, 0.02, 0.51}};
+  TriangleCache near;
+  std::vector<std::size_t> hits;
+  for (const ConvexHull* body : {&tetrahedron, &tetrahedron, &tetrahedron, &box}) {
+    pose.translation.x() += 1e-4;
+    hits.push_back(checkedContacts(tree, *body, pose, 0.02, near).size());
+  }
+  EXPECT_GT(hits[2], 0u);
+  EXPECT_GT(hits[3], 3 * hits[2] / 2);
+}
+
 TEST(TriangleCache, forgetTrianglesThatHaveMoved) {
   const testing::SharedMesh mesh = testing::torus(2, 0.7, 24, 12);
   ClusteredOctree tree = ClusteredOctree::build(mesh);

@@ -275,6 +275,30 @@ TEST(ConcaveDynamics, wheelsRoll_vs_closedForm) {
   }
 }
 
+/// A fine block tips onto a fine floor. So many triangles are near its lower edge that the others get no
+/// contacts until they are nearly as near.
+TEST(ConcaveDynamics, fineBlocksThatTipOverAreStoppedInTime) {
+  ClusteredOctreeShape floor =
+      shapeOver(std::make_shared<const TriangleMesh>(testing::block({1, 1, 0.2}, 140)));
+  const Vec3 half(0.5, 0.5, 0.2);
+  ClusteredOctreeShape body = shapeOver(std::make_shared<const TriangleMesh>(testing::block(half, 70)));
+  for (const double tilt : {0.005, 0.017}) {
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, -0.2));
+    const btQuaternion tilted(btVector3(btScalar(0.3), 1, 0).normalized(), btScalar(tilt));
+    const double height = half.z() * std::cos(tilt) + half.x() * std::sin(tilt) + 0.001;
+    btRigidBody& falling = world.add(body, 1, at(0, 0, height) * btTransform(tilted));
+    double lowest = 0.0;
+    for (int step = 0; step < 60; ++step) {
+      world.step(1, 1.0 / 60.0);
+      const Pose pose = fromBullet(falling.getWorldTransform());
+      for (const Vec3& corner : Aabb{-half, half}.corners()) lowest = std::min(lowest, (pose * corner).z());
+    }
+    EXPECT_GT(lowest, -0.0015) << "a tenth of the contact breaking threshold, at a tilt of " << tilt;
+    EXPECT_LT(falling.getWorldTransform().getOrigin().z(), half.z() + 0.02);
+  }
+}
+
 /// A rough mesh slides down a box by 20° for 1.5 s. Its triangles lean by up to 10°. When they pushed along
 /// their own normals, such a body drifted and slid a fifth less.
 TEST(ConcaveDynamics, roughMeshesSlideDownABox_vs_closedForm) {
