@@ -24,6 +24,7 @@ Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
 /// apart. The manifold's normals are those of the last step.
 double squaredDifference(const ContactPatch& patch, const btPersistentManifold& manifold,
                          const PatchesMesh& mesh, double length) {
+  if (manifold.getNumContacts() == 0) return std::numeric_limits<double>::infinity();
   const Contact& deepest = patch.contacts[0];
   const Vec3 place = onMargin(deepest, mesh);
   const Vec3 normal = (mesh.is_body1 ? -1.0 : 1.0) * (mesh.in_world.rotation * deepest.normal);

@@ -123,6 +123,10 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
   }
   patches_.clear();
   others_.clear();
+  if (contacts.size() == 1) {
+    patches_.emplace_back().add(contacts[0]);
+    return patches_;
+  }
   order_.resize(contacts.size());
   std::iota(order_.begin(), order_.end(), 0u);
   std::ranges::sort(order_, {}, [&](std::uint32_t i) { return byDepth(contacts[i]); });
