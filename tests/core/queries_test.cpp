@@ -112,7 +112,7 @@ TEST_P(Queries, convex_vs_bruteforce) {
       bool meet = false;
       for (std::size_t c = 0; c < found.size(); ++c) {
         ASSERT_EQ(found[c].triangle_a, expected[c].triangle_a);
-        ASSERT_EQ(found[c].distance, expected[c].distance);
+        ASSERT_NEAR(found[c].distance, expected[c].distance, 1e-14);
         ASSERT_TRUE(found[c].point_on_b.isApprox(pose * expected[c].point_on_b, 1e-12));
         meet |= found[c].distance <= 0.0;
       }

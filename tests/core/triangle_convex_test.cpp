@@ -218,6 +218,47 @@ TEST(TriangleConvex, spheresAndCapsulesEqualSearches) {
   EXPECT_LT(seen.cores_meet, seen.cases * 7 / 10);
 }
 
+using LongVec3 = Eigen::Matrix<long double, 3, 1>;
+
+/// The distance of a point to a triangle, with 11 more bits.
+double longDistance(const Triangle& triangle, const Vec3& point) {
+  std::array<LongVec3, 3> corner;
+  for (std::size_t v = 0; v < 3; ++v) corner[v] = triangle[v].cast<long double>();
+  const LongVec3 from = point.cast<long double>();
+  const LongVec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  bool is_over = normal.squaredNorm() > 0.0L;
+  long double least = std::numeric_limits<long double>::infinity();
+  for (std::size_t v = 0; v < 3; ++v) {
+    const LongVec3 edge = corner[(v + 1) % 3] - corner[v], offset = from - corner[v];
+    if (normal.dot(edge.cross(offset)) < 0.0L) is_over = false;
+    const long double part = std::clamp(edge.dot(offset) / edge.squaredNorm(), 0.0L, 1.0L);
+    if (edge.squaredNorm() > 0.0L) least = std::min(least, (part * edge - offset).norm());
+  }
+  if (is_over) least = std::min(least, std::abs(normal.normalized().dot(from - corner[0])));
+  return static_cast<double>(least);
+}
+
+TEST(TriangleConvex, spheresOnSlivers_vs_long_double) {
+  std::mt19937_64 random(108);
+  int cases = 0, over = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    const Triangle triangle = awkwardTriangle(random, i % 2);
+    const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
+    const Vec3 on_it = triangle[0] + u * (triangle[1] - triangle[0]) + v * (triangle[2] - triangle[0]);
+    const Vec3 center = on_it + randomPoint(random, std::pow(10.0, uniform(random, -12, 0)));
+    const double expected = longDistance(triangle, center), radius = i % 3 ? 0.1 : 0.0;
+    const auto contact = contactOf(triangle, ConvexHull({center}, radius), kFar);
+    ASSERT_TRUE(contact);
+    ASSERT_NEAR(contact->distance, expected - radius, 1e-7) << "case " << i;
+    ASSERT_NEAR((closestPoint(triangle, center) - center).norm(), expected, 1e-7) << "case " << i;
+    ASSERT_NEAR(contact->normal.norm(), 1.0, 1e-12) << "case " << i;
+    ASSERT_LE(longDistance(triangle, contact->point_on_a), 1e-9) << "case " << i;
+    ++cases;
+    over += expected < 0.01;
+  }
+  EXPECT_GT(over, cases / 2);
+}
+
 TEST(TriangleConvex, flatOnEachOtherTheyTouchInTheMiddle) {
   // Half of the box extends beyond the floor's edge. The shared area is 1 x 2.
   const Triangle floor = {Vec3(0, -100, 0), Vec3(0, 100, 0), Vec3(-100, 0, 0)};

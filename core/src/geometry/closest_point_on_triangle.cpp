@@ -1,7 +1,7 @@
+#include "geometry/closest_point_on_triangle.h"
+
 #include <algorithm>
 #include <limits>
-
-#include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk {
 namespace {
@@ -18,35 +18,37 @@ Vec3 closestOnSegment(const Vec3& from, const Vec3& to, const Vec3& point) {
 
 }  // namespace
 
-Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
+detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const Vec3& normal,
+                                                 const Vec3& point) {
   const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a, ac = c - a, offset = point - a;
-  const Vec3 normal = ab.cross(ac);
   const double squared = normal.squaredNorm();
   const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
-  constexpr double kFlat = 1e-24;  // of sin²; below this, the normal is mostly rounding
-  const bool flat = !(squared > kFlat * longest * longest);
+  constexpr double kThin = 1e-12;  // of sin²; below this, the foot is uncertain, and edges may be nearer
+  const bool thin = !(squared > kThin * longest * longest);
   // Twice the areas of the triangles that the foot forms with each edge, times the normal's length.
   const Vec3 turned = offset.cross(normal);
   const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
-  if (!flat && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0) {
-    return point - normal * (normal.dot(offset) / squared);
-  }
+  const bool is_over = squared > 0.0 && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0;
+  if (is_over && !thin) return {point - normal * (normal.dot(offset) / squared), true};
   // Otherwise the closest point is on an edge that separates the foot from the triangle.
-  Vec3 closest = a;
+  ClosestOnTriangle closest{a, false};
   double least = std::numeric_limits<double>::infinity();
-  const auto tryEdge = [&](const Vec3& from, const Vec3& to) {
-    const Vec3 candidate = closestOnSegment(from, to, point);
+  const auto offer = [&](const Vec3& candidate, bool is_foot) {
     const double distance = (candidate - point).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      closest = candidate;
-    }
+    if (!(distance < least)) return;
+    least = distance;
+    closest = {candidate, is_foot};
   };
-  if (flat || at_ab < 0.0) tryEdge(a, b);
-  if (flat || at_bc < 0.0) tryEdge(b, c);
-  if (flat || at_ca < 0.0) tryEdge(c, a);
+  if (is_over) offer((at_bc * a + at_ca * b + at_ab * c) / squared, true);
+  if (thin || at_ab < 0.0) offer(closestOnSegment(a, b, point), false);
+  if (thin || at_bc < 0.0) offer(closestOnSegment(b, c, point), false);
+  if (thin || at_ca < 0.0) offer(closestOnSegment(c, a, point), false);
   return closest;
+}
+
+Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {
+  return detail::closestPointOf(triangle, scaledNormal(triangle), point).point;
 }
 
 }  // namespace octoblisk

@@ -1,7 +1,5 @@
 #include "geometry/triangle_convex.h"
 
-#include <algorithm>
-
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 #include "geometry/triangle_polyhedron.h"
@@ -27,19 +25,10 @@ std::optional<CoreContact> searched(const Triangle& triangle, const Convex& conv
   return CoreContact{distance, apart / distance, search.on_triangle, search.on_core};
 }
 
-/// Whether the triangle's normal is mostly rounding. Searches do not need the normal.
-bool isThin(const Triangle& triangle) {
-  constexpr double kThinnest = 1e-6;  // relative to its length
-  const double longest =
-      std::max({(triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[1]).squaredNorm(),
-                (triangle[0] - triangle[2]).squaredNorm()});
-  return !(scaledNormal(triangle).norm() > kThinnest * longest);
-}
-
 std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
-  if (isThin(triangle)) return searched(triangle, convex, limit);
   const std::span<const Vec3> points = convex.points();
-  if (points.size() == 1) return contactOfPoint(triangle, points[0]);
+  if (points.size() == 1) return contactOfPoint(triangle, points[0], limit);
+  if (isThin(triangle, scaledNormal(triangle))) return searched(triangle, convex, limit);  // needs no normal
   if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
   const HullFaces faces = convex.faces();
   if (faces.empty()) return searched(triangle, convex, limit);
@@ -55,15 +44,35 @@ std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex&
   return searched(triangle, convex, limit);
 }
 
-}  // namespace
-
-std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold) {
-  const double radius = convex.radius();
-  const std::optional<CoreContact> core = contactOfCore(triangle, convex, threshold + radius);
+/// The contact with the body around the core, if it is within the threshold.
+std::optional<Contact> grown(const std::optional<CoreContact>& core, double radius, double threshold) {
   if (!core || core->distance - radius > threshold) return std::nullopt;
   return Contact{core->on_triangle, core->on_core + radius * core->normal,
                  core->normal,      core->distance - radius,
                  kNoTriangle,       kNoTriangle};
+}
+
+}  // namespace
+
+std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold) {
+  const double radius = convex.radius();
+  return grown(contactOfCore(triangle, convex, threshold + radius), radius, threshold);
+}
+
+PosedConvex::PosedConvex(const Convex& convex, const Pose& pose)
+    : convex_(convex), pose_(pose), inverse_(pose.inverse()), radius_(convex.radius()) {
+  if (convex.points().size() == 1) center_ = pose * convex.points()[0];
+}
+
+std::optional<Contact> PosedConvex::contactWith(const Triangle& triangle, double threshold) const {
+  if (center_) return grown(contactOfPoint(triangle, *center_, threshold + radius_), radius_, threshold);
+  std::optional<Contact> contact = contactOf(inverse_ * triangle, convex_, threshold);
+  if (contact) {
+    contact->point_on_a = pose_ * contact->point_on_a;
+    contact->point_on_b = pose_ * contact->point_on_b;
+    contact->normal = pose_.rotation * contact->normal;
+  }
+  return contact;
 }
 
 }  // namespace octoblisk::detail

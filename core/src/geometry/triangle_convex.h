@@ -14,4 +14,21 @@ namespace octoblisk::detail {
 /// separates the triangle from the body.
 std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex, double threshold);
 
+/// A convex body (B) among triangles (A) of another frame.
+class PosedConvex {
+ public:
+  /// The convex body and its pose in the triangles' frame must outlive the object.
+  PosedConvex(const Convex& convex, const Pose& pose);
+
+  /// Like contactOf, in the triangles' frame.
+  std::optional<Contact> contactWith(const Triangle& triangle, double threshold) const;
+
+ private:
+  const Convex& convex_;
+  const Pose& pose_;
+  const Pose inverse_;
+  const double radius_;
+  std::optional<Vec3> center_;  // of a ball
+};
+
 }  // namespace octoblisk::detail

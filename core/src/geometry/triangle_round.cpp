@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "geometry/closest_point_on_triangle.h"
 #include "geometry/segment_pair.h"
 #include "geometry/triangle_feature.h"
 
@@ -123,21 +123,24 @@ class SegmentContact {
 
 }  // namespace
 
-CoreContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
-  const Vec3 closest = closestPoint(triangle, point);
-  const Vec3 apart = closest - point;
-  const double distance = apart.norm();
+std::optional<CoreContact> contactOfPoint(const Triangle& triangle, const Vec3& point, double limit) {
   const Vec3 scaled = scaledNormal(triangle);
+  const auto [closest, is_foot] = closestPointOf(triangle, scaled, point);
+  const Vec3 apart = closest - point;
+  const double squared = apart.squaredNorm();
+  if (squared > limit * limit) return std::nullopt;
   // If the point is nearer than the triangle is wide, the triangle's normal is more accurate than the
   // difference of two points.
-  const bool is_over = distance * distance < scaled.norm() && isOver(triangle, scaled, point);
-  if (is_over || distance <= kTouching * (point - triangle[0]).norm()) {
-    const Vec3 facing = scaled.normalized();
-    const double height = facing.dot(point - triangle[0]);
+  const bool is_near = squared * squared < scaled.squaredNorm();
+  const bool touches = squared <= kTouching * kTouching * (point - triangle[0]).squaredNorm();
+  if ((is_foot && is_near && !isThin(triangle, scaled)) || touches) {
+    const Vec3 facing = scaled.isZero(0.0) ? Vec3(Vec3::UnitX()) : Vec3(scaled.normalized());
+    const double height = -facing.dot(apart);
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);
-    return {std::abs(height), normal, closest, closest - std::abs(height) * normal};
+    return CoreContact{std::abs(height), normal, closest, closest - std::abs(height) * normal};
   }
-  return {distance, apart / distance, closest, point};
+  const double distance = std::sqrt(squared);
+  return CoreContact{distance, apart / distance, closest, point};
 }
 
 CoreContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to) {

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "geometry/triangle_convex.h"
 #include "geometry/triangle_pair.h"
 
 namespace octoblisk::detail {
@@ -72,12 +71,12 @@ Clearance Nearest::settled() {
 }
 
 bool NearestToConvex::offer(std::uint32_t triangle) {
-  const std::optional<Contact> contact = contactOf(a_in_b_ * a_.triangle(triangle), b_, best_.distance);
+  const std::optional<Contact> contact = b_.contactWith(a_.triangle(triangle), best_.distance);
   if (!contact || contact->distance >= best_.distance) return false;
   const bool meet = contact->distance <= 0.0;
   best_.distance = meet ? 0.0 : contact->distance;
-  best_.point_on_b = b_in_a_ * contact->point_on_b;
-  best_.point_on_a = meet ? best_.point_on_b : b_in_a_ * contact->point_on_a;
+  best_.point_on_b = contact->point_on_b;
+  best_.point_on_a = meet ? best_.point_on_b : contact->point_on_a;
   best_.triangle_a = triangle;
   return meet;
 }

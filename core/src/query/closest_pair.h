@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "geometry/triangle_convex.h"
 #include "octoblisk/distance.h"
 #include "query/local_pose.h"
 
@@ -77,7 +78,7 @@ class Nearest {
 class NearestToConvex {
  public:
   NearestToConvex(const TriangleMesh& a, const Convex& b, const Pose& b_in_a, const DistanceOptions& options)
-      : a_(a), b_(b), b_in_a_(b_in_a), a_in_b_(b_in_a.inverse()), tolerance_(options.tolerance) {
+      : a_(a), b_(b, b_in_a), tolerance_(options.tolerance) {
     best_.distance = options.upper_bound;
   }
 
@@ -91,9 +92,7 @@ class NearestToConvex {
 
  private:
   const TriangleMesh& a_;
-  const Convex& b_;
-  const Pose& b_in_a_;
-  const Pose a_in_b_;
+  const PosedConvex b_;
   const double tolerance_;
   Clearance best_;
 };

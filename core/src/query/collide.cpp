@@ -74,10 +74,9 @@ void touchingPairs(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
 
 std::optional<std::uint32_t> collide(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a) {
   std::optional<std::uint32_t> hit;
-  const Pose a_in_b = b_in_a.inverse();
+  const PosedConvex posed(b, b_in_a);
   forEachTriangleNear(a, b, b_in_a, 0.0, [&](std::uint32_t triangle) {
-    const auto contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, 0.0);
-    if (!contact || contact->distance > 0.0) return false;
+    if (!posed.contactWith(a.mesh().triangle(triangle), 0.0)) return false;
     hit = triangle;
     return true;
   });

@@ -44,15 +44,12 @@ template <typename ForEach>
 void findConvexContacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, double threshold,
                         std::vector<Contact>& found, ForEach&& forEachTriangle) {
   found.clear();
-  const Pose a_in_b = b_in_a.inverse();
+  const PosedConvex posed(b, b_in_a);
   forEachTriangle([&](std::uint32_t triangle) {
-    std::optional<Contact> contact = contactOf(a_in_b * a.mesh().triangle(triangle), b, threshold);
-    if (!contact) return false;
-    contact->point_on_a = b_in_a * contact->point_on_a;
-    contact->point_on_b = b_in_a * contact->point_on_b;
-    contact->normal = b_in_a.rotation * contact->normal;
-    contact->triangle_a = triangle;
-    found.push_back(*contact);
+    if (const std::optional<Contact> contact = posed.contactWith(a.mesh().triangle(triangle), threshold)) {
+      found.push_back(*contact);
+      found.back().triangle_a = triangle;
+    }
     return false;
   });
   std::ranges::sort(found, {}, byTriangles);
