@@ -16,7 +16,8 @@ inline bool intersects(const TriangleMesh& a, const TriangleMesh& b, const Pose&
 }
 
 /// The closest points of two triangles that do not meet. The normal points from b to a. The distance is above
-/// 0 and accurate to about 1e-14 of the triangles' size. Lengths below 1e-70 count as 0.
+/// 0. It is accurate to about 1e-14 of the triangles' size, between slivers to 1e-7. Lengths below 1e-70
+/// count as 0.
 Contact closestPoints(const Triangle& a, const Triangle& b);
 
 /// The contact of two triangles that meet. The distance is minus the length of the shortest translation along
