@@ -92,14 +92,11 @@ class HullBuilder {
     for (std::size_t place = 0; place < rest_count_; ++place) {
       const Vec3& point = points_[rest_[place]];
       const double found = measure(point);
-      if (found > best.measure || (found == best.measure && isBefore(points_[rest_[best.place]], point)))
+      if (found > best.measure ||
+          (found == best.measure && std::ranges::lexicographical_compare(points_[rest_[best.place]], point)))
         best = {found, place};
     }
     return best;
-  }
-
-  static bool isBefore(const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   }
 
   std::uint32_t takeCorner(std::size_t place) {

@@ -43,15 +43,12 @@ class FarthestVertex {
   void visit(const Triangle& triangle) {
     for (const Vec3& corner : triangle) {
       const double reach = direction_.dot(corner);
-      if (reach < reach_ || (reach == reach_ && !isBefore(corner, vertex_))) continue;
+      // Of equally far vertices, the first by coordinates: the answer depends on the mesh alone.
+      if (reach < reach_ || (reach == reach_ && !std::ranges::lexicographical_compare(corner, vertex_)))
+        continue;
       reach_ = reach;
       vertex_ = corner;
     }
-  }
-
-  /// Of equally far vertices, the first by coordinates: the answer depends on the mesh alone.
-  static bool isBefore(const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
   }
 
   double reachOf(const Obb& box) const {
