@@ -95,9 +95,8 @@ std::optional<LineCrossing> crossing(const Vec3& origin, const Vec3& direction, 
   if (verdict == Verdict::crossed) return found;
   const auto& [a, b, c] = triangle;
   int positive = 0, negative = 0;
-  for (int i = 0; i < 3; ++i) {
-    const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>((i + 1) % 3);
-    const int side = sideOfLine(origin, direction, triangle[from], triangle[to]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int side = sideOfLine(origin, direction, triangle[i], triangle[(i + 1) % 3]);
     positive += side > 0;
     negative += side < 0;
     if (positive != 0 && negative != 0) return std::nullopt;
