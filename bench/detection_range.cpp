@@ -21,10 +21,7 @@ double DetectionRange::orientedVolume() const {
 DetectionRange detectionRange(const TriangleMesh& mesh, const PartClusterOptions& options) {
   std::vector<Vec3> centroids;
   centroids.reserve(mesh.triangleCount());
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    const auto [a, b, c] = mesh.triangle(t);
-    centroids.emplace_back((a + b + c) / 3.0);
-  }
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) centroids.push_back(centroidOf(mesh.triangle(t)));
   DetectionRange range;
   for (const std::vector<TriangleSet>& part : partClusters(centroids, options)) {
     for (const TriangleSet& cluster : part) {
