@@ -53,9 +53,9 @@ struct SceneSize {
 ///   300k          the default belt over the default blisk of about 300 thousand triangles
 ///   belt-20k      a belt of about 20 thousand triangles over the blisk of 300k
 ///   1000-bodies   1000 bodies over the blisk of 50k
-///   500-triangles a torus of 500 triangles and radii 1 and 0.35 in place of the blisk. No
-///                 belt. The path is 2,000 random poses of a primitive. The origin of the primitive is
-///                 outside the torus, 0.05 to 0.19 from the surface
+///   500-triangles a torus of 500 triangles and radii 1 and 0.35 in place of the blisk. No belt. The path is
+///                 2,000 random poses of a primitive. The origin of the primitive is outside the torus, 0.05
+///                 to 0.19 from the surface
 /// The path is the same for all blisks. It runs there and back over both sides of a blade in steps of about 1
 /// mm, with approach and retraction. The belt is pressed in and lifted off by seeded, smooth amounts. Throws
 /// std::invalid_argument for any other name.

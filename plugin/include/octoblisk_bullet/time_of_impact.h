@@ -38,8 +38,8 @@ struct StepImpact {
 ///
 /// At the fraction, the distance is at most (1 + options.slack) · tolerance, after subtracting the margins.
 /// Tolerances from 0 up to a few units in the last place of the scene's size count as that length. Values
-/// below 0 select the default: half the distance within which a step creates contacts of the
-/// two parts. Throws std::invalid_argument if a body has no shape, or if no two parts can be compared.
+/// below 0 select the default: half the distance within which a step creates contacts of the two parts.
+/// Throws std::invalid_argument if a body has no shape, or if no two parts can be compared.
 std::optional<StepImpact> timeOfImpact(const btCollisionObject& a, const btCollisionObject& b, btScalar dt,
                                        btScalar tolerance = -1, const SweepOptions& options = {});
 
