@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSameDirection = 0.70710678118654752;  // the cosine of 45°
 constexpr double kSameNormal = 0.99619469809174553;     // the cosine of 5°
-constexpr double kPreference = 1.5;    // factor for lengths and areas of contacts kept from the last call
+constexpr double kPreference = 1.5;    // factor for the scores of contacts kept from the last call
 constexpr double kHardlyDeeper = 0.1;  // a difference of depths that does not count, over the spacing
 
 /// Deepest first; contacts of equal depth by triangles and positions.

@@ -9,13 +9,13 @@
 
 namespace octoblisk::detail {
 
-/// Appends contacts to those of a mesh (A) and a convex body (B). For each triangle that is nearly parallel
-/// to a face of B (Convex::faces), these are the corners of the area that face and triangle share. At a
-/// corner of the triangle, the face pushes along its normal, because a rough mesh stands on such corners. At
-/// other corners, the triangle pushes along its own normal. A corner that is deeper than the triangle's
-/// contact takes that contact's normal and distance. Only corners where the two are no farther apart than
-/// `threshold` count, and none at the triangle's own contact. Contacts are in the mesh's frame. Allocates
-/// nothing if the capacity of `contacts` suffices.
+/// Appends contacts to those of a mesh (A) and a convex body (B). If a contact is nearly perpendicular to its
+/// triangle, and a face of B (Convex::faces) nearly parallel to it, these are the corners of the area that
+/// face and triangle share. At a corner of the triangle, the face pushes along its normal, because a rough
+/// mesh stands on such corners; none is added where the contact itself is. At other corners, the triangle
+/// pushes along its own normal. A corner that is deeper than the contact takes its normal and distance. Only
+/// corners where the two are no farther apart than `threshold` count. Contacts are in the mesh's frame.
+/// Allocates nothing if the capacity of `contacts` suffices.
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                      double threshold, std::vector<Contact>& contacts);
 

@@ -24,7 +24,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls put(lane, gap) for each of the eight gaps that is at most `limit`.
+/// Calls put(lane, gap) for each of the eight gaps that is at most `limit`, the greatest first.
 template <typename Put>
 HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   unsigned near = kAllLanes & ~less(Float8(limit), gap);
