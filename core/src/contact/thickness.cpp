@@ -11,15 +11,11 @@ double thinThickness(const ClusteredOctree& tree) {
   constexpr std::size_t kSamples = 64, kThin = kSamples / 10;
   const TriangleMesh& mesh = tree.mesh();
   std::vector<double> area_up_to(mesh.triangleCount());
-  double area = 0.0, volume = 0.0;
+  double area = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const Triangle triangle = mesh.triangle(t);
-    const Vec3 normal = scaledNormal(triangle);
-    area += 0.5 * normal.norm();
-    volume += normal.dot(triangle[0] - mesh.bounds().center());
+    area += 0.5 * scaledNormal(mesh.triangle(t)).norm();
     area_up_to[t] = area;
   }
-  const double towards_inside = volume < 0.0 ? 1.0 : -1.0;  // the mesh as a whole may face inward
   // Rays start slightly inside, so that they do not hit their own triangle.
   const double inward = 1e-6 * mesh.bounds().halfExtents().norm();
   std::vector<double> thickness;
@@ -28,7 +24,7 @@ double thinThickness(const ClusteredOctree& tree) {
     const auto t = std::ranges::lower_bound(area_up_to, at) - area_up_to.begin();
     const Triangle triangle = mesh.triangle(static_cast<std::uint32_t>(t));
     Ray ray;
-    ray.direction = towards_inside * scaledNormal(triangle).normalized();
+    ray.direction = -scaledNormal(triangle).normalized();
     ray.origin = centroidOf(triangle) + inward * ray.direction;
     if (const auto hit = closestHit(tree, ray)) thickness.push_back(inward + hit->t);
   }
