@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "geometry/epa.h"
 #include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
@@ -383,6 +385,31 @@ TEST(TriangleConvex, aLargeTriangleDoesNotWidenTheTolerance) {
     ASSERT_TRUE(contact) << "case " << i;
     ASSERT_NEAR(contact->distance, -0.005, 1e-5) << "case " << i;
   }
+}
+
+/// A body may know the faces of more points than the search of axes has room for.
+TEST(TriangleConvex, manyFaces) {
+  class Prism final : public Convex {
+   public:
+    Prism() {
+      for (int side = 0; side < 400; ++side) {
+        const Mat3 turn =
+            Eigen::AngleAxisd(0.005 * std::numbers::pi * side, Vec3::UnitZ()).toRotationMatrix();
+        for (const double z : {-1.0, 1.0}) points_.emplace_back(turn * Vec3(1, 0, z));
+        faces_.push_back({turn.col(0), 1.0});
+      }
+    }
+    Vec3 support(const Vec3& direction) const override { return farthest(points_, direction); }
+    std::span<const Vec3> points() const override { return points_; }
+    HullFaces faces() const override { return {faces_, {}}; }
+
+   private:
+    std::vector<Vec3> points_;
+    std::vector<HullFace> faces_;
+  };
+  const auto contact = contactOf({Vec3(3, 0, 0), Vec3(4, 1, 0), Vec3(4, 0, 1)}, Prism(), 5.0);
+  ASSERT_TRUE(contact);
+  EXPECT_NEAR(contact->distance, 2.0, 1e-9);
 }
 
 TEST(TriangleConvex, refusesBadHulls) {

@@ -31,7 +31,7 @@ std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex&
   if (isThin(triangle, scaledNormal(triangle))) return searched(triangle, convex, limit);  // needs no normal
   if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
   const HullFaces faces = convex.faces();
-  if (faces.empty()) return searched(triangle, convex, limit);
+  if (faces.empty() || points.size() > HullFaceList::kMaxPoints) return searched(triangle, convex, limit);
   const AxisSearch along = searchAxes(triangle, points, faces, limit);
   switch (along.verdict) {
     case AxisSearch::Verdict::beyond_limit:
