@@ -11,8 +11,8 @@
 namespace octoblisk {
 
 /// What inside and depth queries need to know of a mesh, in addition to its tree. Vertices at equal positions
-/// form one "corner", so that triangles without shared indices (STL) are connected too. Only vertices that
-/// are equal to the last bit are merged. Built once in O(n log n), never changed.
+/// form one "corner", so that triangles without shared indices (STL) are connected too. Vertices that are
+/// only nearly equal are not merged. Built once in O(n log n), never changed.
 class Surface {
  public:
   /// The tree must outlive the surface.
