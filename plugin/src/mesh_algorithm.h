@@ -87,7 +87,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   virtual void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
   /// The same, but contacts of the surfaces, without effects of internal edges. Where very many triangles are
-  /// near, contacts that are farther apart than the nearest by more than kCreated may be missing.
+  /// near, contacts that are farther apart than the nearest by more than kCreated of the breaking threshold
+  /// may be missing.
   virtual void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
     findContacts(shapes, reach, found);
   }

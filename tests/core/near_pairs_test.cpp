@@ -89,7 +89,12 @@ TEST(NearPairs, flatFacesStayWithinReach) {
       EXPECT_GE(reach, gap + kSurplus);
       reduced += reach < kThreshold;
       surfaces.find(*below, fine, pose, kThreshold, kSurplus, found);
-      EXPECT_GE(found.size(), 4u);
+      for (const Vec3& corner : Aabb{{-0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}}.corners()) {
+        const auto isAtCorner = [&](const Contact& contact) {
+          return (contact.point_on_a - corner).norm() < 1e-9;
+        };
+        EXPECT_TRUE(std::ranges::any_of(found, isAtCorner)) << corner.transpose();
+      }
       EXPECT_NEAR(testing::deepest(found), gap, 1e-12);
     }
   }

@@ -73,6 +73,7 @@ TEST(DebugDraw, clustersAreDrawnAsTheTwelveEdgesOfEachBox) {
     last = boxes.size();
   }
   EXPECT_EQ(last, shape.tree().stats().leaves);
+  EXPECT_EQ(shape.tree().boxes(-1).size(), 1u);
 }
 
 TEST(DebugDraw, theWorldDrawsTheMesh) {

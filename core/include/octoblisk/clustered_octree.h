@@ -63,7 +63,7 @@ class ClusteredOctree {
   void validate() const;
 
   /// The boxes at a depth (the root's box has depth 0) and the leaf boxes above that depth, in the mesh's
-  /// frame.
+  /// frame. A negative depth counts as 0.
   std::vector<Obb> boxes(int depth) const;
 
  private:

@@ -46,7 +46,7 @@ std::vector<Obb> ClusteredOctree::boxes(int depth) const {
     const auto [slot, level] = open.back();
     open.pop_back();
     const Child here = tree.child(slot);
-    if (level == depth || here.isLeaf()) {
+    if (level >= depth || here.isLeaf()) {
       found.push_back(tree.box(slot));
       continue;
     }
