@@ -125,6 +125,28 @@ struct Face {
   }
 };
 
+/// Whether a plane through an edge of the face, perpendicular to the face, surely separates it from a
+/// triangle that is nearly in its plane.
+bool isBeside(const Face& face, const Triangle& other) {
+  constexpr double kInPlane = 1e-9, kRounding = 1e-14;  // relative to the size
+  double size = 0.0;
+  for (const Triangle* triangle : {&face.corner, &other}) {
+    for (const Vec3& corner : *triangle) size = std::max(size, (corner - face.corner[0]).lpNorm<1>());
+  }
+  const double near = kInPlane * size * std::sqrt(face.squared_normal);
+  const auto isOff = [&](const Vec3& corner) { return std::abs(face.height(corner)) > near; };
+  if (std::ranges::any_of(other, isOff)) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& inward = face.inward[i];
+    const auto along = [&](const Vec3& corner) { return inward.dot(corner - face.corner[i]); };
+    const double highest = std::max({along(other[0]), along(other[1]), along(other[2])});
+    const double own = std::min({along(face.corner[0]), along(face.corner[1]), along(face.corner[2])});
+    const double rounding = kRounding * size * inward.lpNorm<1>() + std::numeric_limits<double>::min();
+    if (highest + rounding < own) return true;
+  }
+  return false;
+}
+
 /// The corner of `other` that is nearest to the face, if this is obvious: no corner is on the other side, the
 /// nearest is over the face, and the face is not thin.
 std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
@@ -214,6 +236,8 @@ std::optional<Penetration> penetration(const Face& face, const Triangle& other) 
 }  // namespace
 
 bool intersects(const Triangle& a, const Triangle& b) {
+  // In one plane, all orientations would need exact arithmetic.
+  if (isBeside(Face(a), b) || isBeside(Face(b), a)) return false;
   const std::array<int, 3> side_of_b = sidesOf(a, b);
   if (allOnOneSide(side_of_b)) return false;
   const std::array<int, 3> side_of_a = sidesOf(b, a);
