@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -26,12 +25,6 @@ namespace {
 
 /// Bodies that have moved less than this fraction of the contact breaking threshold keep their contacts.
 constexpr double kStill = 0.2;
-
-/// The margins at each of two opposite walls take at most this fraction of the room between the walls, so
-/// that a body can slide there.
-constexpr double kTaken = 0.4;
-
-constexpr double kBoundless = std::numeric_limits<double>::infinity();
 
 /// One body of a contact in the form that Bullet expects. A mesh is identified by part and triangle, and
 /// gContactAddedCallback sees the triangle itself as the shape. Any other body keeps its identifiers, e.g.
@@ -115,20 +108,6 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_
   contact.point_on_a += shift - shift.dot(contact.normal) * contact.normal;
   contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
   return contact;
-}
-
-/// The room between the wall of a contact and walls nearly parallel to it that push the other way; infinite
-/// if there are none. Walls that converge more, as those of nested cups, carry the body.
-double roomAt(const Contact& contact, std::span<const ContactPatch> patches) {
-  constexpr double kOpposed = 0.96;  // the cosine of 16°
-  double room = kBoundless;
-  for (const ContactPatch& patch : patches) {
-    for (const Contact& other : patch.points()) {
-      if (other.normal.dot(contact.normal) > -kOpposed) continue;
-      room = std::min(room, contact.distance + other.distance);
-    }
-  }
-  return std::max(0.0, room);
 }
 
 /// The rounding of a point between the two bodies, when Bullet converts it from the world to a body and back.
@@ -218,7 +197,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
   }
-  showPatches(shapes, mesh, other, info.m_timeStep, is_step, *result);
+  showPatches(shapes, mesh, other, info.m_timeStep, *result);
 }
 
 void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
@@ -237,7 +216,7 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
 }
 
 void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
-                                const btCollisionObjectWrapper& other, btScalar time_step, bool is_step,
+                                const btCollisionObjectWrapper& other, btScalar time_step,
                                 btManifoldResult& result) {
   const std::span<const ContactPatch> patches = patches_.last();
   if (patches.empty() && manifolds_.empty()) return;
@@ -251,19 +230,15 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
                    {mesh_in_world, fromBullet(mesh.getCollisionObject()->getWorldTransform()), mesh_margin,
                     mesh_is_body1_},
                    std::max(btScalar(shapes.breaking), rounding));
-  const double margins = mesh_margin + other_margin;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     btPersistentManifold* const manifold = manifolds_.of(p);
     if (!manifold) break;  // the pool is exhausted: drop the contacts, as Bullet does
     result.setPersistentManifold(manifold);
     for (const Contact& found : patches[p].points()) {
       const Contact contact = afterMotion(found, motion, shift);
-      const double room = is_step ? roomAt(found, patches) : kBoundless;
-      const double margin = std::min(margins, kTaken * room);
-      const double share = margins > 0.0 ? margin / margins : 0.0;
       const Vec3 to_mesh = mesh_in_world.rotation * contact.normal;
-      const Vec3 on_mesh = mesh_in_world * contact.point_on_a - share * mesh_margin * to_mesh;
-      const Vec3 on_other = mesh_in_world * contact.point_on_b + share * other_margin * to_mesh;
+      const Vec3 on_mesh = mesh_in_world * contact.point_on_a - mesh_margin * to_mesh;
+      const Vec3 on_other = mesh_in_world * contact.point_on_b + other_margin * to_mesh;
       const ContactSide mesh_side(mesh, triangleOf(shapes.mesh, contact.triangle_a));
       const ContactSide other_side(other, triangleOfOther(shapes.other, contact));
       const ShownSides shown(result, body0, mesh_is_body1_ ? other_side : mesh_side,
@@ -271,7 +246,7 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
       // Bullet's normal is on body 1 and points to body 0.
       result.addContactPoint(toBullet(mesh_is_body1_ ? Vec3(-to_mesh) : to_mesh),
                              toBullet(mesh_is_body1_ ? on_mesh : on_other),
-                             btScalar(contact.distance - margin));
+                             btScalar(contact.distance - mesh_margin - other_margin));
     }
     result.refreshContactPoints();
     correctForStep(*manifold, time_step);

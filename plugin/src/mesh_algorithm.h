@@ -114,8 +114,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
 
   /// Passes the points of the patches to Bullet at the current poses.
   void showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
-                   const btCollisionObjectWrapper& other, btScalar time_step, bool is_step,
-                   btManifoldResult& result);
+                   const btCollisionObjectWrapper& other, btScalar time_step, btManifoldResult& result);
 
   const bool mesh_is_body1_;
   const ShapeTypes types_;

@@ -328,52 +328,6 @@ TEST(ConcaveDynamics, roughMeshesSlideDownABox_vs_closedForm) {
   }
 }
 
-/// The margins of the walls and of the block are thicker than the gaps between them.
-TEST(ConcaveDynamics, aBlockSlidesInATightChannel_vs_closedForm) {
-  constexpr double kFriction = 0.1, kPush = 3.0, kSeconds = 1.5, kWall = 0.3;
-  const Vec3 half(0.5, 0.3, 0.5);
-  btBoxShape box(toBullet(half));
-  ClusteredOctreeShape mesh(treeOver(testing::boxMesh(half)));
-  for (const double gap : {0.001, 0.004, 0.008}) {
-    ClusteredOctreeShape channel(treeOver(testing::uProfile(half.x() + gap + kWall, 0.5, kWall, 4)));
-    ASSERT_GT(double(channel.getMargin()), gap);
-    for (btCollisionShape* const shape :
-         {static_cast<btCollisionShape*>(&box), static_cast<btCollisionShape*>(&mesh)}) {
-      BulletWorld world;
-      world->setGravity({0, btScalar(-9.81), 0});
-      world.add(channel, 0, at(0, 0, 0)).setFriction(1);
-      btRigidBody& block = world.add(*shape, 1, at(0, 0.12, -3));
-      block.setFriction(btScalar(kFriction));
-      block.setActivationState(DISABLE_DEACTIVATION);
-      world.step(30, 1.0 / 60.0);
-      for (int step = 0; step < static_cast<int>(60 * kSeconds); ++step) {
-        block.applyCentralForce({0, 0, kPush});
-        world.step(1, 1.0 / 60.0);
-      }
-      const double expected = 0.5 * (kPush - kFriction * 9.81) * kSeconds * kSeconds;
-      EXPECT_NEAR(double(block.getWorldTransform().getOrigin().z()) + 3.0, expected, 0.05 * expected) << gap;
-    }
-  }
-}
-
-/// Its margins and those of the hole overlap on all sides.
-TEST(ConcaveDynamics, aPegSlidesDownATightHoleAndRests) {
-  for (const double gap : {0.0005, 0.001, 0.002}) {
-    for (const int rate : {60, 240}) {
-      ClusteredOctreeShape hole(treeOver(testing::tube(0.1 + gap, 0.2, 0.2, 32))),
-          pin(treeOver(shapes::cylinder(0.1, 0.15, 32)));
-      btStaticPlaneShape floor(btVector3(0, 0, 1), btScalar(-0.2));
-      BulletWorld world;
-      world.add(floor, 0, at(0, 0, 0));
-      world.add(hole, 0, at(0, 0, 0));
-      btRigidBody& peg = world.add(pin, 1, at(0, 0, 0));
-      world.step(4 * rate, 1.0 / rate);
-      EXPECT_FALSE(peg.isActive()) << gap << ' ' << rate;
-      EXPECT_NEAR(double(peg.getWorldTransform().getOrigin().z()), -0.05, 0.003) << gap << ' ' << rate;
-    }
-  }
-}
-
 /// When such a body rolls, its next corner touches at once. If that corner gets deep before it has a contact,
 /// Bullet pushes it out, and the body never stops.
 TEST(ConcaveDynamics, bodiesWithARoundBottomComeToRestOnAPlane) {
