@@ -259,6 +259,38 @@ TEST(TriangleConvex, spheresOnSlivers_vs_long_double) {
     over += expected < 0.01;
   }
   EXPECT_GT(over, cases / 2);
+  for (const double width : {1e-100, 1e-160, 1e-200, 1e-300}) {  // the square of the area underflows
+    const Triangle triangle = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, width, 0)};
+    const auto contact = contactOf(triangle, ConvexHull({Vec3(0.3, 0, 0)}, 0.1), kFar);
+    ASSERT_TRUE(contact);
+    EXPECT_NEAR(contact->normal.norm(), 1.0, 1e-12) << width;
+    EXPECT_NEAR(contact->distance, -0.1, 1e-12) << width;
+  }
+}
+
+TEST(TriangleConvex, spheresFarFromTheOriginKnowTheirSide) {
+  std::mt19937_64 random(109);
+  int cases = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    Triangle triangle = randomTriangle(random, 1.0);
+    if (scaledNormal(triangle).norm() < 0.1) continue;
+    const Vec3 offset = randomPoint(random, 1e6);
+    for (Vec3& corner : triangle) corner += offset;
+    const Vec3 center =
+        centroidOf(triangle) + uniform(random, -1e-9, 1e-9) * scaledNormal(triangle).normalized();
+    const LongVec3 first = triangle[0].cast<long double>();
+    const LongVec3 normal =
+        (triangle[1].cast<long double>() - first).cross(triangle[2].cast<long double>() - first).normalized();
+    const auto height = static_cast<double>(normal.dot(center.cast<long double>() - first));
+    if (std::abs(height) < 1e-13) continue;
+    ++cases;
+    const auto contact = contactOf(triangle, ConvexHull({center}), kFar);
+    ASSERT_TRUE(contact);
+    ASSERT_NEAR(contact->distance, std::abs(height), 1e-14) << "case " << i;
+    ASSERT_GT(-height * contact->normal.dot(scaledNormal(triangle)), 0.0) << "case " << i;
+    ASSERT_TRUE(contactOf(triangle, ConvexHull({center}), contact->distance)) << "case " << i;
+  }
+  EXPECT_GT(cases, 10'000);
 }
 
 TEST(TriangleConvex, flatOnEachOtherTheyTouchInTheMiddle) {

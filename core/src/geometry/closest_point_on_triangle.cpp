@@ -32,19 +32,19 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
   const bool is_over = squared > 0.0 && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0;
   if (is_over && !thin) return {point - normal * (normal.dot(offset) / squared), true};
   // Otherwise the closest point is on an edge that separates the foot from the triangle.
-  ClosestOnTriangle closest{a, false};
+  Vec3 closest = a;
   double least = std::numeric_limits<double>::infinity();
-  const auto offer = [&](const Vec3& candidate, bool is_foot) {
+  const auto offer = [&](const Vec3& candidate) {
     const double distance = (candidate - point).squaredNorm();
     if (!(distance < least)) return;
     least = distance;
-    closest = {candidate, is_foot};
+    closest = candidate;
   };
-  if (is_over) offer((at_bc * a + at_ca * b + at_ab * c) / squared, true);
-  if (thin || at_ab < 0.0) offer(closestOnSegment(a, b, point), false);
-  if (thin || at_bc < 0.0) offer(closestOnSegment(b, c, point), false);
-  if (thin || at_ca < 0.0) offer(closestOnSegment(c, a, point), false);
-  return closest;
+  if (is_over) offer((at_bc * a + at_ca * b + at_ab * c) / squared);
+  if (thin || at_ab < 0.0) offer(closestOnSegment(a, b, point));
+  if (thin || at_bc < 0.0) offer(closestOnSegment(b, c, point));
+  if (thin || at_ca < 0.0) offer(closestOnSegment(c, a, point));
+  return {closest, false};
 }
 
 Vec3 closestPoint(const Triangle& triangle, const Vec3& point) {

@@ -7,7 +7,7 @@ namespace octoblisk::detail {
 
 struct ClosestOnTriangle {
   Vec3 point;
-  bool is_foot;  ///< the perpendicular to the triangle's plane meets the triangle; never if it has no area
+  bool is_foot;  ///< a perpendicular to the triangle's plane leads to it; false if the triangle is thin
 };
 
 /// The normal is scaledNormal(triangle).

@@ -1,5 +1,7 @@
 #include "geometry/triangle_convex.h"
 
+#include <algorithm>
+
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 #include "geometry/triangle_polyhedron.h"
@@ -25,10 +27,19 @@ std::optional<CoreContact> searched(const Triangle& triangle, const Convex& conv
   return CoreContact{distance, apart / distance, search.on_triangle, search.on_core};
 }
 
+/// Whether the triangle's normal is mostly rounding. Searches do not need the normal.
+bool isThin(const Triangle& triangle) {
+  constexpr double kThinnest = 1e-6;  // relative to its length
+  const double longest =
+      std::max({(triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[1]).squaredNorm(),
+                (triangle[0] - triangle[2]).squaredNorm()});
+  return !(scaledNormal(triangle).norm() > kThinnest * longest);
+}
+
 std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
   const std::span<const Vec3> points = convex.points();
-  if (points.size() == 1) return contactOfPoint(triangle, points[0], limit);
-  if (isThin(triangle, scaledNormal(triangle))) return searched(triangle, convex, limit);  // needs no normal
+  if (points.size() == 1) return contactOfPoint(triangle, points[0]);
+  if (isThin(triangle)) return searched(triangle, convex, limit);
   if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
   const HullFaces faces = convex.faces();
   if (faces.empty() || points.size() > HullFaceList::kMaxPoints) return searched(triangle, convex, limit);
@@ -65,7 +76,7 @@ PosedConvex::PosedConvex(const Convex& convex, const Pose& pose)
 }
 
 std::optional<Contact> PosedConvex::contactWith(const Triangle& triangle, double threshold) const {
-  if (center_) return grown(contactOfPoint(triangle, *center_, threshold + radius_), radius_, threshold);
+  if (center_) return grown(contactOfPoint(triangle, *center_), radius_, threshold);
   std::optional<Contact> contact = contactOf(inverse_ * triangle, convex_, threshold);
   if (contact) {
     contact->point_on_a = pose_ * contact->point_on_a;

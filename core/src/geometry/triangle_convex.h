@@ -17,7 +17,7 @@ std::optional<Contact> contactOf(const Triangle& triangle, const Convex& convex,
 /// A convex body (B) among triangles (A) of another frame.
 class PosedConvex {
  public:
-  /// The convex body and its pose in the triangles' frame must outlive the object.
+  /// The pose is in the triangles' frame. The convex body must outlive the object.
   PosedConvex(const Convex& convex, const Pose& pose);
 
   /// Like contactOf, in the triangles' frame.
@@ -25,8 +25,7 @@ class PosedConvex {
 
  private:
   const Convex& convex_;
-  const Pose& pose_;
-  const Pose inverse_;
+  const Pose pose_, inverse_;
   const double radius_;
   std::optional<Vec3> center_;  // of a ball
 };

@@ -123,24 +123,22 @@ class SegmentContact {
 
 }  // namespace
 
-std::optional<CoreContact> contactOfPoint(const Triangle& triangle, const Vec3& point, double limit) {
+CoreContact contactOfPoint(const Triangle& triangle, const Vec3& point) {
   const Vec3 scaled = scaledNormal(triangle);
   const auto [closest, is_foot] = closestPointOf(triangle, scaled, point);
   const Vec3 apart = closest - point;
   const double squared = apart.squaredNorm();
-  if (squared > limit * limit) return std::nullopt;
   // If the point is nearer than the triangle is wide, the triangle's normal is more accurate than the
   // difference of two points.
-  const bool is_near = squared * squared < scaled.squaredNorm();
-  const bool touches = squared <= kTouching * kTouching * (point - triangle[0]).squaredNorm();
-  if ((is_foot && is_near && !isThin(triangle, scaled)) || touches) {
-    const Vec3 facing = scaled.isZero(0.0) ? Vec3(Vec3::UnitX()) : Vec3(scaled.normalized());
-    const double height = -facing.dot(apart);
+  const bool is_near = is_foot && squared * squared < scaled.squaredNorm();
+  if (is_near || squared <= kTouching * kTouching * (point - triangle[0]).squaredNorm()) {
+    const Vec3 facing = scaled.isZero(0.0) ? Vec3(Vec3::UnitX()) : scaled.stableNormalized().normalized();
+    const double height = facing.dot(is_near ? Vec3(point - triangle[0]) : Vec3(-apart));
     const Vec3 normal = height < 0.0 ? facing : Vec3(-facing);
-    return CoreContact{std::abs(height), normal, closest, closest - std::abs(height) * normal};
+    return {std::abs(height), normal, closest, closest - std::abs(height) * normal};
   }
   const double distance = std::sqrt(squared);
-  return CoreContact{distance, apart / distance, closest, point};
+  return {distance, apart / distance, closest, point};
 }
 
 CoreContact contactOfSegment(const Triangle& triangle, const Vec3& from, const Vec3& to) {
