@@ -31,7 +31,8 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
   const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
   const bool is_over = squared > 0.0 && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0;
   if (is_over && !thin) return {point - normal * (normal.dot(offset) / squared), true};
-  // Otherwise the closest point is on an edge that separates the foot from the triangle.
+  // Otherwise the closest point is on an edge that separates the foot from the triangle. If the triangle is
+  // thin, it may be anywhere: take the nearest of all edges and the foot's place on the triangle.
   Vec3 closest = a;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](const Vec3& candidate) {
