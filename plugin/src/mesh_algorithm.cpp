@@ -26,6 +26,9 @@ namespace {
 /// Bodies that have moved less than this fraction of the contact breaking threshold keep their contacts.
 constexpr double kStill = 0.2;
 
+/// The margins on each side of a gap take at most this fraction of the room in it, so that a body can slide.
+constexpr double kTaken = 0.4;
+
 /// One body of a contact in the form that Bullet expects. A mesh is identified by part and triangle, and
 /// gContactAddedCallback sees the triangle itself as the shape. Any other body keeps its identifiers, e.g.
 /// its index in a compound.
@@ -108,6 +111,26 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_
   contact.point_on_a += shift - shift.dot(contact.normal) * contact.normal;
   contact.point_on_b = contact.point_on_a - contact.distance * contact.normal;
   return contact;
+}
+
+/// How far one body can move between contacts with the other whose normals are nearly opposite. None if there
+/// are no such contacts, or if surfaces already meet there.
+std::optional<double> roomBetween(std::span<const ContactPatch> patches) {
+  constexpr double kOpposed = -0.96;  // within 16° of opposite: walls that converge more carry the body
+  std::optional<double> room;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    for (std::size_t q = p + 1; q < patches.size(); ++q) {
+      for (const Contact& first : patches[p].points()) {
+        for (const Contact& second : patches[q].points()) {
+          if (first.normal.dot(second.normal) > kOpposed) continue;
+          if (first.distance <= 0.0 || second.distance <= 0.0) return std::nullopt;
+          const double between = first.distance + second.distance;
+          room = std::min(room.value_or(between), between);
+        }
+      }
+    }
+  }
+  return room;
 }
 
 /// The rounding of a point between the two bodies, when Bullet converts it from the world to a body and back.
@@ -194,6 +217,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_.reset();  // in case of an exception
     findSurfaceContacts(shapes, reach, contacts_);
     patches_.reduce(contacts_, breaking);
+    if (is_step) fitMargins(double(shapes.mesh.getMargin()) + marginOfOther(shapes.other));
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
   }
@@ -210,9 +234,17 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
     manifolds_.clear();
     patches_ = {};
     other_in_mesh_.reset();
+    room_.reset();
   }
   are_solid_ = are_solid;
   if (!readOther(shapes.other)) other_in_mesh_.reset();
+}
+
+void MeshAlgorithm::fitMargins(double margins) {
+  if (patches_.last().empty()) room_.reset();
+  const std::optional<double> room = roomBetween(patches_.last());
+  if (room) room_ = std::max(room_.value_or(0.0), *room);
+  margin_fraction_ = room_ && kTaken * *room_ < margins ? kTaken * *room_ / margins : 1.0;
 }
 
 void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
@@ -220,7 +252,8 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
                                 btManifoldResult& result) {
   const std::span<const ContactPatch> patches = patches_.last();
   if (patches.empty() && manifolds_.empty()) return;
-  const double mesh_margin = double(shapes.mesh.getMargin()), other_margin = marginOfOther(shapes.other);
+  const double mesh_margin = margin_fraction_ * double(shapes.mesh.getMargin()),
+               other_margin = margin_fraction_ * marginOfOther(shapes.other);
   const Pose motion = shapes.other_in_mesh * other_in_mesh_->inverse();
   const Vec3 shift = shapes.other_in_mesh.translation - other_in_mesh_->translation;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());

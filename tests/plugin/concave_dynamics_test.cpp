@@ -7,6 +7,7 @@
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/concave_pile.h"
+#include "octoblisk/distance.h"
 #include "octoblisk/mass_properties.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
@@ -325,6 +326,95 @@ TEST(ConcaveDynamics, roughMeshesSlideDownABox_vs_closedForm) {
     const double expected = speed * kSeconds + 0.5 * acceleration * kSeconds * kSeconds;
     EXPECT_NEAR(double(-way.y()), expected, 0.03 * expected) << seed;
     EXPECT_NEAR(double(way.x()), 0.0, 0.03) << seed;
+  }
+}
+
+/// The margins of the walls and of the block are thicker than the gaps between them.
+TEST(ConcaveDynamics, aBlockSlidesInATightChannel_vs_closedForm) {
+  constexpr double kFriction = 0.1, kPush = 3.0, kSeconds = 1.5, kWall = 0.3;
+  const Vec3 half(0.5, 0.3, 0.5);
+  btBoxShape box(toBullet(half));
+  ClusteredOctreeShape mesh(treeOver(testing::boxMesh(half)));
+  for (const double gap : {0.001, 0.004, 0.008}) {
+    ClusteredOctreeShape channel(treeOver(testing::uProfile(half.x() + gap + kWall, 0.5, kWall, 4)));
+    ASSERT_GT(double(channel.getMargin()), gap);
+    for (btCollisionShape* const shape :
+         {static_cast<btCollisionShape*>(&box), static_cast<btCollisionShape*>(&mesh)}) {
+      BulletWorld world;
+      world->setGravity({0, btScalar(-9.81), 0});
+      world.add(channel, 0, at(0, 0, 0)).setFriction(1);
+      btRigidBody& block = world.add(*shape, 1, at(0, 0.12, -3));
+      block.setFriction(btScalar(kFriction));
+      block.setActivationState(DISABLE_DEACTIVATION);
+      world.step(30, 1.0 / 60.0);
+      for (int step = 0; step < static_cast<int>(60 * kSeconds); ++step) {
+        block.applyCentralForce({0, 0, kPush});
+        world.step(1, 1.0 / 60.0);
+      }
+      const double expected = 0.5 * (kPush - kFriction * 9.81) * kSeconds * kSeconds;
+      EXPECT_NEAR(double(block.getWorldTransform().getOrigin().z()) + 3.0, expected, 0.05 * expected) << gap;
+    }
+  }
+}
+
+/// Its margins and those of the hole overlap on all sides.
+TEST(ConcaveDynamics, aPegSlidesDownATightHoleAndRests) {
+  for (const double gap : {0.0005, 0.001, 0.002}) {
+    for (const int rate : {60, 240}) {
+      ClusteredOctreeShape hole(treeOver(testing::tube(0.1 + gap, 0.2, 0.2, 32))),
+          pin(treeOver(shapes::cylinder(0.1, 0.15, 32)));
+      btStaticPlaneShape floor(btVector3(0, 0, 1), btScalar(-0.2));
+      BulletWorld world;
+      world.add(floor, 0, at(0, 0, 0));
+      world.add(hole, 0, at(0, 0, 0));
+      btRigidBody& peg = world.add(pin, 1, at(0, 0, 0));
+      world.step(4 * rate, 1.0 / rate);
+      EXPECT_FALSE(peg.isActive()) << gap << ' ' << rate;
+      EXPECT_NEAR(double(peg.getWorldTransform().getOrigin().z()), -0.05, 0.003) << gap << ' ' << rate;
+    }
+  }
+}
+
+/// Moves the walls of a profile, or the sides of a block, apart by `slope` for each unit along y.
+testing::SharedMesh tapered(const TriangleMesh& mesh, double slope) {
+  std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  for (Vec3& vertex : vertices) vertex.x() += std::copysign(slope * vertex.y(), vertex.x());
+  return std::make_shared<const TriangleMesh>(
+      vertices, std::vector<TriangleMesh::Indices>(mesh.triangles().begin(), mesh.triangles().end()));
+}
+
+/// The load must not use up the margins.
+TEST(ConcaveDynamics, loadedWedgesAndCantileversKeepMargins) {
+  constexpr double kWall = 0.3;
+  struct Case {
+    double slope, gap;
+    Vec3 half, place, gravity;
+  };
+  const Vec3 wedge(0.5, 0.3, 0.5), bar(0.2, 1.0, 0.2);
+  for (const Case& c : {Case{std::tan(0.07), 0.0, wedge, {0, 0.6, 0}, {0, -98.1, 0}},
+                        Case{std::tan(0.12), 0.0, wedge, {0, 0.6, 0}, {0, -98.1, 0}},
+                        Case{0.0, 0.004, bar, {0, 0.81, 0}, {9.81, 0, 0}},
+                        Case{0.0, 0.008, bar, {0, 0.81, 0}, {98.1, 0, 0}}}) {
+    const auto profile = testing::uProfile(c.half.x() + c.gap + kWall, 0.5, kWall, 2);
+    ClusteredOctreeShape channel(treeOver(tapered(*profile, c.slope))),
+        body(treeOver(tapered(*testing::boxMesh(c.half), c.slope)));
+    BulletWorld world;
+    world->setGravity(toBullet(c.gravity));
+    world.add(channel, 0, at(0, 0, 0)).setFriction(1);
+    btRigidBody& loaded = world.add(body, 1, at(c.place.x(), c.place.y(), c.place.z()));
+    loaded.setFriction(1);
+    loaded.setActivationState(DISABLE_DEACTIVATION);
+    double least = 1.0;
+    for (int second = 0; second < 10; ++second) {
+      world.step(60, 1.0 / 60.0);
+      least = std::min(
+          least, distance(channel.tree(), body.tree(), fromBullet(loaded.getWorldTransform())).distance);
+    }
+    EXPECT_GT(least, 0.2 * double(body.getMargin())) << c.slope << ' ' << c.gap;
+    int oldest = 0;
+    for (const btManifoldPoint* point : testing::manifoldPoints(*world->getDispatcher()))
+      oldest = std::max(oldest, point->getLifeTime());
+    EXPECT_GT(oldest, 60) << c.slope << ' ' << c.gap;
   }
 }
 
