@@ -27,8 +27,8 @@ std::vector<Clearance> distanceAll(const ClusteredOctree& a, const ClusteredOctr
                                    std::span<const Pose> poses_of_b_in_a, const DistanceOptions& options = {},
                                    int threads = 0);
 
-/// For each pose, the signed distance. Otherwise like collideAll. Throws std::invalid_argument if neither
-/// surface is closed.
+/// For each pose, the signed distance. Otherwise like collideAll. Throws std::invalid_argument if there
+/// are poses and neither surface is closed.
 std::vector<SignedDistance> signedDistanceAll(const Surface& a, const Surface& b,
                                               std::span<const Pose> poses_of_b_in_a,
                                               const SignedDistanceOptions& options = {}, int threads = 0);
