@@ -26,7 +26,8 @@ namespace {
 /// Bodies that have moved less than this fraction of the contact breaking threshold keep their contacts.
 constexpr double kStill = 0.2;
 
-/// The margins on each side of a gap take at most this fraction of the room in it, so that a body can slide.
+/// Between opposite walls, the margins on each side take at most this fraction of the room, so that a body
+/// can slide.
 constexpr double kTaken = 0.4;
 
 /// One body of a contact in the form that Bullet expects. A mesh is identified by part and triangle, and
@@ -114,7 +115,7 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_
 }
 
 /// How far one body can move between contacts with the other whose normals are nearly opposite. None if there
-/// are no such contacts, or if surfaces already meet there.
+/// are no such contacts.
 std::optional<double> roomBetween(std::span<const ContactPatch> patches) {
   constexpr double kOpposed = -0.96;  // within 16° of opposite: walls that converge more carry the body
   std::optional<double> room;
@@ -123,8 +124,7 @@ std::optional<double> roomBetween(std::span<const ContactPatch> patches) {
       for (const Contact& first : patches[p].points()) {
         for (const Contact& second : patches[q].points()) {
           if (first.normal.dot(second.normal) > kOpposed) continue;
-          if (first.distance <= 0.0 || second.distance <= 0.0) return std::nullopt;
-          const double between = first.distance + second.distance;
+          const double between = std::max(0.0, first.distance + second.distance);
           room = std::min(room.value_or(between), between);
         }
       }
@@ -217,7 +217,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     other_in_mesh_.reset();  // in case of an exception
     findSurfaceContacts(shapes, reach, contacts_);
     patches_.reduce(contacts_, breaking);
-    if (is_step) fitMargins(double(shapes.mesh.getMargin()) + marginOfOther(shapes.other));
+    if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
   }
@@ -234,17 +234,14 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
     manifolds_.clear();
     patches_ = {};
     other_in_mesh_.reset();
-    room_.reset();
   }
   are_solid_ = are_solid;
   if (!readOther(shapes.other)) other_in_mesh_.reset();
 }
 
-void MeshAlgorithm::fitMargins(double margins) {
+void MeshAlgorithm::noticeRoom() {
   if (patches_.last().empty()) room_.reset();
-  const std::optional<double> room = roomBetween(patches_.last());
-  if (room) room_ = std::max(room_.value_or(0.0), *room);
-  margin_fraction_ = room_ && kTaken * *room_ < margins ? kTaken * *room_ / margins : 1.0;
+  room_ = std::max(room_, roomBetween(patches_.last()));  // none is less than any room
 }
 
 void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
@@ -252,8 +249,9 @@ void MeshAlgorithm::showPatches(const PosedShapes& shapes, const btCollisionObje
                                 btManifoldResult& result) {
   const std::span<const ContactPatch> patches = patches_.last();
   if (patches.empty() && manifolds_.empty()) return;
-  const double mesh_margin = margin_fraction_ * double(shapes.mesh.getMargin()),
-               other_margin = margin_fraction_ * marginOfOther(shapes.other);
+  const double whole = double(shapes.mesh.getMargin()), whole_of_other = marginOfOther(shapes.other);
+  const double fraction = room_ ? std::min(1.0, kTaken * *room_ / (whole + whole_of_other)) : 1.0;
+  const double mesh_margin = fraction * whole, other_margin = fraction * whole_of_other;
   const Pose motion = shapes.other_in_mesh * other_in_mesh_->inverse();
   const Vec3 shift = shapes.other_in_mesh.translation - other_in_mesh_->translation;
   const Pose mesh_in_world = fromBullet(mesh.getWorldTransform());

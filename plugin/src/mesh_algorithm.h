@@ -112,9 +112,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Discards what was made with earlier states of the shapes.
   void noticeChanges(const PosedShapes& shapes);
 
-  /// Makes the margins of this pair thinner if one body is between opposite walls of the other with little
-  /// room. The room is the greatest found since the bodies met, so that a load does not use up the margins.
-  void fitMargins(double margins);
+  /// Measures the room if one body is between opposite walls of the other. The greatest room since the bodies
+  /// met counts, because a load makes it smaller, and would use up the margins.
+  void noticeRoom();
 
   /// Passes the points of the patches to Bullet at the current poses.
   void showPatches(const PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
@@ -132,8 +132,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   // The state for which the patches were made. Without a pose, they are made anew.
   std::optional<Pose> other_in_mesh_;
   double reach_ = 0.0;
-  std::optional<double> room_;       // between opposite walls; none if the bodies have met no such walls
-  double margin_fraction_ = 1.0;     // the part of the margins that steps use
+  std::optional<double> room_;       // between opposite walls; limits the margins of this pair
   std::pair<bool, bool> are_solid_;  // the mesh, and the other body's mesh
 };
 
