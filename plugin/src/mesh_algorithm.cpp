@@ -115,7 +115,7 @@ Contact afterMotion(Contact contact, const Pose& motion_of_b, const Vec3& shift_
 }
 
 /// How far one body can move between contacts with the other whose normals are nearly opposite. None if there
-/// are no such contacts.
+/// are no such contacts, or if it is squeezed between them.
 std::optional<double> roomBetween(std::span<const ContactPatch> patches) {
   constexpr double kOpposed = -0.96;  // within 16° of opposite: walls that converge more carry the body
   std::optional<double> room;
@@ -124,7 +124,8 @@ std::optional<double> roomBetween(std::span<const ContactPatch> patches) {
       for (const Contact& first : patches[p].points()) {
         for (const Contact& second : patches[q].points()) {
           if (first.normal.dot(second.normal) > kOpposed) continue;
-          const double between = std::max(0.0, first.distance + second.distance);
+          const double between = first.distance + second.distance;
+          if (between <= 0.0) return std::nullopt;
           room = std::min(room.value_or(between), between);
         }
       }
