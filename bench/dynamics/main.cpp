@@ -58,8 +58,9 @@ void run(const Options& options) {
       const Row first = row["asleep_after_steps"];
       Row& sleeps = row["asleep_after_steps"] = Row::array({first});
       if (!options.quick && entry.is_chaotic) {
-        for (const int more : {-4, -2, 2, 4})
-          sleeps.push_back(stepsUntilAsleep(*entry.make(kind, size.bodies + more), size.steps));
+        for (int more = -8; more <= 8; ++more) {
+          if (more != 0) sleeps.push_back(stepsUntilAsleep(*entry.make(kind, size.bodies + more), size.steps));
+        }
       }
       std::printf(
           "%-15s %-10s %8.2f ms per step, asleep after %s, late %.3g J, depth %.3g m, %d points in %d, "
