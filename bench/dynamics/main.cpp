@@ -59,7 +59,8 @@ void run(const Options& options) {
       Row& sleeps = row["asleep_after_steps"] = Row::array({first});
       if (!options.quick && entry.is_chaotic) {
         for (int more = -8; more <= 8; ++more) {
-          if (more != 0) sleeps.push_back(stepsUntilAsleep(*entry.make(kind, size.bodies + more), size.steps));
+          if (more != 0)
+            sleeps.push_back(stepsUntilAsleep(*entry.make(kind, size.bodies + more), size.steps));
         }
       }
       std::printf(
