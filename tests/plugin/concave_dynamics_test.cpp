@@ -382,10 +382,9 @@ TEST(ConcaveDynamics, aPegSlidesDownATightHoleAndRests) {
 
 /// Moves the sides of a mesh apart by `slope` for each unit along y.
 testing::SharedMesh tapered(const TriangleMesh& mesh, double slope) {
-  std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
-  for (Vec3& vertex : vertices) vertex.x() += (vertex.x() < 0.0 ? -slope : slope) * vertex.y();
-  return std::make_shared<const TriangleMesh>(
-      vertices, std::vector<TriangleMesh::Indices>(mesh.triangles().begin(), mesh.triangles().end()));
+  return testing::deformed(mesh, [&](const Vec3& v) {
+    return Vec3(v.x() + (v.x() < 0.0 ? -slope : slope) * v.y(), v.y(), v.z());
+  });
 }
 
 /// Each gap narrows under the load. If the margins narrowed with it, the surfaces would meet.
@@ -425,12 +424,11 @@ TEST(ConcaveDynamics, loadedWedgesAndCantileversKeepMargins) {
         least = std::min(least, distance(*loaded.channel, *loaded.body, pose).distance);
       }
       EXPECT_GT(least, 0.1 * double(shape.getMargin())) << loaded.gravity.transpose() << ' ' << refits;
+      if (refits) continue;
       int oldest = 0;
       for (const btManifoldPoint* point : testing::manifoldPoints(*world->getDispatcher()))
         oldest = std::max(oldest, point->getLifeTime());
-      if (!refits) {
-        EXPECT_GT(oldest, 60) << loaded.gravity.transpose();
-      }
+      EXPECT_GT(oldest, 60) << loaded.gravity.transpose();
     }
   }
 }
