@@ -34,8 +34,8 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   if (at_an_angle_.empty()) return;
 
   corners_.clear();
-  corners_.reserve(contacts.size());
-  for (std::uint32_t c = 0; c < contacts.size(); ++c) corners_.addCorners(places_[c].triangle, c);
+  const auto triangleOf = [&](std::uint32_t c) -> const Triangle& { return places_[c].triangle; };
+  for (std::size_t c = 0; c < contacts.size(); ++c) corners_.addCorners(triangleOf);
   std::ranges::sort(at_an_angle_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
   for (const std::uint32_t c : at_an_angle_) {
     Place& place = places_[c];

@@ -34,8 +34,9 @@ class LocalSurface {
     number = size();
     const Triangle triangle = triangleOf();
     triangles_.push_back({triangle, scaledNormal(triangle), roundingOf(triangle), index});
-    corners_.addCorners(triangle, number);
-    edges_.addEdges(triangle, number);
+    const auto cornersOf = [&](std::uint32_t added) -> const Triangle& { return this->triangle(added); };
+    corners_.addCorners(cornersOf);
+    edges_.addEdges(cornersOf);
     return number;
   }
 

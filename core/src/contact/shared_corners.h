@@ -16,48 +16,52 @@ inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();
 }
 
-/// Finds triangles by their corners, or by their edges; one object is for one of the two. Allocates nothing
-/// once warm.
+/// Finds triangles by their corners, or by their edges; one object is for one of the two. Triangles are
+/// numbered from 0. Allocates nothing once warm.
 class SharedCorners {
  public:
   void clear() {
+    count_ = 0;
     places_.clear();
     first_.clear();
   }
-  void reserve(std::size_t triangles) { places_.reserve(3 * triangles); }
 
-  /// `index` identifies the triangle.
-  void addCorners(const Triangle& triangle, std::uint32_t index) {
-    for (const Vec3& corner : triangle) add(keyOf(corner), index);
+  /// Adds the triangle with the next number. `triangleOf(number)` returns any triangle added so far.
+  template <typename TriangleOf>
+  void addCorners(TriangleOf&& triangleOf) {
+    add(triangleOf, [](const Triangle& triangle, std::size_t v) { return keyOf(triangle[v]); });
   }
-  void addEdges(const Triangle& triangle, std::uint32_t index) {
-    for (std::size_t v = 0; v < 3; ++v) add(keyOf(triangle[v]) + keyOf(triangle[(v + 1) % 3]), index);
+  template <typename TriangleOf>
+  void addEdges(TriangleOf&& triangleOf) {
+    add(triangleOf, [](const Triangle& triangle, std::size_t v) {
+      return keyOf(triangle[v]) + keyOf(triangle[(v + 1) % 3]);
+    });
   }
 
-  /// Calls visit(index) for each triangle that has the corner, and for few others, until a call returns true.
-  /// Returns whether one did.
+  /// Calls visit(number) for each triangle that has the corner, and for some others, until a call returns
+  /// true. Returns whether one did.
   template <typename Visit>
   bool anyAt(const Vec3& corner, Visit&& visit) const {
-    return anyWith(keyOf(corner), visit);
+    return areFew() ? anyOfFew(visit) : anyWith(keyOf(corner), visit);
   }
   /// The same for an edge.
   template <typename Visit>
   bool anyAlong(const Vec3& from, const Vec3& to, Visit&& visit) const {
-    return anyWith(keyOf(from) + keyOf(to), visit);
+    return areFew() ? anyOfFew(visit) : anyWith(keyOf(from) + keyOf(to), visit);
   }
 
  private:
   /// A corner or an edge of a triangle.
   struct Place {
     double key;
-    std::uint32_t index;
+    std::uint32_t number;
     std::uint32_t next;  // place in the same slot
   };
 
-  /// Looking at all of a few places takes less time than a table.
+  /// Looking at all of a few triangles takes less time than a table.
   bool areFew() const {
-    constexpr std::size_t kFew = 48;
-    return places_.size() <= kFew;
+    constexpr std::uint32_t kFew = 16;
+    return count_ <= kFew;
   }
 
   /// Equal for equal positions, almost never for different ones.
@@ -70,13 +74,23 @@ class SharedCorners {
     return mixed >> (64 - std::countr_zero(first_.size()));
   }
 
-  void add(double key, std::uint32_t index) {
-    places_.push_back({key, index, kNoIndex});
+  template <typename TriangleOf, typename KeyAt>
+  void add(TriangleOf&& triangleOf, KeyAt&& keyAt) {
+    ++count_;
     if (areFew()) return;
+    for (std::uint32_t number = places_.empty() ? 0 : count_ - 1; number < count_; ++number) {
+      const Triangle& triangle = triangleOf(number);
+      for (std::size_t v = 0; v < 3; ++v) addPlace(keyAt(triangle, v), number);
+    }
+  }
+
+  void addPlace(double key, std::uint32_t number) {
+    places_.push_back({key, number, kNoIndex});
     if (places_.size() <= first_.size()) {
       chain(places_.size() - 1);
     } else {
-      first_.assign(2 * std::bit_ceil(places_.size()), kNoIndex);
+      constexpr std::size_t kLeastSlots = 128;
+      first_.assign(std::max(kLeastSlots, 2 * std::bit_ceil(places_.size())), kNoIndex);
       for (std::size_t place = 0; place < places_.size(); ++place) chain(place);
     }
   }
@@ -88,19 +102,23 @@ class SharedCorners {
   }
 
   template <typename Visit>
-  bool anyWith(double key, Visit&& visit) const {
-    if (areFew()) {
-      return std::ranges::any_of(places_,
-                                 [&](const Place& place) { return place.key == key && visit(place.index); });
+  bool anyOfFew(Visit&& visit) const {
+    for (std::uint32_t number = 0; number < count_; ++number) {
+      if (visit(number)) return true;
     }
+    return false;
+  }
+  template <typename Visit>
+  bool anyWith(double key, Visit&& visit) const {
     for (std::uint32_t place = first_[slotOf(key)]; place != kNoIndex; place = places_[place].next) {
-      if (places_[place].key == key && visit(places_[place].index)) return true;
+      if (places_[place].key == key && visit(places_[place].number)) return true;
     }
     return false;
   }
 
-  std::vector<Place> places_;
-  std::vector<std::uint32_t> first_;  // per slot of the table: the place added last; empty if there are few
+  std::uint32_t count_ = 0;           // of triangles
+  std::vector<Place> places_;         // none if the triangles are few
+  std::vector<std::uint32_t> first_;  // per slot of the table: the place added last
 };
 
 }  // namespace octoblisk::detail

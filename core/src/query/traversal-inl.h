@@ -24,22 +24,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls put(lane, gap) for each of the eight gaps that is at most `limit`, the greatest first.
+/// Calls put(lane, gap) for each of the eight gaps that is at most `limit`.
 template <typename Put>
 HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
   unsigned near = kAllLanes & ~less(Float8(limit), gap);
   if (near == 0) return;
   float gaps[kLanes];
   gap.store(gaps);
-  std::array<std::uint32_t, kLanes> lanes;
-  std::size_t count = 0;
   for (; near != 0; near &= near - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-    std::size_t place = count++;
-    for (; place > 0 && gaps[lanes[place - 1]] < gaps[lane]; --place) lanes[place] = lanes[place - 1];
-    lanes[place] = lane;
+    put(lane, gaps[lane]);
   }
-  for (std::size_t k = 0; k < count; ++k) put(lanes[k], gaps[lanes[k]]);
 }
 
 /// Ends a traversal at the leaves.
@@ -154,6 +149,32 @@ bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, 
     forEachWithin(gap(boxesOf(tree, node, room), box), limit(), [&](std::uint32_t lane, float found) {
       stack.pushSorted(first, {End::below(entry.place, {node, lane}), found});
     });
+  }
+  return false;
+}
+
+/// Calls visit(leaf) for all leaves whose boxes have a gap of at most `limit`, in no particular order.
+/// Returns true as soon as a visit does, otherwise false. Nothing is near if the box is not finite.
+template <typename Gap, typename Visit>
+bool forEachLeafWithin(const Tree& tree, const LocalBox& local, float limit, Gap&& gap, Visit&& visit) {
+  if (!(local.size <= kFarthest)) return false;
+  const BoxF& box = local.box;
+  TraversalStack<std::uint32_t, Tree::kMaxDepth> nodes;
+  nodes.push(0);
+  Box8 room(Box8::Unset{});
+  while (!nodes.empty()) {
+    const std::uint32_t node = nodes.pop();
+    unsigned near = kAllLanes & ~less(Float8(limit), gap(boxesOf(tree, node, room), box));
+    for (; near != 0; near &= near - 1) {
+      const Slot slot{node, static_cast<std::uint32_t>(std::countr_zero(near))};
+      const Child child = tree.child(slot);
+      if (child.isEmpty()) continue;  // the box is not finite: all gaps are NaN
+      if (!child.isLeaf()) {
+        nodes.push(child.node());
+      } else if (visit(slot)) {
+        return true;
+      }
+    }
   }
   return false;
 }

@@ -27,10 +27,13 @@ class TraversalStack {
   bool empty() const { return count_ == 0; }
   const Entry& pop() { return entries_[--count_]; }
 
-  /// Adds an entry so that those since `first` are popped by ascending gap.
-  void pushSorted(std::size_t first, const Entry& entry) {
+  void push(const Entry& entry) {
     assert(count_ < entries_.size());
     entries_[count_++] = entry;
+  }
+  /// Adds an entry so that those since `first` are popped by ascending gap.
+  void pushSorted(std::size_t first, const Entry& entry) {
+    push(entry);
     sinkLast(entries_.data(), first, count_);
   }
   std::size_t size() const { return count_; }

@@ -12,8 +12,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 bool trianglesIn(const Tree& tree, const Obb& box_in_tree, double reach,
                  FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, box_in_tree);
-  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
-  return walkBox(tree, local, WidestGap(), limit, [&](Slot slot) {
+  return forEachLeafWithin(tree, local, traversalLimit(reach, local.size), WidestGap(), [&](Slot slot) {
     for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
       if (visit(triangle)) return true;
     }

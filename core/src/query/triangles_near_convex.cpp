@@ -15,9 +15,9 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
                    const Pose& convex_in_tree, double reach,
                    FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, convex_in_tree * obbOf(bounds));
-  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
+  const float limit = traversalLimit(reach, local.size);
   const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
-    return walkBox(tree, local, gap, limit, [&](Slot slot) HWY_ATTR {
+    return forEachLeafWithin(tree, local, limit, gap, [&](Slot slot) HWY_ATTR {
       const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
       Box8 box_room(Box8::Unset{});
       LeafVertices room;
