@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "query/leaf_triangles-inl.h"
+#include "query/point_cull-inl.h"
 #include "query/traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,18 +23,19 @@ std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, d
   const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
   double squared_limit = squaredLimit(best.distance);
   const auto limit = [&] { return static_cast<float>(best.distance + rounding); };
-  walkBox(tree, local, GapOfPoint(), limit, [&](Slot leaf) {
-    for (const std::uint32_t t : tree.triangles(tree.child(leaf))) {
+  const PointCull cull(tree.origin(), point);
+  walkBox(tree, local, GapOfPoint(), limit, [&](Slot leaf) HWY_ATTR {
+    return forEachTriangleNear(tree, leaf, cull, best.distance, [&](std::uint32_t t) {
       const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
       const double squared = (on_triangle - point).squaredNorm();
-      if (squared > squared_limit) continue;
+      if (squared > squared_limit) return false;
       const double distance = std::sqrt(squared);
       if (distance < best.distance || (distance == best.distance && t < best.triangle)) {
         best = {on_triangle, distance, t};
         squared_limit = squaredLimit(distance);
       }
-    }
-    return false;
+      return false;
+    });
   });
   if (best.triangle == kNoTriangle) return std::nullopt;
   return best;

@@ -20,26 +20,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// The body is the hull of some points that contain its core; `reach` is the requested reach plus its radius.
-/// All computations use a frame around the middle of the points.
+/// The body is the hull of some points that contain its core. All computations use a frame around the middle
+/// of the points.
 class ConvexCull {
  public:
   /// For 1 to kMaxPointsRoundCore points; boxes are relative to `origin`.
-  ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree,
-             double reach)
+  ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree)
       : count_(points.size()),
         half_extents_(bounds.halfExtents().cast<float>()),
         size_(bounds.halfExtents().norm()) {
     const Vec3 center = bounds.center();
     tree_in_center_.rotation = convex_in_tree.rotation.transpose();
     tree_in_center_.translation = tree_in_center_.rotation * (origin - convex_in_tree.translation) - center;
-    reach_ = reach + kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + center.norm());
+    rounding_ = kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + center.norm());
     for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
   }
 
-  /// A bit for each triangle that may be within reach. The corners are in rows (leaf_vertices.h) in the frame
-  /// of a box.
-  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
+  /// A bit for each triangle that may be within `reach`, the requested reach plus the body's radius. The
+  /// corners are in rows (leaf_vertices.h) in the frame of a box.
+  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count, double reach) const {
     const Vec3 shift = tree_in_center_ * box.center.cast<double>();
     const Eigen::Matrix3f turn = (tree_in_center_.rotation * box.axes.cast<double>()).cast<float>();
     Vec8 corner[3];
@@ -53,11 +52,12 @@ class ConvexCull {
       corner[v] = {along(0), along(1), along(2)};
     }
     const double size = size_ + shift.norm() + 2.0 * double(box.half_extents.maxCoeff());
-    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_)));
+    const double wanted = reach + rounding_;
+    const Float8 limit(static_cast<float>(wanted + 4.0 * kSingleRounding * (size + wanted)));
     unsigned near = (1u << count) - 1u;
-    near &= ~beyondBounds(corner, reach);
-    if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, reach);
-    return notParted(near, corner, reach);
+    near &= ~beyondBounds(corner, limit);
+    if (near != 0) near &= ~apartAlong(cross(corner[1] - corner[0], corner[2] - corner[0]), corner, limit);
+    return notParted(near, corner, limit);
   }
 
  private:
@@ -135,7 +135,7 @@ class ConvexCull {
   std::size_t count_;
   Pose tree_in_center_;  // from the tree's local frame
   Eigen::Vector3f half_extents_;
-  double size_, reach_;
+  double size_, rounding_;
 };
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

@@ -20,14 +20,13 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 class PointCull {
  public:
   /// Boxes are relative to `origin`.
-  PointCull(const Vec3& origin, const Vec3& point, const Pose& convex_in_tree, double reach)
+  PointCull(const Vec3& origin, const Vec3& point, const Pose& convex_in_tree = {})
       : point_(convex_in_tree * point - origin),
-        reach_(reach + kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + point.norm())) {
-  }
+        rounding_(kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + point.norm())) {}
 
-  /// A bit for each triangle that may be within reach. The corners are in rows (leaf_vertices.h) in the frame
-  /// of a box.
-  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count) const {
+  /// A bit for each triangle that may be within `reach`. The corners are in rows (leaf_vertices.h) in the
+  /// frame of a box.
+  HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count, double reach) const {
     const Vec3 point_in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
     const double size = point_in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());
     const Float8 unit(unitOf(static_cast<float>(size)));
@@ -44,8 +43,9 @@ class PointCull {
     for (int v = 0; v < 3; ++v)
       squared = min(squared, squaredEdgeDistance(triangles.corner[v], triangles.edge[v]));
     constexpr double kSubnormal = 0x1p-120;  // above the steps of subnormal numbers
-    const Float8 reach(static_cast<float>(reach_ + 4.0 * kSingleRounding * (size + reach_) + kSubnormal));
-    return ((1u << count) - 1u) & ~less(reach * unit, sqrt(squared) - triangles.thin);
+    const double wanted = reach + rounding_;
+    const Float8 limit(static_cast<float>(wanted + 4.0 * kSingleRounding * (size + wanted) + kSubnormal));
+    return ((1u << count) - 1u) & ~less(limit * unit, sqrt(squared) - triangles.thin);
   }
 
  private:
@@ -57,7 +57,7 @@ class PointCull {
   }
 
   Vec3 point_;  // in the tree's local frame
-  double reach_;
+  double rounding_;
 };
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

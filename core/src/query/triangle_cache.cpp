@@ -19,14 +19,14 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
           const Aabb& bounds, const Pose& convex_in_tree, double reach, std::vector<std::uint32_t>& found) {
   const auto siftBy = [&](const auto& cull) HWY_ATTR {
     for (const TriangleBundle& bundle : bundles) {
-      for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count); near != 0;
+      for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count, reach); near != 0;
            near &= near - 1) {
         found.push_back(bundle.triangles[static_cast<std::size_t>(std::countr_zero(near))]);
       }
     }
   };
-  if (core.size() == 1) return siftBy(PointCull(origin, core[0], convex_in_tree, reach));
-  siftBy(ConvexCull(origin, core, bounds, convex_in_tree, reach));
+  if (core.size() == 1) return siftBy(PointCull(origin, core[0], convex_in_tree));
+  siftBy(ConvexCull(origin, core, bounds, convex_in_tree));
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

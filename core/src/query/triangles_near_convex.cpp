@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "query/convex_cull-inl.h"
+#include "query/leaf_triangles-inl.h"
 #include "query/point_cull-inl.h"
 #include "query/traversal-inl.h"
 
@@ -17,22 +18,14 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
   const LocalBox local(tree, convex_in_tree * obbOf(bounds));
   const float limit = traversalLimit(reach, local.size);
   const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
-    return forEachLeafWithin(tree, local, limit, gap, [&](Slot slot) HWY_ATTR {
-      const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(slot));
-      Box8 box_room(Box8::Unset{});
-      LeafVertices room;
-      const BoxF box = boxesAt(tree, slot, box_room).get(static_cast<int>(slot.lane));
-      const float* const rows = tree.leafVertices(slot, room);
-      for (unsigned near = cull.near(box, rows, tree.child(slot).count()); near != 0; near &= near - 1) {
-        if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
-      }
-      return false;
+    return forEachLeafWithin(tree, local, limit, gap, [&](Slot leaf) HWY_ATTR {
+      return forEachTriangleNear(tree, leaf, cull, reach, visit);
     });
   };
   constexpr double kSquared = 1e18;  // the squares of larger gaps overflow
   if (points.size() == 1 && local.size < kSquared)
-    return walk(GapOfPoint(), PointCull(tree.origin(), points[0], convex_in_tree, reach));
-  return walk(WidestGap(), ConvexCull(tree.origin(), points, bounds, convex_in_tree, reach));
+    return walk(GapOfPoint(), PointCull(tree.origin(), points[0], convex_in_tree));
+  return walk(WidestGap(), ConvexCull(tree.origin(), points, bounds, convex_in_tree));
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

@@ -1,0 +1,38 @@
+// The triangles of a leaf that may be near a body. Included once for each target (simd-inl.h).
+#if defined(OCTOBLISK_QUERY_LEAF_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCTOBLISK_QUERY_LEAF_TRIANGLES_INL_H
+#undef OCTOBLISK_QUERY_LEAF_TRIANGLES_INL_H
+#else
+#define OCTOBLISK_QUERY_LEAF_TRIANGLES_INL_H
+#endif
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "tree/node_boxes-inl.h"
+#include "tree/tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace octoblisk::detail::HWY_NAMESPACE {
+
+/// Calls visit(triangle) for each triangle of a leaf that may be within `reach`, according to a PointCull or
+/// ConvexCull. Returns true as soon as a visit does, otherwise false.
+template <typename Cull, typename Visit>
+HWY_INLINE bool forEachTriangleNear(const Tree& tree, Slot leaf, const Cull& cull, double reach,
+                                    Visit&& visit) {
+  const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
+  Box8 box_room(Box8::Unset{});
+  LeafVertices room;
+  const BoxF box = boxesAt(tree, leaf, box_room).get(static_cast<int>(leaf.lane));
+  const float* const rows = tree.leafVertices(leaf, room);
+  for (unsigned near = cull.near(box, rows, tree.child(leaf).count(), reach); near != 0; near &= near - 1) {
+    if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+  }
+  return false;
+}
+
+}  // namespace octoblisk::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
