@@ -15,7 +15,8 @@ void addShardOptions(CLI::App& command, StudyTarget& target) {
   command
       .add_option_function<std::string>(
           "--shard", [&target](const std::string& text) { target.shard = parseShard(text); },
-          "Compute only part I of N, for example as one task of a job array. OUT is then a part file: "
+          "Compute only part I (1 to N) of N, for example as one task of a job array. OUT is then a part "
+          "file: "
           "octoblisk merge makes the table from all parts")
       ->type_name("I/N")
       ->check(CLI::Validator(

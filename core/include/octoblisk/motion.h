@@ -58,8 +58,8 @@ class Motion {
   Motion ofPart(const Pose& part_in_b) const;
 
   /// Bounds the length of the path of any point of B, in mesh units. A fraction of the motion has the same
-  /// fraction of the bound. It is |v| + |ω| r for the displacement v of the centre and the greatest distance
-  /// r from the axis; the components of v along and across the axis are combined at right angles.
+  /// fraction of the bound. The bound is sqrt(p² + (q + |ω| r)²). p and q are the components of the centre's
+  /// displacement along and across the axis. r is the greatest distance of B from the axis.
   double lengthBound(const BodyBounds& b) const;
 
   const Pose& from() const { return from_; }
@@ -78,17 +78,20 @@ class Motion {
   double angle_ = 0.0;
 };
 
-/// For two bodies that move at the same time, a bound in mesh units: over a fraction of the motions, the
-/// distance between a point of A and a point of B, and so the distance between the bodies, changes by at most
-/// the same fraction of it. Motion that both bodies share does not count if one frame can follow it. The
-/// bound is the least of three bounds on the relative speed of the two points. They use the centres'
-/// displacements v, the rotations ω, the greatest distances r from the axes and R from the centres, and the
-/// vector c from B's centre to A's:
-/// - in a frame that moves with A's centre without rotating: |ω_A| r_A + the lengthBound of B with A's
-///   displacement subtracted; and the same with A and B exchanged;
-/// - in A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B, with the greater of c at the start and c at
-///   the end, because c changes linearly;
-/// - in B's own frame, likewise.
+/// A bound for two bodies that move at the same time, in mesh units. Over a fraction of the motions, the
+/// distance between any point of A and any point of B changes by at most the same fraction of the bound. So
+/// does the distance between the bodies. Motion that both bodies share does not count if one frame can follow
+/// it.
+///
+/// The bound is the least of four bounds on the relative speed of two points. v is the displacement of a
+/// centre, and ω a rotation. r is the greatest distance from the axis, and R the greatest distance from the
+/// centre. c is the vector from B's centre to A's centre.
+/// - In a frame that moves with A's centre and does not rotate: |ω_A| r_A + the lengthBound of B after A's
+///   displacement is subtracted.
+/// - In a frame that moves with B's centre: the same with A and B exchanged.
+/// - In A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B. c changes linearly, so the first term is
+///   greatest at the start or at the end.
+/// - In B's own frame: the same with A and B exchanged.
 double relativeLengthBound(const BodyBounds& a, const Motion& a_in_world, const BodyBounds& b,
                            const Motion& b_in_world);
 

@@ -10,9 +10,9 @@ namespace octoblisk {
 
 /// The distance between two solids, or their penetration depth. Points and vectors are in A's frame.
 struct SignedDistance {
-  /// Positive: the least distance between the surfaces. Otherwise the negative penetration depth: the
-  /// distance from the deepest point of one surface inside the other solid to that solid's surface. Of A in B
-  /// and B in A, the deeper one counts.
+  /// Positive: the least distance between the surfaces. Otherwise minus the penetration depth. The depth is
+  /// the distance from the deepest point of one surface inside the other solid to that solid's surface. The
+  /// greater of two depths counts: that of A in B and that of B in A.
   double distance = std::numeric_limits<double>::infinity();
   Vec3 point_on_a = Vec3::Zero();  ///< the two witness points are |distance| apart
   Vec3 point_on_b = Vec3::Zero();
@@ -29,14 +29,15 @@ struct SignedDistance {
 };
 
 struct SignedDistanceOptions {
-  /// The greatest error of the penetration depth, as a length. 0 selects 1e-7 of the surfaces' sizes. The
-  /// least is 1e-10 of these sizes; smaller values count as that. The derivative belongs to a point whose
-  /// depth is within about ten times this length of the greatest. The least distance is exact.
+  /// The greatest error of the penetration depth, a length. 0 selects 1e-7 of the surfaces' sizes. Values
+  /// below 1e-10 of these sizes count as 1e-10 of them. The derivative is that of one point. The depth of
+  /// this point may be less than the greatest depth by about ten times the tolerance. The least distance is
+  /// exact.
   double tolerance = 0.0;
 };
 
-/// The signed distance at one pose. It is continuous. An open surface contains nothing. The direction in
-/// which a surface faces does not matter.
+/// The signed distance at one pose. It is continuous. An open surface contains nothing. Only the normal at
+/// distance 0 depends on the direction in which a surface faces.
 ///
 /// The derivative exists where a single pair of features decides the distance: a corner and a face, or two
 /// edges that are apart. If the deepest point lies on an edge or within a face, and several faces of the

@@ -14,9 +14,9 @@ class Child;
 struct Slot;
 }  // namespace detail
 
-/// Descends the tree, asks the source for the triangles in a cluster's box as soon as these are few, and
-/// thins them out on the way to the leaves. Keeps its buffers and allocates nothing once warm: use one for
-/// each pair of bodies.
+/// Descends the tree. Asks the source for the triangles in a cluster's box as soon as the box holds few of
+/// them. On the way to the leaves, drops those that are not near the smaller boxes. Keeps its buffers and
+/// allocates nothing once warm: use one for each pair of bodies.
 class SourceContacts {
  public:
   /// Replaces `found` with the contact of every triangle of the tree (A) with every triangle of the source

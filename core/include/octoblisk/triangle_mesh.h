@@ -37,7 +37,7 @@ class TriangleMesh {
  public:
   using Indices = std::array<std::uint32_t, 3>;
 
-  /// Products of three coordinates must not overflow in double (predicates.h) or in float.
+  /// Products of three coordinates must not overflow in float.
   static constexpr double kMaxCoordinate = 1e12;
 
   /// Throws std::invalid_argument if there is no triangle, if an index is out of range, or if a coordinate is

@@ -17,10 +17,10 @@ struct PairStages;
 /// other pairs are those of btDbvtBroadphase, at the same cost. Ghosts and soft bodies meet the shape by
 /// their boxes, as in Bullet.
 ///
-/// Until the clusters reject a pair, pairs have the order of btDbvtBroadphase, and bodies move identically to
-/// the last bit. After that, the order differs, and smaller islands sleep sooner. Bullet's solver depends on
-/// the order of contacts, so bodies come to rest at slightly different places, and tumbling piles diverge as
-/// they do under rounding errors.
+/// Until the clusters reject a pair for the first time, pairs have the order of btDbvtBroadphase, and bodies
+/// move identically to the last bit. Then the order differs, and islands are smaller and sleep sooner.
+/// Bullet's solver depends on the order of contacts. So bodies come to rest at slightly different places, and
+/// tumbling piles diverge as they do under rounding errors.
 ///
 /// The clusters are tested when a pair is added, and again in each calculateOverlappingPairs, at the bodies'
 /// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep

@@ -77,8 +77,11 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// layer, so their meshes stay apart. Default: 0 if the mesh bounds no solid (see isSolid). Otherwise, the
   /// least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and half the
   /// contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts
-  /// lie exactly on the triangles. A step uses thinner margins for two bodies if one is between opposite
-  /// walls of the other: the margins take at most 4/5 of the greatest room there since the bodies met.
+  /// lie exactly on the triangles.
+  ///
+  /// If one body is between opposite walls of the other, a step uses thinner margins for the two. The room is
+  /// the distance that the body can move between the walls. At the two walls together, the margins take at
+  /// most 4/5 of the greatest room that a step has found since the bodies met.
   void setMargin(btScalar margin) override;
 
   /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.

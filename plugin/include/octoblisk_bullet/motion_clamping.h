@@ -19,14 +19,16 @@ namespace octoblisk {
 /// a body to half its thickness, in world units. docs/bullet.md has an example.
 ///
 /// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
-/// convex. The clamping considers pairs of bodies whose filters let them collide, if at least one has a
-/// motion threshold (default: 0, none). It compares two parts of such a pair if at least one is a
-/// ClusteredOctreeShape and their relative motion in the step (relativeLengthBound) exceeds the smaller
-/// threshold that is set. Parts that start farther apart than 9/8 of timeOfImpact's default tolerance stay at
-/// least the tolerance apart, however thin and fast they are. Parts that start nearer move on by at most the
-/// threshold. With the threshold above, that is at most half the thickness, so the next contacts usually push
-/// the body back to the side from which it came. A thin body that spins fast may still creep through an open
-/// mesh in several steps.
+/// convex. The clamping considers a pair of bodies if their filters let them collide and at least one has a
+/// motion threshold (default: 0, none). The pair's threshold is the smaller threshold that is set. The
+/// clamping compares two parts if at least one is a ClusteredOctreeShape and their relativeLengthBound in the
+/// step exceeds the pair's threshold.
+///
+/// The tolerance is timeOfImpact's default. Parts that are farther apart than 9/8 of it at the start of the
+/// step stay at least the tolerance apart, however thin and fast they are. Parts that are nearer move on by
+/// at most the threshold. If the threshold is half the thickness, the next contacts usually push the body
+/// back to the side from which it came. A thin body that spins fast may still creep through an open mesh in
+/// several steps.
 ///
 /// A motion threshold of a convex body also turns on Bullet's own clamping, which runs first. A body that
 /// Bullet has moved back stays there, as if it had not moved in the step, and nothing is proved about it. To

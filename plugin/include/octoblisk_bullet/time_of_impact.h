@@ -16,8 +16,8 @@ namespace octoblisk {
 /// Lengths are in world units. Points are in the world, with the bodies at the fraction.
 struct StepImpact {
   btScalar fraction = 0;                      ///< of the step: the bodies are proved apart before it
-  btScalar distance = 0;                      ///< without margins; at most 0 if the bodies touch at the start
-  btVector3 point_on_a = btVector3(0, 0, 0);  ///< on A's surface; for triangles, without the margin
+  btScalar distance = 0;                      ///< between the margins; at most 0: they touch at the start
+  btVector3 point_on_a = btVector3(0, 0, 0);  ///< on A's surface; of a mesh: on a triangle, not its margin
   btVector3 point_on_b = btVector3(0, 0, 0);
   TriangleId triangle_a;  ///< {-1, -1}: the part is convex
   TriangleId triangle_b;
