@@ -188,7 +188,8 @@ LogLogPlot growthPlot(const Rows& all, const Growth& growth) {
 }
 
 std::string growthTable(const LogLogPlot& plot) {
-  MarkdownTable table({plot.x_label, "from", "to", "time from", "to", "exponent"});
+  MarkdownTable table({"contender", "least number", "greatest number", "time at the least",
+                       "time at the greatest", "exponent"});
   for (const Curve& curve : plot.curves) {
     const bool has_law = curve.x.size() > 1 && curve.x.front() != curve.x.back();
     table.add({curve.name, significant(curve.x.front()), significant(curve.x.back()),
@@ -336,7 +337,7 @@ ResultsPage resultsPage(const Rows& rows, const Row& context) {
     const std::string file =
         growth.task + (growth.prefix.empty() ? std::string() : std::string("-") + growth.prefix) + ".svg";
     section(
-        std::string("Growth of ") + growth.title + " with the " + growth.x_label + " (`" + growth.task + "`)",
+        std::string("Growth with the ") + growth.x_label + ": " + growth.title + " (`" + growth.task + "`)",
         std::string("![](") + file + ")\n\n" + growthTable(plot));
     page.plots.push_back({file, plot});
   }
