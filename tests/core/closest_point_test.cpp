@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "shared/hard_meshes.h"
 #include "shared/solids.h"
 
@@ -103,16 +105,18 @@ ClosestPoint ofEveryTriangle(const TriangleMesh& mesh, const Vec3& point, int& t
 TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
   std::mt19937_64 random(73);
   int ties = 0;
-  for (int k = 0; k < 3 * testing::kMeshKinds; ++k) {
-    const auto kind = static_cast<testing::MeshKind>(k / 3);
-    const double scale = k % 3 == 1 ? 1e-6 : 1.0;
-    const Vec3 offset = k % 3 == 2 ? Vec3(1e3, -2e3, 3e3) : Vec3::Zero();
+  constexpr std::array<double, 4> kScales = {1.0, 1.0, 1e-6, 1e-30};
+  for (int k = 0; k < 4 * testing::kMeshKinds; ++k) {
+    const auto kind = static_cast<testing::MeshKind>(k / 4);
+    const double scale = kScales[static_cast<std::size_t>(k % 4)];
+    const bool is_tiny = scale == 1e-30;  // squares of distances are subnormal in single precision
+    const Vec3 offset = k % 4 == 1 ? Vec3(1e3, -2e3, 3e3) : Vec3::Zero();
     const SharedMesh mesh = testing::scaledAndMoved(testing::hardMesh(random, kind), scale, offset);
     const ClusteredOctree full = ClusteredOctree::build(mesh);
     const ClusteredOctree compact = ClusteredOctree::build(mesh, {.storage = Storage::compact});
     for (int i = 0; i < 300; ++i) {
       const Triangle start = mesh->triangle(random() % mesh->triangleCount());
-      const double away = scale * std::pow(10.0, 2 - i % 10);
+      const double away = scale * std::pow(10.0, is_tiny ? 7 + i % 4 : 2 - i % 10);
       const Vec3 point =
           (i / 10 % 2 == 0 ? start[0] : centroidOf(start)) + testing::randomPoint(random, away);
       const ClosestPoint expected = ofEveryTriangle(*mesh, point, ties);
@@ -129,6 +133,7 @@ TEST(ClosestPoint, hardMeshes_vs_bruteforce) {
 
 /// Far from the origin, a distance is known to a unit in the last place of the coordinates.
 TEST(ClosestPoint, stackedTrianglesFarFromTheOrigin) {
+  constexpr std::uint32_t kTriangles = 40;  // in several leaves
   std::mt19937_64 random(75);
   const auto within = [&](double most) {
     return std::uniform_real_distribution<double>(-most, most)(random);
@@ -142,7 +147,7 @@ TEST(ClosestPoint, stackedTrianglesFarFromTheOrigin) {
     };
     std::vector<Vec3> vertices;
     std::vector<TriangleMesh::Indices> triangles;
-    for (std::uint32_t t = 0; t < 7; ++t) {
+    for (std::uint32_t t = 0; t < kTriangles; ++t) {
       const double up = within(gap);
       vertices.push_back(above(1.0 + within(0.2), within(0.2), up));
       vertices.push_back(above(-0.5 + within(0.2), 0.9 + within(0.2), up));

@@ -35,8 +35,8 @@ struct DistanceOptions {
 };
 
 /// The least distance between two meshes as surfaces. It is 0 exactly if `collide` finds a pair, and the
-/// clearance then names that pair. If one mesh is wholly inside the other, this is the distance between their
-/// surfaces. B's vertices are posed in double precision. Allocates nothing.
+/// clearance then names a pair that meets. If one mesh is wholly inside the other, this is the distance
+/// between their surfaces. B's vertices are posed in double precision. Allocates nothing.
 Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    const DistanceOptions& options = {});
 

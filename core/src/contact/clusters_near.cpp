@@ -11,7 +11,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 bool clustersNearBox(const Tree& tree, const Obb& box_in_tree, double reach, int depth) {
   const LocalBox local(tree, box_in_tree);
-  const auto limit = [reach = traversalLimit(reach, local.size)] { return reach; };
+  const auto limit = [reach = local.limit(reach)] { return reach; };
   return walkBox(
       tree, local, WidestGap(), limit, [](Slot) { return true; }, AtDepth{depth});
 }

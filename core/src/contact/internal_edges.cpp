@@ -35,7 +35,7 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
 
   corners_.clear();
   const auto triangleOf = [&](std::uint32_t c) -> const Triangle& { return places_[c].triangle; };
-  for (std::size_t c = 0; c < contacts.size(); ++c) corners_.addCorners(triangleOf);
+  while (corners_.size() < contacts.size()) corners_.addCorners(triangleOf);
   std::ranges::sort(at_an_angle_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
   for (const std::uint32_t c : at_an_angle_) {
     Place& place = places_[c];

@@ -34,9 +34,9 @@ class LocalSurface {
     number = size();
     const Triangle triangle = triangleOf();
     triangles_.push_back({triangle, scaledNormal(triangle), roundingOf(triangle), index});
-    const auto cornersOf = [&](std::uint32_t added) -> const Triangle& { return this->triangle(added); };
-    corners_.addCorners(cornersOf);
-    edges_.addEdges(cornersOf);
+    const auto triangleAt = [&](std::uint32_t added) -> const Triangle& { return triangles_[added].corners; };
+    corners_.addCorners(triangleAt);
+    edges_.addEdges(triangleAt);
     return number;
   }
 

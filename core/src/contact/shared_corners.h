@@ -26,11 +26,15 @@ class SharedCorners {
     first_.clear();
   }
 
-  /// Adds the triangle with the next number. `triangleOf(number)` returns any triangle added so far.
+  /// The number of triangles.
+  std::size_t size() const { return count_; }
+
+  /// Adds the triangle with the next number. `triangleOf(number)` returns this triangle and all added before.
   template <typename TriangleOf>
   void addCorners(TriangleOf&& triangleOf) {
     add(triangleOf, [](const Triangle& triangle, std::size_t v) { return keyOf(triangle[v]); });
   }
+  /// The same for edges.
   template <typename TriangleOf>
   void addEdges(TriangleOf&& triangleOf) {
     add(triangleOf, [](const Triangle& triangle, std::size_t v) {

@@ -17,7 +17,8 @@ namespace octoblisk::detail {
 inline float squaredLimit(double bound, double size) {
   constexpr float kFarthestRoot = 1e18f;  // its square is below that of the distance to empty boxes
   const float limit = std::min(traversalLimit(bound, size), kFarthestRoot);
-  return limit * limit;
+  constexpr float kSubnormal = 0x1p-147f;  // above the rounding of subnormal squares
+  return limit * limit + kSubnormal;
 }
 
 /// Bounds of the distances of eight pairs.

@@ -17,7 +17,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, double upper_bound) {
   const LocalBox local(tree, {point, Mat3::Identity(), Vec3::Zero()});
   const double farthest = local.size;  // no triangle is farther away
-  const double rounding = kSingleRounding * farthest;
+  const double rounding = kSingleRounding * farthest + local.doubles;
   ClosestPoint best;
   best.distance = std::min(upper_bound, 2.0 * farthest);
   const auto squaredLimit = [](double distance) { return distance * distance * (1.0 + 1e-15); };
@@ -25,7 +25,7 @@ std::optional<ClosestPoint> searchClosest(const Tree& tree, const Vec3& point, d
   const auto limit = [&] { return static_cast<float>(best.distance + rounding); };
   const PointCull cull(tree.origin(), point);
   walkBox(tree, local, GapOfPoint(), limit, [&](Slot leaf) HWY_ATTR {
-    return forEachTriangleNear(tree, leaf, cull, best.distance, [&](std::uint32_t t) {
+    return forEachNearInLeaf(tree, leaf, cull, best.distance, [&](std::uint32_t t) {
       const Vec3 on_triangle = closestPoint(tree.mesh().triangle(t), point);
       const double squared = (on_triangle - point).squaredNorm();
       if (squared > squared_limit) return false;

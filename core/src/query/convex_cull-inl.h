@@ -36,8 +36,8 @@ class ConvexCull {
     for (std::size_t p = 0; p < count_; ++p) points_[p] = (points[p] - center).cast<float>();
   }
 
-  /// A bit for each triangle that may be within `reach`, the requested reach plus the body's radius. The
-  /// corners are in rows (leaf_vertices.h) in the frame of a box.
+  /// A bit for each triangle that may be within `reach` of the hull of the points. The corners are in rows
+  /// (leaf_vertices.h) in the frame of a box.
   HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count, double reach) const {
     const Vec3 shift = tree_in_center_ * box.center.cast<double>();
     const Eigen::Matrix3f turn = (tree_in_center_.rotation * box.axes.cast<double>()).cast<float>();

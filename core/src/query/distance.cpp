@@ -17,7 +17,7 @@ void searchConvex(const Tree& a, const Obb& bounds_of_b, NearestToConvex& neares
   const LocalBox local(a, bounds_of_b);
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
-  const auto limit = [&] { return squaredLimit(nearest.bound(), local.size); };
+  const auto limit = [&] { return squaredLimit(nearest.bound() + local.doubles, local.size); };
   walkBox(a, local, bound, limit, [&](Slot slot) {
     for (const std::uint32_t triangle : a.triangles(a.child(slot))) {
       if (nearest.offer(triangle)) return true;

@@ -19,8 +19,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// Calls visit(triangle) for each triangle of a leaf that may be within `reach`, according to a PointCull or
 /// ConvexCull. Returns true as soon as a visit does, otherwise false.
 template <typename Cull, typename Visit>
-HWY_INLINE bool forEachTriangleNear(const Tree& tree, Slot leaf, const Cull& cull, double reach,
-                                    Visit&& visit) {
+HWY_INLINE bool forEachNearInLeaf(const Tree& tree, Slot leaf, const Cull& cull, double reach,
+                                  Visit&& visit) {
   const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
   Box8 box_room(Box8::Unset{});
   LeafVertices room;

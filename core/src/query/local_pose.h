@@ -40,16 +40,20 @@ struct LocalPose {
   float limit(double reach) const { return traversalLimit(reach + doubles, size); }
 };
 
-/// A box in a tree's local frame, and the size of tree, box and their distance.
+/// A box in a tree's local frame.
 struct LocalBox {
   BoxF box;
-  double size;
+  double size;     ///< of tree and box and their distance; determines the rounding in single precision
+  double doubles;  ///< rounding error of the box in double precision, far from an origin
 
   LocalBox(const Tree& tree, const Obb& box_in_tree) {
     const Vec3 center = box_in_tree.center - tree.origin();
     box = {center.cast<float>(), inSinglePrecision(box_in_tree.axes), box_in_tree.half_extents.cast<float>()};
     size = center.norm() + tree.radius() + box_in_tree.half_extents.norm();
+    doubles = kDoubleRounding * (size + tree.origin().norm() + box_in_tree.center.norm());
   }
+
+  float limit(double reach) const { return traversalLimit(reach + doubles, size); }
 };
 
 }  // namespace octoblisk::detail

@@ -19,13 +19,13 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// Like ConvexCull, for a body whose core is a point. Computes all eight distances in single precision.
 class PointCull {
  public:
-  /// Boxes are relative to `origin`.
+  /// Boxes are relative to `origin`. Without a pose, the point is in the tree's frame.
   PointCull(const Vec3& origin, const Vec3& point, const Pose& convex_in_tree = {})
       : point_(convex_in_tree * point - origin),
         rounding_(kDoubleRounding * (origin.norm() + convex_in_tree.translation.norm() + point.norm())) {}
 
-  /// A bit for each triangle that may be within `reach`. The corners are in rows (leaf_vertices.h) in the
-  /// frame of a box.
+  /// A bit for each triangle that may be within `reach` of the point. The corners are in rows
+  /// (leaf_vertices.h) in the frame of a box.
   HWY_INLINE unsigned near(const BoxF& box, const float* rows, std::uint32_t count, double reach) const {
     const Vec3 point_in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
     const double size = point_in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());

@@ -9,8 +9,6 @@
 #define OCTOBLISK_QUERY_TRAVERSAL_INL_H
 #endif
 
-#include <algorithm>
-#include <array>
 #include <bit>
 
 #include "query/local_pose.h"
@@ -156,7 +154,7 @@ bool walkBox(const Tree& tree, const LocalBox& local, Gap&& gap, Limit&& limit, 
 /// Calls visit(leaf) for all leaves whose boxes have a gap of at most `limit`, in no particular order.
 /// Returns true as soon as a visit does, otherwise false. Nothing is near if the box is not finite.
 template <typename Gap, typename Visit>
-bool forEachLeafWithin(const Tree& tree, const LocalBox& local, float limit, Gap&& gap, Visit&& visit) {
+bool forEachLeafWithin(const Tree& tree, const LocalBox& local, Gap&& gap, float limit, Visit&& visit) {
   if (!(local.size <= kFarthest)) return false;
   const BoxF& box = local.box;
   TraversalStack<std::uint32_t, Tree::kMaxDepth> nodes;

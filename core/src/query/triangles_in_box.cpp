@@ -12,8 +12,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 bool trianglesIn(const Tree& tree, const Obb& box_in_tree, double reach,
                  FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, box_in_tree);
-  return forEachLeafWithin(tree, local, traversalLimit(reach, local.size), WidestGap(), [&](Slot slot) {
-    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
+  return forEachLeafWithin(tree, local, WidestGap(), local.limit(reach), [&](Slot leaf) {
+    for (const std::uint32_t triangle : tree.triangles(tree.child(leaf))) {
       if (visit(triangle)) return true;
     }
     return false;

@@ -16,10 +16,10 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
                    const Pose& convex_in_tree, double reach,
                    FunctionRef<bool(std::uint32_t triangle)> visit) {
   const LocalBox local(tree, convex_in_tree * obbOf(bounds));
-  const float limit = traversalLimit(reach, local.size);
+  const float limit = local.limit(reach);
   const auto walk = [&](const auto& gap, const auto& cull) HWY_ATTR {
-    return forEachLeafWithin(tree, local, limit, gap, [&](Slot leaf) HWY_ATTR {
-      return forEachTriangleNear(tree, leaf, cull, reach, visit);
+    return forEachLeafWithin(tree, local, gap, limit, [&](Slot leaf) HWY_ATTR {
+      return forEachNearInLeaf(tree, leaf, cull, reach, visit);
     });
   };
   constexpr double kSquared = 1e18;  // the squares of larger gaps overflow
