@@ -11,6 +11,7 @@
 #include "query/tally.h"
 #include "query/traversal-inl.h"
 #include "query/triangle_filter-inl.h"
+#include "simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -31,15 +32,13 @@ bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, Node
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         tally.leafPair();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
-        auto near = leaves.within(2.0f * leaves.coordinateRounding());
+        const auto near = leaves.within(2.0f * leaves.coordinateRounding());
         if (near.of_a == 0) return false;
         const TriangleLanes triangles_of_b(leaves);
-        for (; near.of_a != 0; near.of_a &= near.of_a - 1) {
-          const auto i = static_cast<std::uint32_t>(std::countr_zero(near.of_a));
+        for (const std::uint32_t i : Lanes(near.of_a)) {
           tally.triangleTest();
           const auto verdicts = triangles_of_b.meet(triangles_of_b.heights(i), near.of[i]);
-          for (unsigned left = verdicts.meet | verdicts.open; left != 0; left &= left - 1) {
-            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
+          for (const std::uint32_t j : Lanes(verdicts.meet | verdicts.open)) {
             const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
             if (visit(pair, NodePair{slot_a.node, slot_b.node}, (verdicts.meet >> j & 1u) != 0)) return true;
           }

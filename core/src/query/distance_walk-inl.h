@@ -11,6 +11,7 @@
 #include "query/tally.h"
 #include "query/traversal-inl.h"
 #include "query/triangle_filter-inl.h"
+#include "simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -42,14 +43,12 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& ne
     leaves.keepWithin(reach(), nearest.direction(), close);  // keeps few if the surfaces are nearly parallel
     if (close.of_a == 0) return false;
     const TriangleLanes triangles_of_b(leaves);
-    for (; close.of_a != 0; close.of_a &= close.of_a - 1) {
-      const auto i = static_cast<std::uint32_t>(std::countr_zero(close.of_a));
+    for (const std::uint32_t i : Lanes(close.of_a)) {
       const auto heights = triangles_of_b.heights(i);
-      unsigned near = triangles_of_b.within(reach(), heights, close.of[i]);
+      const unsigned near = triangles_of_b.within(reach(), heights, close.of[i]);
       if (near == 0) continue;
       const auto verdicts = triangles_of_b.meet(heights, near);
-      for (; near != 0; near &= near - 1) {
-        const auto j = static_cast<std::uint32_t>(std::countr_zero(near));
+      for (const std::uint32_t j : Lanes(near)) {
         const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
         if (may_meet) {
           if (nearest.offer({leaves.triangleA(i), leaves.triangleB(j)}, true)) return true;

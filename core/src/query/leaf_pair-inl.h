@@ -8,10 +8,10 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "query/local_pose.h"
+#include "simd/lanes.h"
 #include "simd/simd-inl.h"
 #include "simd/unit.h"
 #include "tree/node_boxes-inl.h"
@@ -128,8 +128,7 @@ class LeafPair {
     float high[kLanes];
     high_of_a.store(high);
     const Float8 limit(reach);
-    for (unsigned left = near.of_a; left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
+    for (const std::uint32_t i : Lanes(near.of_a)) {
       near.of[i] &= ~less(limit, low_of_b - Float8(high[i]));
       if (near.of[i] == 0) near.of_a &= ~(1u << i);
     }

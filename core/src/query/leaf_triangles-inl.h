@@ -6,10 +6,10 @@
 #define OCTOBLISK_QUERY_LEAF_TRIANGLES_INL_H
 #endif
 
-#include <bit>
 #include <cstdint>
 #include <span>
 
+#include "simd/lanes.h"
 #include "tree/node_boxes-inl.h"
 #include "tree/tree.h"
 
@@ -26,8 +26,8 @@ HWY_INLINE bool forEachNearInLeaf(const Tree& tree, Slot leaf, const Cull& cull,
   LeafVertices room;
   const BoxF box = boxesAt(tree, leaf, box_room).get(static_cast<int>(leaf.lane));
   const float* const rows = tree.leafVertices(leaf, room);
-  for (unsigned near = cull.near(box, rows, tree.child(leaf).count(), reach); near != 0; near &= near - 1) {
-    if (visit(triangles[static_cast<std::size_t>(std::countr_zero(near))])) return true;
+  for (const std::uint32_t i : Lanes(cull.near(box, rows, tree.child(leaf).count(), reach))) {
+    if (visit(triangles[i])) return true;
   }
   return false;
 }

@@ -10,6 +10,7 @@
 #include "query/pair_distances-inl.h"
 #include "query/traversal-inl.h"
 #include "query/triangle_filter-inl.h"
+#include "simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -28,37 +29,35 @@ void forEachNearPair(const Tree& a, const Tree& b, const Pose& b_in_a, double th
     for (std::uint32_t k = 0; k < count; ++k) visit(near[k]);
     apart.clear();
   };
-  walkPairs<TraversalStack>(
-      a, b, pose, NodePair(), WidestGap(), limitNow, [&](Slot slot_a, Slot slot_b) HWY_ATTR {
-        const float limit = limitNow();
-        const LeafPair leaves(a, b, pose, slot_a, slot_b);
-        auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
-        if (bounds.of_a == 0) return false;
-        const TriangleLanes triangles_of_b(leaves);
-        for (; bounds.of_a != 0; bounds.of_a &= bounds.of_a - 1) {
-          const auto i = static_cast<std::uint32_t>(std::countr_zero(bounds.of_a));
-          const auto heights = triangles_of_b.heights(i);
-          const unsigned close = triangles_of_b.within(limit, heights, bounds.of[i]);
-          if (close == 0) continue;
-          const auto [meet, open] = triangles_of_b.meet(heights, close);
-          for (unsigned left = threshold > 0.0 ? close : meet | open; left != 0; left &= left - 1) {
-            const auto j = static_cast<std::uint32_t>(std::countr_zero(left));
-            if (((meet | open) >> j & 1u) != 0) {
-              NearPair pair;
-              pair.triangles = {leaves.triangleA(i), leaves.triangleB(j)};
-              if ((meet >> j & 1u) != 0) {
-                pair.meeting = Meeting::yes;
-                pair.most_distance = 0.0f;
-              }
-              visit(pair);
-            } else {
-              apart.add(leaves, i, j);
-              if (apart.isFull()) visitApart();
-            }
+  const auto visitLeaves = [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+    const float limit = limitNow();
+    const LeafPair leaves(a, b, pose, slot_a, slot_b);
+    const auto bounds = leaves.within(limit + 2.0f * leaves.coordinateRounding());
+    if (bounds.of_a == 0) return false;
+    const TriangleLanes triangles_of_b(leaves);
+    for (const std::uint32_t i : Lanes(bounds.of_a)) {
+      const auto heights = triangles_of_b.heights(i);
+      const unsigned close = triangles_of_b.within(limit, heights, bounds.of[i]);
+      if (close == 0) continue;
+      const auto [meet, open] = triangles_of_b.meet(heights, close);
+      for (const std::uint32_t j : Lanes(threshold > 0.0 ? close : meet | open)) {
+        if (((meet | open) >> j & 1u) != 0) {
+          NearPair pair;
+          pair.triangles = {leaves.triangleA(i), leaves.triangleB(j)};
+          if ((meet >> j & 1u) != 0) {
+            pair.meeting = Meeting::yes;
+            pair.most_distance = 0.0f;
           }
+          visit(pair);
+        } else {
+          apart.add(leaves, i, j);
+          if (apart.isFull()) visitApart();
         }
-        return false;
-      });
+      }
+    }
+    return false;
+  };
+  walkPairs<TraversalStack>(a, b, pose, NodePair(), WidestGap(), limitNow, visitLeaves);
   if (apart.count() != 0) visitApart();
 }
 

@@ -13,6 +13,7 @@
 #include "query/closest_pair.h"
 #include "query/leaf_pair-inl.h"
 #include "query/near_pair.h"
+#include "simd/lanes.h"
 #include "simd/triangle8-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -62,8 +63,7 @@ class PairDistances {
     max(apart, Float8(0.0f)).store(least_distance);
     most(closest, size, rounding).store(most_distance);
     std::uint32_t count = 0;
-    for (unsigned left = ((1u << count_) - 1u) & ~far; left != 0; left &= left - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    for (const std::uint32_t k : Lanes(((1u << count_) - 1u) & ~far)) {
       near[count++] = {pairs_[k],
                        Meeting::no,
                        {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]},

@@ -46,6 +46,7 @@ class RayTask {
 #include <hwy/cache_control.h>
 
 #include "query/ray_lanes-inl.h"
+#include "simd/lanes.h"
 #include "tree/node_boxes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -164,11 +165,11 @@ class RayDescent {
     const std::span<const std::uint32_t> triangles = tree_.triangles(leaf);
     if (!tree_.isCompact()) prefetchExact(triangles);
     const unsigned in_leaf = (1u << triangles.size()) - 1;
-    unsigned crossed =
+    const unsigned crossed =
         mayCross(tree_.leafVertices(slot, corners), triangles.size(), sheared, limit_) & in_leaf;
-    for (; crossed != 0; crossed &= crossed - 1) {
+    for (const std::uint32_t i : Lanes(crossed)) {
       tally_.exactTest();
-      const double wanted = visit_(triangles[static_cast<std::size_t>(std::countr_zero(crossed))]);
+      const double wanted = visit_(triangles[i]);
       if (wanted < 0.0) return false;
       limit_ = std::min(limit_, local_.reachOf(wanted));
     }

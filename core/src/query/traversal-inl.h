@@ -9,13 +9,12 @@
 #define OCTOBLISK_QUERY_TRAVERSAL_INL_H
 #endif
 
-#include <bit>
-
 #include "query/local_pose.h"
 #include "query/node_pair.h"
 #include "query/traversal_queue.h"
 #include "query/traversal_stack.h"
 #include "simd/box_gap-inl.h"
+#include "simd/lanes.h"
 #include "tree/node_boxes-inl.h"
 #include "tree/tree.h"
 
@@ -25,14 +24,11 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// Calls put(lane, gap) for each of the eight gaps that is at most `limit`.
 template <typename Put>
 HWY_INLINE void forEachWithin(const Float8& gap, float limit, Put&& put) {
-  unsigned near = kAllLanes & ~less(Float8(limit), gap);
+  const unsigned near = kAllLanes & ~less(Float8(limit), gap);
   if (near == 0) return;
   float gaps[kLanes];
   gap.store(gaps);
-  for (; near != 0; near &= near - 1) {
-    const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-    put(lane, gaps[lane]);
-  }
+  for (const std::uint32_t lane : Lanes(near)) put(lane, gaps[lane]);
 }
 
 /// Ends a traversal at the leaves.
@@ -162,9 +158,9 @@ bool forEachLeafWithin(const Tree& tree, const LocalBox& local, Gap&& gap, float
   Box8 room(Box8::Unset{});
   while (!nodes.empty()) {
     const std::uint32_t node = nodes.pop();
-    unsigned near = kAllLanes & ~less(Float8(limit), gap(boxesOf(tree, node, room), box));
-    for (; near != 0; near &= near - 1) {
-      const Slot slot{node, static_cast<std::uint32_t>(std::countr_zero(near))};
+    const unsigned near = kAllLanes & ~less(Float8(limit), gap(boxesOf(tree, node, room), box));
+    for (const std::uint32_t lane : Lanes(near)) {
+      const Slot slot{node, lane};
       const Child child = tree.child(slot);
       if (child.isEmpty()) continue;  // the box is not finite: all gaps are NaN
       if (!child.isLeaf()) {

@@ -1,7 +1,6 @@
 #include "octoblisk/triangle_cache.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -11,6 +10,7 @@
 #include "query/convex_cull-inl.h"
 #include "query/point_cull-inl.h"
 #include "query/triangle_bundle.h"
+#include "simd/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -19,9 +19,8 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
           const Aabb& bounds, const Pose& convex_in_tree, double reach, std::vector<std::uint32_t>& found) {
   const auto siftBy = [&](const auto& cull) HWY_ATTR {
     for (const TriangleBundle& bundle : bundles) {
-      for (unsigned near = cull.near(bundle.box, bundle.corners.rows, bundle.count, reach); near != 0;
-           near &= near - 1) {
-        found.push_back(bundle.triangles[static_cast<std::size_t>(std::countr_zero(near))]);
+      for (const std::uint32_t i : Lanes(cull.near(bundle.box, bundle.corners.rows, bundle.count, reach))) {
+        found.push_back(bundle.triangles[i]);
       }
     }
   };
