@@ -62,6 +62,22 @@ class OurPile final : public ConcavePileQuery {
   }
 };
 
+/// The shape: also copies the mesh, and computes mass properties and thickness.
+class OurShapeBuild final : public BuildQuery {
+ public:
+  explicit OurShapeBuild(const Scene& scene) : mesh_(*scene.blisk) {}
+  void build() override {
+    clear();
+    shape_ = std::make_unique<ClusteredOctreeShape>(mesh_.view());
+  }
+  void clear() override { shape_.reset(); }
+
+ private:
+  BulletMesh mesh_;
+  std::unique_ptr<ClusteredOctreeShape> shape_;
+};
+
+const bool kShape = registerContender<OurShapeBuild>("octoblisk-shape");
 const bool kRegistered = registerContender<InBulletWorld<OurShapes>, HullsOnBlisk<OursOnFloor>, OurPile,
                                            PrimitiveOnMesh<OurSmallMesh>>(kOurs);
 

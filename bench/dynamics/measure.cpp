@@ -16,17 +16,25 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double msOf(std::clock_t time) { return 1e3 * static_cast<double>(time) / CLOCKS_PER_SEC; }
+
 }  // namespace
 
 Row measured(DynamicsScene& scene, int steps) {
-  std::clock_t spent = 0;
+  std::clock_t spent = 0, awake = 0;
+  int awake_steps = 0;
   Row asleep_after;  // null
   std::vector<double> late, times, energies, depths;
   const int interval = std::max(1, steps / kSamples);
   for (int step = 1; step <= steps; ++step) {
     const std::clock_t begin = std::clock();
     scene.step();
-    spent += std::clock() - begin;
+    const std::clock_t took = std::clock() - begin;
+    spent += took;
+    if (asleep_after.is_null()) {
+      awake += took;
+      ++awake_steps;
+    }
     if (asleep_after.is_null() && scene.asleep() == scene.bodies()) asleep_after = step;
     if (step > steps - kLate) late.push_back(scene.kineticEnergy());
     if (step % interval != 0 && step != steps) continue;
@@ -36,7 +44,8 @@ Row measured(DynamicsScene& scene, int steps) {
   }
   Row row = {{"bodies", scene.bodies()},
              {"steps", steps},
-             {"step_ms", 1e3 * static_cast<double>(spent) / CLOCKS_PER_SEC / steps},
+             {"step_ms", msOf(spent) / steps},
+             {"awake_step_ms", msOf(awake) / awake_steps},
              {"asleep_after_steps", asleep_after},
              {"late_energy_j", median(late)},
              {"depth_m", depths.back()},

@@ -259,8 +259,9 @@ std::string paperTable(const Rows& all) {
 }
 
 std::string dynamicsTable(const Rows& all) {
-  MarkdownTable table({"scene", "shape", "time per step", "steps until all sleep", "late kinetic energy, J",
-                       "depth, mm", "points", "manifolds", "lost", "further figures"});
+  MarkdownTable table({"scene", "shape", "time per step", "until all sleep", "steps until all sleep",
+                       "late kinetic energy, J", "depth, mm", "points", "manifolds", "lost",
+                       "further figures"});
   for (const Row& row : ofTask(all, "dynamics")) {
     std::string beside;
     const Row figures = row.value("figures", Row::object());  // items() refers to it
@@ -268,9 +269,10 @@ std::string dynamicsTable(const Rows& all) {
       beside += (beside.empty() ? "" : ", ") + name + ' ' + significant(value.get<double>(), 3);
     const auto countText = [&](const char* key) { return std::to_string(std::llround(number(row, key))); };
     table.add({row["scene"].get<std::string>(), row.value("contender", ""),
-               timeText(1e3 * number(row, "step_ms")), sleepText(row),
-               significant(number(row, "late_energy_j")), significant(1e3 * number(row, "depth_m")),
-               countText("points"), countText("manifolds"), countText("lost"), beside});
+               timeText(1e3 * number(row, "step_ms")), timeText(1e3 * number(row, "awake_step_ms")),
+               sleepText(row), significant(number(row, "late_energy_j")),
+               significant(1e3 * number(row, "depth_m")), countText("points"), countText("manifolds"),
+               countText("lost"), beside});
   }
   return table.empty() ? "" : table.text();
 }

@@ -43,6 +43,7 @@ constexpr Line kLines[] = {
 };
 
 constexpr const char* kOnOneThread = "OctoBlisk on one thread";
+constexpr const char* kShape = "OctoBlisk's shape";
 
 /// A contender's name in the summary. Empty for a variant of ours that the summary leaves out.
 std::string calledIn(const std::string& contender) {
@@ -55,7 +56,8 @@ std::string calledIn(const std::string& contender) {
                                                        {"bvh-gimpact", "BVH with a GImpact belt"},
                                                        {"scaled-bvh", "scaled BVH"},
                                                        {"gimpact", "GImpact"},
-                                                       {"octoblisk-1-thread", kOnOneThread}};
+                                                       {"octoblisk-1-thread", kOnOneThread},
+                                                       {"octoblisk-shape", kShape}};
   for (const auto& [name, called] : names) {
     if (contender == name) return called;
   }

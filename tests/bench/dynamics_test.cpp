@@ -44,6 +44,7 @@ TEST(Dynamics, everySceneRunsWithEveryShape) {
       EXPECT_GT(row["points"].get<int>(), 0);
       EXPECT_GE(row["points"].get<int>(), row["manifolds"].get<int>());
       EXPECT_GT(row["step_ms"].get<double>(), 0.0);
+      EXPECT_EQ(row["awake_step_ms"], row["step_ms"]);  // none is asleep
       EXPECT_GT(row["late_energy_j"].get<double>(), 0.0);
       EXPECT_LT(row["depth_m"].get<double>(), 0.1);
       EXPECT_TRUE(row["asleep_after_steps"].is_null());

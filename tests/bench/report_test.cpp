@@ -129,6 +129,7 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
                     {"bodies", 5},
                     {"asleep", 2},
                     {"step_ms", 0.25},
+                    {"awake_step_ms", 0.5},
                     {"asleep_after_steps", Row::array({nullptr})},
                     {"late_energy_j", 0.002},
                     {"depth_m", 0.0015},
@@ -148,12 +149,12 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
   pile["asleep_after_steps"] = Row::array({500, nullptr, 300, 400, 700});
   const Rows rows = {ours, plane, pile};
   const std::string table = dynamicsTable(rows);
-  EXPECT_NE(table.find("| tower | octoblisk | 250 µs | never (2 of 5) | 0.0020 | 1.5 | 20 | 5 | 1 | "
+  EXPECT_NE(table.find("| tower | octoblisk | 250 µs | 500 µs | never (2 of 5) | 0.0020 | 1.5 | 20 | 5 | 1 | "
                        "creep_mm 12.3, top_m 2.50 |"),
             std::string::npos)
       << table;
-  EXPECT_NE(table.find("| tower | plane | 250 µs | 321 |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| pile | octoblisk | 250 µs | 500 (300 to never) |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| tower | plane | 250 µs | 500 µs | 321 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| pile | octoblisk | 250 µs | 500 µs | 500 (300 to never) |"), std::string::npos) << table;
   EXPECT_EQ(dynamicsTable({}), "");
 
   const ResultsPage page = resultsPage(rows, Row());
