@@ -354,5 +354,22 @@ TEST(Depth, tinyHugeAndFar) {
   EXPECT_EQ(query.deepest(a.surface, b.surface, pose, 0.0).gouging, Gouging::found);  // raised to 1e-12
 }
 
+/// A triangle through a thin wall. The middle of a cut may lie exactly on the wall.
+TEST(Depth, aPartWithACornerOnTheSurfaceIsNotTakenToBeInside) {
+  constexpr double kInner = 0.94769709439685212;
+  const Solid shell(testing::joined(*testing::boxMesh({1, 1, 1}), *testing::boxMesh(Vec3::Constant(kInner))));
+  const Vec3 a(-0.96424651073560208, -0.26257278086613928, -1.5588363927613025),
+      b(-0.13592183045904938, 3.0939373771491008, 0.33957713051812666),
+      c(0.45444729810631335, -2.3336402299038577, 3.9671070150778882);
+  DepthQuery query;
+  for (const auto& corners : {std::vector{a, b, c}, std::vector{c, b, a}}) {
+    const Solid triangle(
+        std::make_shared<const TriangleMesh>(corners, std::vector<TriangleMesh::Indices>{{0, 1, 2}}));
+    const GougeDepth found = query.deepest(shell.surface, triangle.surface, {}, 1e-6);
+    expectWitness(found, shell, triangle, {}, 1e-12);
+    EXPECT_LE(found.upper_bound, (2.0 - std::numbers::sqrt2) * (1.0 - kInner) + 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk

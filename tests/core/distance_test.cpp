@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "geometry/triangle_pair.h"
 #include "octoblisk/collide.h"
+#include "octoblisk/contacts.h"
 #include "octoblisk/path_query.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -210,6 +213,29 @@ TEST(Distance, toConvexBodies_vs_bruteforce) {
   }
   EXPECT_GT(touching, kPoses * 3 / 10);
   EXPECT_LT(touching, kPoses * 7 / 10);
+}
+
+TEST(Distance, ofConvexBodiesThatMeetIsNotBelowABoundOfZero) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), {0.5, 0.5, 0.5}});
+  const Pose pose{Mat3::Identity(), Vec3(1.2, 0, 0)};
+  EXPECT_EQ(distance(tree, box, pose).distance, 0.0);
+  for (const double bound : {0.0, -0.1})
+    EXPECT_FALSE(distance(tree, box, pose, {.upper_bound = bound}).found());
+}
+
+TEST(Distance, toAConvexBodyAtAPoseThatIsNotFiniteIsInfinite) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  const ConvexBox box({Vec3::Zero(), Mat3::Identity(), {0.5, 0.5, 0.5}});
+  const std::vector<std::uint32_t> triangles = {0, 1};
+  std::vector<Contact> found;
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Pose pose{Mat3::Identity(), Vec3(bad, 0, 0)};
+    EXPECT_FALSE(distance(tree, box, pose, {.hint = {0, kNoTriangle}}).found());
+    contacts(tree, triangles, box, pose, 0.1, found);
+    EXPECT_TRUE(found.empty());
+  }
 }
 
 }  // namespace

@@ -61,5 +61,17 @@ TEST(HalfSpaceContacts, aFlatMeshInThePlaneTouches) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST(HalfSpaceContacts, aMeshFarBelowThePlaneIsInsideWithAllItsVertices) {
+  std::mt19937_64 random(44);
+  const ClusteredOctree tree = ClusteredOctree::build(testing::bumpySphere(random, 1.0, 0.3, 24));
+  std::vector<Contact> found;
+  for (const double offset : {1e3, 1e15, 1e16, 1e17, 1e30}) {
+    for (int i = 0; i < 20; ++i) {
+      contacts(tree, HalfSpace{testing::randomRotation(random).col(0), offset}, 0.0, found);
+      ASSERT_EQ(found.size(), tree.mesh().vertices().size()) << offset;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk

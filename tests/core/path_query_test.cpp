@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <type_traits>
 
 #include "shared/meshes.h"
@@ -147,6 +148,28 @@ TEST(PathQuery, theOptionsHintServesTheFirstPoseAndAPairOutOfRangeNone) {
   EXPECT_EQ(query.distance(pose, {.hint = {12345678, 3}}).distance, expected);
   EXPECT_EQ(query.distance(pose).distance, expected);
   EXPECT_FALSE(query.collide(pose));
+}
+
+TEST(PathQuery, afterATouchAPoseThatIsNotFiniteMeetsNothing) {
+  const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({1, 1, 1}));
+  const Surface surface(box);
+  const Pose touching{Mat3::Identity(), Vec3(1, 0.25, 0.125)};
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (int place = 0; place < 12; ++place) {
+      Pose pose = touching;
+      (place < 9 ? pose.rotation(place / 3, place % 3) : pose.translation[place - 9]) = bad;
+      PathQuery collisions(box, box), distances(box, box), signed_distances(surface, surface);
+      EXPECT_TRUE(collisions.collide(touching));
+      EXPECT_FALSE(collisions.collide(pose)) << place;
+      EXPECT_EQ(distances.distance(touching).distance, 0.0);
+      EXPECT_EQ(distances.distance(pose).distance, std::numeric_limits<double>::infinity()) << place;
+      EXPECT_FALSE(distance(box, box, pose, {.hint = {0, 0}}).found()) << place;
+      signed_distances.signedDistance(touching);
+      EXPECT_EQ(signed_distances.signedDistance(pose).distance, std::numeric_limits<double>::infinity())
+          << place;
+    }
+  }
 }
 
 }  // namespace

@@ -361,5 +361,20 @@ TEST(Raycast, raysThatAreNoneMeetNothing) {
   EXPECT_FALSE(anyHit(box, {.origin = Vec3::Zero(), .direction = Vec3::UnitX(), .t_max = nan}));
 }
 
+TEST(Raycast, theNormalOfASliverIsAUnitVectorOnTheRightSide) {
+  constexpr double kUlp = 0x1p-52;
+  const ClusteredOctree sliver = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
+      std::vector<Vec3>{{0, 0, 0}, {1, 1 + kUlp, 0}, {1 + kUlp, 1 + 2 * kUlp, 0}},
+      std::vector<TriangleMesh::Indices>{{0, 1, 2}}));
+  for (const double side : {1.0, -1.0}) {
+    const auto hit =
+        closestHit(sliver, {.origin = Vec3(1, 1 + kUlp, 5 * side), .direction = Vec3(0, 0, -side)});
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->t, 5.0);
+    EXPECT_EQ(hit->normal.norm(), 1.0);
+    EXPECT_EQ(hit->back_face, hit->normal.z() * -side > 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace octoblisk

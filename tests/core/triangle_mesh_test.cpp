@@ -42,6 +42,16 @@ TEST(TriangleMesh, givesBackWhatItWasMadeOf) {
   EXPECT_EQ(mesh.bounds().max, Vec3(1, 1, 0));
 }
 
+TEST(TriangleMesh, keepsNoUnusedMemory) {
+  std::vector<Vec3> vertices = kCorners;
+  std::vector<TriangleMesh::Indices> triangles = {{2, 0, 1}};
+  vertices.reserve(100);
+  triangles.reserve(100);
+  const TriangleMesh mesh(std::move(vertices), std::move(triangles));
+  EXPECT_EQ(mesh.vertices().capacity(), mesh.vertices().size());
+  EXPECT_EQ(mesh.triangles().capacity(), mesh.triangles().size());
+}
+
 /// Margins, tolerances and Bullet's boxes depend on the bounds.
 TEST(TriangleMesh, verticesThatNoTriangleUsesAreNotInTheBounds) {
   const TriangleMesh mesh({{1e6, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1e6}}, {{1, 2, 3}});

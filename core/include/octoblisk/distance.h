@@ -9,7 +9,8 @@
 
 namespace octoblisk {
 
-/// The least distance between two surfaces. Points are in A's frame.
+/// The least distance between two surfaces. Points are in A's frame. If the surfaces meet, both points are
+/// the same point of B; it is on A, or below A's triangle.
 struct Clearance {
   double distance = std::numeric_limits<double>::infinity();  ///< 0 if they meet; mesh units
   Vec3 point_on_a = Vec3::Zero();
@@ -22,9 +23,9 @@ struct Clearance {
 };
 
 struct DistanceOptions {
-  /// Searches only for distances below this bound. If nothing nearer exists, the distance is proved to be at
-  /// least this bound less the tolerance; the clearance then holds the bound and no triangles. The search
-  /// stops as soon as this is proved.
+  /// Searches only for distances below this bound. If nothing is nearer, the clearance holds the bound and no
+  /// triangles: the distance is proved to be at least the bound less the tolerance. The search stops as soon
+  /// as this is proved.
   double upper_bound = std::numeric_limits<double>::infinity();
   /// The result may exceed the least distance by this much; a value > 0 ends the search sooner. 0: exact, up
   /// to the rounding of the closest points of two triangles.

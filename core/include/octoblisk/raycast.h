@@ -33,8 +33,10 @@ struct RayHit {
   double t = 0.0;                        ///< parameter of the ray: point = origin + t · direction
   std::uint32_t triangle = kNoTriangle;  ///< index in the mesh
   Vec3 point = Vec3::Zero();
-  Vec3 normal = Vec3::UnitX();  ///< the triangle's unit outward normal, whichever side the ray comes from
-  bool back_face = false;       ///< the ray hits the triangle from behind: direction · normal > 0
+  /// The triangle's unit outward normal, whichever side the ray comes from. If rounding leaves no normal of a
+  /// very thin triangle, a unit vector along the ray.
+  Vec3 normal = Vec3::UnitX();
+  bool back_face = false;  ///< the ray hits the triangle from behind: direction · normal > 0; exact
 };
 
 /// The hit with the least t; if several tie, the one with the lowest triangle index. Allocates nothing.

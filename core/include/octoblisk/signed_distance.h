@@ -18,8 +18,8 @@ struct SignedDistance {
   Vec3 point_on_b = Vec3::Zero();
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
-  /// Unit vector along which a translation of B increases the distance fastest. If A and B are apart, it
-  /// points from A to B.
+  /// Unit vector along which a translation of B increases the distance fastest; zero if no translation
+  /// changes the distance. If A and B are apart, it points from A to B.
   Vec3 normal = Vec3::Zero();
   /// The derivative with respect to a small displacement v of B: its translation becomes translation + v.
   Vec3 by_translation = Vec3::Zero();
@@ -39,12 +39,12 @@ struct SignedDistanceOptions {
 /// The signed distance at one pose. It is continuous. An open surface contains nothing. Only the normal at
 /// distance 0 depends on the direction in which a surface faces.
 ///
-/// The derivative exists where a single pair of features decides the distance: a corner and a face, or two
+/// The derivative is exact where one pair of features decides the distance: a corner and a face, or two
 /// edges that are apart. If the deepest point lies on an edge or within a face, and several faces of the
-/// solid are equally near to it, the derivative is their weighted mean and exact as well. If several pairs
-/// tie (parallel faces, a corner equally near to two faces), the derivative jumps, and the function returns
-/// the derivative of the witness pair. It also jumps at distance 0 where edges cross. At distance 0 the
-/// normal is the normal of the face that the surfaces share, which is assumed to face outwards.
+/// solid are equally near to it, the derivative is their weighted mean, and also exact. If several pairs tie
+/// (parallel faces, a corner equally near to two faces), the derivative jumps, and the function returns that
+/// of the witness pair. It also jumps at distance 0 where edges cross. At distance 0 the normal is that of
+/// the face that the surfaces share. This face is assumed to face outward.
 ///
 /// Allocates memory; PathQuery answers one pose after another without allocating. Throws
 /// std::invalid_argument if neither surface is closed.

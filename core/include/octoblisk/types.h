@@ -17,8 +17,8 @@ namespace octoblisk {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. Queries do not check that a
-/// pose is finite: at a pose that contains a NaN, bodies do not meet and their distance is infinite.
+/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. At a
+/// pose that is not finite, bodies do not meet and their distance is infinite.
 struct Pose {
   Mat3 rotation = Mat3::Identity();
   Vec3 translation = Vec3::Zero();
@@ -27,6 +27,7 @@ struct Pose {
   Pose operator*(const Pose& inner) const {
     return {rotation * inner.rotation, rotation * inner.translation + translation};
   }
+  bool isFinite() const { return rotation.allFinite() && translation.allFinite(); }
   Pose inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 };
 

@@ -9,6 +9,8 @@ namespace octoblisk {
 TriangleMesh::TriangleMesh(std::vector<Vec3> vertices, std::vector<Indices> triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
   if (triangles_.empty()) throw std::invalid_argument("the mesh has no triangles");
+  vertices_.shrink_to_fit();  // readers append to them, so that up to half of their memory is unused
+  triangles_.shrink_to_fit();
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     for (const double coordinate : vertices_[v]) {
       if (!(std::abs(coordinate) <= kMaxCoordinate)) {  // true for NaN

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "geometry/closest_point_on_triangle.h"
 #include "geometry/polygon.h"
 #include "geometry/predicates.h"
 #include "geometry/segment_pair.h"
@@ -15,8 +16,6 @@ namespace octoblisk::detail {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
-
-constexpr double kThin = 1e-12;  // relative to its length: the width of a face whose normal is only rounding
 
 Vec2 project(const Vec3& point, int dropped_axis) {
   return {point[(dropped_axis + 1) % 3], point[(dropped_axis + 2) % 3]};
@@ -104,12 +103,24 @@ struct Face {
   const Triangle& corner;
   Vec3 normal;  ///< outward, as long as twice the triangle's area
   double squared_normal;
+  double squared_longest;      ///< edge
   std::array<Vec3, 3> inward;  ///< from each edge, in the triangle's plane
 
   explicit Face(const Triangle& t)
-      : corner(t), normal(scaledNormal(t)), squared_normal(normal.squaredNorm()) {
+      : corner(t),
+        normal(scaledNormal(t)),
+        squared_normal(normal.squaredNorm()),
+        squared_longest(std::max(
+            {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()})) {
     for (std::size_t i = 0; i < 3; ++i) inward[i] = normal.cross(t[(i + 1) % 3] - t[i]);
   }
+
+  /// Whether twice the area is above a fraction of the square of the longest edge.
+  bool isWiderThan(double fraction) const {
+    return squared_normal > fraction * fraction * squared_longest * squared_longest;
+  }
+  /// Degenerate, or so thin that rounding tilts the normal: a foot on the plane may be beside the triangle.
+  bool isThin() const { return !isWiderThan(1e-6); }
 
   /// The height over the plane, times the normal's length.
   double height(const Vec3& point) const { return normal.dot(point - corner[0]); }
@@ -119,10 +130,6 @@ struct Face {
            inward[2].dot(point - corner[2]) >= 0.0;
   }
   Vec3 foot(const Vec3& point) const { return point - normal * (height(point) / squared_normal); }
-  double longestSquared() const {
-    return std::max({(corner[1] - corner[0]).squaredNorm(), (corner[2] - corner[1]).squaredNorm(),
-                     (corner[0] - corner[2]).squaredNorm()});
-  }
 };
 
 /// Whether a plane through an edge of the face, perpendicular to the face, surely separates it from a
@@ -150,14 +157,19 @@ bool isBeside(const Face& face, const Triangle& other) {
 /// The corner of `other` that is nearest to the face, if this is obvious: no corner is on the other side, the
 /// nearest is over the face, and the face is not thin.
 std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
-  constexpr double kWide = 1e-4;  // of sin²: the normal is accurate to a few units in the last place
-  const double longest = face.longestSquared();
-  if (!(face.squared_normal > kWide * longest * longest)) return std::nullopt;
+  constexpr double kWide = 1e-2;  // the normal is accurate to a few units in the last place
+  if (!face.isWiderThan(kWide)) return std::nullopt;
   const std::array<double, 3> height = {face.height(other[0]), face.height(other[1]), face.height(other[2])};
   const auto [least, most] = std::ranges::minmax_element(height);
   if (!(*least > 0.0) && !(*most < 0.0)) return std::nullopt;
   const Vec3& nearest = other[static_cast<std::size_t>((*least > 0.0 ? least : most) - height.begin())];
   return face.isBelow(nearest) ? std::optional(nearest) : std::nullopt;
+}
+
+/// The point of a face that is closest to a point over it; for a thin face, to any point.
+std::optional<Vec3> inside(const Face& face, const Vec3& point) {
+  if (face.isThin()) return closestPointOf(face.corner, face.normal, point).point;
+  return face.isBelow(point) ? std::optional(face.foot(point)) : std::nullopt;
 }
 
 /// Whether two planes perpendicular to the line between two points separate the triangles, up to rounding of
@@ -183,15 +195,15 @@ PointPair closestPairAtOrigin(const Triangle& a, const Triangle& b) {
     keepCloser(best, *corner, face_b.foot(*corner));
     return best;
   }
-  const double size = std::sqrt(std::max(face_a.longestSquared(), face_b.longestSquared()));
+  const double size = std::sqrt(std::max(face_a.squared_longest, face_b.squared_longest));
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const double before = best.squared_distance;
       closestOnSegments(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], best);
       if (best.squared_distance < before && isLeast(best, a, b, size)) return best;
     }
-    if (face_b.squared_normal > 0.0 && face_b.isBelow(a[i])) keepCloser(best, a[i], face_b.foot(a[i]));
-    if (face_a.squared_normal > 0.0 && face_a.isBelow(b[i])) keepCloser(best, face_a.foot(b[i]), b[i]);
+    if (const std::optional<Vec3> on_b = inside(face_b, a[i])) keepCloser(best, a[i], *on_b);
+    if (const std::optional<Vec3> on_a = inside(face_a, b[i])) keepCloser(best, *on_a, b[i]);
   }
   return best;
 }
@@ -213,10 +225,9 @@ struct Penetration {
   Vec3 deepest;  ///< on the triangle
 };
 
-/// None if the face is degenerate, or so thin that its normal is only rounding.
+/// None if the face is thin.
 std::optional<Penetration> penetration(const Face& face, const Triangle& other) {
-  const double longest = face.longestSquared();
-  if (!(face.squared_normal > kThin * kThin * longest * longest)) return std::nullopt;
+  if (face.isThin()) return std::nullopt;
   const auto heightOf = [&](const Vec3& point) { return face.height(point); };
   const auto below = [&](const Vec3& deepest) {
     return Penetration{std::max(0.0, -heightOf(deepest) / std::sqrt(face.squared_normal)), deepest};
@@ -286,7 +297,7 @@ Contact meetingContact(const Triangle& a, const Triangle& b) {
             outward,          -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
-  // Both triangles are degenerate: the point where they meet is accurate to their width.
+  // Both triangles are thin: the point where they meet is accurate to their width.
   Contact touch = closestPoints(a, b);
   touch.point_on_a = touch.point_on_b = 0.5 * (touch.point_on_a + touch.point_on_b);
   touch.distance = -0.0;

@@ -72,7 +72,7 @@ Clearance Nearest::settled() {
 
 bool NearestToConvex::offer(std::uint32_t triangle) {
   const std::optional<Contact> contact = b_.contactWith(a_.triangle(triangle), best_.distance);
-  if (!contact || contact->distance >= best_.distance) return false;
+  if (!contact || std::max(contact->distance, 0.0) >= best_.distance) return false;
   const bool meet = contact->distance <= 0.0;
   best_.distance = meet ? 0.0 : contact->distance;
   best_.point_on_b = contact->point_on_b;

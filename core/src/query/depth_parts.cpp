@@ -215,7 +215,11 @@ void DepthSearch::divide(const Part& part) {
           if (location && location != known) best_.is_known = false;  // passes through a hole
           location = known;
         }
-        if (!location) location = locationOf(corners_[middle]);
+        if (!location) {  // the corner farthest from the surface shows the side
+          for (const std::uint32_t corner : half.corner) findNearest(corners_[corner]);
+          const auto distanceOf = [&](std::uint32_t corner) { return corners_[corner].distance; };
+          location = locationOf(corners_[*std::ranges::max_element(half.corner, {}, distanceOf)]);
+        }
         if (location == PointLocation::outside) continue;
         for (const std::uint32_t corner : half.corner) {
           corners_[corner].location = location;

@@ -43,7 +43,7 @@ Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
   const auto within = [](std::uint32_t triangle, const ClusteredOctree& tree) {
     return triangle < tree.mesh().triangleCount();
   };
-  const bool hinted = within(options.hint.a, a) && within(options.hint.b, b);
+  const bool hinted = within(options.hint.a, a) && within(options.hint.b, b) && b_in_a.isFinite();
   if (!hinted || !nearest.offer(options.hint, true))
     HWY_DYNAMIC_DISPATCH(searchPairs)(treeOf(a), treeOf(b), b_in_a, nearest);
   return nearest.settled();
@@ -52,7 +52,7 @@ Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
 Clearance distance(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a,
                    const DistanceOptions& options) {
   NearestToConvex nearest(a.mesh(), b, b_in_a, options);
-  const bool hinted = options.hint.a < a.mesh().triangleCount();
+  const bool hinted = options.hint.a < a.mesh().triangleCount() && b_in_a.isFinite();
   const Obb box = b_in_a * obbOf(b.bounds());
   if (!hinted || !nearest.offer(options.hint.a)) HWY_DYNAMIC_DISPATCH(searchConvex)(treeOf(a), box, nearest);
   return nearest.clearance();

@@ -18,11 +18,12 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
   // A box around the part of the mesh within reach: as wide as the mesh, and down to its deepest point.
   const Vec3& normal = b_in_a.normal;
   const double height = normal.dot(tree.origin()) - b_in_a.offset;
-  const double lowest = height - tree.radius(), highest = std::min(threshold, height + tree.radius());
+  const double lowest = -tree.radius(),
+               highest = std::min(threshold - height, tree.radius());  // from the origin
   if (!(lowest <= highest + 1e-12 * (tree.origin().norm() + tree.radius()))) return;
   Obb below;
   below.axes = frameAlong(normal);
-  below.center = tree.origin() + (0.5 * (lowest + highest) - height) * normal;
+  below.center = tree.origin() + 0.5 * (lowest + highest) * normal;
   below.half_extents = Vec3(std::max(0.5 * (highest - lowest), 0.0), tree.radius(), tree.radius());
 
   // Until the end, triangle_b holds the vertex.

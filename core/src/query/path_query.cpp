@@ -24,7 +24,7 @@ PathQuery::PathQuery(const Surface& a, const Surface& b) : PathQuery(a.tree(), b
 }
 
 std::optional<TrianglePair> PathQuery::collide(const Pose& b_in_a) {
-  if (met_) {
+  if (met_ && b_in_a.isFinite()) {
     if (intersects(a_->mesh(), b_->mesh(), b_in_a, witness_)) return witness_;
     if (node_a_ != 0 && meetBelow(b_in_a, {node_a_, node_b_})) return witness_;
   }

@@ -29,6 +29,7 @@ RayHit hitOf(const TriangleMesh& mesh, const Ray& ray, const RayCrossing& crossi
   hit.triangle = crossing.triangle;
   hit.point = ray.origin + crossing.t * ray.direction;
   hit.normal = scaledNormal(mesh.triangle(crossing.triangle)).stableNormalized();
+  if (hit.normal.isZero()) hit.normal = (crossing.back_face ? 1.0 : -1.0) * ray.direction.stableNormalized();
   hit.back_face = crossing.back_face;
   return hit;
 }
