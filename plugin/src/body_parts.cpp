@@ -7,7 +7,7 @@
 
 namespace octoblisk::detail {
 
-const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
+const ClusteredOctreeShape* asOurShape(const btCollisionShape& shape) {
   if (shape.getShapeType() != FAST_CONCAVE_MESH_PROXYTYPE) return nullptr;
   // The class is final; a dynamic_cast costs as much as the rest of a query.
   if (typeid(shape) != typeid(ClusteredOctreeShape)) return nullptr;
@@ -15,11 +15,11 @@ const ClusteredOctreeShape* asClusters(const btCollisionShape& shape) {
 }
 
 bool hasPart(const btCollisionShape& shape) {
-  return anyLeaf(shape, [](const btCollisionShape& leaf) { return leaf.isConvex() || asClusters(leaf); });
+  return anyLeaf(shape, [](const btCollisionShape& leaf) { return leaf.isConvex() || asOurShape(leaf); });
 }
 
-bool holdsClusters(const btCollisionShape& shape) {
-  return anyLeaf(shape, [](const btCollisionShape& leaf) { return asClusters(leaf) != nullptr; });
+bool holdsOurShape(const btCollisionShape& shape) {
+  return anyLeaf(shape, [](const btCollisionShape& leaf) { return asOurShape(leaf) != nullptr; });
 }
 
 btScalar breakingThreshold(const btCollisionShape& body, const ClusteredOctreeShape* part) {

@@ -11,13 +11,13 @@
 namespace octoblisk::detail {
 
 /// The shape as a ClusteredOctreeShape; null if it is another shape.
-const ClusteredOctreeShape* asClusters(const btCollisionShape& shape);
+const ClusteredOctreeShape* asOurShape(const btCollisionShape& shape);
 
 /// Whether the shape, or a child of a compound, is ours or convex.
 bool hasPart(const btCollisionShape& shape);
 
 /// Whether the shape is a ClusteredOctreeShape, or a compound that contains one at any depth.
-bool holdsClusters(const btCollisionShape& shape);
+bool holdsOurShape(const btCollisionShape& shape);
 
 /// A body's shape on a motion.
 struct MovingBody {
@@ -28,13 +28,13 @@ struct MovingBody {
 /// A body's shape, or a child of its compound at any depth.
 struct BodyPart {
   const btCollisionShape* shape;
-  const ClusteredOctreeShape* clusters;  ///< null if the part is convex
-  const Convex* convex;                  ///< null if the part is ours; valid during the visit only
+  const ClusteredOctreeShape* ours;  ///< null if the part is convex
+  const Convex* convex;              ///< null if the part is ours; valid during the visit only
   Motion in_world;
 
-  BodyBounds bounds() const { return clusters ? BodyBounds(clusters->tree()) : BodyBounds(*convex); }
+  BodyBounds bounds() const { return ours ? BodyBounds(ours->tree()) : BodyBounds(*convex); }
   /// The margin that the sweep does not contain. The sweep of a convex shape contains its margin.
-  double margin() const { return clusters ? double(clusters->getMargin()) : 0.0; }
+  double margin() const { return ours ? double(ours->getMargin()) : 0.0; }
 };
 
 /// The contact breaking threshold of a part of a body: that of the body's shape, as Bullet takes it for a new
@@ -70,8 +70,8 @@ void forEachPart(const MovingBody& body, bool with_convex, ConvexCore& corners, 
                              body.in_world.ofPart(orthonormalPose(compound.getChildTransform(i)))},
                   with_convex, corners, visit);
     }
-  } else if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
-    visit(BodyPart{&shape, clusters, nullptr, body.in_world});
+  } else if (const ClusteredOctreeShape* ours = asOurShape(shape)) {
+    visit(BodyPart{&shape, ours, nullptr, body.in_world});
   } else if (with_convex && shape.isConvex()) {
     const auto& convex_shape = static_cast<const btConvexShape&>(shape);
     corners.update(convex_shape);
@@ -88,9 +88,8 @@ ConvexCore& convexCoreOfThread();
 template <typename Visit>
 void forEachPartPair(const MovingBody& a, const MovingBody& b, const Visit& visit) {
   ConvexCore& corners = convexCoreOfThread();
-  forEachPart(a, holdsClusters(b.shape), corners, [&](const BodyPart& part_a) {
-    forEachPart(b, part_a.clusters != nullptr, corners,
-                [&](const BodyPart& part_b) { visit(part_a, part_b); });
+  forEachPart(a, holdsOurShape(b.shape), corners, [&](const BodyPart& part_a) {
+    forEachPart(b, part_a.ours != nullptr, corners, [&](const BodyPart& part_b) { visit(part_a, part_b); });
   });
 }
 

@@ -47,7 +47,7 @@ btBroadphaseProxy* ClusteredOctreeBroadphase::createProxy(const btVector3& aabb_
                                                           void* client, int group, int mask,
                                                           btDispatcher* dispatcher) {
   const auto* const body = static_cast<const btCollisionObject*>(client);
-  has_our_shape_ |= body && body->getCollisionShape() && holdsClusters(*body->getCollisionShape());
+  has_our_shape_ |= body && body->getCollisionShape() && holdsOurShape(*body->getCollisionShape());
   return stages_->boxes.createProxy(aabb_min, aabb_max, shape_type, client, group, mask, dispatcher);
 }
 

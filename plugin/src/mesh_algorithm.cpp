@@ -196,7 +196,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const auto& mesh_shape = static_cast<const ClusteredOctreeShape&>(*mesh.m_shape);
   const double breaking = double(std::min(
       breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &mesh_shape),
-      breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asClusters(*other.m_shape))));
+      breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asOurShape(*other.m_shape))));
   const PosedShapes shapes{
       mesh_shape, *other.m_shape,
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()), breaking};
@@ -208,7 +208,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const bool is_step = result_type == typeid(btManifoldResult);
   static_assert(std::is_final_v<AllContacts>);
   if (result_type == typeid(AllContacts)) {
-    findContacts(shapes, breaking + near, contacts_);
+    findTriangleContacts(shapes, breaking + near, contacts_);
     static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);
     return;
   }
@@ -216,7 +216,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_.reset();  // in case of an exception
-    findSurfaceContacts(shapes, reach, contacts_);
+    findBodyContacts(shapes, reach, contacts_);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
@@ -226,7 +226,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
 }
 
 void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
-  const ClusteredOctreeShape* const other_mesh = asClusters(shapes.other);
+  const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const bool mesh_has_changed = keepTree(&shapes.mesh, tree_),
              other_has_changed = keepTree(other_mesh, tree_of_other_);
   if (mesh_has_changed || other_has_changed) trianglesHaveMoved();

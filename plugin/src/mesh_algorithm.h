@@ -82,15 +82,15 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   btCollisionAlgorithm& substituteFor(const ShapeTypes& types, const btCollisionObjectWrapper& body0,
                                       const btCollisionObjectWrapper& body1);
 
-  /// Replaces `found` with the contacts between triangles of the mesh (A) and the other body (B) within
-  /// `reach`, in the mesh's frame.
-  virtual void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
+  /// Replaces `found` with the contacts between all triangles of the mesh (A) and the other body (B) within
+  /// `reach`, in the mesh's frame. AllContacts reports these.
+  virtual void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
-  /// The same, but contacts of the surfaces, without effects of internal edges. Where very many triangles are
-  /// near, contacts that are farther apart than the nearest by more than kCreated of the breaking threshold
-  /// may be missing.
-  virtual void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
-    findContacts(shapes, reach, found);
+  /// The same, but contacts of the bodies: without those that exist only because surfaces are divided into
+  /// triangles. Steps and contact tests use these. Where very many triangles are near, contacts that are
+  /// farther apart than the nearest by more than kCreated of the breaking threshold may be missing.
+  virtual void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+    findTriangleContacts(shapes, reach, found);
   }
 
   /// Discards everything that is known about the shapes' triangles.
@@ -100,7 +100,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// its tree. Called first.
   virtual bool readOther(const btCollisionShape& other) = 0;
 
-  /// The margin of the other body that findContacts does not include.
+  /// The margin of the other body that findTriangleContacts does not include.
   virtual double marginOfOther(const btCollisionShape&) const { return 0.0; }
 
   /// The other body's triangle, in its frame, in a contact that was found last; none if the body has no

@@ -93,15 +93,15 @@ class ConcaveSource final : public TriangleSource {
 
 }  // namespace
 
-void MeshConcaveAlgorithm::findContacts(const PosedShapes& shapes, double reach,
-                                        std::vector<Contact>& found) {
+void MeshConcaveAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
+                                                std::vector<Contact>& found) {
   const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
   source_contacts_.find(shapes.mesh.tree(), source, shapes.other_in_mesh, reach, found);
 }
 
-void MeshConcaveAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
-                                               std::vector<Contact>& found) {
-  findContacts(shapes, reach, found);
+void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
+                                            std::vector<Contact>& found) {
+  findTriangleContacts(shapes, reach, found);
   surface_contacts_.filter(
       found, reach,
       [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },

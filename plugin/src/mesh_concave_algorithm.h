@@ -15,8 +15,8 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   /// The shape does not report changes.
   bool readOther(const btCollisionShape&) override { return false; }
   double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }

@@ -23,16 +23,17 @@ bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
   return is_known && !has_other_corners && !has_other_size;
 }
 
-void MeshConvexAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+void MeshConvexAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
+                                               std::vector<Contact>& found) {
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const ClusteredOctree& tree = shapes.mesh.tree();
   contacts(tree, near_.find(tree, convex, shapes.other_in_mesh, reach), convex, shapes.other_in_mesh, reach,
            found);
 }
 
-void MeshConvexAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
-                                              std::vector<Contact>& found) {
-  findContacts(shapes, reach, found);
+void MeshConvexAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
+                                           std::vector<Contact>& found) {
+  findTriangleContacts(shapes, reach, found);
   const ClusteredOctree& tree = shapes.mesh.tree();
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const Pose& convex_in_mesh = shapes.other_in_mesh;

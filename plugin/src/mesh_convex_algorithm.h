@@ -14,8 +14,8 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void findSurfaceContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   bool readOther(const btCollisionShape& other) override;
   void trianglesHaveMoved() override {
     near_.forget();

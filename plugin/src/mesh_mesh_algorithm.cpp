@@ -9,7 +9,7 @@
 namespace octoblisk::detail {
 namespace {
 
-const ClusteredOctreeShape& clusters(const btCollisionShape& shape) {
+const ClusteredOctreeShape& ourShape(const btCollisionShape& shape) {
   return static_cast<const ClusteredOctreeShape&>(shape);
 }
 
@@ -21,17 +21,19 @@ Contact turnedRound(const Contact& of_b, const Pose& b_in_a) {
 
 }  // namespace
 
-void MeshMeshAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
-  contacts(shapes.mesh.tree(), clusters(shapes.other).tree(), shapes.other_in_mesh, reach, found);
+void MeshMeshAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
+                                             std::vector<Contact>& found) {
+  contacts(shapes.mesh.tree(), ourShape(shapes.other).tree(), shapes.other_in_mesh, reach, found);
 }
 
-void MeshMeshAlgorithm::findSurfaceContacts(const PosedShapes& shapes, double reach,
-                                            std::vector<Contact>& found) {
-  const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = clusters(shapes.other);
+void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
+                                         std::vector<Contact>& found) {
+  const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
   surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, kCreated * shapes.breaking, found);
   if (shape_a.isSolid() && shape_b.isSolid()) surface_contacts_.openPinches(found);
-  addWaysOut(shape_a, shape_b, b_in_a, reach, found);  // the triangles handle vertices that are less deep
+  // The contacts of triangles push vertices that are less deep than `reach`.
+  addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }
 
 void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,
@@ -53,7 +55,7 @@ void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const Cl
 
 std::optional<SourceTriangle> MeshMeshAlgorithm::triangleOfOther(const btCollisionShape& other,
                                                                  const Contact& contact) const {
-  return triangleOf(clusters(other), contact.triangle_b);
+  return triangleOf(ourShape(other), contact.triangle_b);
 }
 
 }  // namespace octoblisk::detail

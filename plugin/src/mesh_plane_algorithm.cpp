@@ -8,7 +8,8 @@
 
 namespace octoblisk::detail {
 
-void MeshPlaneAlgorithm::findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
+void MeshPlaneAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
+                                              std::vector<Contact>& found) {
   const auto& plane = static_cast<const btStaticPlaneShape&>(shapes.other);
   const Pose& plane_in_mesh = shapes.other_in_mesh;
   const Vec3 normal = fromBullet(plane.getPlaneNormal());

@@ -11,7 +11,7 @@ class MeshPlaneAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
+  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   bool readOther(const btCollisionShape& other) override;
 
   btVector3 normal_ = btVector3(0, 0, 0);

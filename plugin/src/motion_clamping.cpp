@@ -29,8 +29,8 @@ btTransform startOf(const btRigidBody& body, btScalar dt) {
 
 /// No point of the shape, margin included, is farther than this from its origin.
 double farthestFromOrigin(const btCollisionShape& shape) {
-  if (const ClusteredOctreeShape* clusters = asClusters(shape)) {
-    return BodyBounds(clusters->tree()).distanceFromPoint(Vec3::Zero()) + double(clusters->getMargin());
+  if (const ClusteredOctreeShape* ours = asOurShape(shape)) {
+    return BodyBounds(ours->tree()).distanceFromPoint(Vec3::Zero()) + double(ours->getMargin());
   }
   return shapeBounds(shape).farthestFromOrigin();
 }
@@ -87,7 +87,7 @@ bool mayClamp(const btCollisionWorld& world) {
   for (int i = 0; i < objects.size() && !(has_threshold && has_ours); ++i) {
     has_threshold = has_threshold || objects[i]->getCcdMotionThreshold() > 0;
     const btCollisionShape* shape = objects[i]->getCollisionShape();
-    has_ours = has_ours || (shape && holdsClusters(*shape));
+    has_ours = has_ours || (shape && holdsOurShape(*shape));
   }
   return has_threshold && has_ours;
 }
@@ -108,7 +108,7 @@ void MotionClamping::collect(btCollisionWorld& world, btScalar dt) {
              : stepMotion(object.getWorldTransform(), none, none, dt);
     const Aabb swept = sweptBox(object, motion, body != nullptr);
     if (!swept.min.allFinite() || !swept.max.allFinite()) continue;
-    movers_.push_back({&object, holdsClusters(*shape), body, motion, swept, movers_.size(), 1.0});
+    movers_.push_back({&object, holdsOurShape(*shape), body, motion, swept, movers_.size(), 1.0});
   }
 }
 

@@ -27,14 +27,14 @@ const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
 
 /// A body, or a child of a compound.
 struct Part {
-  const ClusteredOctreeShape* clusters;  ///< null: the box represents the part
+  const ClusteredOctreeShape* ours;  ///< null: the box represents the part
   btTransform in_world;
   Aabb box;  ///< in the world
 };
 
 Part partOf(const btCollisionShape& shape, const btTransform& in_world) {
   const double near = double(gContactBreakingThreshold);  // as Bullet grows boxes
-  return {asClusters(shape), in_world, shapeBounds(shape, in_world).grown(near)};
+  return {asOurShape(shape), in_world, shapeBounds(shape, in_world).grown(near)};
 }
 
 constexpr int kFewChildren = 16;  // up to this number, testing each child is faster than a lookup
@@ -103,27 +103,27 @@ struct Body {
 
 template <typename Meets>
 bool anyPart(const Body& body, const Aabb& box, HolderCache& holders, const Meets& meets) {
-  if (body.whole.clusters) return meets(body.whole);
-  if (!holders.holdsClusters(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
+  if (body.whole.ours) return meets(body.whole);
+  if (!holders.holdsOurShape(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
   return anyPart(body.shape, body.whole.in_world, box, meets);
 }
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead) {
   const Obb in_part = fromBullet(part.in_world).inverse() * obbOf(box);
-  return clustersNear(part.clusters->tree(), in_part, contactReach(*part.clusters) + ahead, depth);
+  return clustersNear(part.ours->tree(), in_part, contactReach(*part.ours) + ahead, depth);
 }
 
 /// A body inside a solid may be far from the solid's surface, and so from its clusters.
 bool isInside(const Vec3& point_in_world, const Part& part) {
-  return part.clusters->isSolid() &&
-         isInSolid(part.clusters->tree(), fromBullet(part.in_world).inverse() * point_in_world);
+  return part.ours->isSolid() &&
+         isInSolid(part.ours->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
 /// Whether one of a mesh's far vertices is inside another. The narrow phase asks for the same vertices of the
 /// smaller mesh (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
-  return solid.clusters->isSolid() &&
-         std::ranges::any_of(part.clusters->farVertices().positions, [&](const Vec3& vertex) {
+  return solid.ours->isSolid() &&
+         std::ranges::any_of(part.ours->farVertices().positions, [&](const Vec3& vertex) {
            return isInside(fromBullet(part.in_world) * vertex, solid);
          });
 }
@@ -133,14 +133,14 @@ bool meet(const Part& a, const Part& b, int depth, double ahead) {
   const Aabb common{a.box.min.cwiseMax(b.box.min).array() - ahead,
                     a.box.max.cwiseMin(b.box.max).array() + ahead};
   if (common.isEmpty()) return false;
-  if (a.clusters && b.clusters) {
+  if (a.ours && b.ours) {
     const Pose b_in_a = fromBullet(a.in_world).inverse() * fromBullet(b.in_world);
-    const double reach = contactReach(*a.clusters) + contactReach(*b.clusters) + ahead;
-    return clustersNear(a.clusters->tree(), b.clusters->tree(), b_in_a, reach, depth) || reachesInto(a, b) ||
+    const double reach = contactReach(*a.ours) + contactReach(*b.ours) + ahead;
+    return clustersNear(a.ours->tree(), b.ours->tree(), b_in_a, reach, depth) || reachesInto(a, b) ||
            reachesInto(b, a);
   }
-  if (a.clusters) return clustersMeetBox(a, common, depth, ahead) || isInside(common.center(), a);
-  if (b.clusters) return clustersMeetBox(b, common, depth, ahead) || isInside(common.center(), b);
+  if (a.ours) return clustersMeetBox(a, common, depth, ahead) || isInside(common.center(), a);
+  if (b.ours) return clustersMeetBox(b, common, depth, ahead) || isInside(common.center(), b);
   return true;
 }
 
@@ -152,24 +152,24 @@ bool isBody(const btCollisionObject* object) {
 
 }  // namespace
 
-bool HolderCache::holdsClusters(const btCollisionShape& shape) {
+bool HolderCache::holdsOurShape(const btCollisionShape& shape) {
   if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
-    return detail::holdsClusters(shape);
+    return detail::holdsOurShape(shape);
   const auto [known, is_new] = large_.try_emplace(&shape);
-  if (is_new) known->second = detail::holdsClusters(shape);
+  if (is_new) known->second = detail::holdsOurShape(shape);
   return known->second;
 }
 
 bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, HolderCache& holders) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
   return isBody(body_a) && isBody(body_b) &&
-         (holders.holdsClusters(*body_a->getCollisionShape()) ||
-          holders.holdsClusters(*body_b->getCollisionShape()));
+         (holders.holdsOurShape(*body_a->getCollisionShape()) ||
+          holders.holdsOurShape(*body_b->getCollisionShape()));
 }
 
 bool clustersMayDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
-  const auto mayHold = [](const btCollisionShape& shape) { return shape.isCompound() || asClusters(shape); };
+  const auto mayHold = [](const btCollisionShape& shape) { return shape.isCompound() || asOurShape(shape); };
   return isBody(body_a) && isBody(body_b) &&
          (mayHold(*body_a->getCollisionShape()) || mayHold(*body_b->getCollisionShape()));
 }

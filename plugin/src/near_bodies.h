@@ -13,11 +13,11 @@ class btDispatcher;
 
 namespace octoblisk::detail {
 
-/// holdsClusters with a memory for large compounds: a compound with thousands of children may be in as many
+/// holdsOurShape with a memory for large compounds: a compound with thousands of children may be in as many
 /// pairs. The stored answers are valid as long as no shape changes.
 class HolderCache {
  public:
-  bool holdsClusters(const btCollisionShape& shape);
+  bool holdsOurShape(const btCollisionShape& shape);
   void forget() { large_.clear(); }
 
  private:

@@ -16,8 +16,8 @@ double sizeOf(const BodyPart& part) {
 
 std::optional<TimeOfImpact> sweepTrees(const BodyPart& a, const BodyPart& b, double tolerance,
                                        const SweepOptions& options) {
-  const ClusteredOctree& tree = a.clusters->tree();
-  if (b.clusters) return sweep(tree, b.clusters->tree(), a.in_world, b.in_world, tolerance, options);
+  const ClusteredOctree& tree = a.ours->tree();
+  if (b.ours) return sweep(tree, b.ours->tree(), a.in_world, b.in_world, tolerance, options);
   return sweep(tree, *b.convex, a.in_world, b.in_world, tolerance, options);
 }
 
@@ -27,8 +27,7 @@ double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingB
                       const BodyPart& b, btScalar tolerance) {
   if (tolerance < 0) {
     tolerance =
-        std::min(breakingThreshold(body_a.shape, a.clusters), breakingThreshold(body_b.shape, b.clusters)) /
-        4;
+        std::min(breakingThreshold(body_a.shape, a.ours), breakingThreshold(body_b.shape, b.ours)) / 4;
   }
   constexpr double kRounding = 4.0 * double(SIMD_EPSILON);
   const double least = kRounding * (sizeOf(a) + sizeOf(b));
@@ -39,7 +38,7 @@ std::optional<TimeOfImpact> sweepParts(const BodyPart& a, const BodyPart& b, dou
                                        const SweepOptions& of_distance) {
   SweepOptions options = of_distance;
   options.slack *= (tolerance - a.margin() - b.margin()) / tolerance;
-  const bool exchanged = !a.clusters;
+  const bool exchanged = !a.ours;
   std::optional<TimeOfImpact> impact =
       exchanged ? sweepTrees(b, a, tolerance, options) : sweepTrees(a, b, tolerance, options);
   if (!impact) return impact;

@@ -48,13 +48,13 @@ bool has<btConvexShape>(const btCollisionObjectWrapper* body) {
 }
 
 bool hasOurShape(const btCollisionObjectWrapper* body) {
-  return asClusters(*body->getCollisionShape()) != nullptr;
+  return asOurShape(*body->getCollisionShape()) != nullptr;
 }
 
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-// Creates the algorithm of a pair that is not our shape and one of `Others`.
+// Creates the algorithm if one shape is not ours, or the other is none of `Others`.
 using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
 btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {

@@ -15,7 +15,7 @@ using namespace detail;
 namespace {
 
 TriangleId triangleId(const BodyPart& part, std::uint32_t triangle) {
-  return part.clusters ? part.clusters->triangleId(triangle) : TriangleId{-1, -1};
+  return part.ours ? part.ours->triangleId(triangle) : TriangleId{-1, -1};
 }
 
 StepImpact stepImpactOf(const TimeOfImpact& impact, const BodyPart& a, const BodyPart& b) {

@@ -30,10 +30,10 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
   state.box.extend(fromBullet(proxy.m_aabbMin));
   state.box.extend(fromBullet(proxy.m_aabbMax));
   state.reach = double(gContactBreakingThreshold);
-  if (const ClusteredOctreeShape* const clusters = asClusters(shape)) {
-    state.tree = clusters->sharedTree();
-    state.is_solid = clusters->isSolid();
-    state.reach += contactReach(*clusters);
+  if (const ClusteredOctreeShape* const ours = asOurShape(shape)) {
+    state.tree = ours->sharedTree();
+    state.is_solid = ours->isSolid();
+    state.reach += contactReach(*ours);
   }
   return state;
 }

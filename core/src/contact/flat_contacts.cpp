@@ -75,14 +75,13 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
       if (is_of_triangle && (on_triangle - of_triangle.point_on_a).squaredNorm() < 1e-12 * facing.norm())
         continue;  // the contact itself
       const double height = face.normal.dot(corner) - face.offset;
-      const double apart = (is_of_triangle ? height : height / along) - convex.radius();
-      if (apart > threshold) continue;
-      // If face and triangle are slightly askew, a corner may be farther in than the shortest way out.
-      const bool is_too_far_in = apart < of_triangle.distance;
-      const double distance = is_too_far_in ? of_triangle.distance : apart;
-      const Vec3 out = is_too_far_in    ? of_triangle.normal
-                       : is_of_triangle ? Vec3(convex_in_mesh.rotation * face.normal)
-                                        : normal_in_mesh;
+      double distance = (is_of_triangle ? height : height / along) - convex.radius();
+      if (distance > threshold) continue;
+      Vec3 out = is_of_triangle ? Vec3(convex_in_mesh.rotation * face.normal) : normal_in_mesh;
+      if (distance < of_triangle.distance) {  // slightly askew: farther in than the shortest way out
+        distance = of_triangle.distance;
+        out = of_triangle.normal;
+      }
       contacts.push_back(
           {on_triangle, on_triangle - distance * out, out, distance, of_triangle.triangle_a, kNoTriangle});
     }

@@ -9,13 +9,13 @@
 
 namespace octoblisk::detail {
 
-/// Appends contacts to those of a mesh (A) and a convex body (B). If a contact is nearly perpendicular to its
-/// triangle, and a face of B (Convex::faces) nearly parallel to it, these are the corners of the area that
-/// face and triangle share. At a corner of the triangle, the face pushes along its normal, because a rough
-/// mesh stands on such corners; none is added where the contact itself is. At other corners, the triangle
-/// pushes along its own normal. A corner that is deeper than the contact takes its normal and distance. Only
-/// corners where the two are no farther apart than `threshold` count. Contacts are in the mesh's frame.
-/// Allocates nothing if the capacity of `contacts` suffices.
+/// Completes the contacts of a mesh (A) and a convex body (B) where a face of B (Convex::faces) lies flat on
+/// a triangle: if the triangle's contact is nearly perpendicular to both. The face and the triangle then
+/// share an area. Appends a contact at each of its corners where the two are no farther apart than
+/// `threshold`, except where the triangle's contact already is. At a corner of the triangle, the face pushes
+/// along its normal, because a rough mesh stands on such corners. At other corners, the triangle pushes along
+/// its own normal. A corner that is deeper than the triangle's contact takes its normal and distance.
+/// Contacts are in the mesh's frame. Allocates nothing if the capacity of `contacts` suffices.
 void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose& convex_in_mesh,
                      double threshold, std::vector<Contact>& contacts);
 

@@ -109,15 +109,28 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
                               const Pose& b_in_a, bool meet, double least_depth,
                               std::vector<Contact>& ways_out) {
   ways_out.clear();
+  const auto add = [&](Contact out) {
+    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
+    ways_out.push_back(out);
+  };
+  const auto forEachInside = [&](auto&& visit) {
+    for (std::size_t v = 0; v < in_a_.size(); ++v) {
+      const Vec3 vertex = b_in_a * far_of_b.positions[v];
+      if (in_a_[v].contains(a, vertex)) visit(vertex);
+    }
+  };
+  if (meet) {
+    forEachInside([&](const Vec3& vertex) {
+      const Contact out = wayOutFrom(a, vertex, [&](const Vec3&) { return vertex; });
+      if (out.distance < -least_depth) add(out);
+    });
+    return;
+  }
   std::optional<Contact> of_all;  // the way out of all of B
   const auto findWayOfAll = [&](const Vec3& inside) {
     of_all = wayOutFrom(a, inside, [&](const Vec3& direction) -> Vec3 {
       return b_in_a * farthestVertex(b, b_in_a.rotation.transpose() * direction);
     });
-  };
-  const auto add = [&](Contact out) {
-    out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
-    ways_out.push_back(out);
   };
   const auto addWayOfAll = [&](const Vec3& point_on_b) {
     Contact out = *of_all;
@@ -129,14 +142,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
     out.triangle_a = closestPoint(a, out.point_on_a)->triangle;
     add(out);
   };
-  for (std::size_t v = 0; v < in_a_.size(); ++v) {
-    const Vec3 vertex = b_in_a * far_of_b.positions[v];
-    if (!in_a_[v].contains(a, vertex)) continue;
-    if (meet) {
-      const Contact out = wayOutFrom(a, vertex, [&](const Vec3&) { return vertex; });
-      if (out.distance < -least_depth) add(out);
-      continue;
-    }
+  forEachInside([&](const Vec3& vertex) {
     if (!of_all) {
       const Vec3 middle = b_in_a * b.mesh().bounds().center();
       if (isInSolid(a, middle)) findWayOfAll(middle);
@@ -144,7 +150,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
       addWayOfAll(of_all->point_on_b);
     }
     addWayOfAll(vertex);  // contacts that are spread over B do not turn it
-  }
+  });
 }
 
 }  // namespace octoblisk::detail

@@ -58,14 +58,15 @@ class SurfaceContacts {
     filter(contacts, threshold);
   }
 
-  /// Changes contacts that hold two solids inside each other where one crosses the other: the triangles at
-  /// its sides are as deep as those at its top, and push in opposite directions. Takes the contacts of the
-  /// last find or filter and keeps their order. Removes those that push across or against the way out of the
-  /// intersection, unless their triangles face each other: those that another contact opposes, or all if no
-  /// contact pushes out. The deepest of each crossing stays and pushes out, at the middle of the curve in
-  /// which the surfaces meet. It is as deep as that curve extends on the way out, and at least as deep as its
-  /// triangles if no other contact pushes out. Leaves alone surfaces that lie along each other, as the walls
-  /// of nested cups do. Allocates nothing once warm.
+  /// Where two solids cross, like two bars, the triangles at the sides are as deep as those at the top, and
+  /// push in opposite directions. Such contacts hold the solids inside each other. This function takes the
+  /// contacts of the last find or filter, and keeps their order. At each crossing, it removes contacts that
+  /// push across or against the way out of the intersection (wayOut): those that another contact opposes, or
+  /// all if no contact pushes out. Contacts of triangles that face each other stay. The deepest of the
+  /// others stays too. It then pushes out, at the middle of the curve in which the surfaces meet. It is as
+  /// deep as this curve extends on the way out; if no other contact pushes out, at least as deep as its
+  /// triangles. Surfaces that lie along each other, as the walls of nested cups do, keep their contacts.
+  /// Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
  private:

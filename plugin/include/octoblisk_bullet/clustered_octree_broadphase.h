@@ -22,13 +22,14 @@ struct PairStages;
 /// Bullet's solver depends on the order of contacts. So bodies come to rest at slightly different places, and
 /// tumbling piles diverge as they do under rounding errors.
 ///
-/// The clusters are tested when a pair is added, and again in each calculateOverlappingPairs, at the bodies'
-/// current transforms. A world's step and computeOverlappingPairs call it. While both bodies of a pair sleep
-/// and the dispatcher ignores the pair (needsCollision), the pair stays as it is, like everything else that
-/// Bullet keeps about it. If a body's shape is replaced, call the cache's cleanProxyFromPairs, as in Bullet.
-/// Otherwise the clusters ignore the pairs that the body had with the old kind of shape. In builds with
-/// assertions, the first step with a ClusteredOctreeShape asserts that its algorithms are registered
-/// (register.h). Clients must be btCollisionObject, as in every world, or null.
+/// The broadphase tests the clusters when a pair is added, and again in each calculateOverlappingPairs, at
+/// the bodies' current transforms. A world's step and computeOverlappingPairs call it. The broadphase does
+/// not test a pair of sleeping bodies while the dispatcher ignores the pair (needsCollision).
+///
+/// If a body's shape is replaced, call the cache's cleanProxyFromPairs, as in Bullet. Otherwise the clusters
+/// ignore the pairs that the body had with the old kind of shape. In builds with assertions, the first step
+/// with a ClusteredOctreeShape asserts that its algorithms are registered (register.h). Clients must be
+/// btCollisionObject, as in every world, or null.
 class ClusteredOctreeBroadphase final : public btBroadphaseInterface {
  public:
   /// A few thousand boxes at most; queries visit few of them.

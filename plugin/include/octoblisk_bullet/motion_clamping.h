@@ -35,8 +35,8 @@ namespace octoblisk {
 /// clamp by the exact shapes instead, set the world's `getDispatchInfo().m_useContinuous` to false, or set
 /// only the other body's threshold.
 ///
-/// Cost: a clamped body loses the rest of the step. It moves less than its velocity says: once per impact,
-/// and in every step in which it slides, rolls or spins in contact by more than the threshold. Its velocity
+/// Cost: a clamped body loses the rest of the step. This happens once per impact, and in every step in which
+/// the body slides, rolls or spins in contact by more than the threshold. Its velocity
 /// loses what gravity and other forces did in the rest of the step, so that the energy of a pile does not
 /// rise. Dynamic bodies whose paths in the step come near each other share one fraction, so that none moves
 /// into a place that another should have left. Two bodies that both lack a part of our shape do not share a
