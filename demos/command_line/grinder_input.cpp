@@ -200,9 +200,10 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       ->type_name("N")
       ->check(wholeNumberFrom(1, kMaxBladesOfBlisk));
   command
-      .add_option("--max-depth", files.max_depth,
-                  "Greatest depth to which the belt may be pressed into the ground blade: the depth of the "
-                  "deepest point of belt or blade in the other; a tool file may give a depth for each part")
+      .add_option(
+          "--max-depth", files.max_depth,
+          "Greatest penetration depth of belt and ground blade: how deep the deepest point of either is "
+          "in the other. A tool file may give a depth for each part")
       ->type_name("MM")
       ->check(numberFrom(0.0, kMaxLength))
       ->capture_default_str();
