@@ -53,11 +53,11 @@ FarVertices farVertices(const ClusteredOctree& tree);
 /// what is deeper inside.
 class FarVerticesInSolid {
  public:
-  /// Replaces `ways_out` with contacts of A and B. If the surfaces meet, each far vertex that is deeper inside
-  /// A than `least_depth` gets a contact that moves it out. If they do not meet, and far vertices are inside
-  /// A, all contacts push B in one direction: the shortest way out of B's middle, or of a far vertex if the
-  /// middle does not show the way. B's farthest vertex in this direction and each far vertex inside A get a
-  /// contact.
+  /// Replaces `ways_out` with contacts of A and B. If the surfaces meet, each far vertex that is deeper
+  /// inside A than `least_depth` gets a contact that moves it out. If they do not meet, and far vertices are
+  /// inside A, all contacts push B in one direction: the shortest way out of B's middle, or of a far vertex
+  /// if the middle does not show the way. B's farthest vertex in this direction and each far vertex inside A
+  /// get a contact.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
             const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 
