@@ -29,7 +29,7 @@ struct Entrant {
 
 /// Whether further passes would add no information. An odd number of passes has a middle one.
 bool areEnough(double seconds, std::size_t passes) {
-  constexpr double kEnough = 8.0;  // for each contender in a task on a scene
+  constexpr double kEnough = 8.0;  // s for each contender in a task on a scene
   return seconds > kEnough && passes % 2 == 1;
 }
 

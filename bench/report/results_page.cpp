@@ -259,9 +259,9 @@ std::string paperTable(const Rows& all) {
 }
 
 std::string dynamicsTable(const Rows& all) {
-  MarkdownTable table({"scene", "shape", "time per step", "until all sleep", "steps until all sleep",
-                       "late kinetic energy, J", "depth, mm", "points", "manifolds", "lost",
-                       "further figures"});
+  MarkdownTable table({"scene", "shape", "time per step", "time per step until all sleep",
+                       "steps until all sleep", "late kinetic energy, J", "depth, mm", "points", "manifolds",
+                       "lost", "further figures"});
   for (const Row& row : ofTask(all, "dynamics")) {
     std::string beside;
     const Row figures = row.value("figures", Row::object());  // items() refers to it

@@ -3,11 +3,11 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "models/require.h"
 #include "models/welded_surface.h"
 
@@ -98,12 +98,7 @@ void BladeContours::linkTriangles() {
 
 void BladeContours::solveHeights() {
   // The borders: vertices connected by edges of a single triangle.
-  std::vector<std::uint32_t> parent(positions_.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto rootOf = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  detail::DisjointSets connected(positions_.size());
   struct Border {
     double length = 0.0, moment = 0.0;  ///< moment: of the radius
   };
@@ -114,11 +109,11 @@ void BladeContours::solveHeights() {
       }
     }
   };
-  forBorderEdges([&](std::uint32_t a, std::uint32_t b) { parent[rootOf(a)] = rootOf(b); });
+  forBorderEdges([&](std::uint32_t a, std::uint32_t b) { connected.join(a, b); });
   std::map<std::uint32_t, Border> borders;
   forBorderEdges([&](std::uint32_t a, std::uint32_t b) {
     const double length = (positions_[a] - positions_[b]).norm();
-    Border& border = borders[rootOf(a)];
+    Border& border = borders[connected.rootOf(a)];
     border.length += length;
     border.moment += length * 0.5 * (radiusOf(positions_[a]) + radiusOf(positions_[b]));
   });
@@ -136,7 +131,7 @@ void BladeContours::solveHeights() {
   heights_.assign(positions_.size(), 0.0);
   int unknowns = 0;
   for (std::uint32_t v = 0; v < positions_.size(); ++v) {
-    const std::uint32_t root = rootOf(v);
+    const std::uint32_t root = connected.rootOf(v);
     const bool at_tip = root == longest[tip].first;
     const bool at_root = root == longest[1 - tip].first;
     if (at_tip) heights_[v] = 1.0;

@@ -1,16 +1,12 @@
 #include "models/growing_parts.h"
 
-#include <numeric>
-
 namespace octoblisk::demos {
 
 GrowingParts::GrowingParts(const WeldedSurface& surface)
     : surface_(&surface),
-      parent_(surface.mesh.vertices().size()),
-      sums_(parent_.size()),
-      seen_(parent_.size()) {
-  std::iota(parent_.begin(), parent_.end(), 0u);
-}
+      connected_(surface.mesh.vertices().size()),
+      sums_(connected_.size()),
+      seen_(connected_.size()) {}
 
 void GrowingParts::addBetween(double low, double high) {
   for (; next_ < surface_->outermost.size() && surface_->low[surface_->outermost[next_]] > low; ++next_) {
@@ -19,13 +15,8 @@ void GrowingParts::addBetween(double low, double high) {
   }
 }
 
-std::uint32_t GrowingParts::rootOf(std::uint32_t vertex) {
-  while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-  return vertex;
-}
-
 std::vector<Part> GrowingParts::parts() {
-  std::erase_if(roots_, [&](std::uint32_t vertex) { return parent_[vertex] != vertex; });
+  std::erase_if(roots_, [&](std::uint32_t vertex) { return !connected_.isRoot(vertex); });
   std::vector<Part> result;
   for (const std::uint32_t root : roots_) {
     const Sums& sums = sums_[root];
@@ -42,7 +33,7 @@ void GrowingParts::add(std::uint32_t triangle) {
     const std::uint32_t from = rootOf(corner);
     const std::uint32_t into = rootOf(corners[0]);
     if (from == into) continue;
-    parent_[from] = into;
+    connected_.join(from, into);
     sums_[into].area += sums_[from].area;
     sums_[into].moment += sums_[from].moment;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "models/welded_surface.h"
 
 namespace octoblisk::demos {
@@ -26,7 +27,7 @@ class GrowingParts {
   void addBetween(double low, double high);
 
   /// The vertex that stands for all of its part.
-  std::uint32_t rootOf(std::uint32_t vertex);
+  std::uint32_t rootOf(std::uint32_t vertex) { return connected_.rootOf(vertex); }
 
   /// The parts that have an area.
   std::vector<Part> parts();
@@ -40,7 +41,7 @@ class GrowingParts {
   void add(std::uint32_t triangle);
 
   const WeldedSurface* surface_;
-  std::vector<std::uint32_t> parent_;
+  detail::DisjointSets connected_;
   std::vector<Sums> sums_;
   std::vector<bool> seen_;
   std::vector<std::uint32_t> roots_;  ///< includes vertices that used to be roots

@@ -54,7 +54,8 @@ bool hasOurShape(const btCollisionObjectWrapper* body) {
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-// Creates the algorithm if one shape is not ours, or the other is none of `Others`.
+// Creates the algorithm of a pair for which CreateMesh has none: one shape is a third-party shape of our
+// type, or the other shape is none of `Others`.
 using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
 btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {

@@ -154,7 +154,8 @@ TEST(ResultsPage, showsDynamicsAsATableAndOverTime) {
             std::string::npos)
       << table;
   EXPECT_NE(table.find("| tower | plane | 250 µs | 500 µs | 321 |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| pile | octoblisk | 250 µs | 500 µs | 500 (300 to never) |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| pile | octoblisk | 250 µs | 500 µs | 500 (300 to never) |"), std::string::npos)
+      << table;
   EXPECT_EQ(dynamicsTable({}), "");
 
   const ResultsPage page = resultsPage(rows, Row());

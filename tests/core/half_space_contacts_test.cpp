@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "shared/meshes.h"
@@ -71,6 +72,8 @@ TEST(HalfSpaceContacts, aMeshFarBelowThePlaneIsInsideWithAllItsVertices) {
       ASSERT_EQ(found.size(), tree.mesh().vertices().size()) << offset;
     }
   }
+  contacts(tree, HalfSpace{Vec3::UnitZ(), std::numeric_limits<double>::infinity()}, 0.0, found);
+  EXPECT_TRUE(found.empty());
 }
 
 }  // namespace

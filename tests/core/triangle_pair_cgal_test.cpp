@@ -147,13 +147,12 @@ Triangle sliver(std::mt19937_64& random) {
   return {wide[0], wide[1], on_edge + width * (wide[2] - on_edge).normalized()};
 }
 
-/// A triangle with a corner that is about `distance` from a point of another one; for 0, it may pierce it.
+/// A triangle with a corner that is about `distance` from a point of another one.
 Triangle near(std::mt19937_64& random, const Triangle& other, double distance) {
   const double u = testing::uniform(random, 0.1, 0.5), v = testing::uniform(random, 0.1, 0.4);
   const Vec3 on_other = other[0] + u * (other[1] - other[0]) + v * (other[2] - other[0]);
   const Vec3 away = testing::randomPoint(random, 1.0);
-  const double part = distance > 0.0 ? distance : -testing::uniform(random, 0.0, 1.0);
-  return {on_other + part * away, on_other + away + testing::randomPoint(random, 0.3),
+  return {on_other + distance * away, on_other + away + testing::randomPoint(random, 0.3),
           on_other + away + testing::randomPoint(random, 0.3)};
 }
 
@@ -171,24 +170,6 @@ TEST(TrianglePairCgal, closestPointsOfSlivers_vs_exactKernel) {
     ASSERT_NEAR(closestPoints(other, thin).distance, std::sqrt(*squared), 1e-10) << describe(thin, other);
   }
   EXPECT_GT(compared, 9'000 / kScale);
-}
-
-double distanceTo(const Triangle& triangle, const Vec3& point) {
-  return closestPoints(triangle, {point, point, point}).distance;
-}
-
-TEST(TrianglePairCgal, contactsOfSliversThatMeetAreAtTheTriangles) {
-  std::mt19937_64 random(106);
-  int meeting = 0;
-  for (int i = 0; i < 10'000 / kScale; ++i) {
-    const Triangle thin = sliver(random), other = near(random, thin, 0.0);
-    if (!intersects(thin, other)) continue;
-    ++meeting;
-    const Contact contact = contactOf(thin, other);
-    ASSERT_LT(distanceTo(thin, contact.point_on_a), 1e-9) << describe(thin, other);
-    ASSERT_LT(distanceTo(other, contact.point_on_b), 1e-9) << describe(thin, other);
-  }
-  EXPECT_GT(meeting, 1'000 / kScale);
 }
 
 using Vector = Exact::Vector_3;
@@ -251,7 +232,7 @@ double fatness(const Triangle& t) {
 }
 
 TEST(TrianglePairCgal, depthOfContact_vs_exactKernel) {
-  constexpr double kThin = 1e-6;  // contactOf gives no depth over thinner faces
+  constexpr double kThin = 1e-12;  // contactOf gives no depth over thinner faces
   std::mt19937_64 random(103);
   int compared = 0, deep = 0;
   for (int i = 0; compared < 10'000 / kScale; ++i) {

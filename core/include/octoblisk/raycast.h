@@ -36,7 +36,8 @@ struct RayHit {
   /// The triangle's unit outward normal, whichever side the ray comes from. If rounding leaves no normal of a
   /// very thin triangle, a unit vector along the ray.
   Vec3 normal = Vec3::UnitX();
-  bool back_face = false;  ///< the ray hits the triangle from behind: direction · normal > 0; exact
+  /// The ray hits the triangle from behind: direction · normal > 0 for the exact normal.
+  bool back_face = false;
 };
 
 /// The hit with the least t; if several tie, the one with the lowest triangle index. Allocates nothing.

@@ -17,8 +17,8 @@ namespace octoblisk {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. At a
-/// pose that is not finite, bodies do not meet and their distance is infinite.
+/// A rigid motion: x ↦ rotation · x + translation. The rotation is orthonormal. At a pose that is not finite,
+/// bodies do not meet and their distance is infinite.
 struct Pose {
   Mat3 rotation = Mat3::Identity();
   Vec3 translation = Vec3::Zero();

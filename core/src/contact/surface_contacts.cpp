@@ -78,18 +78,18 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
     meet = meet || near.meeting == Meeting::yes;
   }
   if (meet) findMeetingGroups();
-  order_.clear();
+  wanted_.clear();
   for (std::uint32_t n = 0; n < near_.size(); ++n) {
     const bool group_meets = meet && meets_[groupOf(pairs_[n])];
     if (isSurelyInner(near_[n].features, pairs_[n], threshold, group_meets)) {
       skipped_.push_back(pairs_[n]);
     } else {
-      order_.push_back(n);
+      wanted_.push_back(n);
     }
   }
-  std::ranges::sort(order_, {}, [&](std::uint32_t n) { return near_[n].triangles; });
+  std::ranges::sort(wanted_, {}, [&](std::uint32_t n) { return near_[n].triangles; });
   of_contacts_.clear();
-  for (const std::uint32_t n : order_) {
+  for (const std::uint32_t n : wanted_) {
     const Pair& pair = pairs_[n];
     const std::optional<Contact> contact =
         contactWithin(threshold, near_[n], a_.triangle(pair), b_.triangle(pair));
@@ -104,7 +104,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
 /// Finds the groups of near pairs in which triangles meet.
 void SurfaceContacts::findMeetingGroups() {
   findGroups({&pairs_});
-  meets_.assign(parent_.size(), false);
+  meets_.assign(groups_.size(), false);
   for (std::size_t n = 0; n < near_.size(); ++n) {
     if (near_[n].meeting == Meeting::yes) meets_[groupOf(pairs_[n])] = true;
   }
@@ -147,13 +147,13 @@ bool SurfaceContacts::isSurelyInner(const ClosestFeatures& features, const Pair&
     return -side.outward * way.dot(facing) > error * length * facing.norm();
   };
   if (group_meets && !(isSurelyInFrontOf(a_) && isSurelyInFrontOf(b_))) return false;
-  const auto isInner = [&](const Side& own, const PlaceOnTriangle& at, const Side& opposite,
-                           const PlaceOnTriangle& opposite_at) {
+  const auto surfaceComesNearer = [&](const Side& own, const PlaceOnTriangle& at, const Side& opposite,
+                                      const PlaceOnTriangle& opposite_at) {
     if (at.feature == 0b111u || !isSurelyTilted(own)) return false;
     return own.surface.comesNearer(pair.*own.number, at.feature, at.point, opposite_at.point, limit,
                                    leanAt(!isSurelyTilted(opposite), error));
   };
-  return isInner(a_, on_a, b_, on_b) || isInner(b_, on_b, a_, on_a);
+  return surfaceComesNearer(a_, on_a, b_, on_b) || surfaceComesNearer(b_, on_b, a_, on_a);
 }
 
 void SurfaceContacts::filter(std::vector<Contact>& contacts, double threshold) {
@@ -248,7 +248,7 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
     sortByTriangle(opposite);
     for (std::size_t number = 0; number < opposite.surface.size(); ++number) {
       const Members opposite_one =
-          Members(order_).subspan(first_[number], first_[number + 1] - first_[number]);
+          Members(by_triangle_).subspan(first_[number], first_[number + 1] - first_[number]);
       markLongWays(contacts, opposite_one, own, opposite);
     }
   };
@@ -258,13 +258,14 @@ void SurfaceContacts::removeLongWays(std::vector<Contact>& contacts) {
   removed_.assign(contacts.size(), Removed::no);
 }
 
-/// Lists the contacts of each triangle of one side in order_, from first_[number] to first_[number + 1].
+/// Lists the contacts of each triangle of one side in by_triangle_, from first_[number] to first_[number +
+/// 1].
 void SurfaceContacts::sortByTriangle(const Side& side) {
   first_.assign(side.surface.size() + 2, 0);
   for (const Pair& pair : pairs_) ++first_[pair.*side.number + 2];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  order_.resize(pairs_.size());
-  for (std::uint32_t c = 0; c < pairs_.size(); ++c) order_[first_[pairs_[c].*side.number + 1]++] = c;
+  by_triangle_.resize(pairs_.size());
+  for (std::uint32_t c = 0; c < pairs_.size(); ++c) by_triangle_[first_[pairs_[c].*side.number + 1]++] = c;
 }
 
 /// Marks contacts with one triangle of the other body that are perpendicular to a face of this body although
@@ -284,7 +285,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
     const Face face = {own.triangle(pairs_[c]), own.facing(pairs_[c]).normalized(), contact.distance};
     const Vec3& deepest = contact.*opposite.point;
     const double half_way = -0.5 * contact.distance;
-    const auto isOver = [&](const Face& other) {
+    const auto isOutOver = [&](const Face& other) {
       return other.depthOf(deepest) < -0.1 * half_way && isConvex(face, other);
     };
     std::optional<bool> is_out;
@@ -294,7 +295,7 @@ void SurfaceContacts::markLongWays(const std::vector<Contact>& contacts, Members
           distance(other.triangle, deepest) < half_way) {
         return true;
       }
-      if (!is_out) is_out = std::ranges::any_of(faces_, isOver);
+      if (!is_out) is_out = std::ranges::any_of(faces_, isOutOver);
       return *is_out && isConvex(face, other) && areWithin(half_way, face.triangle, other.triangle);
     };
     if (std::ranges::any_of(faces_, isShortWay)) removed_[c] = Removed::long_way;
@@ -321,37 +322,31 @@ void SurfaceContacts::findFaces(const std::vector<Contact>& contacts, Members op
 
 /// Groups pairs that are connected by triangles.
 void SurfaceContacts::findGroups(std::initializer_list<const std::vector<Pair>*> of) {
-  parent_.resize(a_.surface.size() + b_.surface.size());
-  std::iota(parent_.begin(), parent_.end(), 0u);
+  groups_.reset(a_.surface.size() + b_.surface.size());
   for (const std::vector<Pair>* const pairs : of) {
-    for (const Pair& pair : *pairs) parent_[rootOf(a_.surface.size() + pair.b)] = rootOf(pair.a);
+    for (const Pair& pair : *pairs) groups_.join(a_.surface.size() + pair.b, pair.a);
   }
 }
 
 /// Finds the deepest contact of each group.
 void SurfaceContacts::findDeepest(const std::vector<Contact>& contacts) {
-  deepest_.assign(parent_.size(), kNoIndex);
+  deepest_.assign(groups_.size(), kNoIndex);
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     std::uint32_t& deepest = deepest_[groupOf(pairs_[c])];
     if (deepest == kNoIndex || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
 }
 
-std::uint32_t SurfaceContacts::rootOf(std::uint32_t node) {
-  while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-  return node;
-}
-
 /// Restores the deepest contact of each group that was removed entirely, and the deepest contact of all.
 void SurfaceContacts::keepDeepest(const std::vector<Contact>& contacts) {
   const auto deepest = std::ranges::min_element(contacts, {}, &Contact::distance) - contacts.begin();
   removed_[static_cast<std::size_t>(deepest)] = Removed::no;
-  stays_.assign(parent_.size(), false);
+  stays_.assign(groups_.size(), false);
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     if (removed_[c] == Removed::no) stays_[groupOf(pairs_[c])] = true;
   }
-  for (std::uint32_t node = 0; node < parent_.size(); ++node) {
-    if (deepest_[node] != kNoIndex && !stays_[node]) removed_[deepest_[node]] = Removed::no;
+  for (std::uint32_t root = 0; root < groups_.size(); ++root) {
+    if (deepest_[root] != kNoIndex && !stays_[root]) removed_[deepest_[root]] = Removed::no;
   }
 }
 
@@ -365,11 +360,11 @@ bool SurfaceContacts::areFacing(const Contact& contact, const Pair& pair) const 
 }
 
 void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
-  order_.clear();  // of contacts that may pinch
+  pinching_.clear();
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
-    if (contacts[c].distance <= 0.0 && !areFacing(contacts[c], pairs_[c])) order_.push_back(c);
+    if (contacts[c].distance <= 0.0 && !areFacing(contacts[c], pairs_[c])) pinching_.push_back(c);
   }
-  if (order_.empty()) return;
+  if (pinching_.empty()) return;
   curve_.clear();
   of_segments_.clear();
   for (const Pair& pair : meeting_) {
@@ -381,11 +376,11 @@ void SurfaceContacts::openPinches(std::vector<Contact>& contacts) {
   if (!wayOut(curve_)) return;  // one body may pierce the other
   removed_.assign(contacts.size(), Removed::no);
   findGroups({&meeting_});
-  std::ranges::sort(order_, {}, [&](std::uint32_t c) { return std::pair(groupOf(pairs_[c]), c); });
-  for (auto first = order_.begin(); first != order_.end();) {
+  std::ranges::sort(pinching_, {}, [&](std::uint32_t c) { return std::pair(groupOf(pairs_[c]), c); });
+  for (auto first = pinching_.begin(); first != pinching_.end();) {
     const std::uint32_t group = groupOf(pairs_[*first]);
     const auto last =
-        std::find_if(first, order_.end(), [&](std::uint32_t c) { return groupOf(pairs_[c]) != group; });
+        std::find_if(first, pinching_.end(), [&](std::uint32_t c) { return groupOf(pairs_[c]) != group; });
     openPinch(contacts, {first, last}, group);
     first = last;
   }

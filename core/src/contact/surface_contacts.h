@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "contact/local_surface.h"
 #include "geometry/intersection_curve.h"
 #include "octoblisk/clustered_octree.h"
@@ -63,10 +64,10 @@ class SurfaceContacts {
   /// contacts of the last find or filter, and keeps their order. At each crossing, it removes contacts that
   /// push across or against the way out of the intersection (wayOut): those that another contact opposes, or
   /// all if no contact pushes out. Contacts of triangles that face each other stay. The deepest of the
-  /// others stays too. It then pushes out, at the middle of the curve in which the surfaces meet. It is as
-  /// deep as this curve extends on the way out; if no other contact pushes out, at least as deep as its
-  /// triangles. Surfaces that lie along each other, as the walls of nested cups do, keep their contacts.
-  /// Allocates nothing once warm.
+  /// removable contacts also stays. It then pushes out, at the middle of the curve in which the surfaces
+  /// meet. It is as deep as this curve extends on the way out; if no other contact pushes out, at least as
+  /// deep as its triangles. Surfaces that lie along each other, as the walls of nested cups do, keep their
+  /// contacts. Allocates nothing once warm.
   void openPinches(std::vector<Contact>& contacts);
 
  private:
@@ -123,8 +124,7 @@ class SurfaceContacts {
   static bool isConvex(const Face& face, const Face& other);
   void findGroups(std::initializer_list<const std::vector<Pair>*> of);
   void findDeepest(const std::vector<Contact>& contacts);
-  std::uint32_t rootOf(std::uint32_t node);
-  std::uint32_t groupOf(const Pair& pair) { return rootOf(pair.a); }
+  std::uint32_t groupOf(const Pair& pair) { return groups_.rootOf(pair.a); }
   void keepDeepest(const std::vector<Contact>& contacts);
   bool areFacing(const Contact& contact, const Pair& pair) const;
   void openPinch(std::vector<Contact>& contacts, Members members, std::uint32_t group);
@@ -146,13 +146,16 @@ class SurfaceContacts {
   /// Why a contact was removed.
   enum class Removed : std::uint8_t { no, long_way, past, inner, pinches };
   std::vector<Removed> removed_;
-  std::vector<std::uint32_t> order_, shallowest_;
-  std::vector<std::uint32_t> first_;    // per triangle of a side: where its contacts begin in order_
-  std::vector<Face> faces_;             // faces that meet a triangle
-  std::vector<std::uint32_t> parent_;   // per triangle of A, then of B
-  std::vector<std::uint32_t> deepest_;  // per root: the deepest contact of the group
-  std::vector<bool> meets_;             // per root: whether triangles of its group meet
-  std::vector<bool> stays_;             // per root: whether a contact of its group stays
+  std::vector<std::uint32_t> wanted_;       // near pairs whose contacts are computed
+  std::vector<std::uint32_t> by_triangle_;  // contacts, by the triangle of a side
+  std::vector<std::uint32_t> first_;        // per triangle: where its contacts begin in by_triangle_
+  std::vector<std::uint32_t> shallowest_;   // contacts with one triangle
+  std::vector<std::uint32_t> pinching_;     // contacts that may pinch
+  std::vector<Face> faces_;                 // faces that meet a triangle
+  DisjointSets groups_;                     // of the triangles of A, then of B
+  std::vector<std::uint32_t> deepest_;      // per root: the deepest contact of the group
+  std::vector<bool> meets_;                 // per root: whether triangles of its group meet
+  std::vector<bool> stays_;                 // per root: whether a contact of its group stays
 };
 
 }  // namespace octoblisk::detail

@@ -16,6 +16,26 @@ Vec3 closestOnSegment(const Vec3& from, const Vec3& to, const Vec3& point) {
   return from + part * along;
 }
 
+/// The point closest to `point` among those of the triangle that are level with it along the longest edge.
+Vec3 closestAcross(const Triangle& triangle, const Vec3& point) {
+  std::size_t longest = 0;
+  const auto edge = [&](std::size_t v) -> Vec3 { return triangle[(v + 1) % 3] - triangle[v]; };
+  for (std::size_t v = 1; v < 3; ++v) {
+    if (edge(v).squaredNorm() > edge(longest).squaredNorm()) longest = v;
+  }
+  const Vec3 &from = triangle[longest], &to = triangle[(longest + 1) % 3],
+             &third = triangle[(longest + 2) % 3];
+  const Vec3 along = edge(longest);
+  const double squared = along.squaredNorm();
+  if (!(squared > 0.0)) return from;
+  const auto partOf = [&](const Vec3& x) { return std::clamp(along.dot(x - from) / squared, 0.0, 1.0); };
+  const double part = partOf(point), third_part = partOf(third);
+  const Vec3 on_other_edge = part < third_part ? Vec3(from + part / third_part * (third - from))
+                             : part < 1.0      ? Vec3(to + (1.0 - part) / (1.0 - third_part) * (third - to))
+                                               : to;
+  return closestOnSegment(from + part * along, on_other_edge, point);
+}
+
 }  // namespace
 
 detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const Vec3& normal,
@@ -32,7 +52,7 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
   const bool is_over = squared > 0.0 && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0;
   if (is_over && !thin) return {point - normal * (normal.dot(offset) / squared), true};
   // Otherwise the closest point is on an edge that separates the foot from the triangle. If the triangle is
-  // thin, it may be anywhere: take the nearest of all edges and the foot's place on the triangle.
+  // thin, it may be anywhere: take the nearest of all edges and of a line across, level with the point.
   Vec3 closest = a;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](const Vec3& candidate) {
@@ -41,7 +61,7 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
     least = distance;
     closest = candidate;
   };
-  if (is_over) offer((at_bc * a + at_ca * b + at_ab * c) / squared);
+  if (thin) offer(closestAcross(triangle, point));
   if (thin || at_ab < 0.0) offer(closestOnSegment(a, b, point));
   if (thin || at_bc < 0.0) offer(closestOnSegment(b, c, point));
   if (thin || at_ca < 0.0) offer(closestOnSegment(c, a, point));

@@ -225,9 +225,9 @@ struct Penetration {
   Vec3 deepest;  ///< on the triangle
 };
 
-/// None if the face is thin.
+/// None if the face is degenerate, or so thin that its normal is only rounding.
 std::optional<Penetration> penetration(const Face& face, const Triangle& other) {
-  if (face.isThin()) return std::nullopt;
+  if (!face.isWiderThan(1e-12)) return std::nullopt;
   const auto heightOf = [&](const Vec3& point) { return face.height(point); };
   const auto below = [&](const Vec3& deepest) {
     return Penetration{std::max(0.0, -heightOf(deepest) / std::sqrt(face.squared_normal)), deepest};
@@ -297,7 +297,7 @@ Contact meetingContact(const Triangle& a, const Triangle& b) {
             outward,          -below_b->depth,
             kNoTriangle,      kNoTriangle};
   }
-  // Both triangles are thin: the point where they meet is accurate to their width.
+  // Both triangles are degenerate: the point where they meet is accurate to their width.
   Contact touch = closestPoints(a, b);
   touch.point_on_a = touch.point_on_b = 0.5 * (touch.point_on_a + touch.point_on_b);
   touch.distance = -0.0;

@@ -23,7 +23,7 @@ Contact closestPoints(const Triangle& a, const Triangle& b);
 /// The contact of two triangles that meet. The distance is minus the length of the shortest translation along
 /// the outward normal of one of the two faces that separates them. The points are the ends of this
 /// translation: one is the deepest point of one triangle below the other, and one lies on that other
-/// triangle. A face that is degenerate, or thinner than 1e-6 of its length, is not used. If neither face can
+/// triangle. A face that is degenerate, or thinner than 1e-12 of its length, is not used. If neither face can
 /// be used, the distance is 0.
 Contact meetingContact(const Triangle& a, const Triangle& b);
 

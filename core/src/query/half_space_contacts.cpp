@@ -1,6 +1,7 @@
 #include "octoblisk/half_space_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "geometry/frame_along.h"
@@ -20,7 +21,7 @@ void contacts(const ClusteredOctree& a, const HalfSpace& b_in_a, double threshol
   const double height = normal.dot(tree.origin()) - b_in_a.offset;
   const double lowest = -tree.radius(),
                highest = std::min(threshold - height, tree.radius());  // from the origin
-  if (!(lowest <= highest + 1e-12 * (tree.origin().norm() + tree.radius()))) return;
+  if (!std::isfinite(height) || !(lowest <= highest + 1e-12 * (tree.origin().norm() + tree.radius()))) return;
   Obb below;
   below.axes = frameAlong(normal);
   below.center = tree.origin() + 0.5 * (lowest + highest) * normal;
