@@ -54,8 +54,7 @@ bool hasOurShape(const btCollisionObjectWrapper* body) {
 using CreateInfo = btCollisionAlgorithmConstructionInfo;
 using Wrapper = btCollisionObjectWrapper;
 
-// Creates the algorithm of a pair for which CreateMesh has none: one shape is a third-party shape of our
-// type, or the other shape is none of `Others`.
+// Creates the algorithm of a pair that CreateMesh does not handle.
 using Otherwise = btCollisionAlgorithm*(CreateInfo&, const Wrapper*, const Wrapper*, bool mesh_is_body1);
 
 btCollisionAlgorithm* nothing(CreateInfo& info, const Wrapper*, const Wrapper*, bool) {

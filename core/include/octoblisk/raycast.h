@@ -33,8 +33,8 @@ struct RayHit {
   double t = 0.0;                        ///< parameter of the ray: point = origin + t · direction
   std::uint32_t triangle = kNoTriangle;  ///< index in the mesh
   Vec3 point = Vec3::Zero();
-  /// The triangle's unit outward normal, whichever side the ray comes from. If rounding leaves no normal of a
-  /// very thin triangle, a unit vector along the ray.
+  /// The triangle's unit outward normal, whichever side the ray comes from. If the triangle is so thin that
+  /// its normal is lost to rounding, a unit vector along the ray.
   Vec3 normal = Vec3::UnitX();
   /// The ray hits the triangle from behind: direction · normal > 0 for the exact normal.
   bool back_face = false;

@@ -25,8 +25,8 @@ struct ContactPatch {
 /// patches may go with it:
 /// - A body in a groove touches both sides: contacts near the patch's own that are about as deep, but push in
 ///   directions that differ by more than 5°.
-/// - A wide body rests on a narrow face: if contacts that are less deep, but wider apart, take the places of
-///   the patch, another patch holds the contacts that are about as deep as the deepest.
+/// - A wide body rests on a narrow face: if contacts that are less deep, but wider apart, fill the patch,
+///   another patch holds the contacts that are about as deep as the deepest.
 class ContactPatches {
  public:
   static constexpr std::size_t kMaxPatches = 16;
