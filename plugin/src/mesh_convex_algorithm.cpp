@@ -37,7 +37,7 @@ void MeshConvexAlgorithm::findBodyContacts(const PosedShapes& shapes, double rea
   const ClusteredOctree& tree = shapes.mesh.tree();
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const Pose& convex_in_mesh = shapes.other_in_mesh;
-  if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, middle_, found);
+  if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, reach, middle_, found);
   const std::size_t of_triangles = found.size();
   addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, found);
   if (core_.hasFeet()) {

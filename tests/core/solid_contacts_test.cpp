@@ -109,7 +109,7 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
       const double before = greatestDepth();
       const std::size_t of_triangles = found.size();
       PointInSolid middle;
-      toSolidContacts(tree, box, pose, middle, found);
+      toSolidContacts(tree, box, pose, 0.0, middle, found);
       ++poses;
       with_way_out += found.size() > of_triangles;
       ASSERT_LE(greatestDepth(), std::max(before, exact) + 1e-9) << "radius " << radius << ", pose " << i;

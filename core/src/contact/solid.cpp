@@ -1,6 +1,7 @@
 #include "contact/solid.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "octoblisk/closest_point.h"
@@ -11,10 +12,12 @@ namespace octoblisk::detail {
 namespace {
 
 /// A contact that pushes B out of A along the line from a point inside to the closest point of the surface.
-/// `farthest_of_b(direction)` is the farthest point of B, or of the part of B that is to get out.
+/// `farthest_of_b(direction)` is the farthest point of B, or of the part of B that is to get out. The surface
+/// is no farther away than `upper_bound`.
 template <typename Farthest>
-Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b) {
-  const ClosestPoint closest = *closestPoint(a, inside);
+Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& farthest_of_b,
+                   double upper_bound = std::numeric_limits<double>::infinity()) {
+  const ClosestPoint closest = *closestPoint(a, inside, upper_bound);
   const double on_surface = 1e-9 * a.mesh().bounds().halfExtents().norm();
   const Vec3 facing = scaledNormal(a.mesh().triangle(closest.triangle));
   Vec3 inward = closest.distance > on_surface || facing.isZero(0.0) ? Vec3(inside - closest.point) : -facing;
@@ -26,6 +29,16 @@ Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& fart
   contact.distance = (contact.point_on_a - contact.point_on_b).dot(contact.normal);
   contact.triangle_a = closest.triangle;
   return contact;
+}
+
+/// The radius of a ball around the middle of the core that is inside the body; 0 if the faces are not known.
+double innerRadius(const Convex& convex) {
+  const HullFaces hull = convex.faces();
+  if (hull.empty()) return 0.0;
+  const Vec3 middle = convex.middle();
+  double radius = std::numeric_limits<double>::infinity();
+  for (const HullFace& face : hull.faces) radius = std::min(radius, face.offset - face.normal.dot(middle));
+  return radius + convex.radius();
 }
 
 }  // namespace
@@ -44,24 +57,36 @@ bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
   return locateInClosed(tree, turn * point, turn) == PointLocation::inside;
 }
 
-bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point) {
-  if (!tree.mesh().bounds().meets({point, point})) return false;
-  if ((point - point_).norm() < clearance_) return is_inside_;
-  point_ = point;
-  if (has_looked_) clearance_ = closestPoint(tree, point)->distance;  // not needed for a single test
-  has_looked_ = true;
+bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point,
+                            FunctionRef<double()> leastClearance) {
+  const bool is_first = !last_;
+  const double moved = is_first ? std::numeric_limits<double>::infinity() : (point - *last_).norm();
+  last_ = point;
+  clearance_ -= moved;
+  if (!tree.mesh().bounds().meets({point, point})) return is_inside_ = false;
+  if (clearance_ > 0.0) return is_inside_;
+  clearance_ = leastClearance();
+  if (moved < clearance_) return is_inside_;
   is_inside_ = isInSolid(tree, point);
+  // A single test does not need the clearance.
+  if (!is_first && clearance_ <= 0.0) clearance_ = closestPoint(tree, point)->distance;
   return is_inside_;
 }
 
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
-                     PointInSolid& middle, std::vector<Contact>& contacts) {
+                     double reach, PointInSolid& middle, std::vector<Contact>& contacts) {
   const Vec3 center = convex_in_mesh * convex.middle();
+  // A triangle that comes nearer to the middle is as much deeper in the ball around it.
+  const auto leastClearance = [&] {
+    double least_distance = reach;
+    for (const Contact& contact : contacts) least_distance = std::min(least_distance, contact.distance);
+    return innerRadius(convex) + least_distance;
+  };
   const auto farthestOfConvex = [&](const Vec3& direction) -> Vec3 {
     return convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * direction) +
            convex.radius() * direction;
   };
-  if (middle.contains(tree, center)) {
+  if (middle.contains(tree, center, leastClearance)) {
     const Contact out = wayOutFrom(tree, center, farthestOfConvex);
     std::erase_if(contacts, [&](const Contact& contact) { return contact.normal.dot(out.normal) <= 0.0; });
     contacts.push_back(out);
@@ -75,8 +100,13 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
   if (!towards_end.isZero(0.0)) {
     const Vec3 end = convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * towards_end);
     if (end != center && isInSolid(tree, end)) {
-      const Contact out = wayOutFrom(
-          tree, end, [&](const Vec3& direction) -> Vec3 { return end + convex.radius() * direction; });
+      const auto farthestOfEnd = [&](const Vec3& direction) -> Vec3 {
+        return end + convex.radius() * direction;
+      };
+      double upper_bound = std::numeric_limits<double>::infinity();
+      for (const Contact& contact : contacts)
+        upper_bound = std::min(upper_bound, distance(tree.mesh().triangle(contact.triangle_a), end));
+      const Contact out = wayOutFrom(tree, end, farthestOfEnd, upper_bound);
       if (out.normal.dot(center - out.point_on_a) < 0.0) contacts.push_back(out);
     }
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/convex.h"
+#include "octoblisk/function_ref.h"
 
 namespace octoblisk::detail {
 
@@ -14,20 +16,22 @@ namespace octoblisk::detail {
 bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
 
 /// Whether a moving point is inside a closed mesh. Exact, except within rounding of the surface. Searches the
-/// tree only if the point may have crossed the surface since the last search. Allocates nothing.
+/// tree only if the point may have crossed the surface since the last call. Allocates nothing.
 class PointInSolid {
  public:
-  /// The point is in the mesh's frame.
-  bool contains(const ClusteredOctree& tree, const Vec3& point);
+  /// The point is in the mesh's frame. Its distance to the surface is at least leastClearance().
+  bool contains(const ClusteredOctree& tree, const Vec3& point, FunctionRef<double()> leastClearance);
+  bool contains(const ClusteredOctree& tree, const Vec3& point) {
+    return contains(tree, point, [] { return 0.0; });
+  }
 
   /// Call this after the mesh has changed.
   void forget() { *this = {}; }
 
  private:
-  Vec3 point_ = Vec3::Zero();  // at the last search
-  double clearance_ = 0.0;     // distance from point_ to the surface, from the second search on
-  bool is_inside_ = false;
-  bool has_looked_ = false;
+  std::optional<Vec3> last_;  // the point of the last call
+  bool is_inside_ = false;    // the last point
+  double clearance_ = 0.0;    // at most its distance to the surface
 };
 
 /// Converts contacts between the triangles of a closed mesh (A) and a convex body (B) to contacts with the
@@ -39,8 +43,9 @@ class PointInSolid {
 ///   around it.
 /// - If B's middle is outside A, contacts that would push B through the solid are removed, if others touch. A
 ///   contact does so if the middle is behind its plane by no more than the contact's depth.
+/// All triangles within `reach` of B have contacts.
 void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
-                     PointInSolid& middle, std::vector<Contact>& contacts);
+                     double reach, PointInSolid& middle, std::vector<Contact>& contacts);
 
 /// The vertices of a mesh that are farthest out along its axes and diagonals, in the mesh's frame.
 struct FarVertices {

@@ -9,6 +9,7 @@
 #include "geometry/polygon.h"
 #include "geometry/segment_pair.h"
 #include "geometry/triangle_feature.h"
+#include "octoblisk/convex.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -24,11 +25,8 @@ constexpr double kPreferred = 1e-13;  // relative to it: the gain that an axis o
 class Axes {
  public:
   Axes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& hull)
-      : triangle_(triangle), points_(points), hull_(hull), middle_(centroidOf(triangle)) {
-    for (const Vec3& corner : triangle) {
-      size_ = std::max(size_, corner.cwiseAbs().maxCoeff());
-      radius_ = std::max(radius_, (corner - middle_).norm());
-    }
+      : triangle_(triangle), points_(points), hull_(hull) {
+    for (const Vec3& corner : triangle) size_ = std::max(size_, corner.cwiseAbs().maxCoeff());
   }
 
   AxisSearch search(double limit) {
@@ -49,27 +47,12 @@ class Axes {
 
   using Heights = std::array<double, 3>;  // of the triangle's corners over a face
 
-  Heights heightsOver(const HullFace& face) const {
-    return {face.normal.dot(triangle_[0]) - face.offset, face.normal.dot(triangle_[1]) - face.offset,
-            face.normal.dot(triangle_[2]) - face.offset};
-  }
-
   bool tryFaces(double limit) {
-    // The best face is usually the one over which the middle is highest. Where the middle is lower, so is the
-    // lowest corner.
-    std::size_t first = 0;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
-      middle_height_[f] = hull_.faces[f].normal.dot(middle_) - hull_.faces[f].offset;
-      if (middle_height_[f] > middle_height_[first]) first = f;
-    }
-    gap_ = std::ranges::min(heightsOver(hull_.faces[first]));
-    face_ = first;
-    for (std::size_t f = 0; f < hull_.faces.size() && gap_ <= limit; ++f) {
-      if (!(middle_height_[f] > gap_)) continue;
-      const double gap = std::ranges::min(heightsOver(hull_.faces[f]));
-      if (!(gap > gap_)) continue;
-      gap_ = gap;
-      face_ = f;
+      const HullFace& face = hull_.faces[f];
+      for (std::size_t v = 0; v < 3; ++v) height_[f][v] = face.normal.dot(triangle_[v]) - face.offset;
+      const double gap = std::min({height_[f][0], height_[f][1], height_[f][2]});
+      if (gap > gap_) gap_ = gap, face_ = f;
     }
     normal_ = hull_.faces[face_].normal;
     return gap_ <= limit;
@@ -78,12 +61,11 @@ class Axes {
   /// Prefers the triangle's own normal to an equally good face normal.
   bool tryOwnSides(double limit) {
     const Vec3 facing = scaledNormal(triangle_).normalized();
-    std::size_t lowest = 0, highest = 0;
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t p = 0; p < points_.size(); ++p) {
-      const double along = facing.dot(points_[p]);
-      if (along < low) low = along, lowest = p;
-      if (along > high) high = along, highest = p;
+    for (const Vec3& point : points_) {
+      const double along = facing.dot(point);
+      low = std::min(low, along);
+      high = std::max(high, along);
     }
     const double at = facing.dot(triangle_[0]);
     const double gap = std::max(low - at, at - high);
@@ -92,7 +74,6 @@ class Axes {
     gap_ = gap;
     kind_ = Kind::own_side;
     normal_ = low - at >= at - high ? Vec3(-facing) : facing;
-    point_ = low - at >= at - high ? lowest : highest;
     return true;
   }
 
@@ -101,17 +82,15 @@ class Axes {
     // most the greater of its heights over them. Few faces have a corner high enough over them, and few edges
     // have such faces.
     const double needed = std::min(gap_, 0.0) - kPreferred * size_;
+    std::array<double, kMaxHullFaces> highest;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
-      highest_[f] = middle_height_[f] + radius_;
-      if (!(highest_[f] > needed)) continue;
-      height_[f] = heightsOver(hull_.faces[f]);
-      highest_[f] = std::ranges::max(height_[f]);
+      highest[f] = std::max({height_[f][0], height_[f][1], height_[f][2]});
     }
     std::array<std::uint32_t, kMaxHullEdges> near;
     std::size_t near_count = 0;
     for (std::uint32_t e = 0; e < hull_.edges.size(); ++e) {
       near[near_count] = e;
-      near_count += std::max(highest_[hull_.edges[e].left], highest_[hull_.edges[e].right]) > needed;
+      near_count += std::max(highest[hull_.edges[e].left], highest[hull_.edges[e].right]) > needed;
     }
     return std::all_of(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(near_count),
                        [&](std::uint32_t e) { return tryEdge(e, limit, needed); });
@@ -119,21 +98,18 @@ class Axes {
 
   bool tryEdge(std::uint32_t e, double limit, double needed) {
     const HullEdge& edge = hull_.edges[e];
-    const auto over = [&](std::uint32_t f) {
-      return highest_[f] > needed ? height_[f] : heightsOver(hull_.faces[f]);
-    };
-    const Heights over_left = over(edge.left), over_right = over(edge.right);
+    const Heights &over_left = height_[edge.left], &over_right = height_[edge.right];
     for (std::size_t v = 0; v < 3; ++v) {
       const std::size_t next = (v + 1) % 3, opposite = (v + 2) % 3;
       // The axis perpendicular to both edges is between the two normals if these are on different sides of
       // the plane perpendicular to the triangle's edge. It separates the two only if the triangle's third
-      // corner is beyond this edge.
+      // corner is beyond this edge. Few edges pass; a branch for each condition would cost more.
       const double of_left = over_right[v] - over_right[next], of_right = over_left[next] - over_left[v];
-      if (!(of_left * of_right > 0.0)) continue;
       const double part_left = std::abs(of_left), part_right = std::abs(of_right);
       const double scaled = part_left * over_left[v] + part_right * over_right[v];
-      if (!(scaled > needed * (part_left + part_right))) continue;
-      if (part_left * over_left[opposite] + part_right * over_right[opposite] < scaled) continue;
+      const bool separates = (of_left * of_right > 0.0) & (scaled > needed * (part_left + part_right)) &
+                             (part_left * over_left[opposite] + part_right * over_right[opposite] >= scaled);
+      if (!separates) continue;
       const double squared =
           part_left * part_left + part_right * part_right + 2.0 * part_left * part_right * edge.cosine;
       if (!isLonger(scaled, squared, gap_ + kPreferred * size_)) continue;
@@ -176,7 +152,7 @@ class Axes {
   }
 
   std::optional<Vec3> sharedWithFace() {
-    const auto height = heightsOver(hull_.faces[face_]);
+    const Heights& height = height_[face_];
     std::size_t level = 0, lowest = 0;
     for (std::size_t v = 0; v < 3; ++v) {
       level += height[v] <= gap_ + kLevel * size_;
@@ -188,10 +164,10 @@ class Axes {
   }
 
   std::optional<Vec3> sharedWithOwnSide() {
-    nearest_ = points_[point_];
-    const double farthest = normal_.dot(nearest_);
+    nearest_ = farthest(points_, normal_);
+    const double highest = normal_.dot(nearest_);
     const auto level = std::ranges::count_if(
-        points_, [&](const Vec3& point) { return normal_.dot(point) >= farthest - kLevel * size_; });
+        points_, [&](const Vec3& point) { return normal_.dot(point) >= highest - kLevel * size_; });
     if (level > 1) return middleShared();
     return isOver(triangle_, scaledNormal(triangle_), nearest_) ? std::optional(nearest_) : std::nullopt;
   }
@@ -223,18 +199,14 @@ class Axes {
   const Triangle& triangle_;
   const std::span<const Vec3> points_;
   const HullFaces& hull_;
-  const Vec3 middle_;                                // of the triangle
-  std::array<double, kMaxHullFaces> middle_height_;  // heights of the middle over the hull's faces
-  double radius_ = 0.0;                              // of the triangle around its middle
-  std::array<double, kMaxHullFaces> highest_;        // upper bounds of the corners' heights
-  std::array<Heights, kMaxHullFaces> height_;  // valid for faces over which a corner is high enough to matter
-  double size_ = 0.0;
+  std::array<Heights, kMaxHullFaces> height_;  // over each face
+  double size_ = 0.0;                          // the largest coordinate of the triangle
 
   // The best axis so far, the features that define it, and the gap along it.
   double gap_ = -std::numeric_limits<double>::infinity();
   Vec3 normal_ = Vec3::UnitX();
   Kind kind_ = Kind::face;
-  std::size_t face_ = 0, point_ = 0, corner_ = 0, edge_ = 0;
+  std::size_t face_ = 0, corner_ = 0, edge_ = 0;
   Vec3 nearest_ = Vec3::Zero();  // the hull's point, used if none is shared
 };
 
