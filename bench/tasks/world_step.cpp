@@ -18,5 +18,5 @@ int main(int argc, char** argv) {
                          .can_do = canStep,
                          .prepare = prepare,
                          .scenes = {"50k", "300k", "1500k", "1000-bodies"},
-                         .visits = 3}});
+                         .visits = 9}});
 }

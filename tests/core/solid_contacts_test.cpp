@@ -119,6 +119,44 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
   EXPECT_GT(with_way_out, poses / 5);
 }
 
+/// A box wanders through a torus in steps of all lengths. Its middle is followed, or located at each pose.
+TEST(SolidContacts, followTheMiddle_vs_new) {
+  const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));
+  const ConvexHull box(testing::boxMesh({0.2, 0.15, 0.1})->vertices(), 0.02);
+  std::mt19937_64 random(85);
+  PointInSolid followed;
+  Pose pose;
+  constexpr double kReach = 0.05;
+  int inside = 0, poses = 0, crossings = 0;
+  bool was_inside = false;
+  for (int i = 0; i < 5000; ++i) {
+    const double length = std::pow(10.0, testing::uniform(random, -3, -0.5));
+    pose.translation += length * testing::randomRotation(random).col(0);
+    pose.rotation = testing::randomRotation(random);
+    if (pose.translation.norm() > 1.8) pose.translation = Vec3(1.0, 0.0, 0.0);
+    std::vector<Contact> found;
+    contacts(tree, box, pose, kReach, found);
+    std::vector<Contact> expected = found;
+    toSolidContacts(tree, box, pose, kReach, followed, found);
+    PointInSolid located;
+    toSolidContacts(tree, box, pose, kReach, located, expected);
+    ASSERT_EQ(found.size(), expected.size()) << i;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      ASSERT_EQ(found[c].point_on_a, expected[c].point_on_a) << i;
+      ASSERT_EQ(found[c].normal, expected[c].normal) << i;
+      ASSERT_EQ(found[c].distance, expected[c].distance) << i;
+    }
+    const bool is_inside = isInSolid(tree, pose.translation);
+    crossings += is_inside != was_inside;
+    was_inside = is_inside;
+    inside += is_inside;
+    ++poses;
+  }
+  EXPECT_GT(inside, poses * 2 / 10);
+  EXPECT_LT(inside, poses * 8 / 10);
+  EXPECT_GT(crossings, 100);
+}
+
 /// Boxes in a block: some cross its surface, some are wholly inside.
 TEST(FarVerticesInSolid, theTrianglesHaveThePoints) {
   std::mt19937_64 random(84);
