@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/thin_triangle.h"
+
 namespace octoblisk {
 namespace {
 
@@ -30,10 +32,12 @@ Vec3 closestAcross(const Triangle& triangle, const Vec3& point) {
   if (!(squared > 0.0)) return from;
   const auto partOf = [&](const Vec3& x) { return std::clamp(along.dot(x - from) / squared, 0.0, 1.0); };
   const double part = partOf(point), third_part = partOf(third);
-  const Vec3 on_other_edge = part < third_part ? Vec3(from + part / third_part * (third - from))
-                             : part < 1.0      ? Vec3(to + (1.0 - part) / (1.0 - third_part) * (third - to))
-                                               : to;
-  return closestOnSegment(from + part * along, on_other_edge, point);
+  const auto onOtherEdges = [&]() -> Vec3 {
+    if (part < third_part) return from + part / third_part * (third - from);
+    if (part < 1.0) return to + (1.0 - part) / (1.0 - third_part) * (third - to);
+    return to;
+  };
+  return closestOnSegment(from + part * along, onOtherEdges(), point);
 }
 
 }  // namespace
@@ -43,14 +47,12 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
   const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a, ac = c - a, offset = point - a;
   const double squared = normal.squaredNorm();
-  const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
-  constexpr double kThin = 1e-12;  // of sin²; below this, the foot is uncertain, and edges may be nearer
-  const bool thin = !(squared > kThin * longest * longest);
+  const bool is_thin = detail::isThin(squared, detail::squaredLongestEdge(triangle));
   // Twice the areas of the triangles that the foot forms with each edge, times the normal's length.
   const Vec3 turned = offset.cross(normal);
   const double at_ab = ab.dot(turned), at_ca = -ac.dot(turned), at_bc = squared - at_ab - at_ca;
   const bool is_over = squared > 0.0 && at_ab >= 0.0 && at_bc >= 0.0 && at_ca >= 0.0;
-  if (is_over && !thin) return {point - normal * (normal.dot(offset) / squared), true};
+  if (is_over && !is_thin) return {point - normal * (normal.dot(offset) / squared), true};
   // Otherwise the closest point is on an edge that separates the foot from the triangle. If the triangle is
   // thin, it may be anywhere: take the nearest of all edges and of a line across, level with the point.
   Vec3 closest = a;
@@ -61,10 +63,10 @@ detail::ClosestOnTriangle detail::closestPointOf(const Triangle& triangle, const
     least = distance;
     closest = candidate;
   };
-  if (thin) offer(closestAcross(triangle, point));
-  if (thin || at_ab < 0.0) offer(closestOnSegment(a, b, point));
-  if (thin || at_bc < 0.0) offer(closestOnSegment(b, c, point));
-  if (thin || at_ca < 0.0) offer(closestOnSegment(c, a, point));
+  if (is_thin) offer(closestAcross(triangle, point));
+  if (is_thin || at_ab < 0.0) offer(closestOnSegment(a, b, point));
+  if (is_thin || at_bc < 0.0) offer(closestOnSegment(b, c, point));
+  if (is_thin || at_ca < 0.0) offer(closestOnSegment(c, a, point));
   return {closest, false};
 }
 

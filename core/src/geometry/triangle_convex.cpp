@@ -1,9 +1,8 @@
 #include "geometry/triangle_convex.h"
 
-#include <algorithm>
-
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
+#include "geometry/thin_triangle.h"
 #include "geometry/triangle_polyhedron.h"
 #include "geometry/triangle_round.h"
 
@@ -27,19 +26,10 @@ std::optional<CoreContact> searched(const Triangle& triangle, const Convex& conv
   return CoreContact{distance, apart / distance, search.on_triangle, search.on_core};
 }
 
-/// Whether the triangle's normal is mostly rounding. Searches do not need the normal.
-bool isThin(const Triangle& triangle) {
-  constexpr double kThinnest = 1e-6;  // relative to its length
-  const double longest =
-      std::max({(triangle[1] - triangle[0]).squaredNorm(), (triangle[2] - triangle[1]).squaredNorm(),
-                (triangle[0] - triangle[2]).squaredNorm()});
-  return !(scaledNormal(triangle).norm() > kThinnest * longest);
-}
-
 std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex& convex, double limit) {
   const std::span<const Vec3> points = convex.points();
   if (points.size() == 1) return contactOfPoint(triangle, points[0]);
-  if (isThin(triangle)) return searched(triangle, convex, limit);
+  if (isThin(triangle)) return searched(triangle, convex, limit);  // without the normal
   if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
   const HullFaces faces = convex.faces();
   if (faces.empty() || points.size() > HullFaceList::kMaxPoints) return searched(triangle, convex, limit);

@@ -11,6 +11,7 @@
 #include "geometry/polygon.h"
 #include "geometry/predicates.h"
 #include "geometry/segment_pair.h"
+#include "geometry/thin_triangle.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -110,8 +111,7 @@ struct Face {
       : corner(t),
         normal(scaledNormal(t)),
         squared_normal(normal.squaredNorm()),
-        squared_longest(std::max(
-            {(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()})) {
+        squared_longest(squaredLongestEdge(t)) {
     for (std::size_t i = 0; i < 3; ++i) inward[i] = normal.cross(t[(i + 1) % 3] - t[i]);
   }
 
@@ -119,8 +119,8 @@ struct Face {
   bool isWiderThan(double fraction) const {
     return squared_normal > fraction * fraction * squared_longest * squared_longest;
   }
-  /// Degenerate, or so thin that rounding tilts the normal: a foot on the plane may be beside the triangle.
-  bool isThin() const { return !isWiderThan(1e-6); }
+  /// If so, a foot on the plane may be beside the triangle.
+  bool isThin() const { return detail::isThin(squared_normal, squared_longest); }
 
   /// The height over the plane, times the normal's length.
   double height(const Vec3& point) const { return normal.dot(point - corner[0]); }
