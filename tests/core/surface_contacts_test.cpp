@@ -169,9 +169,8 @@ struct OfSolids {
 
   OfSolids(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
     SurfaceContacts surfaces;
-    surfaces.find(a, b, b_in_a, 1e-4, 1e-4, found);
-    open = found;
-    surfaces.openPinches(open);
+    surfaces.find(a, b, b_in_a, 1e-4, 1e-4, false, found);
+    surfaces.find(a, b, b_in_a, 1e-4, 1e-4, true, open);
   }
 };
 
@@ -412,7 +411,7 @@ TEST(SurfaceContacts, aBoxOverNarrowStripsIsPushedUpAlone) {
     const double lowest = testing::lowestZ(box.mesh(), pose);
     pose.translation = Vec3(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), gap - lowest);
     const Found found(floor, box, pose, 2.0 * gap);
-    surfaces.find(floor, box, pose, found.threshold, found.threshold, at_once);
+    surfaces.find(floor, box, pose, found.threshold, found.threshold, false, at_once);
     ASSERT_GT(found.all.size(), found.kept.size());
     for (const auto& contacts : {found.kept, at_once}) {
       ASSERT_FALSE(contacts.empty());
@@ -440,7 +439,7 @@ TEST(SurfaceContacts, aTipTooFineForSinglePrecisionIsFound) {
     const auto tip = std::make_shared<TriangleMesh>(
         std::move(vertices), std::vector<TriangleMesh::Indices>{{1, 2, 0}, {2, 3, 0}, {3, 1, 0}});
     const ClusteredOctree b = ClusteredOctree::build(tip);
-    surfaces.find(a, b, Pose(), 0.2, 0.2, found);
+    surfaces.find(a, b, Pose(), 0.2, 0.2, false, found);
     ASSERT_FALSE(found.empty()) << "case " << i;
     ASSERT_NEAR(testing::deepest(found), 0.1, 1e-14);
   }
@@ -465,7 +464,7 @@ TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
     const Vec3 away = testing::randomRotation(random).col(0) * uniform(random, 0.0, 3.0) * size;
     pose.translation = a.mesh().bounds().center() - pose * b.mesh().bounds().center() + away;
     const Found found(a, b, pose, size * std::pow(10.0, uniform(random, -3, 0)));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
     ASSERT_EQ(at_once.empty(), found.kept.empty()) << "case " << i;
     if (at_once.empty()) continue;
     ASSERT_EQ(testing::deepest(at_once), testing::deepest(found.kept)) << "case " << i;
@@ -491,7 +490,7 @@ TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
     Pose pose = testing::randomPose(random, 0.0);
     pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.4, 2.8);
     const Found found(a, b, pose, uniform(random, 0.01, 0.2));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     if (found.all.empty()) continue;
     ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
@@ -516,7 +515,7 @@ TEST(SurfaceContacts, fineMeshesHaveTheContactsOfASmallerThreshold) {
         Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
     const double threshold = uniform(random, 0.1, 0.2);
     const double reach = nearPairs(treeOf(tree), treeOf(tree), pose, threshold, 0.1 * threshold, near);
-    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, at_once);
+    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, false, at_once);
     const Found found(tree, tree, pose, reach);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     ASSERT_FALSE(at_once.empty());
