@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/triangles_along.h"
 #include "octoblisk_bullet/convert.h"
+#include "query/triangles_along.h"
 #include "shape_bounds.h"
 
 namespace octoblisk::detail {

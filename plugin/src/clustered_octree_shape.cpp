@@ -11,13 +11,13 @@
 
 #include "cast_callbacks.h"
 #include "contact/solid.h"
-#include "contact/thickness.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
+#include "query/thickness.h"
 
 namespace octoblisk {
 

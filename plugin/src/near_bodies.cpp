@@ -11,10 +11,10 @@
 #include <algorithm>
 
 #include "body_parts.h"
-#include "contact/clusters_near.h"
 #include "contact/solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "query/clusters_near.h"
 #include "shape_bounds.h"
 
 namespace octoblisk::detail {

@@ -42,7 +42,7 @@ bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatc
 bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 
 /// False if clusters separate the two bodies at their current transforms: no cluster of the given depth
-/// (contact/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
+/// (query/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
 /// cluster or the box of the other body, and neither body is inside the other as a solid. A compound that
 /// contains a ClusteredOctreeShape is tested child by child. Any other body is represented by the box of its
 /// proxy and the box of its shape, which differ if the body was moved by hand. With `ahead`, false also

@@ -7,7 +7,6 @@
 
 #include "contact/contact_patches.h"
 #include "contact/surface_contacts.h"
-#include "contact/triangles_along.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/contacts.h"
@@ -19,6 +18,7 @@
 #include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
 #include "octoblisk/triangle_cache.h"
+#include "query/triangles_along.h"
 #include "shared/mesh_source.h"
 #include "shared/meshes.h"
 

@@ -1,6 +1,6 @@
 // Tests clusters at a depth of the tree against a box and against another tree's clusters. They are never
 // apart if triangles are near, and near only if boxes of that depth are.
-#include "contact/clusters_near.h"
+#include "query/clusters_near.h"
 
 #include <gtest/gtest.h>
 

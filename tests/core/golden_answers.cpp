@@ -1,7 +1,6 @@
 #include "core/golden_answers.h"
 
 #include "build/paper/k_means.h"
-#include "contact/clusters_near.h"
 #include "core/golden_scene.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/closest_point.h"
@@ -16,6 +15,7 @@
 #include "octoblisk/source_contacts.h"
 #include "octoblisk/sweep.h"
 #include "octoblisk/tree_blob.h"
+#include "query/clusters_near.h"
 #include "shared/mesh_source.h"
 
 namespace octoblisk::testing {

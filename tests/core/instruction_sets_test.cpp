@@ -4,10 +4,10 @@
 #include <cstring>
 #include <vector>
 
-#include "contact/triangles_along.h"
 #include "core/only_targets.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/raycast.h"
+#include "query/triangles_along.h"
 #include "shared/meshes.h"
 #include "tree/tree.h"
 

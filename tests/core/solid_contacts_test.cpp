@@ -8,9 +8,9 @@
 
 #include "contact/flat_contacts.h"
 #include "contact/solid.h"
-#include "contact/thickness.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
+#include "query/thickness.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {

@@ -1,5 +1,5 @@
 // Compares the triangles that a moving box meets with a test of every triangle at many times.
-#include "contact/triangles_along.h"
+#include "query/triangles_along.h"
 
 #include <gtest/gtest.h>
 

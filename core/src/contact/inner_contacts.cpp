@@ -25,7 +25,7 @@ bool isSurelyInner(const SurfacePair& surfaces, const NumberPair& pair, const Cl
   const auto places = features.places(a, b);
   const PlaceOnTriangle &on_a = places.first, &on_b = places.second;
   const auto isOn = [&](const PlaceOnTriangle& place, const SurfaceSide& side) {
-    return place.feature != 0b111u || isOver(side.triangle(pair), side.facing(pair), place.point);
+    return place.feature != kFace || isOver(side.triangle(pair), side.facing(pair), place.point);
   };
   if (!isOn(on_a, surfaces.a) || !isOn(on_b, surfaces.b)) return false;  // single precision was wrong
   const Vec3 way = on_b.point - on_a.point;
@@ -54,7 +54,7 @@ bool isSurelyInner(const SurfacePair& surfaces, const NumberPair& pair, const Cl
   if (group_meets && !(isSurelyInFrontOf(surfaces.a) && isSurelyInFrontOf(surfaces.b))) return false;
   const auto surfaceComesNearer = [&](const SurfaceSide& own, const PlaceOnTriangle& at,
                                       const SurfaceSide& opposite, const PlaceOnTriangle& opposite_at) {
-    if (at.feature == 0b111u || !isSurelyTilted(own)) return false;
+    if (at.feature == kFace || !isSurelyTilted(own)) return false;
     return own.surface.comesNearer(pair.*own.number, at.feature, at.point, opposite_at.point, limit,
                                    leanAt(!isSurelyTilted(opposite), error));
   };
@@ -112,7 +112,7 @@ bool InnerContacts::isInner(const std::vector<PairedContact>& contacts, const Pa
   if (own.isPerpendicularTo(contact)) return false;
   const Vec3 &point = contact.*own.point, &opposite_point = contact.*opposite.point;
   const unsigned feature = featureOf(own.triangle(contact.pair), own.facing(contact.pair), point);
-  if (feature == 0b111u || feature == 0) return false;
+  if (feature == kFace || feature == 0) return false;
   const std::uint32_t number = contact.pair.*own.number;
   const LocalSurface::Lean least = leanAt(opposite.isPushedBy(contact));
   if (contact.distance > 0.0) {

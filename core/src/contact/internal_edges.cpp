@@ -27,8 +27,8 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     const Triangle triangle = mesh.triangle(contact.triangle_a);
     const Vec3 normal = scaledNormal(triangle);
     const bool is_perpendicular = isPerpendicular(normal, contact.normal);
-    const unsigned feature = is_perpendicular ? 0b111u : featureOf(triangle, normal, contact.point_on_a);
-    if (feature != 0b111u && feature != 0) at_an_angle_.push_back(static_cast<std::uint32_t>(places_.size()));
+    const unsigned feature = is_perpendicular ? kFace : featureOf(triangle, normal, contact.point_on_a);
+    if (feature != kFace && feature != 0) at_an_angle_.push_back(static_cast<std::uint32_t>(places_.size()));
     places_.push_back({triangle, normal, feature, is_perpendicular, false});
   }
   if (at_an_angle_.empty()) return;

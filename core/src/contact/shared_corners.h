@@ -6,11 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
-
-inline constexpr std::uint32_t kNoIndex = 0xffffffffu;  // no triangle, corner or place
 
 inline bool hasCorner(const Triangle& triangle, const Vec3& position) {
   return std::ranges::find(triangle, position) != triangle.end();

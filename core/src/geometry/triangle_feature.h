@@ -9,8 +9,11 @@
 
 namespace octoblisk::detail {
 
-/// The corners of the edge on which a point of a triangle lies, or the one corner: bit v for corner v. All
-/// three for a point inside. The normal is scaledNormal(triangle). A point is on an edge if it is nearer than
+/// The feature of a point inside: all three corners.
+inline constexpr unsigned kFace = 0b111u;
+
+/// The corners of the edge on which a point of a triangle lies, or the one corner: bit v for corner v. kFace
+/// for a point inside. The normal is scaledNormal(triangle). A point is on an edge if it is nearer than
 /// this fraction of the triangle's height.
 inline unsigned featureOf(const Triangle& triangle, const Vec3& normal, const Vec3& point,
                           double on_edge = 1e-6) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/polygon.h"
+#include "geometry/thin_triangle.h"
 
 namespace octoblisk::detail {
 
@@ -19,8 +20,7 @@ void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corner
     rest.cut([&](const Vec3& point) { return inward.dot(point - on_plane); });
   };
   // The thinner the triangle, the greater the rounding error of its normal.
-  const double squared_edge =
-      std::max({(by[1] - by[0]).squaredNorm(), (by[2] - by[1]).squaredNorm(), (by[0] - by[2]).squaredNorm()});
+  const double squared_edge = squaredLongestEdge(by);
   if (length > 1e-12 * squared_edge) {  // otherwise keep all
     const double slack = 1e-14 * size * (1.0 + squared_edge / length);
     const Vec3 normal = scaled / length;

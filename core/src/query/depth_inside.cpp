@@ -145,7 +145,7 @@ void DepthSearch::spread(std::uint32_t from) {
         marked_.push_back(triangle);
       }
       for (const std::uint32_t next : b_->corners(triangle)) {
-        if (location == PointLocation::outside && index_of_corner_[next] == kNone) continue;
+        if (location == PointLocation::outside && index_of_corner_[next] == kNoIndex) continue;
         const std::uint32_t index = addCorner(next);
         Corner& neighbour = corners_[index];
         if (!neighbour.location) {

@@ -53,7 +53,7 @@ GougeDepth DepthSearch::deepest(const Surface& a, const SolidBoundary* boundary,
 void DepthSearch::prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                           const DepthsSought& sought) {
   for (const std::uint32_t triangle : marked_) mark_[triangle] = Mark::none;
-  for (const std::uint32_t corner : indexed_) index_of_corner_[corner] = kNone;
+  for (const std::uint32_t corner : indexed_) index_of_corner_[corner] = kNoIndex;
   marked_.clear();
   indexed_.clear();
   undecided_.clear();
@@ -74,7 +74,7 @@ void DepthSearch::prepare(const Surface& a, const Surface& b, const Pose& b_in_a
   last_nearest_ = kNoTriangle;
   if (mark_.size() < b.tree().mesh().triangleCount())
     mark_.resize(b.tree().mesh().triangleCount(), Mark::none);
-  if (index_of_corner_.size() < b.cornerCount()) index_of_corner_.resize(b.cornerCount(), kNone);
+  if (index_of_corner_.size() < b.cornerCount()) index_of_corner_.resize(b.cornerCount(), kNoIndex);
   component_crosses_.assign(b.componentCount(), false);
 }
 
@@ -127,7 +127,7 @@ void DepthSearch::addTriangle(std::uint32_t triangle, std::uint32_t met_begin, s
 
 std::uint32_t DepthSearch::addCorner(std::uint32_t corner_of_b) {
   std::uint32_t& index = index_of_corner_[corner_of_b];
-  if (index == kNone) {
+  if (index == kNoIndex) {
     index = static_cast<std::uint32_t>(corners_.size());
     indexed_.push_back(corner_of_b);
     corners_.emplace_back().point = b_in_a_ * b_->position(corner_of_b);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/no_index.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
 
@@ -26,7 +27,6 @@ class DepthSearch {
                      double tolerance, const DepthsSought& sought);
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   enum class Mark : std::uint8_t { none, flat, crossing, inside };
 
   /// A corner of B's mesh, or of a part of one of its triangles.

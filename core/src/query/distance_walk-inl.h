@@ -6,7 +6,7 @@
 #define OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
 #endif
 
-#include "query/closest_pair.h"
+#include "query/nearest.h"
 #include "query/pair_distances-inl.h"
 #include "query/tally.h"
 #include "query/traversal-inl.h"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/triangle_feature.h"
 #include "geometry/triangle_pair.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
@@ -53,7 +54,7 @@ struct ClosestFeatures {
                                                                    const Triangle& face) {
     const Vec3 &point = of[corner], normal = scaledNormal(face);
     const Vec3 foot = point - normal * (normal.dot(point - face[0]) / normal.squaredNorm());
-    return {{1u << corner, point}, {0b111u, foot}};
+    return {{1u << corner, point}, {kFace, foot}};
   }
 };
 

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/no_index.h"
+
 namespace octoblisk {
 
 using namespace detail;
@@ -18,14 +20,13 @@ Surface::Surface(const ClusteredOctree& tree) : tree_(&tree) {
 void Surface::weld() {
   const TriangleMesh& mesh = tree_->mesh();
   const std::vector<Vec3>& vertices = mesh.vertices();
-  constexpr std::uint32_t kUnused = 0xffffffffu;
-  std::vector<std::uint32_t> corner_of(vertices.size(), kUnused);
+  std::vector<std::uint32_t> corner_of(vertices.size(), kNoIndex);
   for (const TriangleMesh::Indices& triangle : mesh.triangles()) {
     for (const std::uint32_t vertex : triangle) corner_of[vertex] = 0;
   }
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (corner_of[v] != kUnused) order.push_back(v);
+    if (corner_of[v] != kNoIndex) order.push_back(v);
   }
   const auto position = [&](std::uint32_t v) {
     return std::tie(vertices[v].x(), vertices[v].y(), vertices[v].z());
@@ -83,11 +84,10 @@ void Surface::checkEdges() {
 }
 
 void Surface::findComponents() {
-  constexpr std::uint32_t kNone = 0xffffffffu;
-  component_.assign(vertex_.size(), kNone);
+  component_.assign(vertex_.size(), kNoIndex);
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < vertex_.size(); ++first) {
-    if (component_[first] != kNone) continue;
+    if (component_[first] != kNoIndex) continue;
     const auto component = static_cast<std::uint32_t>(component_corner_.size());
     component_corner_.push_back(first);
     component_[first] = component;
@@ -97,7 +97,7 @@ void Surface::findComponents() {
       open.pop_back();
       for (const std::uint32_t t : star(corner)) {
         for (const std::uint32_t next : corners_[t]) {
-          if (component_[next] != kNone) continue;
+          if (component_[next] != kNoIndex) continue;
           component_[next] = component;
           open.push_back(next);
         }

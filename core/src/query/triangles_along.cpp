@@ -1,4 +1,4 @@
-#include "contact/triangles_along.h"
+#include "query/triangles_along.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/triangles_along.cpp"
+#define HWY_TARGET_INCLUDE "query/triangles_along.cpp"
 #include <hwy/foreach_target.h>
 
 #include "geometry/frame_along.h"

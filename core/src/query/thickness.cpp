@@ -1,4 +1,4 @@
-#include "contact/thickness.h"
+#include "query/thickness.h"
 
 #include <algorithm>
 #include <vector>

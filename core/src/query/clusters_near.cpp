@@ -1,7 +1,7 @@
-#include "contact/clusters_near.h"
+#include "query/clusters_near.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/clusters_near.cpp"
+#define HWY_TARGET_INCLUDE "query/clusters_near.cpp"
 #include <hwy/foreach_target.h>
 
 #include "query/traversal-inl.h"

@@ -1,4 +1,4 @@
-#include "query/closest_pair.h"
+#include "query/nearest.h"
 
 #include <algorithm>
 #include <cassert>
