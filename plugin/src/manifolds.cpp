@@ -19,9 +19,9 @@ Vec3 onMargin(const btManifoldPoint& point, const PatchesMesh& mesh) {
   return mesh.in_world.inverse() * (mesh.body_in_world * on_body);
 }
 
-/// The squared difference of a patch's first contact and the most similar point of a manifold, in place and
-/// normal; infinite if there are no points. Normals that differ by 1 count like places that are `length`
-/// apart. The manifold's normals are those of the last step.
+/// How much a patch's first contact differs in position and normal from the most similar point of a manifold,
+/// squared; infinite if there are no points. A difference of 1 of the normals counts like one of `length` of
+/// the positions. The manifold's normals are those of the last step.
 double squaredDifference(const ContactPatch& patch, const btPersistentManifold& manifold,
                          const PatchesMesh& mesh, double length) {
   if (manifold.getNumContacts() == 0) return std::numeric_limits<double>::infinity();

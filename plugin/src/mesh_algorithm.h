@@ -112,8 +112,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Discards what was made with earlier states of the shapes.
   void noticeChanges(const PosedShapes& shapes);
 
-  /// Measures the room if one body is between opposite walls of the other. The greatest room since the bodies
-  /// met counts, because a load makes it smaller, and would use up the margins.
+  /// Measures the room if one body is between opposite walls of the other. Keeps the greatest room since the
+  /// bodies met: a load shrinks the room, and the margins would shrink with it.
   void noticeRoom();
 
   /// Passes the points of the patches to Bullet at the current poses.

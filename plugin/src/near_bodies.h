@@ -41,13 +41,15 @@ bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatc
 /// for the pair's manifolds.
 bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room);
 
-/// False if clusters separate the two bodies at their current transforms: no cluster of the given depth
-/// (query/clusters_near.h), grown by its shape's margin and contact breaking threshold, meets a grown
-/// cluster or the box of the other body, and neither body is inside the other as a solid. A compound that
-/// contains a ClusteredOctreeShape is tested child by child. Any other body is represented by the box of its
-/// proxy and the box of its shape, which differ if the body was moved by hand. With `ahead`, false also
-/// proves that the bodies stay apart until both together have moved by this length; not for compounds. Call
-/// this only if clustersDecide is true.
+/// Whether the two bodies may touch at their current transforms. They may
+/// - if a cluster of the given depth (query/clusters_near.h) meets a cluster or the box of the other body;
+/// each
+///   is grown by its shape's margin and contact breaking threshold;
+/// - if one body is inside the other, and the other is a solid.
+/// A compound that contains a ClusteredOctreeShape is tested child by child. Any other body is represented by
+/// two boxes, that of its proxy and that of its shape. They differ if the body was moved by hand. With
+/// `ahead`, false also proves that the bodies stay apart until both together have moved by this length; not
+/// for compounds. Call this only if clustersDecide is true.
 bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders,
                   double ahead = 0.0);
 

@@ -29,8 +29,8 @@ int testedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
 }
 
-/// The motion that a test of clusters allows for, as a part of the smaller body. More makes a test fail more
-/// often, less makes it expire sooner.
+/// The motion that a test of clusters allows for, as a fraction of the smaller body. A larger value makes
+/// tests fail more often. A smaller one makes them expire sooner.
 constexpr double kAhead = 1.0 / 64.0;
 
 double sizeOf(const btBroadphaseProxy& proxy) {

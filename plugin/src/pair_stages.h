@@ -15,9 +15,9 @@ class ApartPairs final : public btHashedOverlappingPairCache {
   bool needsBroadphaseCollision(btBroadphaseProxy*, btBroadphaseProxy*) const override { return true; }
 };
 
-/// The pairs whose boxes overlap, except those that clusters keep apart. This is the cache of the inner
-/// broadphase, of Bullet and of the user. A pair is in one cache only. Therefore a pair about which clusters
-/// do not decide (near_bodies.h) costs as much as in Bullet, and pairs keep Bullet's order until one is kept
+/// The pairs whose boxes overlap, except those that clusters keep apart. The inner broadphase fills this
+/// cache. Bullet and the user read it. A pair is in one cache only. Therefore a pair about which clusters do
+/// not decide (near_bodies.h) costs as much as in Bullet, and pairs keep Bullet's order until one is kept
 /// apart.
 class TightPairs final : public btHashedOverlappingPairCache {
  public:

@@ -17,8 +17,8 @@ class ClusteredOctree;
 
 namespace octoblisk::detail {
 
-/// The distance that each body has travelled since the first question about it. Two bodies that were farther
-/// apart than they have travelled since then are still apart.
+/// How far each body has moved since the first call of `of` for it. Two bodies are still apart if they were
+/// farther apart than the sum of their distances since then.
 class TravelledDistances {
  public:
   /// Call this when bodies may have moved.
@@ -27,7 +27,7 @@ class TravelledDistances {
   /// Never less than the distance that any point of the body's mesh, or of its box if it has no tree, has
   /// moved, summed over the steps. Another shape, margin or threshold counts as a distance longer than the
   /// body. Infinite for compounds, and where the pose or the box is not a number. The body must have a shape.
-  /// Keeps the body's tree alive until the next question about the body.
+  /// Keeps the body's tree alive until the next call for the body.
   double of(const btBroadphaseProxy& proxy);
 
   /// Call this before the proxy is deleted.

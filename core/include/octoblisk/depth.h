@@ -60,8 +60,8 @@ class DepthQuery {
   DepthQuery& operator=(DepthQuery&&) noexcept;
   ~DepthQuery();
 
-  /// The tolerance is a length > 0. The least is 1e-12 of the meshes' sizes; smaller values count as that. Up
-  /// to rounding (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
+  /// The tolerance is a length > 0. Values below 1e-12 of the meshes' sizes are raised to that. Up to
+  /// rounding (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                      const DepthsSought& sought = {});
 

@@ -35,8 +35,7 @@ class PathQuery {
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
   /// The least distance. The last pair found is the hint. Before there is one, the hint of the options is
-  /// used. Tests nothing if the last distance less the displacement of B's points since is at least the upper
-  /// bound.
+  /// used. Tests nothing if B has moved too little since then to come within the upper bound.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
   /// The signed distance (signed_distance.h). If the bodies are apart, the last pair found is the hint.

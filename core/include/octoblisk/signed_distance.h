@@ -30,7 +30,7 @@ struct SignedDistance {
 
 struct SignedDistanceOptions {
   /// The greatest error of the penetration depth, a length. 0 selects 1e-7 of the surfaces' sizes. Values
-  /// below 1e-10 of these sizes count as 1e-10 of them. The derivative is that of one point. The depth of
+  /// below 1e-10 of these sizes are raised to that. The derivative is that of one point. The depth of
   /// this point may be less than the greatest depth by about ten times the tolerance. The least distance is
   /// exact.
   double tolerance = 0.0;

@@ -16,12 +16,12 @@ namespace octoblisk::detail {
 /// clipped to a thin prism around the second. The prism is thick enough that rounding loses nothing.
 void appendCut(const Triangle& of, const Triangle& by, std::vector<Vec3>& corners);
 
-/// The greatest entry of a weighted mean of two rows of equal length, with weights that make it least, or
-/// nearly so.
+/// The largest entry of the weighted mean of two rows of equal length, for the weights that make this entry
+/// smallest, or nearly so.
 double leastMean(std::span<const double> first, std::span<const double> second);
 
-/// The greatest entry of the weighted mean of three rows of three whose entries are all equal; infinite if
-/// there is no such mean.
+/// The entry of the weighted mean of three rows of three, for weights that make its entries equal; infinite
+/// if there are no such weights.
 double levelMean(std::span<const double> a, std::span<const double> b, std::span<const double> c);
 
 }  // namespace octoblisk::detail

@@ -79,9 +79,9 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts
   /// lie exactly on the triangles.
   ///
-  /// If one body is between opposite walls of the other, a step limits the margins of the two. At both walls
-  /// together, the margins take at most 4/5 of the room: the greatest distance, since the bodies met, that
-  /// the body could move between the walls.
+  /// If one body is between opposite walls of the other, a step limits the margins of the two. The margins at
+  /// both walls together take at most 4/5 of the room. The room is the greatest distance that the body could
+  /// move between the walls since the bodies met.
   void setMargin(btScalar margin) override;
 
   /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.

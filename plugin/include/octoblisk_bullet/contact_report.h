@@ -49,8 +49,8 @@ struct BladeTable {
 /// units. The points are those of the last performDiscreteCollisionDetection or step. They are sorted by the
 /// broadphase ids of the bodies, then by triangle, depth and position, so the order does not depend on how
 /// the broadphase sorts pairs. A manifold holds a few points of each contact patch, and points that Bullet
-/// keeps from earlier steps. A distance is that of the two points: while two bodies bounce, the manifold's
-/// own distance is 0. For all triangle pairs, use octoblisk/contacts.h.
+/// keeps from earlier steps. A distance is computed from the two points, because the
+/// manifold's own distance is 0 while two bodies bounce. For all triangle pairs, use octoblisk/contacts.h.
 ///
 /// Bodies must be in a world. Throws std::invalid_argument if a table's body is null, has another kind of
 /// shape, or has a mesh with another number of triangles. Allocates nothing if the capacity of `found`

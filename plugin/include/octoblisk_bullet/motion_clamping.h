@@ -39,8 +39,8 @@ namespace octoblisk {
 /// the body slides, rolls or spins in contact by more than the threshold. Its velocity
 /// loses what gravity and other forces did in the rest of the step, so that the energy of a pile does not
 /// rise. Dynamic bodies whose paths in the step come near each other share one fraction, so that none moves
-/// into a place that another should have left. Two bodies that both lack a part of our shape do not share a
-/// fraction.
+/// into a place that another should have left. Two bodies share a fraction only if at least one has a part of
+/// our shape.
 ///
 /// Limits: two convex bodies or parts are left to Bullet. Parts of other shapes neither stop nor are stopped.
 /// Kinematic bodies and links of multibodies count where they are at the end of the step. Displacements by
