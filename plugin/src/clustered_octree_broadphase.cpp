@@ -19,7 +19,7 @@ ClusteredOctreeBroadphase::ClusteredOctreeBroadphase(int depth)
 ClusteredOctreeBroadphase::~ClusteredOctreeBroadphase() = default;
 
 int ClusteredOctreeBroadphase::coarsePairs() const {
-  return stages_->tight.getNumOverlappingPairs() + stages_->tight.apart();
+  return stages_->tight.getNumOverlappingPairs() + stages_->tight.separated();
 }
 
 btOverlappingPairCache* ClusteredOctreeBroadphase::getOverlappingPairCache() { return &stages_->tight; }

@@ -1,7 +1,10 @@
 #include "pair_stages.h"
 
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,8 +16,8 @@ namespace {
 
 using Cache = btHashedOverlappingPairCache;
 
-// btBroadphasePair::m_internalTmpValue, which Bullet leaves at 0, belongs to these classes. It is not 0 in
-// the tight pairs that refine tests.
+// Bullet leaves btBroadphasePair::m_internalTmpValue at 0. Here, it is not 0 in the tight pairs that refine
+// tests.
 bool isTested(const btBroadphasePair& pair) { return pair.m_internalTmpValue != 0; }
 
 /// The value if refine has not tested the pair since it was added or cleaned. No margin has its bits.
@@ -24,7 +27,7 @@ constexpr int kUntested = -1;
 /// nothing.
 int testedWith(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
   const auto margin = [](const btBroadphaseProxy& proxy) {
-    return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getCollisionShape()->getMargin();
+    return bodyOf(proxy)->getCollisionShape()->getMargin();
   };
   return std::bit_cast<int>(float(margin(a) + margin(b))) | 1;
 }
@@ -43,44 +46,66 @@ bool boxesOverlap(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
                    static_cast<const btDbvtProxy&>(b).leaf->volume);
 }
 
-bool areKeptApart(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders) {
-  return clustersDecide(a, b, holders) && !clustersMeet(a, b, depth, holders);
+/// Whether both bodies are inactive and the dispatcher, if any, ignores such a pair, as Bullet's does.
+bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher) {
+  const btCollisionObject *body_a = bodyOf(a), *body_b = bodyOf(b);
+  return dispatcher && isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
+         !dispatcher->needsCollision(body_a, body_b);
+}
+
+/// Whether a contact of the pair's last dispatch still holds at the current transforms, by the criterion of
+/// its manifold. If so, the bodies are near each other, unless a shape has changed since. `manifolds` is a
+/// buffer.
+bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& manifolds) {
+  if (!pair.m_algorithm) return false;
+  manifolds.resizeNoInitialize(0);
+  pair.m_algorithm->getAllContactManifolds(manifolds);
+  for (int m = 0; m < manifolds.size(); ++m) {
+    const btPersistentManifold& manifold = *manifolds[m];
+    const btTransform& a = manifold.getBody0()->getWorldTransform();
+    const btTransform& b = manifold.getBody1()->getWorldTransform();
+    const btScalar breaking = manifold.getContactBreakingThreshold();
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      const btManifoldPoint& point = manifold.getContactPoint(p);
+      if ((a * point.m_localPointA).distance2(b * point.m_localPointB) <= breaking * breaking) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
 
+/// The pair's field, read as a double, holds the sum of the bodies' travelled distances up to which they are
+/// proved to be apart; null: nothing is proved.
+bool SeparatedPairs::staySeparated(btBroadphasePair& pair, ClusterTest& clusters) {
+  const btBroadphaseProxy &a = *pair.m_pProxy0, &b = *pair.m_pProxy1;
+  void*& proved = pair.m_internalInfo1;
+  if (!clusters.applies(a, b)) return false;
+  const double travelled = travelled_.of(a) + travelled_.of(b);
+  if (proved && travelled <= std::bit_cast<double>(proved)) return true;
+  const double ahead = kAhead * std::min(sizeOf(a), sizeOf(b));
+  const bool is_proved = std::isfinite(travelled) && clusters.separates(a, b, ahead);
+  proved = is_proved ? std::bit_cast<void*>(std::nextafter(travelled + ahead, 0.0)) : nullptr;
+  return is_proved || clusters.separates(a, b);
+}
+
 void TightPairs::refine(btDispatcher* dispatcher) {
-  holders_.forget();
-  travelled_.beginStep();
+  clusters_.beginStep();
+  separated_.beginStep();
   promote(dispatcher);
   if (any_tested_) demote(dispatcher);
 }
 
-/// Whether clusters keep a pair apart. Tests them if the bodies may have met since the last test. The pair's
-/// field, read as a double, holds the sum of the bodies' travelled distances up to which they are proved to
-/// be apart; null: nothing is proved.
-bool TightPairs::stayApart(btBroadphasePair& pair) {
-  const btBroadphaseProxy &a = *pair.m_pProxy0, &b = *pair.m_pProxy1;
-  void*& proved = pair.m_internalInfo1;
-  if (!clustersDecide(a, b, holders_)) return false;
-  const double travelled = travelled_.of(a) + travelled_.of(b);
-  if (proved && travelled <= std::bit_cast<double>(proved)) return true;
-  const double ahead = kAhead * std::min(sizeOf(a), sizeOf(b));
-  const bool is_proved = std::isfinite(travelled) && !clustersMeet(a, b, depth_, holders_, ahead);
-  proved = is_proved ? std::bit_cast<void*>(std::nextafter(travelled + ahead, 0.0)) : nullptr;
-  return is_proved || !clustersMeet(a, b, depth_, holders_);
-}
-
 void TightPairs::promote(btDispatcher* dispatcher) {
-  btBroadphasePairArray& pairs = apart_.getOverlappingPairArray();
+  btBroadphasePairArray& pairs = separated_.getOverlappingPairArray();
   for (int i = 0; i < pairs.size();) {
     btBroadphaseProxy *a = pairs[i].m_pProxy0, *b = pairs[i].m_pProxy1;
     const bool overlap = boxesOverlap(*a, *b);
-    if (overlap && (bothSleep(*a, *b, dispatcher) || stayApart(pairs[i]))) {
+    if (overlap && (bothSleep(*a, *b, dispatcher) || separated_.staySeparated(pairs[i], clusters_))) {
       ++i;
       continue;
     }
-    apart_.removeOverlappingPair(a, b, dispatcher);  // the last pair takes its place
+    separated_.removeOverlappingPair(a, b, dispatcher);  // the last pair takes its place
     if (overlap) addFiltered(a, b, true);
   }
 }
@@ -92,7 +117,7 @@ void TightPairs::demote(btDispatcher* dispatcher) {
     btBroadphasePair& pair = pairs[i];
     if (!isTested(pair)) continue;
     btBroadphaseProxy *a = pair.m_pProxy0, *b = pair.m_pProxy1;
-    if (pair.m_internalTmpValue == kUntested && !clustersMayDecide(*a, *b)) {
+    if (pair.m_internalTmpValue == kUntested && !ClusterTest::mayApply(*a, *b)) {
       pair.m_internalTmpValue = 0;
       continue;
     }
@@ -101,10 +126,10 @@ void TightPairs::demote(btDispatcher* dispatcher) {
     const int tested = testedWith(*a, *b);
     if (pair.m_internalTmpValue == tested && aContactHolds(pair, manifolds_)) continue;
     pair.m_internalTmpValue = tested;
-    if (!areKeptApart(*a, *b, depth_, holders_)) continue;
+    if (!clusters_.applies(*a, *b) || !clusters_.separates(*a, *b)) continue;
     Cache::removeOverlappingPair(a, b, dispatcher);
     // Bullet notices only some steps later that boxes no longer overlap.
-    if (boxesOverlap(*a, *b)) apart_.addOverlappingPair(a, b);
+    if (boxesOverlap(*a, *b)) separated_.addOverlappingPair(a, b);
     --i;  // the last pair took its place
   }
 }
@@ -117,9 +142,10 @@ btBroadphasePair* TightPairs::addOverlappingPair(btBroadphaseProxy* a, btBroadph
   if (!needsBroadphaseCollision(a, b)) return nullptr;
   // Most pairs are known: the inner broadphase adds all pairs of a body that has left its box.
   if (btBroadphasePair* const known = findPair(a, b)) return known;
-  if (btBroadphasePair* const known = apart_.findPair(a, b)) return known;
-  const bool tested = clustersMayDecide(*a, *b);
-  if (tested && areKeptApart(*a, *b, depth_, holders_)) return apart_.addOverlappingPair(a, b);
+  if (btBroadphasePair* const known = separated_.findPair(a, b)) return known;
+  const bool tested = ClusterTest::mayApply(*a, *b);
+  if (tested && clusters_.applies(*a, *b) && clusters_.separates(*a, *b))
+    return separated_.addOverlappingPair(a, b);
   return addFiltered(a, b, tested);
 }
 
@@ -134,13 +160,13 @@ btBroadphasePair* TightPairs::addFiltered(btBroadphaseProxy* a, btBroadphaseProx
 
 void* TightPairs::removeOverlappingPair(btBroadphaseProxy* a, btBroadphaseProxy* b,
                                         btDispatcher* dispatcher) {
-  apart_.removeOverlappingPair(a, b, dispatcher);
+  separated_.removeOverlappingPair(a, b, dispatcher);
   return Cache::removeOverlappingPair(a, b, dispatcher);
 }
 
 void TightPairs::removeOverlappingPairsContainingProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
-  travelled_.forget(*proxy);
-  apart_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
+  separated_.forget(*proxy);
+  separated_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
   Cache::removeOverlappingPairsContainingProxy(proxy, dispatcher);
 }
 

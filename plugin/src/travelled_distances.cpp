@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "body_parts.h"
+#include "cluster_test.h"
 #include "octoblisk/motion.h"
 #include "shape_bounds.h"
 
@@ -22,7 +23,7 @@ double sumAbove(double a, double b) {
 }  // namespace
 
 TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& proxy) {
-  const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
+  const btCollisionObject& object = *bodyOf(proxy);
   const btCollisionShape& shape = *object.getCollisionShape();
   State state;
   state.in_world = fromBullet(object.getWorldTransform());
@@ -53,7 +54,7 @@ double TravelledDistances::distance(const State& from, const State& to) {
 }
 
 double TravelledDistances::of(const btBroadphaseProxy& proxy) {
-  const auto& object = *static_cast<const btCollisionObject*>(proxy.m_clientObject);
+  const btCollisionObject& object = *bodyOf(proxy);
   if (object.getCollisionShape()->isCompound()) return std::numeric_limits<double>::infinity();
   const auto known = bodies_.find(&proxy);
   const bool is_new = known == bodies_.end();

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "near_bodies.h"
+#include "cluster_test.h"
 #include "plugin/broadphase_worlds.h"
 #include "plugin/mixed_shapes.h"
 #include "shared/solids.h"
@@ -233,21 +233,21 @@ class Twins {
 template <typename World>
 std::size_t pairsOfClusters(World& world) {
   const btBroadphasePairArray& pairs = world.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-  detail::HolderCache holders;
+  detail::ClusterTest clusters(ClusteredOctreeBroadphase::kDefaultDepth);
   std::size_t count = 0;
   for (int i = 0; i < pairs.size(); ++i)
-    count += detail::clustersDecide(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1, holders);
+    count += clusters.applies(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1);
   return count;
 }
 
 std::size_t touchingPairsOfClusters(const StockWorld& world, const std::vector<TouchPoint>& sorted) {
   const auto proxy = [&](int body) { return world.objects[std::size_t(body)]->getBroadphaseHandle(); };
-  detail::HolderCache holders;
+  detail::ClusterTest clusters(ClusteredOctreeBroadphase::kDefaultDepth);
   std::size_t count = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto [a, b] = sorted[i].bodies;
     if (i > 0 && sorted[i - 1].bodies == sorted[i].bodies) continue;
-    count += detail::clustersDecide(*proxy(a), *proxy(b), holders);
+    count += clusters.applies(*proxy(a), *proxy(b));
   }
   return count;
 }

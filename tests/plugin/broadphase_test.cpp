@@ -1,7 +1,7 @@
 // Tests the pairs of ClusteredOctreeBroadphase and its statistics.
 #include <gtest/gtest.h>
 
-#include "near_bodies.h"
+#include "cluster_test.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/register.h"
 #include "plugin/broadphase_worlds.h"
@@ -120,9 +120,8 @@ TEST(Broadphase, creepingBodiesMeetInTime) {
       moving.setWorldTransform(pose);
       tight.world.performDiscreteCollisionDetection();
       const btBroadphaseProxy &a = *outer.getBroadphaseHandle(), &b = *inner.getBroadphaseHandle();
-      detail::HolderCache holders;
-      const bool meet = testing::boxesOverlap(&a, &b) &&
-                        detail::clustersMeet(a, b, ClusteredOctreeBroadphase::kDefaultDepth, holders);
+      detail::ClusterTest clusters(ClusteredOctreeBroadphase::kDefaultDepth);
+      const bool meet = testing::boxesOverlap(&a, &b) && !clusters.separates(a, b);
       ASSERT_EQ(tight.has(outer, inner), meet) << "run " << run << ", step " << step;
       steps_apart += !meet;
       if (!meet) continue;

@@ -1,11 +1,9 @@
-#include "near_bodies.h"
+#include "cluster_test.h"
 
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
-#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
@@ -20,10 +18,6 @@
 namespace octoblisk::detail {
 
 namespace {
-
-const btCollisionObject* clientOf(const btBroadphaseProxy& proxy) {
-  return static_cast<const btCollisionObject*>(proxy.m_clientObject);
-}
 
 /// A body, or a child of a compound.
 struct Part {
@@ -87,8 +81,8 @@ bool anyPart(const btCollisionShape& shape, const btTransform& in_world, const A
 /// The body of a proxy.
 struct Body {
   explicit Body(const btBroadphaseProxy& proxy)
-      : shape(*clientOf(proxy)->getCollisionShape()),
-        whole(partOf(shape, clientOf(proxy)->getWorldTransform())),
+      : shape(*bodyOf(proxy)->getCollisionShape()),
+        whole(partOf(shape, bodyOf(proxy)->getWorldTransform())),
         box(whole.box) {
     box.extend(fromBullet(proxy.m_aabbMin));
     box.extend(fromBullet(proxy.m_aabbMax));
@@ -100,13 +94,6 @@ struct Body {
   /// (setForceUpdateAllAabbs), so this box holds the proxy's box and the box at the body's current position.
   Aabb box;
 };
-
-template <typename Meets>
-bool anyPart(const Body& body, const Aabb& box, HolderCache& holders, const Meets& meets) {
-  if (body.whole.ours) return meets(body.whole);
-  if (!holders.holdsOurShape(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
-  return anyPart(body.shape, body.whole.in_world, box, meets);
-}
 
 bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead) {
   const Obb in_part = fromBullet(part.in_world).inverse() * obbOf(box);
@@ -144,65 +131,50 @@ bool meet(const Part& a, const Part& b, int depth, double ahead) {
   return true;
 }
 
+}  // namespace
+
+const btCollisionObject* bodyOf(const btBroadphaseProxy& proxy) {
+  return static_cast<const btCollisionObject*>(proxy.m_clientObject);
+}
+
 bool isBody(const btCollisionObject* object) {
   constexpr int kKinds = btCollisionObject::CO_COLLISION_OBJECT | btCollisionObject::CO_RIGID_BODY |
                          btCollisionObject::CO_FEATHERSTONE_LINK;
   return object && (object->getInternalType() & kKinds) != 0 && object->getCollisionShape();
 }
 
-}  // namespace
-
-bool HolderCache::holdsOurShape(const btCollisionShape& shape) {
+bool ClusterTest::holdsOurShape(const btCollisionShape& shape) {
   if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)
     return detail::holdsOurShape(shape);
-  const auto [known, is_new] = large_.try_emplace(&shape);
+  const auto [known, is_new] = holders_.try_emplace(&shape);
   if (is_new) known->second = detail::holdsOurShape(shape);
   return known->second;
 }
 
-bool clustersDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b, HolderCache& holders) {
-  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+bool ClusterTest::applies(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  const btCollisionObject *body_a = bodyOf(a), *body_b = bodyOf(b);
   return isBody(body_a) && isBody(body_b) &&
-         (holders.holdsOurShape(*body_a->getCollisionShape()) ||
-          holders.holdsOurShape(*body_b->getCollisionShape()));
+         (holdsOurShape(*body_a->getCollisionShape()) || holdsOurShape(*body_b->getCollisionShape()));
 }
 
-bool clustersMayDecide(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
-  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
+bool ClusterTest::mayApply(const btBroadphaseProxy& a, const btBroadphaseProxy& b) {
+  const btCollisionObject *body_a = bodyOf(a), *body_b = bodyOf(b);
   const auto mayHold = [](const btCollisionShape& shape) { return shape.isCompound() || asOurShape(shape); };
   return isBody(body_a) && isBody(body_b) &&
          (mayHold(*body_a->getCollisionShape()) || mayHold(*body_b->getCollisionShape()));
 }
 
-bool bothSleep(const btBroadphaseProxy& a, const btBroadphaseProxy& b, btDispatcher* dispatcher) {
-  const btCollisionObject *body_a = clientOf(a), *body_b = clientOf(b);
-  return dispatcher && isBody(body_a) && isBody(body_b) && !body_a->isActive() && !body_b->isActive() &&
-         !dispatcher->needsCollision(body_a, body_b);
-}
-
-bool aContactHolds(const btBroadphasePair& pair, btManifoldArray& room) {
-  if (!pair.m_algorithm) return false;
-  room.resizeNoInitialize(0);
-  pair.m_algorithm->getAllContactManifolds(room);
-  for (int m = 0; m < room.size(); ++m) {
-    const btPersistentManifold& manifold = *room[m];
-    const btTransform& a = manifold.getBody0()->getWorldTransform();
-    const btTransform& b = manifold.getBody1()->getWorldTransform();
-    const btScalar breaking = manifold.getContactBreakingThreshold();
-    for (int p = 0; p < manifold.getNumContacts(); ++p) {
-      const btManifoldPoint& point = manifold.getContactPoint(p);
-      if ((a * point.m_localPointA).distance2(b * point.m_localPointB) <= breaking * breaking) return true;
-    }
-  }
-  return false;
-}
-
-bool clustersMeet(const btBroadphaseProxy& a, const btBroadphaseProxy& b, int depth, HolderCache& holders,
-                  double ahead) {
+bool ClusterTest::separates(const btBroadphaseProxy& a, const btBroadphaseProxy& b, double ahead) {
   const Body body_a(a), body_b(b);
-  return anyPart(body_a, body_b.box, holders, [&](const Part& part_a) {
-    return anyPart(body_b, part_a.box, holders,
-                   [&](const Part& part_b) { return meet(part_a, part_b, depth, ahead); });
+  // Calls meets(part) for the parts of a body in a box until it returns true.
+  const auto anyPartOf = [&](const Body& body, const Aabb& box, const auto& meets) {
+    if (body.whole.ours) return meets(body.whole);
+    if (!holdsOurShape(body.shape)) return meets(Part{nullptr, body.whole.in_world, body.box});
+    return anyPart(body.shape, body.whole.in_world, box, meets);
+  };
+  return !anyPartOf(body_a, body_b.box, [&](const Part& part_a) {
+    return anyPartOf(body_b, part_a.box,
+                     [&](const Part& part_b) { return meet(part_a, part_b, depth_, ahead); });
   });
 }
 
