@@ -4,14 +4,15 @@
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
 
-#include "body_parts.h"
 #include "contact/solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "our_shape.h"
 #include "query/clusters_near.h"
 #include "shape_bounds.h"
 

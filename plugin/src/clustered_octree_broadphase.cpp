@@ -5,8 +5,8 @@
 
 #include <cassert>
 
-#include "body_parts.h"
 #include "octoblisk_bullet/register.h"
+#include "our_shape.h"
 #include "pair_stages.h"
 
 namespace octoblisk {

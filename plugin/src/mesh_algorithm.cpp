@@ -12,11 +12,11 @@
 #include <typeinfo>
 #include <utility>
 
-#include "body_parts.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "our_shape.h"
 #include "shape_bounds.h"
 #include "step_correction.h"
 

@@ -14,13 +14,13 @@
 #include <new>
 #include <vector>
 
-#include "body_parts.h"
 #include "mesh_concave_algorithm.h"
 #include "mesh_convex_algorithm.h"
 #include "mesh_mesh_algorithm.h"
 #include "mesh_plane_algorithm.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
+#include "our_shape.h"
 
 namespace octoblisk {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "body_parts.h"
 #include "cluster_test.h"
 #include "octoblisk/motion.h"
+#include "our_shape.h"
 #include "shape_bounds.h"
 
 namespace octoblisk::detail {

@@ -235,8 +235,7 @@ std::size_t pairsOfClusters(World& world) {
   const btBroadphasePairArray& pairs = world.broadphase.getOverlappingPairCache()->getOverlappingPairArray();
   detail::ClusterTest clusters(ClusteredOctreeBroadphase::kDefaultDepth);
   std::size_t count = 0;
-  for (int i = 0; i < pairs.size(); ++i)
-    count += clusters.applies(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1);
+  for (int i = 0; i < pairs.size(); ++i) count += clusters.applies(*pairs[i].m_pProxy0, *pairs[i].m_pProxy1);
   return count;
 }
 
