@@ -9,6 +9,7 @@
 #include "command_line/print_message.h"
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
+#include "io/csv_table.h"
 #include "io/mesh_file.h"
 #include "io/new_file.h"
 #include "io/number_text.h"
@@ -183,9 +184,10 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       ->check(notEmpty())
       ->excludes(belt);
   command
-      .add_option("--obstacle", files.obstacles,
-                  "Mesh file of a fixed body (mm, in the blisk's frame) that the tool must not touch, for "
-                  "example a clamp or a table; may be repeated")
+      .add_option(
+          "--obstacle", files.obstacles,
+          "Mesh file of a fixed body that the tool must not touch, for example a clamp or a table, in "
+          "the blisk's frame and unit; may be repeated")
       ->type_name("MESH[,NAME]")
       ->allow_extra_args(false)
       ->check(notEmpty());
@@ -297,6 +299,12 @@ std::vector<Pose> builtInPath(const GrinderFiles& files, const GrinderInput& inp
 
 PathFile readPath(const std::string& file, const ClusteredOctree& blisk) {
   PathFile path = readPathFile(file, blisk);
+  constexpr double kFarthest = 1e6;  // mm; no machine reaches so far
+  for (std::size_t pose = 0; pose < path.motions.size(); ++pose) {
+    if (path.motions[pose].tool_in_blisk.translation.norm() <= kFarthest) continue;
+    throw std::runtime_error(
+        atLine(file, path.lines[pose].first, "the tool is more than 1e6 mm from the origin"));
+  }
   for (const ClSkipped& skipped : path.unknown) {
     warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is ignored");
   }

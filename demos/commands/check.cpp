@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/study_options.h"
 #include "command_line/subcommand_help.h"
@@ -131,6 +132,11 @@ int check(CheckRequest request) {
   const ClusteredOctree moving = treeOfFile(ranks, request.moving, request);
   std::unique_ptr<PoseCheck> poses_check;
   ranks.together([&] { poses_check = poseCheck(request, fixed, moving); });
+  if (ranks.isFirst()) {
+    constexpr char kContainsNothing[] = "the mesh is open: a mesh inside it is not noticed";
+    if (!poses_check->isFixedSolid()) warnOf(request.fixed, kContainsNothing);
+    if (!poses_check->isMovingSolid()) warnOf(request.moving, kContainsNothing);
+  }
   const Study study = studyOf(request, fixed, moving, moving_in_fixed.poses);
   const StudyOutcome outcome = runStudy(
       study, request.target, {request.fixed, request.moving, request.poses}, ranks,
@@ -183,17 +189,20 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "point of the fixed mesh in the moving one; a point's depth is its distance from the other surface. "
       "The depth is 0 where the surfaces are apart or just touch, and where equal solids coincide. A depth "
       "above 0 without meeting surfaces means that one mesh is wholly inside the other. The fixed mesh must "
-      "be closed; an open moving mesh contains nothing");
-  command.add_flag("--signed", options.signed_distance,
-                   "Add the column signed_distance: the clearance where the meshes are apart, minus the "
-                   "penetration depth where they are not. Also add its derivatives: by_x,by_y,by_z by the "
-                   "translation of the moving mesh, by_rx,by_ry,by_rz by its rotation about its own origin, "
-                   "in radians about the fixed mesh's axes. One mesh must be closed");
+      "be closed. An open moving mesh contains nothing: it is not noticed if the fixed mesh is inside it");
+  command.add_flag(
+      "--signed", options.signed_distance,
+      "Add the column signed_distance: the clearance where the meshes are apart, minus the "
+      "penetration depth where they are not. Also add its derivatives: by_x,by_y,by_z by the "
+      "translation of the moving mesh, by_rx,by_ry,by_rz by its rotation about its own origin, "
+      "in radians about the fixed mesh's axes. One mesh must be closed. An open mesh contains nothing: it "
+      "is not noticed if the other mesh is inside it");
   command.add_flag(
       "--continuous", options.continuous,
       "Add the column fraction: the fraction of the motion from the previous pose that is proved to keep the "
-      "tolerance; 1 for the whole motion, empty at the first pose. A motion is straight and rotates at a "
-      "constant rate");
+      "tolerance; 1 for the whole motion, empty at the first pose. On a motion the centre of the moving "
+      "mesh's bounding box moves along a straight line, while the mesh rotates at a constant rate by the "
+      "smaller of the two possible angles");
   command
       .add_option("--tolerance", options.tolerance,
                   "Accuracy of depths, and the distance that motions must keep, in mesh units. Motions that "

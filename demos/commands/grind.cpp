@@ -88,9 +88,9 @@ std::optional<Coverage> coverageOrWarning(const GrindingRun& run, const GrinderF
 }
 
 /// Runs the job with a progress bar; Ctrl-C stops it.
-GrindingRun runWatched(const GrindingJob& job) {
-  TerminalWatch terminal(job.path.size());
+GrindingRun runWatched(const GrindingJob& job, TerminalWatch& terminal) {
   GrindingRun run = runGrinding(job, terminal.watch());
+  terminal.endTask();
   if (run.poses.empty())
     throw TerminalWatch::stopped("stopped before the first pose was done: no file was written");
   return run;
@@ -167,7 +167,8 @@ int grind(const GrindRequest& request) {
   const GrindingJob job = jobOf(request, input, path);
   makeFolder(files.out);
   warnOfInput(files, input);
-  GrindingRun run = runWatched(job);
+  TerminalWatch terminal(job.path.size());  // until the end, because Ctrl-C must not lose what is done
+  GrindingRun run = runWatched(job, terminal);
   run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
   run.tool_name = files.toolName();
   run.path_name = files.path.empty() ? "generated" : files.path;

@@ -87,8 +87,13 @@ void printRepair(const PathRepair& repair, const GrinderInput& input, int blade,
     std::cout << "ground blade " << blade << " of " << input.blades.count;
   }
   std::cout << ": " << repair.interferedBefore() << " interfered; left: " << repair.posesLeft()
-            << (repair.posesLeft() == 1 ? " pose, " : " poses, ") << repair.motionsLeft()
-            << (repair.motionsLeft() == 1 ? " motion" : " motions") << " between free poses\n";
+            << (repair.posesLeft() == 1 ? " pose" : " poses");
+  if (repair.is_partial) {
+    std::cout << "; stopped before all motions were checked\n";
+  } else {
+    std::cout << ", " << repair.motionsLeft() << (repair.motionsLeft() == 1 ? " motion" : " motions")
+              << " between free poses\n";
+  }
   if (repair.changed() > 0) printChanges(repair);
   printContact(repair);
   constexpr std::size_t kMaxLines = 20;

@@ -167,7 +167,7 @@ std::vector<std::optional<Obstruction>> Judge::obstaclesOf(std::span<const Motio
   for (const MotionReport& motion : motion_check_.check(ends, led_to, clearance)) {
     using Outcome = MotionReport::Outcome;
     obstacles.push_back(std::nullopt);
-    if (motion.outcome == Outcome::free) continue;
+    if (!motion.hasFinding()) continue;
     obstacles.back() =
         Obstruction{motion.at.part, motion.at.blade, motion.outcome == Outcome::too_deep, false};
   }

@@ -20,9 +20,16 @@ bool isInside(const PoseReport& pose, std::size_t part) {
                              [&](const PartDepth& depth) { return depth.part == part && depth.is_inside; });
 }
 
+/// The verdict of the pose at which the part touches covers this.
+void leaveUnchecked(std::size_t part, MotionReport& report) {
+  report.outcome = MotionReport::Outcome::not_checked;
+  report.fraction = 0.0;
+  report.at.part = part;
+}
+
 /// Keeps the earlier of two findings on a motion.
 void keepFirst(MotionReport& report, const MotionReport& found) {
-  if (report.outcome != MotionReport::Outcome::free && report.fraction <= found.fraction) return;
+  if (report.hasFinding() && report.fraction <= found.fraction) return;
   report.outcome = found.outcome;
   report.fraction = found.fraction;
   report.at = found.at;
@@ -134,10 +141,16 @@ void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, doub
   const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const Obstacle* const obstacle = obstacles_.of(part);
-    if (!obstacle || isInside(from, part) || isInside(to, part)) continue;
+    if (!obstacle) continue;
+    const auto touches = [&](const PoseReport& pose) {
+      return isInside(pose, part) || (has_clearances && pose.part_clearances[part] == 0.0);
+    };
+    if (touches(from) || touches(to)) {
+      if (report.outcome == MotionReport::Outcome::free) leaveUnchecked(part, report);
+      continue;
+    }
     if (has_clearances) {
       const double at_from = from.part_clearances[part], at_to = to.part_clearances[part];
-      if (at_from == 0.0 || at_to == 0.0) continue;  // the poses' own verdicts cover this
       if (at_from + at_to > motion.lengthBound(*parts_[part].tree) + 2.0 * clearance) continue;
     }
     auto met = sweep(obstacle->tree(), *parts_[part].tree, motion, clearance);
@@ -190,11 +203,25 @@ MotionCheck::Touch MotionCheck::touchOf(const PartDepth& depth) const {
 }
 
 bool MotionCheck::isProved(const Stretch& stretch) const {
+  if (stretch.at_begin.normal.isZero() && stretch.at_end.normal.isZero()) {
+    const Motion motion = motionBetween(stretch.motion.at(stretch.begin), stretch.motion.at(stretch.end));
+    return !sweep(*blisk_, *parts_[stretch.part].tree, motion, kMotionTolerance);
+  }
   const std::optional<DepthProof>& proof = depth_proofs_[stretch.part];
   const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
   return proof && !up.isZero(1e-6) &&
          proof->holds(stretch.motion, stretch.begin, stretch.end, up.normalized(),
                       rules_.maxDepth(stretch.part));
+}
+
+/// Its depth between two places could not be measured.
+void MotionCheck::noteUnproved(const Stretch& stretch) const {
+  MotionReport unproved;
+  unproved.outcome = MotionReport::Outcome::not_proved;
+  unproved.fraction = stretch.begin;
+  unproved.at.part = stretch.part;
+  unproved.at.blade = rules_.ground_blade;
+  keepFirst(*stretch.report, unproved);
 }
 
 void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
@@ -215,7 +242,7 @@ void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth
 void MotionCheck::halve(std::vector<Stretch>& unproved) {
   constexpr double kHopeful = 0.9;     // fraction of the limit: beyond it a proof is unlikely
   constexpr double kShortest = 0.125;  // mm
-  constexpr double kMinPart = 1.0 / 256;
+  constexpr double kMinPart = 1.0 / 65536;
   std::vector<Stretch> long_ones;
   for (Stretch& stretch : unproved) {
     if (!stretch.path_length) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
@@ -224,10 +251,12 @@ void MotionCheck::halve(std::vector<Stretch>& unproved) {
     const MotionReport& report = *stretch.report;
     const bool is_behind =
         report.outcome == MotionReport::Outcome::too_deep && stretch.begin >= report.fraction;
-    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep) &&
-        stretch.end - stretch.begin > kMinPart) {
-      long_ones.push_back(std::move(stretch));
-      continue;
+    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep)) {
+      if (stretch.end - stretch.begin > kMinPart) {
+        long_ones.push_back(std::move(stretch));
+        continue;
+      }
+      noteUnproved(stretch);
     }
     stretch.leaveUnproved();
   }

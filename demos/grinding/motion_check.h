@@ -56,6 +56,7 @@ class MotionCheck {
   void halve(std::vector<Stretch>& unproved);
   const PartDepth* depthInBlisk(const PoseReport& pose, std::size_t part) const;
   Touch touchOf(const PartDepth& depth) const;
+  void noteUnproved(const Stretch& stretch) const;
   void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MotionReport& report) const;
 
   std::shared_ptr<const ClusteredOctree> blisk_;

@@ -58,7 +58,9 @@ struct PartClearance {
 /// The findings on the motion from the previous pose, apart from those at the two poses.
 struct MotionReport {
   enum class Outcome {
-    free,      ///< no forbidden touch
+    free,  ///< no forbidden touch
+    /// A part touches something forbidden at one of the two poses, so the motion of this part is not checked.
+    not_checked,
     hit,       ///< a forbidden touch that neither of the two poses has
     too_deep,  ///< a part that may touch exceeds its depth limit
     /// The part comes nearer than the tolerance and it is not settled whether it touches, or its depth is
@@ -66,6 +68,8 @@ struct MotionReport {
     not_proved,
   };
   Outcome outcome = Outcome::free;
+  bool hasFinding() const { return outcome != Outcome::free && outcome != Outcome::not_checked; }
+
   double fraction = 1.0;  ///< of the motion that is free
   PartClearance at;       ///< at that fraction; for a part that is too deep, its depth as a negative distance
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.

@@ -53,7 +53,7 @@ ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
 
 void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFinding>& findings) {
   const PoseReport& pose = run.poses[p];
-  if (pose.motion && pose.motion->outcome != MotionReport::Outcome::free) {
+  if (pose.motion && pose.motion->hasFinding()) {
     const PartClearance& at = pose.motion->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.motion->fraction,
                         verdictOfMotion(pose.motion->outcome), at.part, at.blade,

@@ -35,6 +35,8 @@ std::string nameOf(MotionReport::Outcome outcome) {
   switch (outcome) {
     case MotionReport::Outcome::free:
       return "free";
+    case MotionReport::Outcome::not_checked:
+      return "not checked";
     case MotionReport::Outcome::hit:
       return "hit";
     case MotionReport::Outcome::too_deep:
@@ -76,7 +78,7 @@ void writeMotion(const GrindingRun& run, const PoseReport& pose, std::ostream& s
     return;
   }
   stream << nameOf(pose.motion->outcome) << ',' << pose.motion->fraction << ',';
-  if (pose.motion->outcome == MotionReport::Outcome::free) {
+  if (!pose.motion->hasFinding()) {
     stream << ",,";
   } else {
     stream << run.parts[pose.motion->at.part].name << ',' << run.names().cellOf(pose.motion->at.blade) << ',';
@@ -266,6 +268,7 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
   if (run.continuous) {
     motions = {{"total", run.motionCount()},
                {"free", run.count(MotionReport::Outcome::free)},
+               {"not_checked", run.count(MotionReport::Outcome::not_checked)},
                {"hit", run.count(MotionReport::Outcome::hit)},
                {"too_deep", run.count(MotionReport::Outcome::too_deep)},
                {"not_proved", run.count(MotionReport::Outcome::not_proved)},

@@ -29,16 +29,19 @@ std::string listOf(const std::vector<PoseRange>& ranges) {
 void writeMotionCounts(const GrindingRun& run, std::ostream& text) {
   using Outcome = MotionReport::Outcome;
   const std::size_t hits = run.count(Outcome::hit), deep = run.count(Outcome::too_deep),
-                    open = run.count(Outcome::not_proved);
+                    open = run.count(Outcome::not_proved), unchecked = run.count(Outcome::not_checked);
   text << "Between the poses: ";
   if (hits + deep + open == 0) {
-    text << "no touch other than at the poses\n";
-    return;
+    text << "no touch other than at the poses";
+  } else {
+    text << "motions that hit a forbidden surface: " << hits << ", that are too deep: " << deep
+         << ", undecided within " << kMotionTolerance << " mm: " << open;
   }
-  text << "motions that hit a forbidden surface: " << hits << ", that are too deep: " << deep
-       << ", undecided within " << kMotionTolerance << " mm: " << open << '\n';
+  if (unchecked > 0) text << "; not checked, because a part touches at one of the poses: " << unchecked;
+  text << '\n';
+  if (hits + deep + open == 0) return;
   const auto first = std::ranges::find_if(
-      run.poses, [](const PoseReport& pose) { return pose.motion && pose.motion->outcome != Outcome::free; });
+      run.poses, [](const PoseReport& pose) { return pose.motion && pose.motion->hasFinding(); });
   text << "First: after " << first->motion->fraction << " of the motion to pose " << first - run.poses.begin()
        << ", " << run.parts[first->motion->at.part].name << " on "
        << run.names().nameOf(first->motion->at.blade) << '\n';
@@ -80,7 +83,7 @@ std::string summaryText(const GrindingRun& run) {
          << listOf(interferingRanges(run)) << ", counted from 0\n";
     text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
-  if (run.continuous) {
+  if (run.continuous && run.motionCount() > 0) {
     writeMotionCounts(run, text);
     if (run.depthBound() > 0.0) text << "Depth between the poses: " << depthOnMotions(run) << '\n';
   }

@@ -29,7 +29,10 @@ void PoseCheck::requireClosed() const {
                      : "signed distances need a closed mesh; the moving mesh is open and so is this one: ";
   message += describe(defectsOf(fixed_.mesh()));
   if (moving_surface_->isClosed()) {
-    message += "; the moving mesh is closed: swap the two meshes and invert each pose";
+    message +=
+        "; the moving mesh is closed: if it cannot be inside the fixed one, swap the two meshes and invert "
+        "each "
+        "pose";
   }
   throw std::invalid_argument(message);
 }

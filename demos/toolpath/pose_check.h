@@ -38,6 +38,10 @@ class PoseCheck {
   PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
   ~PoseCheck();
 
+  /// Whether a mesh that the answers treat as a solid is closed; true if they treat none as one.
+  bool isFixedSolid() const { return !fixed_surface_ || fixed_surface_->isClosed(); }
+  bool isMovingSolid() const { return !moving_surface_ || moving_surface_->isClosed(); }
+
   /// For the poses [begin, end); the motion to `begin` starts at the previous pose, if there is one.
   std::vector<PoseAnswer> answer(std::span<const Pose> poses, std::size_t begin, std::size_t end);
 

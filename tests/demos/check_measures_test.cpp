@@ -177,8 +177,10 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   expectRefusal(outcome, "sheet.obj: depths need a closed fixed mesh, but 16 of its edges are open");
   EXPECT_THAT(outcome.error, HasSubstr("swap the two meshes and invert each pose"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.csv"));
-  EXPECT_EQ(
-      run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv").exit_code, 1);
+  const Outcome swapped =
+      run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv");
+  EXPECT_EQ(swapped.exit_code, 1);
+  EXPECT_THAT(swapped.error, HasSubstr("sheet.obj: the mesh is open: a mesh inside it is not noticed"));
 }
 
 }  // namespace

@@ -18,12 +18,14 @@ using ::testing::StartsWith;
 TEST_F(GrindCommand, badInputIsOneLineThatNamesIt) {
   folder_.write("empty.stl", "");
   folder_.write("short.csv", "x,y,z,qw,qx,qy,qz\n1,2,3\n");
+  folder_.write("far.csv", "x,y,z,qw,qx,qy,qz\n300,0,0,1,0,0,0\n300,0,2e6,1,0,0,0\n");
   folder_.write("a_file", "");
   ASSERT_EQ(runOctoblisk(folder_.path(), "make belt --out round.ply").exit_code, 0);
   const std::pair<const char*, const char*> cases[] = {
       {"--blisk missing.stl --out run", "missing.stl"},
       {"--blisk empty.stl --out run", "empty.stl"},
       {"--path short.csv --out run", "short.csv:2"},
+      {"--path far.csv --out run", "far.csv:3: the tool is more than 1e6 mm from the origin"},
       {"--out a_file/run", "a_file/run"},
       {"--blisk round.ply --out run", "round.ply: no blades were found"},
       {"--ground-blade 99 --out run", "99"}};

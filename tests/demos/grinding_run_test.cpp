@@ -78,14 +78,27 @@ TEST(GrindingRun, aTurnHitsWhereTheBarMeetsThePostsCorner) {
 }
 
 TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
-  GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-3, 0, 0), at(3, 0, 0)});
-  job.rules.ground_blade = 1;
-  const GrindingRun run = runGrinding(job);
-  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::too_deep);
-  EXPECT_GT(run.poses[1].motion->fraction, 0.25);
-  EXPECT_LT(run.poses[1].motion->fraction, 0.75);
-  EXPECT_TRUE(run.interferes());
-  EXPECT_FALSE(run.poses[0].clearance.has_value()) << "nothing is forbidden";
+  for (const double far : {3.0, 300.0, 30'000.0}) {
+    GrindingJob job =
+        jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-far, 0, 0), at(far, 0, 0)});
+    job.rules.ground_blade = 1;
+    const GrindingRun run = runGrinding(job);
+    EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::too_deep) << far;
+    EXPECT_NEAR(run.poses[1].motion->fraction, 0.5, 1.5 / (2.0 * far)) << far;
+    EXPECT_TRUE(run.interferes()) << far;
+    EXPECT_FALSE(run.poses[0].clearance.has_value()) << "nothing is forbidden";
+  }
+}
+
+TEST(GrindingRun, aMotionToOrFromATouchIsNotCalledFree) {
+  const std::vector<Pose> path = {at(1.2, 0, 0), at(3, 0, 0), at(3, 3, 0)};
+  const GrindingRun run = runGrinding(jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), path));
+  EXPECT_EQ(run.poses[0].verdict, Verdict::interference);
+  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::not_checked);
+  EXPECT_EQ(run.poses[1].motion->fraction, 0.0);
+  EXPECT_EQ(run.poses[2].motion->outcome, MotionOutcome::free);
+  EXPECT_THAT(summaryText(run),
+              ::testing::HasSubstr("not checked, because a part touches at one of the poses: 1\n"));
 }
 
 TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {
