@@ -28,6 +28,7 @@
 #include "report/grinding_report.h"
 #include "report/grinding_words.h"
 #include "report/replay_files.h"
+#include "study/stop_signal.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -99,6 +100,7 @@ GrindingRun runWatched(const GrindingJob& job, TerminalWatch& terminal) {
 void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, const PathFile& path,
               const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
+  const auto isStopped = [&] { return !run.isPartial() && StopSignal::received() != 0; };
   std::error_code ignored;  // usually the file does not exist
   WholeFiles files;
   if (!std::filesystem::equivalent(request.files.path, out / "path.csv", ignored)) {
@@ -115,18 +117,20 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   writeSummary(run, coverage, files.add(out / "summary.json"));
   if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
   if (coverage) writeCoverage(*coverage, files.add(out / "coverage.csv"));
-  if (!request.no_pictures) {
+  if (!request.no_pictures && !isStopped()) {
     if (coverage) writePng(coveragePicture(*coverage), files.add(out / "coverage.png").string());
     writePngWatched(overviewOf(run), files.add(out / "overview.png").string());
     writePngWatched(closeupOf(run), files.add(out / "closeup.png").string());
   }
-  if (request.frames > 0) writeFrames(run, request.frames, out, files, writePngWatched);
-  if (request.report) {
+  if (request.frames > 0 && !isStopped()) writeFrames(run, request.frames, out, files, writePngWatched);
+  if (request.report && !isStopped()) {
     Replay replay = grindingReplay(run);
     if (coverage) replay.side = coverageOnBlade(*coverage);
     writeReplayFiles(replay, out, files);
   }
   files.finish();
+  if (isStopped())
+    throw TerminalWatch::stopped("stopped: " + request.files.out + " has all tables, but not all pictures");
 }
 
 PathFile pathOf(const GrinderFiles& files, const GrinderInput& input) {

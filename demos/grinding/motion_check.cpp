@@ -20,7 +20,7 @@ bool isInside(const PoseReport& pose, std::size_t part) {
                              [&](const PartDepth& depth) { return depth.part == part && depth.is_inside; });
 }
 
-/// The verdict of the pose at which the part touches covers this.
+/// For a part that interferes at one of the poses: the verdict of this pose counts.
 void leaveUnchecked(std::size_t part, MotionReport& report) {
   report.outcome = MotionReport::Outcome::not_checked;
   report.fraction = 0.0;
@@ -175,7 +175,8 @@ std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& fro
     const PartDepth *const at_begin = depthInBlisk(from, part), *const at_end = depthInBlisk(to, part);
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
-    if (stretch.greatestDepth() > rules_.maxDepth(part)) {  // the poses' own verdicts cover this
+    if (stretch.greatestDepth() > rules_.maxDepth(part)) {
+      if (report.outcome == MotionReport::Outcome::free) leaveUnchecked(part, report);
       stretch.path_length = motion.lengthBound(*parts_[part].tree);
       stretch.leaveUnproved();
       continue;
@@ -216,11 +217,13 @@ bool MotionCheck::isProved(const Stretch& stretch) const {
 
 /// Its depth between two places could not be measured.
 void MotionCheck::noteUnproved(const Stretch& stretch) const {
+  if (stretch.report->hasFinding()) return;
   MotionReport unproved;
   unproved.outcome = MotionReport::Outcome::not_proved;
   unproved.fraction = stretch.begin;
   unproved.at.part = stretch.part;
-  unproved.at.blade = rules_.ground_blade;
+  unproved.at.clearance = distance(*blisk_, *parts_[stretch.part].tree, stretch.motion.at(stretch.begin));
+  unproved.at.blade = obstacles_.bodyOfTriangle()[unproved.at.clearance.triangle_a];
   keepFirst(*stretch.report, unproved);
 }
 
@@ -256,7 +259,7 @@ void MotionCheck::halve(std::vector<Stretch>& unproved) {
         long_ones.push_back(std::move(stretch));
         continue;
       }
-      noteUnproved(stretch);
+      if (stretch.length() > kDepthStep) noteUnproved(stretch);
     }
     stretch.leaveUnproved();
   }

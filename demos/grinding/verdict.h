@@ -59,7 +59,7 @@ struct PartClearance {
 struct MotionReport {
   enum class Outcome {
     free,  ///< no forbidden touch
-    /// A part touches something forbidden at one of the two poses, so the motion of this part is not checked.
+    /// A part interferes at one of the two poses, so the motion of this part is not checked.
     not_checked,
     hit,       ///< a forbidden touch that neither of the two poses has
     too_deep,  ///< a part that may touch exceeds its depth limit

@@ -37,7 +37,7 @@ void writeMotionCounts(const GrindingRun& run, std::ostream& text) {
     text << "motions that hit a forbidden surface: " << hits << ", that are too deep: " << deep
          << ", undecided within " << kMotionTolerance << " mm: " << open;
   }
-  if (unchecked > 0) text << "; not checked, because a part touches at one of the poses: " << unchecked;
+  if (unchecked > 0) text << "; not checked, because a part interferes at one of the poses: " << unchecked;
   text << '\n';
   if (hits + deep + open == 0) return;
   const auto first = std::ranges::find_if(

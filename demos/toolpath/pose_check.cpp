@@ -30,9 +30,8 @@ void PoseCheck::requireClosed() const {
   message += describe(defectsOf(fixed_.mesh()));
   if (moving_surface_->isClosed()) {
     message +=
-        "; the moving mesh is closed: if it cannot be inside the fixed one, swap the two meshes and invert "
-        "each "
-        "pose";
+        "; the moving mesh is closed: unless it may be inside the fixed one, swap the two meshes and "
+        "invert each pose";
   }
   throw std::invalid_argument(message);
 }

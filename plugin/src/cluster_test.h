@@ -15,8 +15,8 @@ const btCollisionObject* bodyOf(const btBroadphaseProxy& proxy);
 /// Whether an object is a rigid body, a link of a multibody or a plain collision object, and has a shape.
 bool isBody(const btCollisionObject* object);
 
-/// Ghosts (which represent their boxes), soft bodies, user-defined clients and null are judged by their
-/// boxes.
+/// Tests whether clusters separate two bodies. Does not apply to ghosts (which represent their boxes), soft
+/// bodies, user-defined clients and null.
 class ClusterTest {
  public:
   /// `depth`: the depth of the clusters.

@@ -15,6 +15,7 @@
 #include "grinding/motion_check.h"
 #include "io/progress_bar.h"
 #include "models/shared_tree.h"
+#include "report/grinding_replay.h"
 #include "report/grinding_words.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
@@ -90,6 +91,32 @@ TEST(GrindingRun, whatMayTouchMustNotGetThroughBetweenPoses) {
   }
 }
 
+/// Too long to measure everywhere. The blisk is open, so nothing is proved.
+TEST(GrindingRun, aMotionMeasuredTooRarelyIsNotProved) {
+  const TriangleMesh wall = block({1, 5, 1e5}, 2);
+  std::vector<TriangleMesh::Indices> open = wall.triangles();
+  open.erase(open.begin());
+  GrindingJob job =
+      jobOf(wall, 1, block({0.5, 0.5, 0.5}, 2), {at(-1.45, 0, -5e4), at(-1.45, 0, 5e4), at(-9, 0, 5e4)});
+  job.blisk = treeOf(TriangleMesh(wall.vertices(), open));
+  job.blades.blade_of_triangle.pop_back();
+  job.rules.ground_blade = 1;
+  const GrindingRun run = runGrinding(job);
+  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::not_proved);
+  EXPECT_TRUE(run.interferes());
+  const std::vector<ReplayFinding> findings = grindingReplay(run).tracks.front().findings;
+  ASSERT_FALSE(findings.empty());
+  for (const ReplayFinding& finding : findings) EXPECT_TRUE(std::isfinite(finding.value.value()));
+}
+
+TEST(GrindingRun, aMotionFromATooDeepPoseIsNotCalledFree) {
+  GrindingJob job = jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), {at(-1.2, 0, 0), at(-3, 0, 0)});
+  job.rules.ground_blade = 1;
+  const GrindingRun run = runGrinding(job);
+  EXPECT_EQ(run.poses[0].verdict, Verdict::interference);
+  EXPECT_EQ(run.poses[1].motion->outcome, MotionOutcome::not_checked);
+}
+
 TEST(GrindingRun, aMotionToOrFromATouchIsNotCalledFree) {
   const std::vector<Pose> path = {at(1.2, 0, 0), at(3, 0, 0), at(3, 3, 0)};
   const GrindingRun run = runGrinding(jobOf(block({1, 5, 5}, 2), 1, block({0.5, 0.5, 0.5}, 2), path));
@@ -98,7 +125,7 @@ TEST(GrindingRun, aMotionToOrFromATouchIsNotCalledFree) {
   EXPECT_EQ(run.poses[1].motion->fraction, 0.0);
   EXPECT_EQ(run.poses[2].motion->outcome, MotionOutcome::free);
   EXPECT_THAT(summaryText(run),
-              ::testing::HasSubstr("not checked, because a part touches at one of the poses: 1\n"));
+              ::testing::HasSubstr("not checked, because a part interferes at one of the poses: 1\n"));
 }
 
 TEST(GrindingRun, theDepthIsProvedOfTheMovesOfWhichItIsSaid) {

@@ -223,7 +223,7 @@ TEST(Judge, judgesMovesForRepairAsForGrind) {
   std::size_t blocked = 0;
   for (std::size_t m = 0; m < motions.size(); ++m) {
     const MotionReport& motion = *run.poses[led_to[m]].motion;
-    ASSERT_EQ(obstacles[m].has_value(), motion.outcome != MotionReport::Outcome::free) << "to " << led_to[m];
+    ASSERT_EQ(obstacles[m].has_value(), motion.hasFinding()) << "to " << led_to[m];
     if (!obstacles[m]) continue;
     ++blocked;
     EXPECT_EQ(obstacles[m]->part, motion.at.part);

@@ -72,8 +72,7 @@ void LongWays::mark(std::vector<PairedContact>& contacts, Members opposite_one, 
     PairedContact& contact = contacts[c];
     if (!(contact.distance < 0.0) || !own.isPerpendicularTo(contact)) continue;
     if (faces_.empty()) findFaces(contacts, opposite_one, own);
-    const Face face = {own.triangle(contacts[c].pair), own.facing(contacts[c].pair).normalized(),
-                       contact.distance};
+    const Face face = {own.triangle(contact.pair), own.facing(contact.pair).normalized(), contact.distance};
     const Vec3& deepest = contact.*opposite.point;
     const double half_way = -0.5 * contact.distance;
     const auto isOutOver = [&](const Face& other) {

@@ -31,14 +31,16 @@ Contact wayOutFrom(const ClusteredOctree& a, const Vec3& inside, Farthest&& fart
   return contact;
 }
 
-/// The radius of a ball around the middle of the core that is inside the body; 0 if the faces are not known.
+/// The radius of a ball around the middle of the core that is inside the body. -infinity if it is not known,
+/// because the faces are not, or if the middle is outside the core.
 double innerRadius(const Convex& convex) {
+  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   const HullFaces hull = convex.faces();
-  if (hull.empty()) return 0.0;
+  if (hull.empty()) return kUnknown;
   const Vec3 middle = convex.middle();
   double radius = std::numeric_limits<double>::infinity();
   for (const HullFace& face : hull.faces) radius = std::min(radius, face.offset - face.normal.dot(middle));
-  return radius + convex.radius();
+  return radius < 0.0 ? kUnknown : radius + convex.radius();
 }
 
 }  // namespace

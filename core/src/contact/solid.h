@@ -19,7 +19,8 @@ bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
 /// tree only if the point may have crossed the surface since the last call. Allocates nothing.
 class PointInSolid {
  public:
-  /// The point is in the mesh's frame. Its distance to the surface is at least leastClearance().
+  /// The point is in the mesh's frame. Its distance to the surface is at least leastClearance(), which is
+  /// called if earlier clearances do not suffice. A number below 0 says nothing.
   bool contains(const ClusteredOctree& tree, const Vec3& point, FunctionRef<double()> leastClearance);
   bool contains(const ClusteredOctree& tree, const Vec3& point) {
     return contains(tree, point, [] { return 0.0; });

@@ -48,11 +48,16 @@ class Axes {
   using Heights = std::array<double, 3>;  // of the triangle's corners over a face
 
   bool tryFaces(double limit) {
+    double most = 0.0;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
       const HullFace& face = hull_.faces[f];
       for (std::size_t v = 0; v < 3; ++v) height_[f][v] = face.normal.dot(triangle_[v]) - face.offset;
-      const double gap = std::min({height_[f][0], height_[f][1], height_[f][2]});
-      if (gap > gap_) gap_ = gap, face_ = f;
+      const auto [first, second, third] = height_[f];
+      const double gap = std::min({first, second, third}), sum = first + second + third;
+      if (gap < gap_ || (gap == gap_ && sum <= most)) continue;  // of equal gaps, where most is outside
+      gap_ = gap;
+      most = sum;
+      face_ = f;
     }
     normal_ = hull_.faces[face_].normal;
     return gap_ <= limit;
