@@ -360,8 +360,6 @@ void requireMarginFits(const GrinderInput& input, const std::string& option, dou
                               " for a blisk of " + shortText(sizeOf(input.blisk->mesh())) + " mm");
 }
 
-void warnOf(const std::string& of, const std::string& what) { printMessage("warning: " + of + ": " + what); }
-
 void warnOfUntouched(const GrinderFiles& files, const GrinderInput& input, int ground_blade) {
   const std::size_t part = input.tool.rules.grinding_part;
   const bool is_found = !files.path.empty() && !files.ground_blade && part != kNoPart;

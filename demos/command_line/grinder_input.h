@@ -88,9 +88,6 @@ VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, 
 /// Throws naming one of the output tables if that file is also an input.
 void requireNotRead(const GrinderFiles& files, const std::vector<std::string>& tables);
 
-/// Writes a warning about a file or part to standard error.
-void warnOf(const std::string& of, const std::string& what);
-
 /// Throws std::invalid_argument naming the option if a margin (mm) is more than a fiftieth of the blisk's
 /// size: nearly all triangles would then be near at every pose.
 void requireMarginFits(const GrinderInput& input, const std::string& option, double margin);

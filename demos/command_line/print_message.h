@@ -15,4 +15,9 @@ inline void printMessage(std::string message) {
   std::cerr << "octoblisk: " << message << '\n';
 }
 
+/// Writes a warning about a file or part to standard error.
+inline void warnOf(const std::string& of, const std::string& what) {
+  printMessage("warning: " + of + ": " + what);
+}
+
 }  // namespace octoblisk::demos

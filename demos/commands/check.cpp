@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
+#include "command_line/print_message.h"
 #include "command_line/study_options.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/units_option.h"

@@ -12,6 +12,7 @@
 #include "command_line/out_folder.h"
 #include "command_line/partition_option.h"
 #include "command_line/picture_bar.h"
+#include "command_line/print_message.h"
 #include "command_line/report_option.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"

@@ -15,6 +15,7 @@
 #include "command_line/grinder_input.h"
 #include "command_line/option_checks.h"
 #include "command_line/out_folder.h"
+#include "command_line/print_message.h"
 #include "command_line/report_option.h"
 #include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"

@@ -21,10 +21,10 @@ bool isInside(const PoseReport& pose, std::size_t part) {
 }
 
 /// For a part that interferes at one of the poses: the verdict of this pose counts.
-void leaveUnchecked(std::size_t part, MotionReport& report) {
+void leaveUnchecked(MotionReport& report) {
+  if (report.hasFinding()) return;
   report.outcome = MotionReport::Outcome::not_checked;
   report.fraction = 0.0;
-  report.at.part = part;
 }
 
 /// Keeps the earlier of two findings on a motion.
@@ -146,7 +146,7 @@ void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, doub
       return isInside(pose, part) || (has_clearances && pose.part_clearances[part] == 0.0);
     };
     if (touches(from) || touches(to)) {
-      if (report.outcome == MotionReport::Outcome::free) leaveUnchecked(part, report);
+      leaveUnchecked(report);
       continue;
     }
     if (has_clearances) {
@@ -176,7 +176,7 @@ std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& fro
     if (at_begin) stretch.at_begin = touchOf(*at_begin);
     if (at_end) stretch.at_end = touchOf(*at_end);
     if (stretch.greatestDepth() > rules_.maxDepth(part)) {
-      if (report.outcome == MotionReport::Outcome::free) leaveUnchecked(part, report);
+      leaveUnchecked(report);
       stretch.path_length = motion.lengthBound(*parts_[part].tree);
       stretch.leaveUnproved();
       continue;
@@ -217,14 +217,13 @@ bool MotionCheck::isProved(const Stretch& stretch) const {
 
 /// Its depth between two places could not be measured.
 void MotionCheck::noteUnproved(const Stretch& stretch) const {
-  if (stretch.report->hasFinding()) return;
-  MotionReport unproved;
-  unproved.outcome = MotionReport::Outcome::not_proved;
-  unproved.fraction = stretch.begin;
-  unproved.at.part = stretch.part;
-  unproved.at.clearance = distance(*blisk_, *parts_[stretch.part].tree, stretch.motion.at(stretch.begin));
-  unproved.at.blade = obstacles_.bodyOfTriangle()[unproved.at.clearance.triangle_a];
-  keepFirst(*stretch.report, unproved);
+  MotionReport& report = *stretch.report;
+  if (report.hasFinding()) return;
+  report.outcome = MotionReport::Outcome::not_proved;
+  report.fraction = stretch.begin;
+  report.at.part = stretch.part;
+  report.at.clearance = distance(*blisk_, *parts_[stretch.part].tree, stretch.motion.at(stretch.begin));
+  report.at.blade = obstacles_.bodyOfTriangle()[report.at.clearance.triangle_a];
 }
 
 void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,

@@ -68,8 +68,6 @@ struct MotionReport {
     not_proved,
   };
   Outcome outcome = Outcome::free;
-  bool hasFinding() const { return outcome != Outcome::free && outcome != Outcome::not_checked; }
-
   double fraction = 1.0;  ///< of the motion that is free
   PartClearance at;       ///< at that fraction; for a part that is too deep, its depth as a negative distance
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.
@@ -77,6 +75,8 @@ struct MotionReport {
   /// Whether all of these parts are proved to stay within their limits (depth_proof.h). Otherwise one exceeds
   /// its limit, or the depth was only measured at some places.
   bool depth_proved = true;
+
+  bool hasFinding() const { return outcome != Outcome::free && outcome != Outcome::not_checked; }
 };
 
 /// A pose of the path with its contacts: all of them, or those that reduceContacts keeps.
