@@ -305,8 +305,8 @@ PathFile readPath(const std::string& file, const ClusteredOctree& blisk) {
     throw std::runtime_error(
         atLine(file, path.lines[pose].first, "the tool is more than 1e6 mm from the origin"));
   }
-  for (const ClSkipped& skipped : path.unknown) {
-    warnOf(file, skipped.word + ", first in line " + std::to_string(skipped.line) + ", is ignored");
+  for (const ClIgnored& ignored : path.ignored) {
+    warnOf(file, ignored.word + ", first in line " + std::to_string(ignored.line) + ", is ignored");
   }
   return path;
 }

@@ -39,14 +39,15 @@ bool movesWhatFollows(std::string_view word) {
                         "INDEX", "ZSURF", "MIRROR", "OFFSET"});
 }
 
+bool loadsTool(std::string_view word) { return isAmong(word, {"LOADTL", "LOAD"}); }
+
 bool isOfNoMeaningHere(std::string_view word) {
   return isAmong(
-      word,
-      {"PARTNO", "PPRINT",   "REMARK",  "INSERT", "LETTER", "TPRINT", "DISPLY",      "MACHIN", "CUTTER",
-       "LOADTL", "LOAD",     "TOOLNO",  "SELECT", "SELCTL", "TLDATA", "COOLNT",      "OPSTOP", "STOP",
-       "END",    "DELAY",    "DWELL",   "AUXFUN", "PREFUN", "SEQNO",  "INTOL",       "OUTTOL", "TOLER",
-       "LINTOL", "TOOLPATH", "PAINT",   "CUT",    "PPFUN",  "CLAMP",  "END-OF-PATH", "CLRSRF", "PITCH",
-       "MAXIPM", "MAXANG",   "VTLAXIS", "ISN",    "BREAK",  "LEADER", "PLABEL",      "REWIND", "PROBE"});
+      word, {"PARTNO",  "PPRINT", "REMARK", "INSERT", "LETTER",      "TPRINT", "DISPLY", "MACHIN", "CUTTER",
+             "TOOLNO",  "SELECT", "SELCTL", "TLDATA", "COOLNT",      "OPSTOP", "STOP",   "END",    "DELAY",
+             "DWELL",   "AUXFUN", "PREFUN", "SEQNO",  "INTOL",       "OUTTOL", "TOLER",  "LINTOL", "TOOLPATH",
+             "PAINT",   "CUT",    "PPFUN",  "CLAMP",  "END-OF-PATH", "CLRSRF", "PITCH",  "MAXIPM", "MAXANG",
+             "VTLAXIS", "ISN",    "BREAK",  "LEADER", "PLABEL",      "REWIND", "PROBE"});
 }
 
 /// The state of a CL program from one statement to the next.
@@ -99,14 +100,17 @@ class ClReader {
     } else if (word == "MULTAX") {
       const bool is_known = arguments.empty() || isAmong(arguments.front(), {"ON", "OFF"});
       if (!is_known || arguments.size() > 1) refuse(" needs ON or OFF");
+    } else if (loadsTool(word)) {
+      if (!tool_.empty() && tool_ != arguments) noteIgnored(word, statement.line);
+      tool_ = arguments;
     } else if (!isOfNoMeaningHere(word) && !movesWhatFollows(word) && word != "CYCLE") {
-      noteUnknown(word, statement.line);
+      noteIgnored(word, statement.line);
     }
   }
 
-  void noteUnknown(const std::string& word, std::size_t line) {
-    const auto is_same = [&](const ClSkipped& skipped) { return skipped.word == word; };
-    if (std::ranges::none_of(result_.unknown, is_same)) result_.unknown.push_back({word, line});
+  void noteIgnored(const std::string& word, std::size_t line) {
+    const auto is_same = [&](const ClIgnored& ignored) { return ignored.word == word; };
+    if (std::ranges::none_of(result_.ignored, is_same)) result_.ignored.push_back({word, line});
   }
 
   Vec3 vectorAt(const AptStatement& statement, std::size_t first) const {
@@ -254,6 +258,7 @@ class ClReader {
   bool feed_is_per_turn_ = false;
   bool is_rapid_ = false;
   std::optional<double> turns_per_minute_;
+  std::vector<std::string> tool_;  // arguments of the last LOADTL or LOAD
 };
 
 }  // namespace

@@ -111,7 +111,7 @@ PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& 
   path.motions = toolMotionsOf(read, blisk);
   for (const ClMotion& motion : read.motions)
     path.lines.push_back({motion.line, motion.last_line, motion.unit});
-  path.unknown = std::move(read.unknown);
+  path.ignored = std::move(read.ignored);
   return path;
 }
 

@@ -21,7 +21,7 @@ struct MotionLines {
 struct PathFile {
   std::vector<ToolMotion> motions;
   std::vector<MotionLines> lines;  ///< per motion
-  std::vector<ClSkipped> unknown;  ///< ignored statements of a CL file, of unknown meaning
+  std::vector<ClIgnored> ignored;  ///< words of a CL file
 
   std::vector<Pose> poses() const;
 };

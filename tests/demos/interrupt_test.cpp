@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -77,10 +78,34 @@ TEST_F(Interrupt, grindKeepsThePosesDone) {
   EXPECT_THAT(stopped.out, StartsWith("Stopped: "));
 }
 
+TEST_F(Interrupt, grindKeepsItsTablesWhileItDraws) {
+  using namespace std::chrono_literals;
+  const auto isDrawing = [this] {
+    if (!exists("run")) return false;
+    const std::filesystem::directory_iterator files(file("run"));
+    return std::ranges::any_of(files, [](const auto& entry) {
+      return entry.path().filename().string().find("summary") != std::string::npos;
+    });
+  };
+  const pid_t child = startOctoblisk(folder_.path(), "grind --frames 400 --out run");
+  for (int wait = 0; wait < 18'000 && !isDrawing(); ++wait) std::this_thread::sleep_for(10ms);
+  ::kill(child, SIGINT);
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  const Outcome stopped = outcomeOf(status, folder_.path());
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_EQ(stopped.error, "octoblisk: stopped: run has all tables, but not all pictures\n");
+  EXPECT_EQ(nlohmann::json::parse(contentOf(file("run/summary.json")))["partial"], false);
+  EXPECT_TRUE(exists("run/poses.csv"));
+  EXPECT_FALSE(exists("run/frames"));
+  EXPECT_FALSE(exists("run/report.html"));
+}
+
 TEST_F(Interrupt, repairLeavesWhatItHas) {
   const Outcome stopped = interrupted("repair --out run");
   EXPECT_EQ(stopped.exit_code, 130);
   EXPECT_EQ(stopped.error, "octoblisk: stopped: the poses repaired so far are in run/path.csv.partial\n");
+  EXPECT_THAT(stopped.out, HasSubstr("stopped before all motions were checked"));
   EXPECT_FALSE(exists("run/path.csv"));
   EXPECT_FALSE(exists("run/changes.csv"));
   EXPECT_GT(readPoses(file("run/path.csv.partial")).size(), 300u);
