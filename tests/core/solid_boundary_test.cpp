@@ -68,6 +68,7 @@ std::vector<bool> boundaryOf(const TriangleMesh& mesh) {
 TEST(SolidBoundary, isWholeWhereTheSurfaceIsASolids) {
   for (const SharedMesh& mesh :
        {bumpy(), testing::torus(1.0, 0.3, 16, 8), testing::boxMesh({1, 2, 3}),
+        testing::boxMesh({1e-9, 2e-9, 3e-9}),
         testing::joined(*testing::boxMesh({1, 1, 1}), *testing::torus(5, 1, 12, 8))}) {
     const Solid solid(mesh);
     EXPECT_TRUE(SolidBoundary(solid.surface).isWhole());

@@ -419,7 +419,7 @@ TEST(TriangleConvex, aLargeTriangleDoesNotWidenTheTolerance) {
   }
 }
 
-/// A body may know the faces of more points than the search of axes has room for.
+/// A body may know more points or faces than the search of axes has room for.
 TEST(TriangleConvex, manyFaces) {
   class Prism final : public Convex {
    public:
@@ -439,9 +439,28 @@ TEST(TriangleConvex, manyFaces) {
     std::vector<Vec3> points_;
     std::vector<HullFace> faces_;
   };
-  const auto contact = contactOf({Vec3(3, 0, 0), Vec3(4, 1, 0), Vec3(4, 0, 1)}, Prism(), 5.0);
-  ASSERT_TRUE(contact);
-  EXPECT_NEAR(contact->distance, 2.0, 1e-9);
+  class RepeatedBox final : public Convex {
+   public:
+    RepeatedBox() {
+      for (int repeat = 0; repeat < 50; ++repeat) {
+        faces_.insert(faces_.end(), box_.faces().faces.begin(), box_.faces().faces.end());
+        edges_.insert(edges_.end(), box_.faces().edges.begin(), box_.faces().edges.end());
+      }
+    }
+    Vec3 support(const Vec3& direction) const override { return box_.support(direction); }
+    std::span<const Vec3> points() const override { return box_.points(); }
+    HullFaces faces() const override { return {faces_, edges_}; }
+
+   private:
+    ConvexBox box_{Obb{Vec3::Zero(), Mat3::Identity(), Vec3::Ones()}};
+    std::vector<HullFace> faces_;
+    std::vector<HullEdge> edges_;
+  };
+  const Triangle triangle = {Vec3(3, 0, 0), Vec3(4, 1, 0), Vec3(4, 0, 1)};
+  const auto of_prism = contactOf(triangle, Prism(), 5.0), of_box = contactOf(triangle, RepeatedBox(), 5.0);
+  ASSERT_TRUE(of_prism && of_box);
+  EXPECT_NEAR(of_prism->distance, 2.0, 1e-9);
+  EXPECT_NEAR(of_box->distance, 2.0, 1e-9);
 }
 
 TEST(TriangleConvex, refusesBadHulls) {

@@ -27,8 +27,8 @@ class Convex {
   virtual Vec3 middle() const { return Vec3::Zero(); }
   /// Points whose hull is the core, if they are few; searches use them to skip more. Empty otherwise.
   virtual std::span<const Vec3> points() const { return {}; }
-  /// The faces and edges of the hull of points(), if known. They make contacts exact and fast, if there are
-  /// at most HullFaceList::kMaxPoints points.
+  /// The faces and edges of the hull of points(), if known, each once. They make contacts exact and fast, if
+  /// there are at most HullFaceList::kMaxPoints points.
   virtual HullFaces faces() const { return {}; }
 
   /// The core's bounding box along the axes of the body's frame.

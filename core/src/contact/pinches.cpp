@@ -64,12 +64,14 @@ void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::u
   constexpr double kCrossing = 0.25;  // the least depth as a fraction of the extent; bars that cross have 1
   const double extent = extentAlong(*out, crossing_);
   if (depthAlong(*out, crossing_) < kCrossing * extent) return;
+  pushing_.clear();
+  for (const PairedContact& contact : contacts) {
+    if (contact.distance <= 0.0 && crossings_.groupOf(contact.pair) == group)
+      pushing_.push_back(contact.normal);
+  }
   const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const bool pushes = contacts[c].distance <= 0.0 && contacts[c].normal.dot(direction) > least_cosine;
-      if (pushes && crossings_.groupOf(contacts[c].pair) == group) return true;
-    }
-    return false;
+    return std::ranges::any_of(pushing_,
+                               [&](const Vec3& normal) { return normal.dot(direction) > least_cosine; });
   };
   const bool has_way_out = isAnyPushing(*out, kOut);
   std::uint32_t deepest = kNoIndex;

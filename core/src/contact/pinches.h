@@ -35,6 +35,7 @@ class Pinches {
   ConnectedPairs crossings_;             // pairs that meet
   std::vector<CurveSegment> crossing_;   // the part of the curve of one group
   std::vector<std::uint32_t> pinching_;  // contacts that may pinch
+  std::vector<Vec3> pushing_;            // the normals of the contacts of one group
 };
 
 }  // namespace octoblisk::detail

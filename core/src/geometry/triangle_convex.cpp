@@ -32,7 +32,7 @@ std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex&
   if (isThin(triangle)) return searched(triangle, convex, limit);  // without the normal
   if (points.size() == 2) return contactOfSegment(triangle, points[0], points[1]);
   const HullFaces faces = convex.faces();
-  if (faces.empty() || points.size() > HullFaceList::kMaxPoints) return searched(triangle, convex, limit);
+  if (!canSearchAxes(points, faces)) return searched(triangle, convex, limit);
   const AxisSearch along = searchAxes(triangle, points, faces, limit);
   switch (along.verdict) {
     case AxisSearch::Verdict::beyond_limit:

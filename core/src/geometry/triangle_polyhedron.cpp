@@ -217,6 +217,11 @@ class Axes {
 
 }  // namespace
 
+bool canSearchAxes(std::span<const Vec3> points, const HullFaces& faces) {
+  return !faces.empty() && points.size() <= HullFaceList::kMaxPoints && faces.faces.size() <= kMaxHullFaces &&
+         faces.edges.size() <= kMaxHullEdges;
+}
+
 AxisSearch searchAxes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& faces,
                       double limit) {
   return Axes(triangle, points, faces).search(limit);

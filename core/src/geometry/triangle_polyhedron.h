@@ -20,10 +20,13 @@ struct AxisSearch {
   CoreContact contact;
 };
 
-/// The triangle must be wide enough to have a normal. `faces` are those of the hull of `points`, which number
-/// at most kMaxPoints (hull_faces.h). If triangle and hull meet, the distance is minus the length of the
-/// shortest translation that separates them. If they lie flat on each other, the points are in the middle of
-/// their common area.
+/// Whether searchAxes can search these faces: there are some, and no more points, faces or edges than it has
+/// room for.
+bool canSearchAxes(std::span<const Vec3> points, const HullFaces& faces);
+
+/// The triangle must be wide enough to have a normal. `faces` are those of the hull of `points`. If triangle
+/// and hull meet, the distance is minus the length of the shortest translation that separates them. If they
+/// lie flat on each other, the points are in the middle of their common area.
 AxisSearch searchAxes(const Triangle& triangle, std::span<const Vec3> points, const HullFaces& faces,
                       double limit);
 

@@ -60,7 +60,7 @@ SolidBoundary::SolidBoundary(const Surface& surface, int threads)
 void SolidBoundary::findGoodEdges() {
   for (std::uint32_t t = 0; t < bounds_.size(); ++t) {
     const auto& corners = surface_->corners(t);
-    if (scaledNormal(surface_->tree().mesh().triangle(t)).isZero()) bounds_[t] = 0;
+    if (scaledNormal(surface_->tree().mesh().triangle(t)).isZero(0.0)) bounds_[t] = 0;
     for (std::size_t i = 0; i < 3 && bounds_[t] != 0; ++i) {
       if (neighbourAt(*surface_, t, corners[i], corners[(i + 1) % 3]) == kNoTriangle) bounds_[t] = 0;
     }
