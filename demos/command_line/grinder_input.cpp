@@ -198,7 +198,7 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
   command
       .add_option("--ground-blade", files.ground_blade,
                   "Number of the blade to be ground. Default: 1, or with --path the blade that the belt "
-                  "touches at most poses")
+                  "touches at the greatest number of poses")
       ->type_name("N")
       ->check(wholeNumberFrom(1, kMaxBladesOfBlisk));
   command

@@ -217,9 +217,10 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       .add_option("--belt-speed", request->belt_speed,
-                  "Speed of the belt in m/s, from its contact side at -x over +y; a negative speed runs the "
-                  "other way. contacts.csv then has the surface velocity at each contact of the belt. A tool "
-                  "file may give each part's speed")
+                  "Speed of the belt in m/s. A positive speed runs from the contact side at -x over the "
+                  "strand at +y to the drive wheel; a negative speed runs the other way. contacts.csv then "
+                  "has the surface velocity at each contact of the belt. A tool file may give each part's "
+                  "speed")
       ->type_name("M/S")
       ->check(numberFrom(-kMaxBeltSpeed, kMaxBeltSpeed));
   SpindleOptions& spindle = request->spindle_options;

@@ -3,7 +3,7 @@
 
 #include "bullet_convex.h"
 #include "octoblisk/motion.h"
-#include "octoblisk_bullet/convert.h"
+#include "orthonormal_pose.h"
 #include "our_shape.h"
 
 namespace octoblisk::detail {
@@ -25,9 +25,6 @@ struct BodyPart {
   /// The margin that the sweep does not contain. The sweep of a convex shape contains its margin.
   double margin() const { return ours ? double(ours->getMargin()) : 0.0; }
 };
-
-/// The transform as a pose that is orthonormal in double precision.
-Pose orthonormalPose(const btTransform& transform);
 
 /// Calls visit(part) for every part of our shape and, with `with_convex`, for every convex part. `corners`
 /// holds the corners of a convex part during its visit.
@@ -51,14 +48,10 @@ void forEachPart(const MovingBody& body, bool with_convex, ConvexCore& corners, 
   }
 }
 
-/// Holds the corners of one convex part at a time. Each thread has its own, so that warm sweeps allocate
-/// nothing.
-ConvexCore& convexCoreOfThread();
-
 /// Calls visit(a, b) for every part of A and every part of B if at least one of the two is ours.
 template <typename Visit>
 void forEachPartPair(const MovingBody& a, const MovingBody& b, const Visit& visit) {
-  ConvexCore& corners = convexCoreOfThread();
+  thread_local ConvexCore corners;  // kept, so that warm sweeps allocate nothing
   forEachPart(a, holdsOurShape(b.shape), corners, [&](const BodyPart& part_a) {
     forEachPart(b, part_a.ours != nullptr, corners, [&](const BodyPart& part_b) { visit(part_a, part_b); });
   });

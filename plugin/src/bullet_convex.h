@@ -33,9 +33,9 @@ class ConvexCore {
   HullFaces faces();
   /// Whether the body has corners or rims; a sphere has none.
   bool hasFeet() const { return points_.size() > 1 || !rims_.empty(); }
-  /// The points on which the body may stand if it is pushed along a unit vector: the corners. Of each rim of
-  /// a cylinder or a cone, the farthest point, or points all around if the rim is nearly perpendicular to the
-  /// vector. Empty for other shapes. Valid until the next call.
+  /// The points on which the body may stand if it is pushed along a unit vector. The hull of a few points has
+  /// its corners. A rim of a cylinder or a cone has its farthest point, or points all around if the rim is
+  /// nearly perpendicular to the vector. Empty for other shapes. Valid until the next call.
   std::span<const Vec3> feet(const Vec3& towards);
 
  private:

@@ -9,10 +9,12 @@
 
 #include <algorithm>
 
-#include "contact/solid.h"
+#include "contact/far_vertices.h"
+#include "contact/point_in_solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "our_shape.h"
+#include "proxy_body.h"
 #include "query/clusters_near.h"
 #include "shape_bounds.h"
 
@@ -85,14 +87,13 @@ struct Body {
       : shape(*bodyOf(proxy)->getCollisionShape()),
         whole(partOf(shape, bodyOf(proxy)->getWorldTransform())),
         box(whole.box) {
-    box.extend(fromBullet(proxy.m_aabbMin));
-    box.extend(fromBullet(proxy.m_aabbMax));
+    const Aabb box_of_proxy = boxOf(proxy);
+    box.extend(box_of_proxy.min);
+    box.extend(box_of_proxy.max);
   }
 
   const btCollisionShape& shape;
   const Part whole;
-  /// Bullet may leave the proxies of sleeping bodies unchanged after they were moved
-  /// (setForceUpdateAllAabbs), so this box holds the proxy's box and the box at the body's current position.
   Aabb box;
 };
 
@@ -107,8 +108,8 @@ bool isInside(const Vec3& point_in_world, const Part& part) {
          isInSolid(part.ours->tree(), fromBullet(part.in_world).inverse() * point_in_world);
 }
 
-/// Whether one of a mesh's far vertices is inside another. The narrow phase asks for the same vertices of the
-/// smaller mesh (FarVerticesInSolid).
+/// Whether one of a mesh's far vertices is inside another mesh. The narrow phase asks for the same vertices
+/// of the smaller mesh (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
   return solid.ours->isSolid() &&
          std::ranges::any_of(part.ours->farVertices().positions, [&](const Vec3& vertex) {
@@ -133,16 +134,6 @@ bool meet(const Part& a, const Part& b, int depth, double ahead) {
 }
 
 }  // namespace
-
-const btCollisionObject* bodyOf(const btBroadphaseProxy& proxy) {
-  return static_cast<const btCollisionObject*>(proxy.m_clientObject);
-}
-
-bool isBody(const btCollisionObject* object) {
-  constexpr int kKinds = btCollisionObject::CO_COLLISION_OBJECT | btCollisionObject::CO_RIGID_BODY |
-                         btCollisionObject::CO_FEATHERSTONE_LINK;
-  return object && (object->getInternalType() & kKinds) != 0 && object->getCollisionShape();
-}
 
 bool ClusterTest::holdsOurShape(const btCollisionShape& shape) {
   if (!shape.isCompound() || static_cast<const btCompoundShape&>(shape).getNumChildShapes() <= kFewChildren)

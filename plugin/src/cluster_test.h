@@ -4,16 +4,9 @@
 #include <unordered_map>
 
 struct btBroadphaseProxy;
-class btCollisionObject;
 class btCollisionShape;
 
 namespace octoblisk::detail {
-
-/// The body of a proxy, or null.
-const btCollisionObject* bodyOf(const btBroadphaseProxy& proxy);
-
-/// Whether an object is a rigid body, a link of a multibody or a plain collision object, and has a shape.
-bool isBody(const btCollisionObject* object);
 
 /// Tests whether clusters separate two bodies. Does not apply to ghosts (which represent their boxes), soft
 /// bodies, user-defined clients and null.
@@ -36,9 +29,8 @@ class ClusterTest {
   ///   and contact breaking threshold.
   /// - No body is inside the other as a solid.
   /// A compound that contains a ClusteredOctreeShape is tested child by child. Any other body is represented
-  /// by two boxes, that of its proxy and that of its shape. They differ if the body was moved by hand. With
-  /// `ahead`, true also proves that the bodies stay apart until both together have moved by this length; not
-  /// for compounds.
+  /// by its box (boxOf, grown as Bullet grows boxes). With `ahead`, true also proves that the bodies stay
+  /// apart until both together have moved by this length; not for compounds.
   bool separates(const btBroadphaseProxy& a, const btBroadphaseProxy& b, double ahead = 0.0);
 
  private:

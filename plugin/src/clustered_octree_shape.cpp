@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cast_callbacks.h"
-#include "contact/solid.h"
+#include "contact/far_vertices.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"
 #include "octoblisk/mass_properties.h"

@@ -5,7 +5,6 @@
 #include <BulletCollision/CollisionShapes/btTriangleShape.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/motion.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -84,22 +84,13 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap1_;
 };
 
-/// An upper bound of how far points of a body move between two poses in another body's frame.
-double displacement(const btCollisionObjectWrapper& body, const Pose& from, const Pose& to) {
-  const Mat3 turn = to.rotation - from.rotation;
-  const Vec3 shift = to.translation - from.translation;
-  double squared = 0.0;
-  // If the pose is NaN, so is every displacement: std::max(NaN, x) returns NaN.
-  for (const Vec3& corner : shapeBounds(*body.m_shape).corners()) {
-    squared = std::max((turn * corner + shift).squaredNorm(), squared);
-  }
-  return std::sqrt(squared);
-}
-
 /// Whether the touching points of the two bodies have certainly moved by at most `limit` relative to each
 /// other.
 bool areStill(const btCollisionObjectWrapper& mesh, const btCollisionObjectWrapper& other, const Pose& from,
               const Pose& to, double limit) {
+  const auto displacement = [](const btCollisionObjectWrapper& body, const Pose& before, const Pose& after) {
+    return BodyBounds(shapeBounds(*body.m_shape)).displacement(before, after);
+  };
   return displacement(other, from, to) <= limit || displacement(mesh, from.inverse(), to.inverse()) <= limit;
 }
 

@@ -86,9 +86,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// `reach`, in the mesh's frame. AllContacts reports these.
   virtual void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
-  /// The same, but contacts of the bodies: without those that exist only because surfaces are divided into
-  /// triangles. Steps and contact tests use these. Where very many triangles are near, contacts that are
-  /// farther apart than the nearest by more than kCreated of the breaking threshold may be missing.
+  /// The same without contacts that exist only because surfaces are divided into triangles. Steps and contact
+  /// tests use these. If very many triangles are near, contacts may be missing: those whose distance exceeds
+  /// the least distance by more than kCreated times the breaking threshold.
   virtual void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
     findTriangleContacts(shapes, reach, found);
   }

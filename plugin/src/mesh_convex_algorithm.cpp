@@ -2,6 +2,7 @@
 
 #include "contact/flat_contacts.h"
 #include "contact/foot_contacts.h"
+#include "contact/solid_contacts.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"

@@ -3,7 +3,7 @@
 
 #include "bullet_convex.h"
 #include "contact/internal_edges.h"
-#include "contact/solid.h"
+#include "contact/point_in_solid.h"
 #include "mesh_algorithm.h"
 #include "octoblisk/triangle_cache.h"
 

@@ -3,7 +3,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
-#include "contact/solid.h"
+#include "contact/far_vertices.h"
 #include "contact/surface_contacts.h"
 #include "mesh_algorithm.h"
 

@@ -10,6 +10,8 @@
 #include <bit>
 #include <cmath>
 
+#include "proxy_body.h"
+
 namespace octoblisk::detail {
 
 namespace {

@@ -7,8 +7,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "body_parts.h"
 #include "octoblisk_bullet/convert.h"
+#include "orthonormal_pose.h"
 
 namespace octoblisk {
 

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "cluster_test.h"
 #include "octoblisk/motion.h"
 #include "our_shape.h"
-#include "shape_bounds.h"
+#include "proxy_body.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -27,9 +26,7 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
   const btCollisionShape& shape = *object.getCollisionShape();
   State state;
   state.in_world = fromBullet(object.getWorldTransform());
-  state.box = shapeBounds(shape, object.getWorldTransform());
-  state.box.extend(fromBullet(proxy.m_aabbMin));
-  state.box.extend(fromBullet(proxy.m_aabbMax));
+  state.box = boxOf(proxy);
   state.reach = double(gContactBreakingThreshold);
   if (const ClusteredOctreeShape* const ours = asOurShape(shape)) {
     state.tree = ours->sharedTree();
@@ -37,11 +34,6 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
     state.reach += contactReach(*ours);
   }
   return state;
-}
-
-bool TravelledDistances::isNumber(const State& state) {
-  return state.in_world.rotation.allFinite() && state.in_world.translation.allFinite() &&
-         !state.box.isEmpty();
 }
 
 double TravelledDistances::distance(const State& from, const State& to) {
@@ -60,7 +52,7 @@ double TravelledDistances::of(const btBroadphaseProxy& proxy) {
   const bool is_new = known == bodies_.end();
   if (!is_new && known->second.step == step_) return known->second.travelled;
   State now = stateOf(proxy);
-  if (!isNumber(now)) return std::numeric_limits<double>::infinity();
+  if (!now.in_world.isFinite() || now.box.isEmpty()) return std::numeric_limits<double>::infinity();
   Body& body = is_new ? bodies_[&proxy] : known->second;
   if (!is_new) body.travelled = sumAbove(body.travelled, distance(body.state, now));
   body.state = std::move(now);

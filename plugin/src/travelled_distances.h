@@ -39,7 +39,7 @@ class TravelledDistances {
     bool is_solid = false;
     double reach = 0.0;
     Pose in_world;
-    Aabb box;  // of proxy and shape, in the world
+    Aabb box;  // boxOf
   };
   struct Body {
     State state;
@@ -48,7 +48,6 @@ class TravelledDistances {
   };
 
   static State stateOf(const btBroadphaseProxy& proxy);
-  static bool isNumber(const State& state);
   static double distance(const State& from, const State& to);
 
   std::uint64_t step_ = 1;

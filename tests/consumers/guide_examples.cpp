@@ -108,6 +108,9 @@ void runCore() {
   octoblisk::ClusteredOctree tree = treeOfSoftBody(mesh);
   follow(tree, wider);
   expect(tree.sharedMesh() == wider, "core: the tree follows the mesh");
+  expect(isNear(gapBetween(tetrahedron(), tetrahedron(), {.translation = {3, 0, 0}}), 2, 1e-12),
+         "core: the distance of two tetrahedra");
+  expect(gapBetween(tetrahedron(), tetrahedron(), {.translation = {0.5, 0, 0}}) == 0, "core: they touch");
   const std::filesystem::path file = "guide_example.tree";
   std::filesystem::remove(file);
   const auto isCompact = [](const octoblisk::ClusteredOctree& read) {

@@ -1,4 +1,6 @@
 // Tests the contacts that closed meshes and flat faces add to those of triangles.
+#include "contact/solid_contacts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,8 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "contact/far_vertices.h"
 #include "contact/flat_contacts.h"
-#include "contact/solid.h"
+#include "contact/point_in_solid.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk/containment.h"
 #include "query/thickness.h"

@@ -51,13 +51,15 @@ inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 
-/// The page whose calls of octoblisk run one after another in one folder.
-inline const std::string kTutorial = "docs/grinding.md";
+/// The pages whose calls of octoblisk run one after another in one folder.
+inline bool isTutorial(const std::string& page) {
+  return page == "docs/grinding.md" || page == "docs/rotor67.md";
+}
 
 inline std::optional<Kind> kindOf(const CodeBlock& block) {
   if (const auto known = kLanguages.find(block.language); known != kLanguages.end()) return known->second;
   if (!block.language.empty()) return std::nullopt;
-  if (block.page == kTutorial && block.text.starts_with("octoblisk ")) return Kind::tutorial;
+  if (isTutorial(block.page) && block.text.starts_with("octoblisk ")) return Kind::tutorial;
   for (const auto& [beginning, kind] : kBeginnings) {
     if (block.text.starts_with(beginning)) return kind;
   }

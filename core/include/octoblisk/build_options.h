@@ -33,7 +33,7 @@ struct BuildOptions {
   int threads = 0;  ///< of the build; 0: as many as the machine has. The tree does not depend on it
   Storage storage = Storage::full;
   // The remaining options are used by `paper` only.
-  int clusters = 2;                        ///< k of each part, 1..8; 0: the k_opt of each part, from 2 to 8
+  int clusters = 2;                        ///< k of each part, 1..8; 0: the best k of each part, from 2 to 8
   std::uint64_t seed = 1;                  ///< for k-means
   std::vector<int> part_of_triangle = {};  ///< e.g. blade numbers, one per triangle; empty: one part
 };

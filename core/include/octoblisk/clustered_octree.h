@@ -21,7 +21,7 @@ struct BuildStats {
   std::size_t triangles = 0;
   std::size_t nodes = 0;
   std::size_t leaves = 0;
-  int depth = 0;             ///< the number of boxes around a leaf, its own included
+  int depth = 0;             ///< the greatest number of boxes around a triangle
   double root_volume = 0.0;  ///< volume of the box around the whole mesh, mesh units cubed
   double leaf_volume = 0.0;  ///< sum of the volumes of all leaf boxes
   std::size_t bytes = 0;     ///< memory of the tree, without the mesh

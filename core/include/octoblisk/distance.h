@@ -10,8 +10,8 @@
 namespace octoblisk {
 
 /// The least distance between two surfaces. Points are in A's frame. If the surfaces meet, both points are
-/// the same point of B; it is on A, or below A's triangle. If both triangles are degenerate, it may be
-/// beside each of them by its width.
+/// the same point of B. It is no farther from A's triangle than the two triangles are deep in each other. If
+/// both triangles are degenerate, the point is accurate to their width only.
 struct Clearance {
   double distance = std::numeric_limits<double>::infinity();  ///< 0 if they meet; mesh units
   Vec3 point_on_a = Vec3::Zero();

@@ -16,6 +16,7 @@ class BodyBounds {
  public:
   BodyBounds(const ClusteredOctree& tree);
   BodyBounds(const Convex& convex);
+  explicit BodyBounds(const Aabb& box);
 
   /// The greatest distance of a point of the rotated body from the line through the body's `center` along
   /// `axis`, of unit length; never too small.
@@ -79,15 +80,15 @@ class Motion {
 };
 
 /// A bound for two bodies that move at the same time, in mesh units. Over a fraction of the motions, the
-/// distance between any point of A and any point of B changes by at most the same fraction of the bound. So
-/// does the distance between the bodies. Motion that both bodies share does not count if one frame can follow
-/// it.
+/// distance between any point of A and any point of B changes by at most the same fraction of the bound, and
+/// so does the distance between the bodies. A motion that both bodies share adds nothing if one of the frames
+/// below follows it.
 ///
-/// The bound is the least of four bounds on the relative speed of two points. v is the displacement of a
-/// centre, and ω a rotation. r is the greatest distance from the axis, and R the greatest distance from the
+/// The bound is the least of four, one for each frame. v_A and v_B are the displacements of the centres, ω_A
+/// and ω_B the rotation vectors. r is the greatest distance of a body's points from its axis, R that from its
 /// centre. c is the vector from B's centre to A's centre.
-/// - In a frame that moves with A's centre and does not rotate: |ω_A| r_A + the lengthBound of B after A's
-///   displacement is subtracted.
+/// - In a frame that moves with A's centre and does not rotate: |ω_A| r_A plus B's lengthBound with the
+///   displacement v_B − v_A.
 /// - In a frame that moves with B's centre: the same with A and B exchanged.
 /// - In A's own frame: |v_B − v_A + ω_A × c| + |ω_B − ω_A| R_B. c changes linearly, so the first term is
 ///   greatest at the start or at the end.

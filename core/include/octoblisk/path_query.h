@@ -34,8 +34,8 @@ class PathQuery {
   /// triangles around it. Tests nothing else if B's points have moved by less than the last distance.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
-  /// The least distance. The last pair found is the hint. Before there is one, the hint of the options is
-  /// used. Tests nothing if B has moved too little since then to come within the upper bound.
+  /// The least distance. The hint is the last pair found, or the hint of the options if there is none yet. If
+  /// B has moved too little since the last measured distance to come within the upper bound, tests nothing.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
   /// The signed distance (signed_distance.h). If the bodies are apart, the last pair found is the hint.

@@ -28,10 +28,9 @@ struct TimeOfImpact {
 };
 
 /// The fraction of B's motion at which the surfaces of A and B first come within `tolerance`, > 0, mesh
-/// units; none if they stay farther apart. Continuous: it misses no contact, however thin A and B are,
-/// because a step never exceeds the distance less the tolerance, divided by the bound on the speed of any
-/// point of B (conservative advancement: B. Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems,
-/// 1996).
+/// units; none if they stay farther apart. Misses no contact, however thin A and B are: a step moves no point
+/// of B by more than the current distance less the tolerance (conservative advancement: B. Mirtich,
+/// Impulse-based Dynamic Simulation of Rigid Body Systems, 1996).
 ///
 /// Before the fraction, the distance is proved to exceed the tolerance. At the fraction, it is at most
 /// (1 + slack) · tolerance. If the bodies touch at the start, fraction and distance are 0. The tolerance is

@@ -15,9 +15,9 @@ namespace detail {
 struct TriangleBundle;
 }  // namespace detail
 
-/// Keeps triangles from a slightly larger neighbourhood than requested until the body has moved by the
-/// difference, so that most queries do not search the tree. The extra triangles, which are not near the body,
-/// depend on earlier queries.
+/// Searches a slightly larger neighbourhood than requested and keeps its triangles. Until the body has moved
+/// by the difference, queries do not search the tree. A result may therefore contain triangles that are not
+/// near the body; these depend on earlier queries.
 class TriangleCache {
  public:
   TriangleCache();

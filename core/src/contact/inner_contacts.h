@@ -15,9 +15,13 @@ inline constexpr double kSlightTilt = 0.01;
 
 class InnerContacts {
  public:
-  /// Removes the contacts that are past a face or inner; the order stays. Needs at least one contact.
-  /// Receives the pairs whose contacts were not computed. Of each group of connected pairs, at least one
-  /// contact stays, and the deepest of all. Allocates nothing once warm.
+  /// Removes two kinds of contacts; the order stays.
+  /// - Past a face: the triangles are apart, one is behind the other, and a contact of their group of
+  ///   connected pairs touches.
+  /// - Inner: the contact is at an edge or corner of a surface, at an angle to its triangle. Beyond this edge
+  ///   or corner, the surface leans towards the other body, and comes nearer or meets it.
+  /// Of each group, at least one contact stays. The deepest contact of all stays, too. `skipped` holds the
+  /// pairs whose contacts were not computed. Needs at least one contact. Allocates nothing once warm.
   void removeFrom(std::vector<PairedContact>& contacts, const SurfacePair& surfaces,
                   const std::vector<NumberPair>& skipped);
 

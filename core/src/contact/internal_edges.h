@@ -15,12 +15,13 @@ namespace octoblisk::detail {
 /// because the body is deeper in the triangle that shares the edge.
 class InternalEdges {
  public:
-  /// Removes contacts of a mesh (A) and a convex body (B) at internal edges. Such a contact pushes at an
-  /// angle to its triangle, from an edge or corner of it. It pushes over another triangle that shares this
-  /// edge or corner (by positions) and has a deeper contact. That contact is perpendicular to its triangle,
-  /// or it is also removed and the surface is smooth between the two triangles. The deepest contact stays,
-  /// and so do contacts at ridges. The order is kept. Contacts and mesh are in one frame. Allocates nothing
-  /// once warm.
+  /// Removes contacts of a mesh (A) and a convex body (B) at internal edges. Such a contact is at an edge or
+  /// corner of its triangle, and pushes at an angle to the triangle, over a neighbour: another triangle that
+  /// shares this edge or corner (by positions). The neighbour has a deeper contact that
+  /// - is perpendicular to the neighbour, or
+  /// - is also removed, and the surface is smooth between the two triangles.
+  /// The deepest contact stays, and so do contacts at ridges. The order is kept. Contacts and mesh are in one
+  /// frame. Allocates nothing once warm.
   void removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh);
 
  private:

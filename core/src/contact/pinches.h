@@ -15,11 +15,12 @@ namespace octoblisk::detail {
 /// push in opposite directions. Such contacts hold the solids inside each other.
 class Pinches {
  public:
-  /// Receives all pairs that meet. At each crossing, considers the contacts that push across or against the
-  /// way out of the intersection (wayOut), except those of triangles that face each other. If a contact
-  /// pushes out, removes those that another contact opposes. Otherwise removes all. The deepest of them
-  /// stays, but then pushes out, at the middle of the curve in which the surfaces meet. It is as deep as this
-  /// curve extends on the way out; if no other contact pushes out, at least as deep as its triangles.
+  /// `meeting` holds all pairs that meet. At each crossing, the candidates are the contacts that push across
+  /// or against the way out of the intersection (wayOut) and whose triangles do not face each other. If a
+  /// contact pushes out, removes only the candidates that another contact opposes; otherwise removes all
+  /// candidates. The deepest of the removed contacts comes back, but pushes out, at the middle of the curve
+  /// in which the surfaces meet. Its depth is the extent of this curve along the way out. If no other contact
+  /// pushes out, the depth is at least that of its triangles.
   /// Surfaces that lie along each other, as the walls of nested cups do, keep their contacts. The order
   /// stays. Allocates nothing once warm.
   void open(std::vector<PairedContact>& contacts, const SurfacePair& surfaces,

@@ -147,8 +147,8 @@ void DepthSearch::considerNear(Corner& corner, std::uint32_t triangle) const {
   }
 }
 
-/// Finds the corner's closest point on A's surface, unless the known one proves that the corner is deeper
-/// than the deepest so far by at most half the tolerance.
+/// Finds the corner's closest point on A's surface. Does nothing if the known point proves that the corner
+/// exceeds the greatest depth so far by at most half the tolerance.
 void DepthSearch::measure(Corner& corner) const {
   const bool has_best = best_.triangle_b != kNoTriangle;
   if (has_best && corner.distance <= deepestSoFar() + 0.5 * tolerance_) return;

@@ -111,6 +111,9 @@ BodyBounds::BodyBounds(const Convex& convex) {
   radius_ += beyond_;
 }
 
+BodyBounds::BodyBounds(const Aabb& box)
+    : corners_(box.corners()), center_(box.center()), radius_(box.halfExtents().norm()) {}
+
 // All distances are convex functions of the point, so the corners of the box have the greatest. Outside the
 // box, they grow by at most the distance from the box.
 
@@ -130,12 +133,13 @@ double BodyBounds::distanceFromPoint(const Vec3& point) const {
 double BodyBounds::displacement(const Pose& from, const Pose& to) const {
   const Mat3 turn = to.rotation - from.rotation;
   const Vec3 shift = to.translation - from.translation;
-  const auto displaced = [&](const Vec3& point) { return (turn * point + shift).norm(); };
-  const double ball = turn.norm() * radius_;
+  const auto squared = [&](const Vec3& point) { return (turn * point + shift).squaredNorm(); };
   double of_box = 0.0;
   // If the pose is NaN, so is every displacement: std::max(NaN, x) returns NaN.
-  for (const Vec3& corner : corners_) of_box = std::max(displaced(corner), of_box);
-  return std::min(of_box + kBoxRounding * ball + turn.norm() * beyond_, displaced(center_) + ball);
+  for (const Vec3& corner : corners_) of_box = std::max(squared(corner), of_box);
+  const double turned = turn.norm(), ball = turned * radius_;
+  return std::min(std::sqrt(of_box) + kBoxRounding * ball + turned * beyond_,
+                  std::sqrt(squared(center_)) + ball);
 }
 
 }  // namespace octoblisk

@@ -8,11 +8,11 @@
 
 namespace octoblisk::detail {
 
-/// Returns a distance, and replaces `near` with all triangle pairs within this distance. Some pairs may be
-/// slightly farther apart; pairs with a thin triangle by up to its width. The distance is `threshold` (>= 0,
-/// mesh units). If many pairs are within the threshold, it is less, but at least the distance of the nearest
-/// pair plus `surplus`. With a threshold of 0, leaves out pairs that surely do not
-/// meet. The order is arbitrary. Allocates nothing if the capacity of `near` suffices.
+/// Replaces `near` with all triangle pairs within a reach, and returns the reach. The reach is `threshold`
+/// (>= 0, mesh units). If many pairs are within the threshold, the reach is less, but at least the distance
+/// of the nearest pair plus `surplus`. Some pairs may be slightly farther apart than the reach; pairs with a
+/// thin triangle, by up to its width. With a threshold of 0, leaves out pairs that surely do not meet. The
+/// order is arbitrary. Allocates nothing if the capacity of `near` suffices.
 double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, double surplus,
                  std::vector<NearPair>& near);
 

@@ -54,10 +54,11 @@ struct AtDepth {
   int depth;
 };
 
-/// Calls visit(slot_of_a, slot_of_b) for all pairs of ends below the two nodes, except if gap(boxes, box) of
-/// the pair or of a pair above it is greater than limit(), which may shrink. Smallest gaps come first: with a
-/// TraversalQueue, initially among all pairs; with a TraversalStack, among those below the same pair. Returns
-/// true as soon as a visit does, otherwise false. Nothing is near if the pose is not finite.
+/// Calls visit(slot_of_a, slot_of_b) for pairs of ends below the two nodes. The ends are the leaves, or the
+/// boxes at a depth (`end`). Skips a pair if gap(boxes, box) of it, or of a pair above it, exceeds limit(),
+/// which may shrink. The smallest gap comes first: with a TraversalQueue, at first among all pairs; with a
+/// TraversalStack, among the pairs below one pair. Returns true as soon as a visit does, otherwise false.
+/// Visits nothing if the pose is not finite.
 template <template <typename Entry, int kLevels> typename ToDo, typename End = AtLeaves, typename Gap,
           typename Limit, typename Visit>
 bool walkPairs(const Tree& a, const Tree& b, const LocalPose& pose, NodePair below, Gap&& gap, Limit&& limit,

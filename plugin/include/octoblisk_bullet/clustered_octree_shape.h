@@ -66,10 +66,10 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// The same from a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
 
-  /// In a step, contacts are created within half this distance and kept within all of it, in world units.
-  /// contactTest and contactPairTest find contacts within all of it. Bullet uses the smaller threshold of the
-  /// two shapes. Default: gContactBreakingThreshold (0.02), or 1/50 of the shape's radius if that is smaller.
-  /// The threshold also limits the default margin.
+  /// In a step, contacts are created up to half this distance and kept up to the whole distance, in world
+  /// units. contactTest and contactPairTest find contacts up to the whole distance. Bullet uses the smaller
+  /// threshold of the two shapes. Default: gContactBreakingThreshold (0.02), or 1/50 of the shape's radius if
+  /// that is smaller. The threshold also limits the default margin.
   void setContactBreakingThreshold(btScalar threshold);
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
@@ -125,10 +125,11 @@ ClusteredOctreeShape final : public btConcaveShape {
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
-  /// The farthest of farVertices(). If setCollisionShape gives a convex body this shape and nobody cleans the
-  /// body's pairs, Bullet's algorithm of two convex shapes calls this function. Until such a pair ends, the
-  /// shape acts as the hull of its far vertices. This must stay the first virtual function that the class
-  /// adds: in Bullet's table of virtual functions, btConvexShape has the same function there.
+  /// The farthest of farVertices() in a direction; not for users. Bullet's algorithm for two convex shapes
+  /// calls this function if setCollisionShape has given a convex body this shape and nobody has cleaned the
+  /// body's pairs. Until such a pair ends, the shape acts as the hull of its far vertices. This must stay the
+  /// first virtual function that the class adds: btConvexShape has the function of the same name at this
+  /// place in its table of virtual functions.
   virtual btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const;
 
   /// Writes the unscaled mesh, its parts and the scaling as btTriangleMeshShapeData. Bullet's importers

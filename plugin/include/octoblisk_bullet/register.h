@@ -7,12 +7,14 @@ class btCollisionDispatcher;
 namespace octoblisk {
 
 /// Registers the algorithms of ClusteredOctreeShape for contacts and for closest points (contactTest,
-/// contactPairTest), in both orders. They cover every convex shape, ClusteredOctreeShape itself, and Bullet's
-/// concave shapes: btBvhTriangleMeshShape (also scaled or with several materials), btHeightfieldTerrainShape,
-/// btStaticPlaneShape, GImpact meshes, and third-party concave shapes of type FAST_CONCAVE_MESH_PROXYTYPE,
-/// which is also the type of ClusteredOctreeShape. Compounds work through their children, soft bodies through
-/// Bullet. All other pairs are unchanged. A third-party shape of that type meets convex shapes and GImpact
-/// through Bullet. It collides with no other concave shape except ClusteredOctreeShape.
+/// contactPairTest), in both orders. The other shape may be
+/// - any convex shape, or a ClusteredOctreeShape;
+/// - a concave shape of Bullet: btBvhTriangleMeshShape (also scaled or with several materials),
+///   btHeightfieldTerrainShape, btStaticPlaneShape, or a GImpact mesh;
+/// - a third-party concave shape of type FAST_CONCAVE_MESH_PROXYTYPE, the type of ClusteredOctreeShape.
+///   Bullet's algorithms handle its pairs with convex shapes and GImpact. It collides with no further
+///   concave shape.
+/// Compounds work through their children, soft bodies through Bullet. All other pairs are unchanged.
 ///
 /// Triangles of other meshes must be counter-clockwise as seen from outside, like those of
 /// ClusteredOctreeShape: contacts push to the outside. Triangles of mirrored meshes and of heightfields that

@@ -28,17 +28,17 @@ struct StepImpact {
 
 /// The fraction of a step of length `dt` (> 0) at which A and B first come within `tolerance`, after
 /// subtracting their margins; none if they stay farther apart. Both move as Bullet would move them by their
-/// current velocities (step_motion.h). The step does the same unless a contact, force or constraint changes
-/// the velocities. It misses no contact, however thin a body is: octoblisk/sweep.h explains the proof. The
-/// bodies need not be in a world, and nothing changes.
+/// current velocities (step_motion.h). A step moves them in the same way unless a contact, force or
+/// constraint changes the velocities. The function misses no contact, however thin a body is:
+/// octoblisk/sweep.h explains the proof. The bodies need not be in a world, and nothing changes.
 ///
 /// The parts of a body are its shape, or the children of its compound, if they are ClusteredOctreeShape or
 /// convex. Every part of A is compared with every part of B, except two convex parts. Parts of other shapes
 /// are ignored.
 ///
 /// At the fraction, the distance is at most (1 + options.slack) · tolerance, after subtracting the margins.
-/// Tolerances from 0 up to a few units in the last place of the scene's size count as that length. Values
-/// below 0 select the default: half the distance within which a step creates contacts of the two parts.
+/// A tolerance from 0 to a few units in the last place of the scene's size is raised to that length. A value
+/// below 0 selects the default: half the distance within which a step creates contacts of the two parts.
 /// Throws std::invalid_argument if a body has no shape, or if no two parts can be compared.
 std::optional<StepImpact> timeOfImpact(const btCollisionObject& a, const btCollisionObject& b, btScalar dt,
                                        btScalar tolerance = -1, const SweepOptions& options = {});

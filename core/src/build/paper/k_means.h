@@ -14,8 +14,8 @@ struct KMeansOptions {
   std::uint64_t seed = 1;    ///< for the random initial centres (step 1)
   int max_iterations = 300;  ///< limit for one run
   /// The number of runs from different initial centres. The run with the least S(C) is returned, the first of
-  /// equal ones. 1 equals the paper's choice, which starts from the cluster means of a first run (section
-  /// 4.1): that run has already ended there.
+  /// equal ones. 1 gives the paper's result: the paper starts a second run from the cluster means of a first
+  /// one (section 4.1), but the first run has already converged to these means.
   int starts = 16;
 };
 
