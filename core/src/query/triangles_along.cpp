@@ -12,8 +12,8 @@
 #include "geometry/frame_along.h"
 #include "query/traversal-inl.h"
 
-#ifndef OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
-#define OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
+#ifndef OCTOBLISK_QUERY_TRIANGLES_ALONG_ONCE
+#define OCTOBLISK_QUERY_TRIANGLES_ALONG_ONCE
 namespace octoblisk::detail {
 
 /// The fractions at which a moving box overlaps an object along all axes tested so far.
