@@ -9,9 +9,9 @@
 #include "build/paper/paper_partition.h"
 #include "build/partition.h"
 #include "tree/box_padding.h"
+#include "tree/leaf_vertices.h"
 #include "tree/tree.h"
 #include "tree/validation.h"
-#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk {
 

@@ -6,8 +6,8 @@
 #include "base/parallel.h"
 #include "tree/box_padding.h"
 #include "tree/for_each_node.h"
+#include "tree/leaf_vertices.h"
 #include "tree/tree_vertices.h"
-#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk::detail {
 namespace {
