@@ -60,6 +60,8 @@ class Tree {
   void refit(std::shared_ptr<const TriangleMesh> deformed, int threads);
 
  private:
+  /// Sets what depends on the positions of the vertices.
+  void measure();
   void computeLeafVertices(Slot slot, LeafVertices& room) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;
