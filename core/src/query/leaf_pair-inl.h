@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "query/local_pose.h"
 #include "simd/lanes.h"
 #include "simd/simd-inl.h"
@@ -140,7 +141,7 @@ class LeafPair {
   // axes stretches everything alike.
 
   /// The combined rounding error of a corner of A and one of B along each axis.
-  float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
+  float coordinateRounding() const { return static_cast<float>(kSingleRounding) * size_ + doubles_; }
   /// Scales all lengths to about 1.
   float unit() const { return unitOf(size_); }
   /// The rounding error of a height over a triangle's plane, or of a gap along a unit vector.
