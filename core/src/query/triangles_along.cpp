@@ -99,10 +99,7 @@ class FirstMeetings {
   }
 
   Float8 operator()(const Box8& boxes, const BoxF& box) const {
-    const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
-                       Float8::load(boxes.center[1]) - Float8(box.center[1]),
-                       Float8::load(boxes.center[2]) - Float8(box.center[2])};
-    const Vec8 motion{Float8(motion_[0]), Float8(motion_[1]), Float8(motion_[2])};
+    const Vec8 between = centersOf(boxes) - Vec8::all(box.center), motion = Vec8::all(motion_);
     const Float8 half[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
                             Float8::load(boxes.half_extents[2])};
     const Float8 reach = Float8(slack_) + Float8(2.0f * rim_) * (half[0] + half[1] + half[2]);
@@ -118,12 +115,11 @@ class FirstMeetings {
     Vec8 axis_of_boxes[3];
     Float8 radius_along_boxes[3];
     for (int j = 0; j < 3; ++j) {
-      axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                          Float8::load(boxes.axes[2][j])};
+      axis_of_boxes[j] = axisOf(boxes, j);
       radius_along_boxes[j] = half[j] + reach;
     }
     for (int i = 0; i < 3; ++i) {
-      const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
+      const Vec8 axis = Vec8::all(box.axes.col(i));
       Float8 radius = Float8(box.half_extents[i]) + reach;
       for (int j = 0; j < 3; ++j) {
         const Float8 cosine = abs(dot(axis_of_boxes[j], axis));

@@ -29,6 +29,14 @@ HWY_INLINE BoxF posed(const PoseF& pose, const Box8& boxes, std::uint32_t lane) 
   return box;
 }
 
+HWY_INLINE Vec8 centersOf(const Box8& boxes) {
+  return {Float8::load(boxes.center[0]), Float8::load(boxes.center[1]), Float8::load(boxes.center[2])};
+}
+
+HWY_INLINE Vec8 axisOf(const Box8& boxes, int j) {
+  return {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]), Float8::load(boxes.axes[2][j])};
+}
+
 /// The gaps between each of the eight boxes and `box` along their six face axes; negative if the two overlap
 /// along the axis. The nine edge axes are not tested.
 struct FaceGaps {
@@ -38,21 +46,18 @@ struct FaceGaps {
 
 HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
   FaceGaps gaps;
-  const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
-                     Float8::load(boxes.center[1]) - Float8(box.center[1]),
-                     Float8::load(boxes.center[2]) - Float8(box.center[2])};
+  const Vec8 between = centersOf(boxes) - Vec8::all(box.center);
   const Float8 half_extents[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
                                   Float8::load(boxes.half_extents[2])};
   Float8 along_boxes[3], radius_along_boxes[3];
   for (int j = 0; j < 3; ++j) radius_along_boxes[j] = half_extents[j];
   Vec8 axis_of_boxes[3];
   for (int j = 0; j < 3; ++j) {
-    axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                        Float8::load(boxes.axes[2][j])};
+    axis_of_boxes[j] = axisOf(boxes, j);
     along_boxes[j] = dot(axis_of_boxes[j], between);
   }
   for (int i = 0; i < 3; ++i) {
-    const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
+    const Vec8 axis = Vec8::all(box.axes.col(i));
     Float8 radius(box.half_extents[i]);
     for (int j = 0; j < 3; ++j) {
       const Float8 cosine = abs(dot(axis_of_boxes[j], axis));
@@ -82,14 +87,11 @@ struct WidestGap {
 /// Infinite for empty boxes.
 struct GapOfPoint {
   HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const {
-    const Vec8 offset{Float8(box.center.x()) - Float8::load(boxes.center[0]),
-                      Float8(box.center.y()) - Float8::load(boxes.center[1]),
-                      Float8(box.center.z()) - Float8::load(boxes.center[2])};
+    const Vec8 offset = Vec8::all(box.center) - centersOf(boxes);
     Float8 squared(0.0f);
     for (int j = 0; j < 3; ++j) {
-      const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                      Float8::load(boxes.axes[2][j])};
-      const Float8 outside = max(abs(dot(axis, offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
+      const Float8 outside =
+          max(abs(dot(axisOf(boxes, j), offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
       squared = squared + outside * outside;
     }
     return sqrt(squared) - Float8(0x1p-74f);  // squares of subnormal numbers may have been rounded up
