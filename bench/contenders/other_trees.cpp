@@ -86,9 +86,7 @@ class Narrower {
     }
   }
 
-  void set(Slot slot, const BoxF& box) {
-    arrays_.nodes[slot.node].boxes.set(static_cast<int>(slot.lane), box);
-  }
+  void set(Slot slot, const BoxF& box) { arrays_.nodes[slot.node].boxes.set(slot.lane, box); }
 
   const Tree& tree_;
   const std::size_t most_;
@@ -105,7 +103,7 @@ MakeTree axisAligned(Aligned which) {
       if (which != Aligned::all && child.isLeaf() != (which == Aligned::leaves)) return;
       BoxF box = treeOf(tree).arrays().box(slot);
       box.axes.setIdentity();
-      arrays.nodes[slot.node].boxes.set(static_cast<int>(slot.lane), box);
+      arrays.nodes[slot.node].boxes.set(slot.lane, box);
     });
     return fitted(mesh, std::move(arrays));
   };

@@ -322,9 +322,9 @@ TEST(TreeBlob, tooDeepTreesAreRefused) {
     for (std::uint32_t n = 0; n < depth; ++n) {
       TreeNode node;
       const bool last = n + 1 == depth;
-      std::size_t lane = 0;
+      std::uint32_t lane = 0;
       const auto put = [&](Child child) {
-        node.boxes.set(static_cast<int>(lane), root);
+        node.boxes.set(lane, root);
         node.children[lane++] = child;
       };
       if (n > 0) put(Child::leaf(held++, 1));

@@ -319,7 +319,7 @@ TEST(TriangleConvex, depthFromAFlatSimplex) {
     for (const Vec3& direction : directions) {
       SupportPoint point = supportOfDifference(triangle, box, direction);
       point.difference.z() += thin * simplex.count;
-      simplex.point[static_cast<std::size_t>(simplex.count++)] = point;
+      simplex.point[simplex.count++] = point;
     }
     const auto found = epa(triangle, box, simplex);
     ASSERT_TRUE(found);

@@ -9,9 +9,9 @@
 #include "build/paper/paper_partition.h"
 #include "build/partition.h"
 #include "tree/box_padding.h"
+#include "tree/leaf_vertices.h"
 #include "tree/tree.h"
 #include "tree/validation.h"
-#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk {
 
@@ -44,7 +44,7 @@ class NodeWriter {
   /// Writes the partition's node into a slot, and everything below it into new nodes.
   void write(std::uint32_t partition_node, Slot slot) {
     const PartitionNode& source = partition_.nodes[partition_node];
-    nodes_[slot.node].boxes.set(static_cast<int>(slot.lane), padded(source.box, pad_));
+    nodes_[slot.node].boxes.set(slot.lane, padded(source.box, pad_));
     Child& child = nodes_[slot.node].children[slot.lane];
     if (source.child_count == 0) {
       child = Child::leaf(source.begin, source.count());

@@ -14,7 +14,7 @@ void makeCompact(OwnedArrays& tree, const TriangleMesh& mesh, int threads) {
     node.children = tree.nodes[n].children;
     for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       if (node.children[lane].isEmpty()) continue;
-      const CompactRotation rotation = compactRotation(tree.nodes[n].boxes.get(static_cast<int>(lane)).axes);
+      const CompactRotation rotation = compactRotation(tree.nodes[n].boxes.get(lane).axes);
       for (std::size_t k = 0; k < 4; ++k) node.rotation[k][lane] = rotation[k];
     }
   });

@@ -12,23 +12,21 @@ constexpr int kMaxIterations = 64;
 /// A point of a simplex as weights of its corners. Only corners of positive weight are kept.
 struct Closest {
   Vec3 point = Vec3::Zero();
-  std::array<int, 4> corner{};
+  std::array<std::size_t, 4> corner{};
   std::array<double, 4> weight{};
-  int count = 0;
+  std::size_t count = 0;
 
-  void add(int index, double w, const Simplex& simplex) {
+  void add(std::size_t index, double w, const Simplex& simplex) {
     if (!(w > 0.0)) return;
-    corner[static_cast<std::size_t>(count)] = index;
-    weight[static_cast<std::size_t>(count++)] = w;
-    point += w * simplex.point[static_cast<std::size_t>(index)].difference;
+    corner[count] = index;
+    weight[count++] = w;
+    point += w * simplex.point[index].difference;
   }
 };
 
-Vec3 corner(const Simplex& simplex, int index) {
-  return simplex.point[static_cast<std::size_t>(index)].difference;
-}
+Vec3 corner(const Simplex& simplex, std::size_t index) { return simplex.point[index].difference; }
 
-Closest closestOnSegment(const Simplex& simplex, int i, int j) {
+Closest closestOnSegment(const Simplex& simplex, std::size_t i, std::size_t j) {
   const Vec3 a = corner(simplex, i), edge = corner(simplex, j) - a;
   const double squared = edge.squaredNorm();
   const double t = squared > 0.0 ? std::clamp(-a.dot(edge) / squared, 0.0, 1.0) : 0.0;
@@ -42,7 +40,7 @@ Closest nearer(const Closest& a, const Closest& b) {
   return a.point.squaredNorm() <= b.point.squaredNorm() ? a : b;
 }
 
-Closest closestOnTriangle(const Simplex& simplex, int i, int j, int k) {
+Closest closestOnTriangle(const Simplex& simplex, std::size_t i, std::size_t j, std::size_t k) {
   const Vec3 a = corner(simplex, i), b = corner(simplex, j), c = corner(simplex, k);
   const Vec3 normal = (b - a).cross(c - a);
   const double squared = normal.squaredNorm();
@@ -62,7 +60,7 @@ Closest closestOnTriangle(const Simplex& simplex, int i, int j, int k) {
 
 /// The point of a tetrahedron closest to the origin; all four corners if the origin is inside.
 Closest closestOnTetrahedron(const Simplex& simplex) {
-  constexpr std::array<std::array<int, 4>, 4> kFaces = {
+  constexpr std::array<std::array<std::size_t, 4>, 4> kFaces = {
       {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
   Closest best;
   best.point.setConstant(std::numeric_limits<double>::infinity());
@@ -99,8 +97,7 @@ Closest closestOnSimplex(const Simplex& simplex) {
 
 void keepOnly(Simplex& simplex, const Closest& closest) {
   std::array<SupportPoint, 3> kept;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(closest.count); ++c)
-    kept[c] = simplex.point[static_cast<std::size_t>(closest.corner[c])];
+  for (std::size_t c = 0; c < closest.count; ++c) kept[c] = simplex.point[closest.corner[c]];
   std::copy_n(kept.begin(), closest.count, simplex.point.begin());
   simplex.count = closest.count;
 }
@@ -141,7 +138,7 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
       return result;
     }
     if (squared - bound <= rounding * std::sqrt(squared)) break;
-    simplex.point[static_cast<std::size_t>(simplex.count++)] = next;
+    simplex.point[simplex.count++] = next;
     const Closest step = closestOnSimplex(simplex);
     if (step.count == 4) {
       result.overlap = true;
@@ -153,12 +150,12 @@ GjkResult gjk(const Triangle& triangle, const Convex& convex, double limit) {
     }
     keepOnly(simplex, step);
     closest = step;
-    for (int c = 0; c < closest.count; ++c) closest.corner[static_cast<std::size_t>(c)] = c;
+    for (std::size_t c = 0; c < closest.count; ++c) closest.corner[c] = c;
   }
-  for (int c = 0; c < closest.count; ++c) {
-    const SupportPoint& point = simplex.point[static_cast<std::size_t>(c)];
-    result.on_triangle += closest.weight[static_cast<std::size_t>(c)] * point.on_triangle;
-    result.on_core += closest.weight[static_cast<std::size_t>(c)] * point.on_core;
+  for (std::size_t c = 0; c < closest.count; ++c) {
+    const SupportPoint& point = simplex.point[c];
+    result.on_triangle += closest.weight[c] * point.on_triangle;
+    result.on_core += closest.weight[c] * point.on_core;
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "octoblisk/convex.h"
 #include "octoblisk/triangle_mesh.h"
@@ -20,7 +21,7 @@ SupportPoint supportOfDifference(const Triangle& triangle, const Convex& convex,
 /// Up to four points of the difference.
 struct Simplex {
   std::array<SupportPoint, 4> point;
-  int count = 0;
+  std::size_t count = 0;
 };
 
 struct GjkResult {

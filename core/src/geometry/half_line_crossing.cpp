@@ -30,8 +30,7 @@ bool lineCrosses(const Vec3& point, const Triangle& triangle) {
 }  // namespace
 
 Crossing halfLineCrossing(const Vec3& point, const Triangle& triangle) {
-  const Vec3 low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
-  const Vec3 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+  const auto [low, high] = boundsOf(triangle);
   if (high.x() < point.x() || point.y() < low.y() || high.y() < point.y() || point.z() < low.z() ||
       high.z() < point.z()) {
     return Crossing::none;

@@ -48,9 +48,8 @@ std::optional<CoreContact> contactOfCore(const Triangle& triangle, const Convex&
 /// The contact with the body around the core, if it is within the threshold.
 std::optional<Contact> grown(const std::optional<CoreContact>& core, double radius, double threshold) {
   if (!core || core->distance - radius > threshold) return std::nullopt;
-  return Contact{core->on_triangle, core->on_core + radius * core->normal,
-                 core->normal,      core->distance - radius,
-                 kNoTriangle,       kNoTriangle};
+  return Contact{core->on_triangle, core->on_core + radius * core->normal, core->normal,
+                 core->distance - radius};
 }
 
 }  // namespace

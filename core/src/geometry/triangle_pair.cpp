@@ -270,9 +270,7 @@ Contact closestPoints(const Triangle& a, const Triangle& b) {
   if (!(normal.squaredNorm() > 0.0)) normal = -scaledNormal(a);
   if (!(normal.squaredNorm() > 0.0)) normal = Vec3::UnitX();
   // Rounding must not make triangles touch that do not meet.
-  return {best.on_a,    best.on_b,
-          unit(normal), std::max(distance, std::numeric_limits<double>::denorm_min()),
-          kNoTriangle,  kNoTriangle};
+  return {best.on_a, best.on_b, unit(normal), std::max(distance, std::numeric_limits<double>::denorm_min())};
 }
 
 Contact contactOf(const Triangle& a, const Triangle& b) {
@@ -284,18 +282,11 @@ Contact meetingContact(const Triangle& a, const Triangle& b) {
   const std::optional<Penetration> below_a = penetration(face_a, b), below_b = penetration(face_b, a);
   if (below_a && (!below_b || below_a->depth <= below_b->depth)) {
     const Vec3 outward = unit(face_a.normal);
-    return {below_a->deepest + below_a->depth * outward,
-            below_a->deepest,
-            -outward,
-            -below_a->depth,
-            kNoTriangle,
-            kNoTriangle};
+    return {below_a->deepest + below_a->depth * outward, below_a->deepest, -outward, -below_a->depth};
   }
   if (below_b) {
     const Vec3 outward = unit(face_b.normal);
-    return {below_b->deepest, below_b->deepest + below_b->depth * outward,
-            outward,          -below_b->depth,
-            kNoTriangle,      kNoTriangle};
+    return {below_b->deepest, below_b->deepest + below_b->depth * outward, outward, -below_b->depth};
   }
   // Both triangles are degenerate: the point where they meet is accurate to their width.
   Contact touch = closestPoints(a, b);

@@ -72,11 +72,10 @@ void contacts(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a, dou
 
 void contacts(const ClusteredOctree& a, std::span<const std::uint32_t> triangles_of_a, const Convex& b,
               const Pose& b_in_a, double threshold, std::vector<Contact>& found) {
-  found.clear();
-  found.reserve(triangles_of_a.size());
-  if (!b_in_a.isFinite()) return;
-  findConvexContacts(a, b, b_in_a, threshold, found,
-                     [&](auto&& visit) { std::ranges::for_each(triangles_of_a, visit); });
+  findConvexContacts(a, b, b_in_a, threshold, found, [&](auto&& visit) {
+    found.reserve(triangles_of_a.size());
+    if (b_in_a.isFinite()) std::ranges::for_each(triangles_of_a, visit);
+  });
 }
 
 }  // namespace octoblisk

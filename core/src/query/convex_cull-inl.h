@@ -43,8 +43,7 @@ class ConvexCull {
     const Eigen::Matrix3f turn = (tree_in_center_.rotation * box.axes.cast<double>()).cast<float>();
     Vec8 corner[3];
     for (std::uint32_t v = 0; v < 3; ++v) {
-      const float* x = rows + 3 * v * count;
-      const Vec8 local{Float8::load(x), Float8::load(x + count), Float8::load(x + 2 * count)};
+      const Vec8 local = Vec8::load(rows + 3 * v * count, count);
       const auto along = [&](int i) HWY_ATTR {
         return Float8(turn(i, 0)) * local.x + Float8(turn(i, 1)) * local.y + Float8(turn(i, 2)) * local.z +
                Float8(static_cast<float>(shift[i]));
@@ -77,8 +76,7 @@ class ConvexCull {
     const Float8 at[3] = {dot(axis, corner[0]), dot(axis, corner[1]), dot(axis, corner[2])};
     Float8 low(std::numeric_limits<float>::infinity()), high(-std::numeric_limits<float>::infinity());
     for (std::size_t p = 0; p < count_; ++p) {
-      const Eigen::Vector3f& point = points_[p];
-      const Float8 along = dot(axis, Vec8(Float8(point[0]), Float8(point[1]), Float8(point[2])));
+      const Float8 along = dot(axis, Vec8::all(points_[p]));
       low = min(low, along);
       high = max(high, along);
     }
@@ -116,7 +114,7 @@ class ConvexCull {
       Float8 high(-std::numeric_limits<float>::infinity());
       Vec8 on_body(zero, zero, zero);
       for (std::size_t p = 0; p < count_; ++p) {
-        const Vec8 point{Float8(points_[p][0]), Float8(points_[p][1]), Float8(points_[p][2])};
+        const Vec8 point = Vec8::all(points_[p]);
         const Float8 along = dot(apart, point);
         on_body = either(high, along, point, on_body);
         high = max(high, along);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "query/local_pose.h"
 #include "simd/lanes.h"
 #include "simd/simd-inl.h"
@@ -123,7 +124,7 @@ class LeafPair {
     Float8 low_of_b(3e38f), high_of_a(-3e38f);
     for (std::uint32_t v = 0; v < 3; ++v) {
       low_of_b = min(low_of_b, dot(along, cornerOfB(v)));
-      high_of_a = max(high_of_a, dot(along, Vec8(rowOfA(3 * v), rowOfA(3 * v + 1), rowOfA(3 * v + 2))));
+      high_of_a = max(high_of_a, dot(along, Vec8::load(rows_a_ + 3 * v * countA(), countA())));
     }
     float high[kLanes];
     high_of_a.store(high);
@@ -140,7 +141,7 @@ class LeafPair {
   // axes stretches everything alike.
 
   /// The combined rounding error of a corner of A and one of B along each axis.
-  float coordinateRounding() const { return 0x1p-18f * size_ + doubles_; }
+  float coordinateRounding() const { return static_cast<float>(kSingleRounding) * size_ + doubles_; }
   /// Scales all lengths to about 1.
   float unit() const { return unitOf(size_); }
   /// The rounding error of a height over a triangle's plane, or of a gap along a unit vector.
@@ -150,8 +151,7 @@ class LeafPair {
   HWY_INLINE Float8 rowOfA(std::uint32_t row) const { return Float8::load(rows_a_ + row * countA()); }
 
   HWY_INLINE void poseCornersOfB(std::uint32_t v) {
-    const float* x = rows_b_ + 3 * v * countB();
-    const Vec8 corner{Float8::load(x), Float8::load(x + countB()), Float8::load(x + 2 * countB())};
+    const Vec8 corner = Vec8::load(rows_b_ + 3 * v * countB(), countB());
     for (std::uint32_t i = 0; i < 3; ++i) {
       (Float8(rotation_[i][0]) * corner.x + Float8(rotation_[i][1]) * corner.y +
        Float8(rotation_[i][2]) * corner.z + Float8(shift_[i]))

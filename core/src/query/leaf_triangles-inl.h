@@ -24,7 +24,7 @@ HWY_INLINE bool forEachNearInLeaf(const Tree& tree, Slot leaf, const Cull& cull,
   const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
   Box8 box_room(Box8::Unset{});
   LeafVertices room;
-  const BoxF box = boxesAt(tree, leaf, box_room).get(static_cast<int>(leaf.lane));
+  const BoxF box = boxesAt(tree, leaf, box_room).get(leaf.lane);
   const float* const rows = tree.leafVertices(leaf, room);
   for (const std::uint32_t i : Lanes(cull.near(box, rows, tree.child(leaf).count(), reach))) {
     if (visit(triangles[i])) return true;

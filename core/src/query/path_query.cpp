@@ -62,18 +62,7 @@ SignedDistance PathQuery::signedDistance(const Pose& b_in_a, const SignedDistanc
     throw std::logic_error(
         "PathQuery: a signed distance needs surfaces: construct the query from two Surface objects");
   }
-  const Surface &a = *surface_a_, &b = *surface_b_;
-  const double tolerance = depthTolerance(a, b, options);
-  const Clearance clearance = distance(b_in_a);
-  const Pose a_in_b = b_in_a.inverse();
-  const GougeDepth of_b = depth_.deepest(a, b, b_in_a, tolerance);
-  const GougeDepth of_a = depth_.deepest(b, a, a_in_b, tolerance);
-  const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
-  if (!b_goes_in && !a_goes_in) return signedDistanceOf(clearance, b_in_a);
-  if (b_goes_in && (!a_goes_in || of_b.depth >= of_a.depth)) {
-    return signedDistanceOf(of_b, a, b, b_in_a, tolerance);
-  }
-  return exchanged(signedDistanceOf(of_a, b, a, a_in_b, tolerance), b_in_a);
+  return detail::signedDistance(*surface_a_, *surface_b_, b_in_a, options, distance(b_in_a), depth_);
 }
 
 /// Whether the last distance proves that the bodies are farther apart than this, despite the rounding of

@@ -30,12 +30,10 @@ class PointCull {
     const Vec3 point_in_box = box.axes.cast<double>().transpose() * (point_ - box.center.cast<double>());
     const double size = point_in_box.norm() + 2.0 * double(box.half_extents.maxCoeff());
     const Float8 unit(unitOf(static_cast<float>(size)));
+    const Vec8 point = Vec8::all(point_in_box);
     const auto corner = [&](std::uint32_t v) HWY_ATTR {
-      const float* x = rows + 3 * v * count;
-      const auto along = [&](std::uint32_t axis) HWY_ATTR {
-        return (Float8::load(x + axis * count) - Float8(static_cast<float>(point_in_box[axis]))) * unit;
-      };
-      return Vec8(along(0), along(1), along(2));
+      const Vec8 in_box = Vec8::load(rows + 3 * v * count, count);
+      return (in_box - point) * unit;
     };
     const Triangle8 triangles(corner(0), corner(1), corner(2));
     const Vec8 origin(Float8(0.0f), Float8(0.0f), Float8(0.0f));  // the point

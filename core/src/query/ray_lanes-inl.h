@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "query/local_ray.h"
-#include "simd/simd-inl.h"
+#include "simd/box_gap-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
@@ -20,14 +20,10 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// Writes the eight reaches, above 0, at which a ray enters the boxes of a node. Returns a bit for each box
 /// that it enters before `limit`.
 HWY_INLINE unsigned enter(const Box8& boxes, const LocalRay& ray, float limit, float* reaches) {
-  const Vec8 direction{Float8(ray.direction[0]), Float8(ray.direction[1]), Float8(ray.direction[2])};
-  const Vec8 offset{Float8(ray.origin[0]) - Float8::load(boxes.center[0]),
-                    Float8(ray.origin[1]) - Float8::load(boxes.center[1]),
-                    Float8(ray.origin[2]) - Float8::load(boxes.center[2])};
+  const Vec8 direction = Vec8::all(ray.direction), offset = Vec8::all(ray.origin) - centersOf(boxes);
   Float8 near(0x1p-126f), far(limit);
   for (int j = 0; j < 3; ++j) {
-    const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                    Float8::load(boxes.axes[2][j])};
+    const Vec8 axis = axisOf(boxes, j);
     // Along the axis, the ray is between -half and half from the reach -(from + half) / speed to (half -
     // from) / speed; the other way round if it descends.
     const Float8 along = dot(axis, direction), from = dot(axis, offset);

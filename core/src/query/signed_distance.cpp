@@ -149,14 +149,14 @@ void setDerivative(SignedDistance& found, const Vec3& by_translation, const Vec3
   found.normal = by_translation.normalized();
 }
 
-}  // namespace
-
-double detail::depthTolerance(const Surface& a, const Surface& b, const SignedDistanceOptions& options) {
+/// The tolerance of penetration depths.
+double depthTolerance(const Surface& a, const Surface& b, const SignedDistanceOptions& options) {
   const double sizes = treeOf(a.tree()).radius() + treeOf(b.tree()).radius();
   return options.tolerance > 0.0 ? std::max(options.tolerance, 1e-10 * sizes) : 1e-7 * sizes;
 }
 
-SignedDistance detail::signedDistanceOf(const Clearance& clearance, const Pose& b_in_a) {
+/// The signed distance of surfaces that do not meet.
+SignedDistance signedDistanceOf(const Clearance& clearance, const Pose& b_in_a) {
   SignedDistance found{.distance = clearance.distance,
                        .point_on_a = clearance.point_on_a,
                        .point_on_b = clearance.point_on_b,
@@ -167,8 +167,9 @@ SignedDistance detail::signedDistanceOf(const Clearance& clearance, const Pose& 
   return found;
 }
 
-SignedDistance detail::signedDistanceOf(const GougeDepth& of_b, const Surface& a, const Surface& b,
-                                        const Pose& b_in_a, double tolerance) {
+/// The signed distance given by B's deepest point in A, which is known to within the tolerance.
+SignedDistance signedDistanceOf(const GougeDepth& of_b, const Surface& a, const Surface& b,
+                                const Pose& b_in_a, double tolerance) {
   SignedDistance found{.distance = -of_b.depth,
                        .point_on_a = of_b.point_on_a,
                        .point_on_b = of_b.point_on_b,
@@ -182,7 +183,8 @@ SignedDistance detail::signedDistanceOf(const GougeDepth& of_b, const Surface& a
   return found;
 }
 
-SignedDistance detail::exchanged(const SignedDistance& of_a_in_b, const Pose& b_in_a) {
+/// The same distance with A and B exchanged: the argument is expressed in B's frame, the result in A's.
+SignedDistance exchanged(const SignedDistance& of_a_in_b, const Pose& b_in_a) {
   SignedDistance found{.distance = of_a_in_b.distance,
                        .point_on_a = b_in_a * of_a_in_b.point_on_b,
                        .point_on_b = b_in_a * of_a_in_b.point_on_a,
@@ -190,6 +192,23 @@ SignedDistance detail::exchanged(const SignedDistance& of_a_in_b, const Pose& b_
                        .triangle_b = of_a_in_b.triangle_a};
   setDerivative(found, -(b_in_a.rotation * of_a_in_b.by_translation), found.point_on_a, b_in_a);
   return found;
+}
+
+}  // namespace
+
+SignedDistance detail::signedDistance(const Surface& a, const Surface& b, const Pose& b_in_a,
+                                      const SignedDistanceOptions& options, const Clearance& clearance,
+                                      DepthQuery& depth) {
+  const double tolerance = depthTolerance(a, b, options);
+  const Pose a_in_b = b_in_a.inverse();
+  const GougeDepth of_b = depth.deepest(a, b, b_in_a, tolerance);
+  const GougeDepth of_a = depth.deepest(b, a, a_in_b, tolerance);
+  const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
+  if (!b_goes_in && !a_goes_in) return signedDistanceOf(clearance, b_in_a);
+  if (b_goes_in && (!a_goes_in || of_b.depth >= of_a.depth)) {
+    return signedDistanceOf(of_b, a, b, b_in_a, tolerance);
+  }
+  return exchanged(signedDistanceOf(of_a, b, a, a_in_b, tolerance), b_in_a);
 }
 
 SignedDistance signedDistance(const Surface& a, const Surface& b, const Pose& b_in_a,

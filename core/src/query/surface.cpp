@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/no_index.h"
 
 namespace octoblisk {
@@ -84,25 +85,19 @@ void Surface::checkEdges() {
 }
 
 void Surface::findComponents() {
+  DisjointSets connected(vertex_.size());
+  for (const auto& [a, b, c] : corners_) {
+    connected.join(b, a);
+    connected.join(c, a);
+  }
   component_.assign(vertex_.size(), kNoIndex);
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t first = 0; first < vertex_.size(); ++first) {
-    if (component_[first] != kNoIndex) continue;
-    const auto component = static_cast<std::uint32_t>(component_corner_.size());
-    component_corner_.push_back(first);
-    component_[first] = component;
-    open.push_back(first);
-    while (!open.empty()) {
-      const std::uint32_t corner = open.back();
-      open.pop_back();
-      for (const std::uint32_t t : star(corner)) {
-        for (const std::uint32_t next : corners_[t]) {
-          if (component_[next] != kNoIndex) continue;
-          component_[next] = component;
-          open.push_back(next);
-        }
-      }
+  for (std::uint32_t corner = 0; corner < vertex_.size(); ++corner) {
+    std::uint32_t& of_root = component_[connected.rootOf(corner)];
+    if (of_root == kNoIndex) {
+      of_root = static_cast<std::uint32_t>(component_corner_.size());
+      component_corner_.push_back(corner);
     }
+    component_[corner] = of_root;
   }
 }
 

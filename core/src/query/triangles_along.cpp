@@ -12,8 +12,8 @@
 #include "geometry/frame_along.h"
 #include "query/traversal-inl.h"
 
-#ifndef OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
-#define OCTOBLISK_CONTACT_TRIANGLES_ALONG_ONCE
+#ifndef OCTOBLISK_QUERY_TRIANGLES_ALONG_ONCE
+#define OCTOBLISK_QUERY_TRIANGLES_ALONG_ONCE
 namespace octoblisk::detail {
 
 /// The fractions at which a moving box overlaps an object along all axes tested so far.
@@ -99,40 +99,19 @@ class FirstMeetings {
   }
 
   Float8 operator()(const Box8& boxes, const BoxF& box) const {
-    const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
-                       Float8::load(boxes.center[1]) - Float8(box.center[1]),
-                       Float8::load(boxes.center[2]) - Float8(box.center[2])};
-    const Vec8 motion{Float8(motion_[0]), Float8(motion_[1]), Float8(motion_[2])};
-    const Float8 half[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
-                            Float8::load(boxes.half_extents[2])};
-    const Float8 reach = Float8(slack_) + Float8(2.0f * rim_) * (half[0] + half[1] + half[2]);
+    const Vec8 between = centersOf(boxes) - Vec8::all(box.center), motion = Vec8::all(motion_);
+    const Float8 reach = Float8(slack_) + Float8(2.0f * rim_) * (Float8::load(boxes.half_extents[0]) +
+                                                                 Float8::load(boxes.half_extents[1]) +
+                                                                 Float8::load(boxes.half_extents[2]));
     Float8 first(0.0f), last(1.0f);
-    const auto narrow = [&](const Vec8& axis, const Float8& radius) HWY_ATTR {
+    forEachFaceAxis(boxes, box, [&](const Vec8& axis, const Float8& radius) HWY_ATTR {
       // The way to the boxes along the axis. The divisor is at least the slowest speed.
-      const Float8 way = dot(axis, between), speed = dot(axis, motion);
+      const Float8 way = dot(axis, between), speed = dot(axis, motion), near = radius + reach;
       const Float8 forward = select(speed, Float8(0.0f), Float8(0.0f) - way, way);
       const Float8 divisor = max(abs(speed), Float8(kSlowest));
-      first = max(first, (forward - radius) / divisor);
-      last = min(last, (forward + radius) / divisor);
-    };
-    Vec8 axis_of_boxes[3];
-    Float8 radius_along_boxes[3];
-    for (int j = 0; j < 3; ++j) {
-      axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                          Float8::load(boxes.axes[2][j])};
-      radius_along_boxes[j] = half[j] + reach;
-    }
-    for (int i = 0; i < 3; ++i) {
-      const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
-      Float8 radius = Float8(box.half_extents[i]) + reach;
-      for (int j = 0; j < 3; ++j) {
-        const Float8 cosine = abs(dot(axis_of_boxes[j], axis));
-        radius = radius + half[j] * cosine;
-        radius_along_boxes[j] = radius_along_boxes[j] + Float8(box.half_extents[i]) * cosine;
-      }
-      narrow(axis, radius);
-    }
-    for (int j = 0; j < 3; ++j) narrow(axis_of_boxes[j], radius_along_boxes[j]);
+      first = max(first, (forward - near) / divisor);
+      last = min(last, (forward + near) / divisor);
+    });
     return select(last, first, Float8(kMissed), first);
   }
 

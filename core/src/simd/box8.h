@@ -61,14 +61,14 @@ struct Box8 {
   Box8() {
     const BoxF empty{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Identity(),
                      Eigen::Vector3f::Constant(kEmptyHalfExtent)};
-    for (int lane = 0; lane < kLanes; ++lane) set(lane, empty);
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) set(lane, empty);
   }
 
   /// Eight uninitialised boxes: a buffer that is written before it is read.
   struct Unset {};
   explicit Box8(Unset) {}
 
-  void set(int lane, const BoxF& box) {
+  void set(std::uint32_t lane, const BoxF& box) {
     int order[3] = {0, 1, 2};
     std::sort(order, order + 3, [&](int i, int j) { return box.half_extents[i] > box.half_extents[j]; });
     const bool odd = (order[1] - order[0] + 3) % 3 == 2;
@@ -80,7 +80,7 @@ struct Box8 {
     }
   }
 
-  BoxF get(int lane) const {
+  BoxF get(std::uint32_t lane) const {
     BoxF box;
     for (int i = 0; i < 3; ++i) {
       box.center[i] = center[i][lane];

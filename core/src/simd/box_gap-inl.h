@@ -29,39 +29,50 @@ HWY_INLINE BoxF posed(const PoseF& pose, const Box8& boxes, std::uint32_t lane) 
   return box;
 }
 
-/// The gaps between each of the eight boxes and `box` along their six face axes; negative if the two overlap
-/// along the axis. The nine edge axes are not tested.
-struct FaceGaps {
-  Float8 of_box[3];    ///< along the axes of the single box
-  Float8 of_boxes[3];  ///< along the axes of each of the eight boxes
-};
+HWY_INLINE Vec8 centersOf(const Box8& boxes) {
+  return {Float8::load(boxes.center[0]), Float8::load(boxes.center[1]), Float8::load(boxes.center[2])};
+}
 
-HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
-  FaceGaps gaps;
-  const Vec8 between{Float8::load(boxes.center[0]) - Float8(box.center[0]),
-                     Float8::load(boxes.center[1]) - Float8(box.center[1]),
-                     Float8::load(boxes.center[2]) - Float8(box.center[2])};
-  const Float8 half_extents[3] = {Float8::load(boxes.half_extents[0]), Float8::load(boxes.half_extents[1]),
-                                  Float8::load(boxes.half_extents[2])};
-  Float8 along_boxes[3], radius_along_boxes[3];
-  for (int j = 0; j < 3; ++j) radius_along_boxes[j] = half_extents[j];
+HWY_INLINE Vec8 axisOf(const Box8& boxes, int j) {
+  return {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]), Float8::load(boxes.axes[2][j])};
+}
+
+/// Calls visit(axis, radius) for the three face axes of `box`, then for those of each of the eight boxes. The
+/// radius is the sum of the extents of both boxes along the axis, to one side.
+template <typename Visit>
+HWY_INLINE void forEachFaceAxis(const Box8& boxes, const BoxF& box, Visit&& visit) {
   Vec8 axis_of_boxes[3];
+  Float8 half_extents[3], radius_along_boxes[3];
   for (int j = 0; j < 3; ++j) {
-    axis_of_boxes[j] = {Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                        Float8::load(boxes.axes[2][j])};
-    along_boxes[j] = dot(axis_of_boxes[j], between);
+    axis_of_boxes[j] = axisOf(boxes, j);
+    half_extents[j] = radius_along_boxes[j] = Float8::load(boxes.half_extents[j]);
   }
   for (int i = 0; i < 3; ++i) {
-    const Vec8 axis{Float8(box.axes(0, i)), Float8(box.axes(1, i)), Float8(box.axes(2, i))};
+    const Vec8 axis = Vec8::all(box.axes.col(i));
     Float8 radius(box.half_extents[i]);
     for (int j = 0; j < 3; ++j) {
       const Float8 cosine = abs(dot(axis_of_boxes[j], axis));
       radius = radius + half_extents[j] * cosine;
       radius_along_boxes[j] = radius_along_boxes[j] + Float8(box.half_extents[i]) * cosine;
     }
-    gaps.of_box[i] = abs(dot(axis, between)) - radius;
+    visit(axis, radius);
   }
-  for (int j = 0; j < 3; ++j) gaps.of_boxes[j] = abs(along_boxes[j]) - radius_along_boxes[j];
+  for (int j = 0; j < 3; ++j) visit(axis_of_boxes[j], radius_along_boxes[j]);
+}
+
+/// The gaps between each of the eight boxes and `box` along their six face axes; negative if the two overlap
+/// along the axis. The nine edge axes are not tested.
+struct FaceGaps {
+  Float8 along[6];  ///< first the axes of the single box, then those of each of the eight boxes
+};
+
+HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
+  FaceGaps gaps;
+  const Vec8 between = centersOf(boxes) - Vec8::all(box.center);
+  int axes = 0;
+  forEachFaceAxis(boxes, box, [&](const Vec8& axis, const Float8& radius) HWY_ATTR {
+    gaps.along[axes++] = abs(dot(axis, between)) - radius;
+  });
   return gaps;
 }
 
@@ -69,8 +80,8 @@ HWY_INLINE FaceGaps faceGaps(const Box8& boxes, const BoxF& box) {
 /// may overlap.
 HWY_INLINE Float8 widestGap(const Box8& boxes, const BoxF& box) {
   const FaceGaps gaps = faceGaps(boxes, box);
-  return max(max(max(gaps.of_box[0], gaps.of_box[1]), gaps.of_box[2]),
-             max(max(gaps.of_boxes[0], gaps.of_boxes[1]), gaps.of_boxes[2]));
+  return max(max(max(gaps.along[0], gaps.along[1]), gaps.along[2]),
+             max(max(gaps.along[3], gaps.along[4]), gaps.along[5]));
 }
 
 /// widestGap as a function object for traversals.
@@ -82,14 +93,11 @@ struct WidestGap {
 /// Infinite for empty boxes.
 struct GapOfPoint {
   HWY_INLINE Float8 operator()(const Box8& boxes, const BoxF& box) const {
-    const Vec8 offset{Float8(box.center.x()) - Float8::load(boxes.center[0]),
-                      Float8(box.center.y()) - Float8::load(boxes.center[1]),
-                      Float8(box.center.z()) - Float8::load(boxes.center[2])};
+    const Vec8 offset = Vec8::all(box.center) - centersOf(boxes);
     Float8 squared(0.0f);
     for (int j = 0; j < 3; ++j) {
-      const Vec8 axis{Float8::load(boxes.axes[0][j]), Float8::load(boxes.axes[1][j]),
-                      Float8::load(boxes.axes[2][j])};
-      const Float8 outside = max(abs(dot(axis, offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
+      const Float8 outside =
+          max(abs(dot(axisOf(boxes, j), offset)) - Float8::load(boxes.half_extents[j]), Float8(0.0f));
       squared = squared + outside * outside;
     }
     return sqrt(squared) - Float8(0x1p-74f);  // squares of subnormal numbers may have been rounded up
@@ -104,7 +112,7 @@ HWY_INLINE Float8 squaredDistanceBound(const Box8& boxes, const BoxF& box) {
     const Vec8 apart{max(gap[0], zero), max(gap[1], zero), max(gap[2], zero)};
     return dot(apart, apart);
   };
-  return max(squared(gaps.of_box), squared(gaps.of_boxes));
+  return max(squared(gaps.along), squared(gaps.along + 3));
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

@@ -138,6 +138,16 @@ struct Vec8 {
   Vec8() = default;
   HWY_INLINE Vec8(const Float8& all_x, const Float8& all_y, const Float8& all_z)
       : x(all_x), y(all_y), z(all_z) {}
+  /// Three numbers in all lanes, in single precision.
+  template <typename Vector>
+  static HWY_INLINE Vec8 all(const Vector& vector) {
+    return {Float8(static_cast<float>(vector[0])), Float8(static_cast<float>(vector[1])),
+            Float8(static_cast<float>(vector[2]))};
+  }
+  /// Three rows of eight numbers that begin `stride` numbers apart.
+  static HWY_INLINE Vec8 load(const float* x, std::size_t stride) {
+    return {Float8::load(x), Float8::load(x + stride), Float8::load(x + 2 * stride)};
+  }
 
   friend HWY_INLINE Vec8 operator+(const Vec8& a, const Vec8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend HWY_INLINE Vec8 operator-(const Vec8& a, const Vec8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

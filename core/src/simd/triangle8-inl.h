@@ -7,6 +7,7 @@
 #define OCTOBLISK_SIMD_TRIANGLE8_INL_H
 #endif
 
+#include "base/rounding.h"
 #include "simd/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -63,7 +64,7 @@ struct Triangle8 {
     reciprocal_of_normal = Float8(1.0f) / nonzero(squared_normal);
     longest = max(edge[0].squared, max(edge[1].squared, edge[2].squared));
     constexpr float kThin = 0x1p-10f;  // of sin²
-    const Float8 rounding = Float8(0x1p-18f) * sqrt(longest) + Float8(0x1p-100f);
+    const Float8 rounding = Float8(static_cast<float>(kSingleRounding)) * sqrt(longest) + Float8(0x1p-100f);
     const Float8 width = sqrt(squared_normal / nonzero(longest)) + rounding;
     thin = select(squared_normal, Float8(kThin) * longest * longest + Float8(0x1p-100f), width, Float8(0.0f));
   }

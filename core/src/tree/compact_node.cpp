@@ -45,7 +45,7 @@ HWY_ATTR Eigen::Matrix3f decoded(const CompactRotation& rotation) {
 BoxF CompactNode::box(std::uint32_t lane) const {
   Box8 room(Box8::Unset{});
   HWY_NAMESPACE::decode(*this, lane, room);
-  return room.get(static_cast<int>(lane));
+  return room.get(lane);
 }
 
 void CompactNode::setBoxes(const std::array<CompactRotation, kLanes>& rotations,

@@ -6,6 +6,7 @@
 
 #include "octoblisk/triangle_mesh.h"
 #include "simd/box8.h"
+#include "tree/tree_arrays.h"
 
 namespace octoblisk::detail {
 
@@ -20,5 +21,8 @@ struct LeafVertices {
 /// each corner in turn), each with one number per triangle.
 void writeLeafVertices(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BoxF& box,
                        const Vec3& origin, float* rows);
+
+/// Writes the corners in all leaves of a full tree.
+void writeAllLeafVertices(OwnedArrays& tree, const TriangleMesh& mesh, int threads);
 
 }  // namespace octoblisk::detail

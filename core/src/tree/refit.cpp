@@ -6,8 +6,8 @@
 #include "base/parallel.h"
 #include "tree/box_padding.h"
 #include "tree/for_each_node.h"
+#include "tree/leaf_vertices.h"
 #include "tree/tree_vertices.h"
-#include "tree/write_leaf_vertices.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -103,9 +103,9 @@ void fit(TreeNode& node, std::uint32_t index, const Extents& extents, float pad)
   for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
     const Child child = node.children[lane];
     if (child.isEmpty()) continue;
-    BoxF box = extents.box({index, lane}, child, node.boxes.get(static_cast<int>(lane)).axes);
+    BoxF box = extents.box({index, lane}, child, node.boxes.get(lane).axes);
     box.half_extents.array() += pad;
-    node.boxes.set(static_cast<int>(lane), box);
+    node.boxes.set(lane, box);
   }
 }
 

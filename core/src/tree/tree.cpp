@@ -34,27 +34,23 @@ BuildStats statsOf(const TreeArrays& tree, std::size_t triangles) {
 }  // namespace
 
 Tree::Tree(std::shared_ptr<const TriangleMesh> mesh, OwnedArrays arrays, BuildOptions options)
-    : mesh_(std::move(mesh)),
-      origin_(mesh_->bounds().center()),
-      radius_(mesh_->bounds().halfExtents().norm()),
-      owned_(std::move(arrays)),
-      arrays_(owned_.view()),
-      options_(std::move(options)),
-      stats_(statsOf(arrays_, mesh_->triangleCount())) {}
+    : Tree(std::move(mesh), arrays.view(), nullptr, std::move(options)) {
+  owned_ = std::move(arrays);  // the memory stays in place
+}
 
 Tree::Tree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
            std::shared_ptr<const void> owner, BuildOptions options)
-    : mesh_(std::move(mesh)),
-      origin_(mesh_->bounds().center()),
-      radius_(mesh_->bounds().halfExtents().norm()),
-      owner_(std::move(owner)),
-      arrays_(arrays),
-      options_(std::move(options)),
-      stats_(statsOf(arrays_, mesh_->triangleCount())) {}
+    : mesh_(std::move(mesh)), owner_(std::move(owner)), arrays_(arrays), options_(std::move(options)) {
+  measure();
+}
 
 void Tree::refit(std::shared_ptr<const TriangleMesh> deformed, int threads) {
   detail::refit(owned_, *deformed, threadCount(threads));
   mesh_ = std::move(deformed);
+  measure();
+}
+
+void Tree::measure() {
   origin_ = mesh_->bounds().center();
   radius_ = mesh_->bounds().halfExtents().norm();
   stats_ = statsOf(arrays_, mesh_->triangleCount());

@@ -34,7 +34,6 @@ class Tree {
   std::span<const TreeNode> nodes() const { return arrays_.nodes; }  ///< of a full tree, otherwise empty
   std::span<const CompactNode> compactNodes() const { return arrays_.compact_nodes; }
   std::size_t nodeCount() const { return arrays_.nodeCount(); }
-  const std::array<Child, kLanes>& children(std::uint32_t node) const { return arrays_.children(node); }
   Child child(Slot slot) const { return arrays_.child(slot); }
   std::span<const std::uint32_t> triangleOrder() const { return arrays_.triangle_order; }
   std::span<const std::uint32_t> triangles(Child leaf) const { return arrays_.triangles(leaf); }
@@ -61,6 +60,8 @@ class Tree {
   void refit(std::shared_ptr<const TriangleMesh> deformed, int threads);
 
  private:
+  /// Sets what depends on the positions of the vertices.
+  void measure();
   void computeLeafVertices(Slot slot, LeafVertices& room) const;
 
   std::shared_ptr<const TriangleMesh> mesh_;

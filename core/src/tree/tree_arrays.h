@@ -38,8 +38,7 @@ struct TreeArrays {
   }
   Child child(Slot slot) const { return children(slot.node)[slot.lane]; }
   BoxF box(Slot slot) const {
-    return isCompact() ? compact_nodes[slot.node].box(slot.lane)
-                       : nodes[slot.node].boxes.get(static_cast<int>(slot.lane));
+    return isCompact() ? compact_nodes[slot.node].box(slot.lane) : nodes[slot.node].boxes.get(slot.lane);
   }
   std::span<const std::uint32_t> triangles(Child leaf) const {
     return triangle_order.subspan(leaf.first(), leaf.count());

@@ -12,9 +12,9 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// The bounds of at least eight points.
 Extent extentOf(const float* const* coordinates, std::size_t count, const Eigen::Matrix3f& axes,
                 const Eigen::Vector3f& from) {
-  const Vec8 origin{Float8(from[0]), Float8(from[1]), Float8(from[2])};
+  const Vec8 origin = Vec8::all(from);
   Vec8 axis[3];
-  for (int k = 0; k < 3; ++k) axis[k] = {Float8(axes(0, k)), Float8(axes(1, k)), Float8(axes(2, k))};
+  for (int k = 0; k < 3; ++k) axis[k] = Vec8::all(axes.col(k));
   const Float8 infinity(std::numeric_limits<float>::infinity());
   Float8 low[3] = {infinity, infinity, infinity};
   Float8 high[3];
