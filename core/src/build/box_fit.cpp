@@ -1,6 +1,5 @@
 #include "build/box_fit.h"
 
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -144,11 +143,10 @@ BoxF enclosingBox(std::span<const TriangleRecord> records, const Eigen::Matrix3f
   constexpr std::size_t kChunk = 8192;
   const LocalBounds none(axes, records.front().centroid);
   std::vector<LocalBounds> parts((records.size() + kChunk - 1) / kChunk, none);
-  parallelFor(parts.size(), threads, [&](std::size_t part, std::size_t) {
+  parallelForChunks(records.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
     LocalBounds bounds = none;
-    const std::size_t end = std::min(records.size(), (part + 1) * kChunk);
-    for (std::size_t i = part * kChunk; i < end; ++i) bounds.extend(records[i]);
-    parts[part] = bounds;
+    for (std::size_t i = begin; i < end; ++i) bounds.extend(records[i]);
+    parts[begin / kChunk] = bounds;
   });
   LocalBounds all = none;
   for (const LocalBounds& part : parts) all.extend(part);
