@@ -64,11 +64,9 @@ Motion motionBetween(const Pose& from, const Pose& to) { return Motion(from, to)
 
 void measureClearances(const Obstacles& obstacles, std::span<const ToolPart> parts,
                        std::span<PoseReport> poses, const Pose* before, const Pose* after, int threads) {
-  const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
-  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
+  parallelForChunks(poses.size(), kPosesAtOnce, threads, [&](std::size_t begin, std::size_t end) {
     ClearanceQuery query(obstacles, parts);
-    const std::size_t end = std::min(poses.size(), (group + 1) * kPosesAtOnce);
-    for (std::size_t i = group * kPosesAtOnce; i < end; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       const Pose& here = poses[i].tool_in_blisk;
       const Pose& last = i > 0 ? poses[i - 1].tool_in_blisk : before ? *before : here;
       const Pose& next = i + 1 < poses.size() ? poses[i + 1].tool_in_blisk : after ? *after : here;

@@ -33,6 +33,20 @@ TEST(ParallelFor, visitsEveryIndexOnceAndWorkersAreNumbered) {
   }
 }
 
+TEST(ParallelFor, chunksCoverEveryIndexOnce) {
+  for (const int threads : {0, 1, 3}) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{1000}}) {
+      std::vector<std::atomic<int>> visits(count);
+      parallelForChunks(count, 64, threads, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin % 64, 0u);
+        EXPECT_EQ(end, std::min(count, begin + 64));
+        for (; begin < end; ++begin) ++visits[begin];
+      });
+      EXPECT_TRUE(std::ranges::all_of(visits, [](const std::atomic<int>& n) { return n == 1; }));
+    }
+  }
+}
+
 TEST(ParallelFor, throwsWhatABodyThrew) {
   for (const int threads : {1, 4}) {
     std::atomic<int> visits = 0;

@@ -55,30 +55,5 @@ TEST(Turn, angleIsThatOfTheCLibrary) {
   }
 }
 
-TEST(Turn, singlePrecisionIsAtMostTwoUnitsOff) {
-  std::mt19937_64 random(5);
-  const auto expectNear = [](float value, double exact) {
-    EXPECT_NEAR(static_cast<double>(value), exact, std::ldexp(1.0, std::max(std::ilogb(exact), -60) - 22))
-        << exact;
-  };
-  for (int i = 0; i < 20000; ++i) {
-    const auto angle = static_cast<float>(testing::uniform(random, 1e-6, std::numbers::pi / 2.0));
-    const auto [sine, cosine] = sineCosine(angle);
-    expectNear(sine, std::sin(double(angle)));
-    expectNear(cosine, std::cos(double(angle)));
-    for (const double size : {1e-6, 1.0, 1e6}) {
-      const auto y = static_cast<float>(testing::uniform(random, 0.0, size));
-      const auto x = static_cast<float>(testing::uniform(random, -1.0, 1.0));
-      expectNear(angleOf(y, x), std::atan2(double(y), double(x)));
-    }
-  }
-  EXPECT_EQ(sineCosine(0.0f).cosine, 1.0f);
-  EXPECT_EQ(angleOf(0.0f, 1.0f), 0.0f);
-  EXPECT_EQ(angleOf(0.0f, 0.0f), 0.0f);
-  EXPECT_EQ(angleOf(0.0f, -1.0f), std::numbers::pi_v<float>);
-  EXPECT_EQ(angleOf(1.0f, 0.0f), std::numbers::pi_v<float> / 2.0f);
-  EXPECT_EQ(angleOf(1e30f, 1e-30f), std::numbers::pi_v<float> / 2.0f);
-}
-
 }  // namespace
 }  // namespace octoblisk

@@ -42,4 +42,12 @@ void parallelFor(std::size_t count, int threads,
   if (failure) std::rethrow_exception(failure);
 }
 
+void parallelForChunks(std::size_t count, std::size_t chunk_size, int threads,
+                       const std::function<void(std::size_t begin, std::size_t end)>& body) {
+  parallelFor((count + chunk_size - 1) / chunk_size, threads, [&](std::size_t chunk, std::size_t) {
+    const std::size_t begin = chunk * chunk_size;
+    body(begin, std::min(count, begin + chunk_size));
+  });
+}
+
 }  // namespace octoblisk::detail

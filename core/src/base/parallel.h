@@ -17,4 +17,9 @@ int threadCount(int requested);
 void parallelFor(std::size_t count, int threads,
                  const std::function<void(std::size_t index, std::size_t worker)>& body);
 
+/// parallelFor over chunks of consecutive indices: calls body(begin, end) for 0 to chunk_size,
+/// chunk_size to 2 · chunk_size, …; the last chunk ends at `count`.
+void parallelForChunks(std::size_t count, std::size_t chunk_size, int threads,
+                       const std::function<void(std::size_t begin, std::size_t end)>& body);
+
 }  // namespace octoblisk::detail

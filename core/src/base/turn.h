@@ -17,14 +17,4 @@ SineCosine sineCosine(double angle);
 /// The angle in [0, π/2] whose tangent is y / x, for y, x >= 0, not both 0. The error is at most 6e-16.
 double angleOf(double y, double x);
 
-struct SineCosineF {
-  float sine = 0.0f, cosine = 1.0f;
-};
-
-/// Sine and cosine of an angle in [0, π/2], in radians; at most one unit in the last place off.
-SineCosineF sineCosine(float angle);
-
-/// The angle in [0, π] of the point (x, y), for y >= 0; at most two units in the last place off.
-float angleOf(float y, float x);
-
 }  // namespace octoblisk::detail

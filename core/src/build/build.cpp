@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/huge_pages.h"
-#include "base/parallel.h"
 #include "build/make_compact.h"
 #include "build/paper/paper_partition.h"
 #include "build/partition.h"
@@ -69,8 +68,7 @@ class NodeWriter {
 ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
                                        const BuildOptions& options) {
   checkBuild(mesh.get(), options);
-  const int threads = threadCount(options.threads);
-  Partition partition = partitionOf(makeRecords(*mesh, mesh->bounds().center(), threads), options);
+  Partition partition = partitionOf(makeRecords(*mesh, mesh->bounds().center(), options.threads), options);
 
   OwnedArrays arrays;
   arrays.triangle_order = std::move(partition.order);
@@ -80,9 +78,9 @@ ClusteredOctree ClusteredOctree::build(std::shared_ptr<const TriangleMesh> mesh,
   arrays.nodes.emplace_back();
   NodeWriter(partition, boxPadding(mesh->bounds().halfExtents().norm()), arrays.nodes).write(0, Tree::kRoot);
   if (options.storage == Storage::compact) {
-    makeCompact(arrays, *mesh, threads);
+    makeCompact(arrays, *mesh, options.threads);
   } else {
-    writeAllLeafVertices(arrays, *mesh, threads);
+    writeAllLeafVertices(arrays, *mesh, options.threads);
   }
   return TreeAccess::octree(std::make_shared<Tree>(std::move(mesh), std::move(arrays), options));
 }

@@ -150,16 +150,13 @@ class ClusteringPartitioner {
     const std::vector<Cluster>& clusters = divider.byPlanes(records, sample, node.box);
 
     const Sorter sorter(divider.cuts());
-    const std::size_t chunks = (records.size() + kChunk - 1) / kChunk;
-    const auto forEachIn = [&](std::size_t chunk, const auto& visit) {
-      for (std::size_t i = chunk * kChunk; i < std::min(records.size(), (chunk + 1) * kChunk); ++i) visit(i);
-    };
     std::vector<std::uint8_t> cluster_of(records.size());
-    std::vector<std::array<std::uint32_t, kLanes>> places(chunks);  // first counts, then the next free places
-    parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
+    // For each chunk first counts, then the next free places.
+    std::vector<std::array<std::uint32_t, kLanes>> places((records.size() + kChunk - 1) / kChunk);
+    parallelForChunks(records.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
       std::array<std::uint32_t, kLanes> counts = {};
-      forEachIn(chunk, [&](std::size_t i) { ++counts[cluster_of[i] = sorter(records[i])]; });
-      places[chunk] = counts;
+      for (std::size_t i = begin; i < end; ++i) ++counts[cluster_of[i] = sorter(records[i])];
+      places[begin / kChunk] = counts;
     });
 
     Nodes children;
@@ -173,9 +170,9 @@ class ClusteringPartitioner {
     if (children.size() < 2) return {};
 
     const std::span<TriangleRecord> moved = recordsOf(1 - buffer, node);
-    parallelFor(chunks, threads, [&](std::size_t chunk, std::size_t) {
-      std::array<std::uint32_t, kLanes> next = places[chunk];
-      forEachIn(chunk, [&](std::size_t i) { moved[next[cluster_of[i]]++] = records[i]; });
+    parallelForChunks(records.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
+      std::array<std::uint32_t, kLanes> next = places[begin / kChunk];
+      for (std::size_t i = begin; i < end; ++i) moved[next[cluster_of[i]]++] = records[i];
     });
     for (PartitionNode& child : children) {
       child.box = enclosingBox(recordsOf(1 - buffer, child), child.box.axes, threads);

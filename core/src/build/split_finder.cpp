@@ -80,8 +80,8 @@ void SplitFinder::chooseSeeds(const BoxF& box) {
     for (int i = 0; i < 3; ++i) search_.seed_axes[seeds][i] = box.axes(i, k);
     ++seeds;
   }
-  search_.axis_seeds = seeds;
-  search_.normal_seed = search_.effort.normal_seed && !one;
+  search_.seed_count = seeds;
+  search_.has_normal_seed = !one;
 }
 
 std::optional<SplitFinder::Split> SplitFinder::find(std::span<const TriangleRecord> records,

@@ -114,12 +114,12 @@ HWY_INLINE void findCandidates(SplitSearch& search) {
   for (int k = 0; k < 6; ++k) total[k] = sum(totals[k]);
 
   search.candidate_count = 0;
-  const int seeds = search.axis_seeds + (search.normal_seed ? 1 : 0);
+  const int seeds = search.seed_count + (search.has_normal_seed ? 1 : 0);
   for (int seed = 0; seed < seeds; ++seed) {
     SplitSearch::Candidate& candidate = search.candidates[search.candidate_count];
     std::fill_n(candidate.normal, 6, 0.0f);
     candidate.offset = 0.0f;
-    if (seed < search.axis_seeds) {
+    if (seed < search.seed_count) {
       std::copy_n(search.seed_axes[seed], 3, candidate.normal);
     } else {
       principalNormal(search, candidate.normal + 3);

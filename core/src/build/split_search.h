@@ -10,10 +10,11 @@ namespace octoblisk::detail {
 
 /// The effort to spend on a split.
 struct SplitEffort {
-  int samples = 1024;       ///< the most triangles to use, up to SplitFinder::kMaxSamples
-  int lloyd_steps = 8;      ///< from each seed
-  int axis_seeds = 3;       ///< 1..3: perpendicular to the longest, middle and thinnest axis of the box
-  bool normal_seed = true;  ///< one more seed: the direction in which most triangles face
+  int samples = 1024;   ///< the most triangles to use, up to SplitFinder::kMaxSamples
+  int lloyd_steps = 8;  ///< from each seed
+  /// 1..3: perpendicular to the longest, middle and thinnest axis of the box. One more seed is the direction
+  /// in which most triangles face.
+  int axis_seeds = 3;
   int one_seed_below = 0;   ///< fewer triangles than this use the first seed only
   bool refine_turn = true;  ///< turn the boxes in steps of 3° instead of 13°
 };
@@ -46,9 +47,9 @@ struct SplitSearch {
   int count = 0;
   float slack = 0.0f;
   SplitEffort effort;
-  int axis_seeds = 0;
+  int seed_count = 0;  ///< of seed_axes
   float seed_axes[3][3];
-  bool normal_seed = false;
+  bool has_normal_seed = false;
 
   // Output: candidates[best] with the sides into which it divides the triangles; best < 0 if no candidate has
   // two sides.

@@ -1,7 +1,5 @@
 #include "build/triangle_record.h"
 
-#include <algorithm>
-
 #include "base/parallel.h"
 
 namespace octoblisk::detail {
@@ -22,9 +20,8 @@ TriangleRecord recordOf(const TriangleMesh& mesh, std::size_t index, const Vec3&
 TriangleRecords makeRecords(const TriangleMesh& mesh, const Vec3& origin, int threads) {
   constexpr std::size_t kChunk = 8192;
   TriangleRecords records(mesh.triangleCount());
-  parallelFor((records.size() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(records.size(), (chunk + 1) * kChunk);
-    for (std::size_t t = chunk * kChunk; t < end; ++t) records.span()[t] = recordOf(mesh, t, origin);
+  parallelForChunks(records.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) records.span()[t] = recordOf(mesh, t, origin);
   });
   return records;
 }

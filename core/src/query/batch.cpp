@@ -1,7 +1,5 @@
 #include "octoblisk/batch.h"
 
-#include <algorithm>
-
 #include "base/parallel.h"
 #include "octoblisk/path_query.h"
 
@@ -15,11 +13,9 @@ template <typename Answer, typename Body, typename Ask>
 std::vector<Answer> answersFor(const Body& a, const Body& b, std::span<const Pose> poses, int threads,
                                const Ask& ask) {
   std::vector<Answer> answers(poses.size());
-  const std::size_t groups = (poses.size() + kPosesAtOnce - 1) / kPosesAtOnce;
-  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
-    const std::size_t first = group * kPosesAtOnce, last = std::min(poses.size(), first + kPosesAtOnce);
+  parallelForChunks(poses.size(), kPosesAtOnce, threads, [&](std::size_t begin, std::size_t end) {
     PathQuery query(a, b);
-    for (std::size_t pose = first; pose < last; ++pose) answers[pose] = ask(query, poses[pose]);
+    for (std::size_t pose = begin; pose < end; ++pose) answers[pose] = ask(query, poses[pose]);
   });
   return answers;
 }

@@ -82,15 +82,13 @@ std::vector<std::optional<RayHit>> closestHitAll(const ClusteredOctree& tree, st
                                                  int threads) {
   constexpr std::size_t kRaysAtOnce = 256;  // few descents idle at the end of a group; the load is balanced
   std::vector<std::optional<RayHit>> hits(rays.size());
-  const std::size_t groups = (rays.size() + kRaysAtOnce - 1) / kRaysAtOnce;
-  parallelFor(groups, threads, [&](std::size_t group, std::size_t) {
-    const std::size_t first = group * kRaysAtOnce;
-    const std::span<const Ray> of_group = rays.subspan(first, std::min(kRaysAtOnce, rays.size() - first));
+  parallelForChunks(rays.size(), kRaysAtOnce, threads, [&](std::size_t begin, std::size_t end) {
+    const std::span<const Ray> of_group = rays.subspan(begin, end - begin);
     std::array<ClosestCrossing, kRaysAtOnce> closest;
     forEachCandidate(treeOf(tree), of_group, [&](std::size_t ray, std::uint32_t triangle) {
       return closest[ray].offer(tree, of_group[ray], triangle);
     });
-    for (std::size_t k = 0; k < of_group.size(); ++k) hits[first + k] = closest[k].hit(tree, of_group[k]);
+    for (std::size_t k = 0; k < of_group.size(); ++k) hits[begin + k] = closest[k].hit(tree, of_group[k]);
   });
   return hits;
 }

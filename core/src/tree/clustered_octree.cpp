@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/parallel.h"
 #include "tree/refit.h"
 #include "tree/tree.h"
 #include "tree/validation.h"
@@ -17,7 +16,7 @@ ClusteredOctree ClusteredOctree::refitted(std::shared_ptr<const TriangleMesh> de
   checkThreads(threads);
   checkDeformed(deformed.get(), mesh());
   OwnedArrays copy(tree_->arrays());
-  refit(copy, *deformed, threadCount(threads));
+  refit(copy, *deformed, threads);
   return ClusteredOctree(std::make_shared<Tree>(std::move(deformed), std::move(copy), options()));
 }
 

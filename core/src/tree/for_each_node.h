@@ -1,8 +1,6 @@
 // Visits the nodes of a tree on several threads.
 #pragma once
 
-#include <algorithm>
-
 #include "base/parallel.h"
 #include "tree/tree_arrays.h"
 
@@ -12,10 +10,8 @@ namespace octoblisk::detail {
 template <typename Visit>
 void forEachNode(const TreeArrays& tree, int threads, const Visit& visit) {
   constexpr std::size_t kChunk = 64;
-  const std::size_t count = tree.nodeCount();
-  parallelFor((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-    for (std::size_t n = chunk * kChunk; n < end; ++n) visit(static_cast<std::uint32_t>(n));
+  parallelForChunks(tree.nodeCount(), kChunk, threads, [&](std::size_t n, std::size_t end) {
+    for (; n < end; ++n) visit(static_cast<std::uint32_t>(n));
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/parallel.h"
 #include "tree/refit.h"
 #include "tree/validation.h"
 
@@ -45,7 +44,7 @@ Tree::Tree(std::shared_ptr<const TriangleMesh> mesh, const TreeArrays& arrays,
 }
 
 void Tree::refit(std::shared_ptr<const TriangleMesh> deformed, int threads) {
-  detail::refit(owned_, *deformed, threadCount(threads));
+  detail::refit(owned_, *deformed, threads);
   mesh_ = std::move(deformed);
   measure();
 }

@@ -59,9 +59,8 @@ TreeVertices::TreeVertices(const TriangleMesh& mesh, std::span<const std::uint32
                            int threads)
     : count_(3 * order.size()), coordinates_(std::make_unique_for_overwrite<float[]>(3 * count_)) {
   constexpr std::size_t kChunk = 8192;
-  parallelFor((order.size() + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, std::size_t) {
-    const std::size_t end = std::min(order.size(), (chunk + 1) * kChunk);
-    for (std::size_t i = chunk * kChunk; i < end; ++i) {
+  parallelForChunks(order.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const TriangleMesh::Indices& corners = mesh.triangles()[order[i]];
       for (std::size_t v = 0; v < 3; ++v) {
         const Eigen::Vector3f corner = (mesh.vertices()[corners[v]] - origin).cast<float>();

@@ -75,12 +75,12 @@ bool fillEmptyCluster(std::span<const Vec3> points, Clustering& clustering) {
   return false;
 }
 
-Clustering lloyd(std::span<const Vec3> points, std::vector<Vec3> centers, int max_iterations) {
+Clustering lloyd(std::span<const Vec3> points, std::vector<Vec3> centers) {
+  constexpr int kMaxSteps = 300;
   Clustering clustering;
   clustering.centers = std::move(centers);
   clustering.cluster_of_point.assign(points.size(), std::numeric_limits<std::uint32_t>::max());
-  while (clustering.iterations < max_iterations && !clustering.converged) {
-    ++clustering.iterations;
+  for (int i = 0; i < kMaxSteps && !clustering.converged; ++i) {
     const bool changed = assign(points, clustering);
     moveCenters(points, clustering);
     clustering.converged = !fillEmptyCluster(points, clustering) && !changed;
@@ -99,12 +99,11 @@ Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options) {
     throw std::invalid_argument("k-means: k is " + std::to_string(options.k) +
                                 ", but must be 1 to the number of points, " + std::to_string(points.size()));
   }
-  if (options.max_iterations < 1) throw std::invalid_argument("k-means: max_iterations must be at least 1");
   if (options.starts < 1) throw std::invalid_argument("k-means: starts must be at least 1");
   std::mt19937_64 random(options.seed);
-  Clustering best = lloyd(points, randomCenters(points, options.k, random), options.max_iterations);
+  Clustering best = lloyd(points, randomCenters(points, options.k, random));
   for (int start = 1; start < options.starts && options.k > 1; ++start) {
-    Clustering other = lloyd(points, randomCenters(points, options.k, random), options.max_iterations);
+    Clustering other = lloyd(points, randomCenters(points, options.k, random));
     if (other.squared_error < best.squared_error) best = std::move(other);
   }
   return best;

@@ -10,9 +10,8 @@
 namespace octoblisk::detail {
 
 struct KMeansOptions {
-  std::size_t k = 2;         ///< number of clusters, 1..n
-  std::uint64_t seed = 1;    ///< for the random initial centres (step 1)
-  int max_iterations = 300;  ///< limit for one run
+  std::size_t k = 2;       ///< number of clusters, 1..n
+  std::uint64_t seed = 1;  ///< for the random initial centres (step 1)
   /// The number of runs from different initial centres. The run with the least S(C) is returned, the first of
   /// equal ones. 1 gives the paper's result: the paper starts a second run from the cluster means of a first
   /// one (section 4.1), but the first run has already converged to these means.
@@ -24,15 +23,13 @@ struct Clustering {
   std::vector<Vec3> centers;
   std::vector<std::uint32_t> sizes;
   double squared_error = 0.0;  ///< S(C), eq. 5
-  int iterations = 0;          ///< of the returned run
-  bool converged = false;      ///< the assignment no longer changes
+  bool converged = false;      ///< the assignment no longer changes; false after 300 iterations
 };
 
 /// Clusters the points. Deterministic: equal points and options give equal bits. A point at equal distance
 /// from several centres belongs to the lowest cluster. A cluster that becomes empty takes the point that is
 /// farthest from its own centre. A cluster may stay empty if there are fewer than k distinct points, or if
-/// max_iterations ends the run. Throws std::invalid_argument if k is not in 1..n, or if max_iterations or
-/// starts is below 1.
+/// the run has not converged. Throws std::invalid_argument if k is not in 1..n, or if starts is below 1.
 Clustering kMeans(std::span<const Vec3> points, const KMeansOptions& options = {});
 
 }  // namespace octoblisk::detail

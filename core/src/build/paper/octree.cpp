@@ -40,7 +40,7 @@ Octree Octree::build(std::span<const Vec3> points, const OctreeOptions& options)
   if (options.leaf_capacity < 1) throw std::invalid_argument("the octree's leaf capacity must be at least 1");
   if (options.max_depth < 0) throw std::invalid_argument("the octree's depth must not be negative");
   if (points.size() >= std::numeric_limits<std::uint32_t>::max() / 8) {
-    throw std::invalid_argument("the octree holds at most 2^29 points");
+    throw std::invalid_argument("the octree holds at most 2^29 - 2 points");
   }
 
   Octree octree;

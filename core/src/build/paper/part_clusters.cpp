@@ -14,8 +14,7 @@ namespace {
 std::size_t clusterCount(std::span<const Vec3> points, const PartClusterOptions& options) {
   constexpr std::size_t kMinK = 2, kMaxK = 8;
   if (options.clusters > 0 || points.size() < kMinK) return std::max<std::size_t>(options.clusters, 1);
-  return optimalK(points, {.k_min = kMinK,
-                           .k_max = std::min(kMaxK, points.size()),
+  return optimalK(points, {.k_max = std::min(kMaxK, points.size()),
                            .leaf_capacity = options.leaf_capacity,
                            .seed = options.seed})
       .k;
