@@ -163,17 +163,6 @@ TEST(SurfaceContacts, aBarOverAThinPlateIsPushedTheShortWay) {
   expectShortWays(testing::boxMesh({0.01, 0.8, 0.5}), 0.5, testing::boxMesh({1.5, 0.3, 0.2}), 0.02);
 }
 
-/// The contacts of two solids before and after their pinches were opened.
-struct OfSolids {
-  std::vector<Contact> found, open;
-
-  OfSolids(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a) {
-    SurfaceContacts surfaces;
-    surfaces.find(a, b, b_in_a, 1e-4, 1e-4, false, found);
-    surfaces.find(a, b, b_in_a, 1e-4, 1e-4, true, open);
-  }
-};
-
 bool pushAlong(const std::vector<Contact>& contacts, const Vec3& direction, double least_cosine) {
   return std::ranges::any_of(contacts, [&](const Contact& c) {
     return c.distance <= 0.0 && c.normal.dot(direction) > least_cosine;
@@ -195,9 +184,9 @@ TEST(SurfaceContacts, nestedCupsAreNotPushedFartherThanTheyOverlap) {
     const double lowered = uniform(random, -0.002, 0.004), aside = uniform(random, 0.0, 0.002);
     const Pose pose{Eigen::AngleAxisd(uniform(random, 0.0, 6.0), Vec3::UnitZ()).toRotationMatrix(),
                     Vec3(aside, 0.0, kWall / kSlope - lowered)};
-    const OfSolids contacts(cup, cup, pose);
-    if (contacts.open.empty()) continue;
-    const double deepest = testing::deepest(contacts.open);
+    const std::vector<Contact> contacts = Found(cup, cup, pose, 1e-4).kept;
+    if (contacts.empty()) continue;
+    const double deepest = testing::deepest(contacts);
     overlap += deepest < -1e-4;
     EXPECT_GT(deepest, -(std::max(0.0, lowered + aside / kSlope) + kFacets)) << i;
   }
@@ -215,18 +204,20 @@ TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
         Eigen::AngleAxisd(uniform(random, 1.0, 2.1), Vec3::UnitY()).toRotationMatrix() *
             Eigen::AngleAxisd(uniform(random, -0.1, 0.1), Vec3::UnitX()).toRotationMatrix(),
         Vec3{uniform(random, -0.2, 0.2), uniform(random, 0.07, 0.14), uniform(random, -0.2, 0.2)}};
-    const OfSolids contacts(bar, bar, pose);
+    const Found found(bar, bar, pose, 1e-4);
+    const std::vector<Contact>& contacts = found.kept;
     const auto isPinched = [&](const std::vector<Contact>& all) {
       return std::ranges::any_of(all, [&](const Contact& c) {
         return c.distance <= 0.0 && std::abs(c.normal.y()) < 0.2 && pushAlong(all, -c.normal, 0.9);
       });
     };
-    pinched_before += isPinched(contacts.found);
-    ASSERT_FALSE(isPinched(contacts.open)) << i;
-    ASSERT_TRUE(pushAlong(contacts.open, -Vec3::UnitY(), 0.7)) << i;
-    if (!isPinched(contacts.found)) continue;
+    const bool was_pinched = isPinched(found.all);
+    pinched_before += was_pinched;
+    ASSERT_FALSE(isPinched(contacts)) << i;
+    ASSERT_TRUE(pushAlong(contacts, -Vec3::UnitY(), 0.7)) << i;
+    if (!was_pinched) continue;
     double depth = 0.0;
-    for (const Contact& contact : contacts.open) {
+    for (const Contact& contact : contacts) {
       if (-contact.normal.y() > 0.9) depth = std::max(depth, -contact.distance);
     }
     EXPECT_NEAR(depth, 0.16 - pose.translation.y(), 0.03) << i;  // the bars are tilted
@@ -246,11 +237,11 @@ TEST(SurfaceContacts, eachCrossingHasItsOwnDepth) {
   const ClusteredOctree two = ClusteredOctree::build(testing::joined(*crossing(-kApart), *crossing(kApart)));
   // Upright would be parallel faces; turn about the bar's axis.
   const Pose turned{Eigen::AngleAxisd(0.03, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()};
-  const OfSolids contacts(two, bar, tilted * turned);
+  const std::vector<Contact> contacts = Found(two, bar, tilted * turned, 1e-4).kept;
   const Vec3 up = tilted.rotation.col(2);
   for (const double side : {-1.0, 1.0}) {
     double depth = 0.0;
-    for (const Contact& contact : contacts.open) {
+    for (const Contact& contact : contacts) {
       const bool is_here = side * tilted.rotation.col(0).dot(contact.point_on_a) > 0.0;
       if (is_here && contact.normal.dot(-up) > 0.9) depth = std::max(depth, -contact.distance);
     }
@@ -269,13 +260,39 @@ TEST(SurfaceContacts, eachCrossingHasItsOwnWayOut) {
   const ClusteredOctree two =
       ClusteredOctree::build(testing::joined(*barAt({0.08, 0.5, 0.08}, {-0.6, 0, 0.16 - kOverlap}),
                                              *barAt({0.08, 0.08, 0.5}, {0.6, 0.16 - kOverlap, 0})));
-  const OfSolids contacts(bar, two, {askew, Vec3::Zero()});
-  for (const Contact& contact : contacts.open) EXPECT_GT(contact.distance, -1.7 * kOverlap);
+  const std::vector<Contact> contacts = Found(bar, two, {askew, Vec3::Zero()}, 1e-4).kept;
+  for (const Contact& contact : contacts) EXPECT_GT(contact.distance, -1.7 * kOverlap);
   for (const auto& [side, out] : {std::pair(-1.0, Vec3(0, 0, -1)), std::pair(1.0, Vec3(0, -1, 0))}) {
     const auto pushesOut = [&](const Contact& contact) {
       return side * contact.point_on_a.x() > 0.3 && contact.normal.dot(out) > 0.95;
     };
-    EXPECT_TRUE(std::ranges::any_of(contacts.open, pushesOut)) << side;
+    EXPECT_TRUE(std::ranges::any_of(contacts, pushesOut)) << side;
+  }
+}
+
+/// More than halfway in a floor, the upper side of a thin body is as near to the floor's triangles as its
+/// lower side. It must not pull the body down.
+TEST(SurfaceContacts, aFloorDoesNotPullThinBodiesDown) {
+  const auto pulls = [](const Contact& contact) {
+    return contact.distance <= 0.0 && contact.normal.z() > 0.3;
+  };
+  const testing::SharedMesh sheet = testing::waveSheet(1.0, 0.0, 16);
+  const ClusteredOctree bar = treeOfBlock({0.5, 0.03, 0.02}, 4),
+                        ring = ClusteredOctree::build(testing::torus(0.4, 0.05, 24, 8));
+  std::mt19937_64 random(109);
+  for (const testing::SharedMesh& mesh : {sheet, shapes::solidBelow(*sheet, -1.0)}) {
+    const ClusteredOctree floor = ClusteredOctree::build(mesh);
+    int pulled_before = 0, pushed = 0;
+    constexpr int kCases = 300;
+    for (int i = 0; i < kCases; ++i) {
+      const Pose pose{testing::randomRotation(random), Vec3(0.1, 0.05, uniform(random, -0.2, 0.0))};
+      const Found found(floor, i % 2 == 0 ? bar : ring, pose, 1e-4);
+      pulled_before += std::ranges::any_of(found.all, pulls);
+      EXPECT_FALSE(std::ranges::any_of(found.kept, pulls)) << i;
+      pushed += pushAlong(found.kept, -Vec3::UnitZ(), 0.9);
+    }
+    EXPECT_GT(pulled_before, kCases / 3);
+    EXPECT_GT(pushed, kCases / 3);
   }
 }
 
@@ -288,8 +305,9 @@ TEST(SurfaceContacts, wallsAreNoPinch) {
           *testing::moved(testing::block({2, 0.5, 2}, 9), {Mat3::Identity(), Vec3(0, -0.5, 1)}),
           *testing::moved(testing::block({0.5, 2, 2}, 9), {Mat3::Identity(), Vec3(-0.5, 0, 1)}))));
   const ClusteredOctree box = treeOfBlock({0.15, 0.15, 0.5}, 4);
-  const OfSolids in_corner(box, room, {Mat3::Identity(), Vec3(kDepth - 0.15, kDepth - 0.15, kDepth - 0.5)});
-  for (int k = 0; k < 3; ++k) EXPECT_TRUE(pushAlong(in_corner.open, Vec3::Unit(k), 0.9)) << k;
+  const std::vector<Contact> in_corner =
+      Found(box, room, {Mat3::Identity(), Vec3(kDepth - 0.15, kDepth - 0.15, kDepth - 0.5)}, 1e-4).kept;
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(pushAlong(in_corner, Vec3::Unit(k), 0.9)) << k;
 
   const double yaw = 0.02, half_width = 0.5 * std::sin(yaw) + 0.1 * std::cos(yaw) - kDepth;
   const auto wallAt = [&](double y) {
@@ -299,12 +317,13 @@ TEST(SurfaceContacts, wallsAreNoPinch) {
       testing::joined(*testing::moved(testing::block({2, 2, 0.5}, 9), {Mat3::Identity(), Vec3(0, 0, -0.5)}),
                       *testing::joined(*wallAt(-0.5 - half_width), *wallAt(0.5 + half_width))));
   const Pose yawed{Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix(), Vec3(0, 0, 0.1 - kDepth)};
-  const OfSolids in_channel(treeOfBlock({0.5, 0.1, 0.1}, 4), channel, yawed.inverse());
+  const std::vector<Contact> in_channel =
+      Found(treeOfBlock({0.5, 0.1, 0.1}, 4), channel, yawed.inverse(), 1e-4).kept;
   for (const double side : {-1.0, 1.0}) {
     const Vec3 in_box = side * yawed.rotation.row(1).transpose();
-    EXPECT_TRUE(pushAlong(in_channel.open, in_box, 0.9)) << side;
+    EXPECT_TRUE(pushAlong(in_channel, in_box, 0.9)) << side;
   }
-  EXPECT_TRUE(pushAlong(in_channel.open, Vec3::UnitZ(), 0.9));
+  EXPECT_TRUE(pushAlong(in_channel, Vec3::UnitZ(), 0.9));
 }
 
 /// A body that rocks on a face of the floor touches it with one corner. Its other corners are also near.
@@ -411,7 +430,7 @@ TEST(SurfaceContacts, aBoxOverNarrowStripsIsPushedUpAlone) {
     const double lowest = testing::lowestZ(box.mesh(), pose);
     pose.translation = Vec3(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), gap - lowest);
     const Found found(floor, box, pose, 2.0 * gap);
-    surfaces.find(floor, box, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(floor, box, pose, found.threshold, found.threshold, at_once);
     ASSERT_GT(found.all.size(), found.kept.size());
     for (const auto& contacts : {found.kept, at_once}) {
       ASSERT_FALSE(contacts.empty());
@@ -439,7 +458,7 @@ TEST(SurfaceContacts, aTipTooFineForSinglePrecisionIsFound) {
     const auto tip = std::make_shared<TriangleMesh>(
         std::move(vertices), std::vector<TriangleMesh::Indices>{{1, 2, 0}, {2, 3, 0}, {3, 1, 0}});
     const ClusteredOctree b = ClusteredOctree::build(tip);
-    surfaces.find(a, b, Pose(), 0.2, 0.2, false, found);
+    surfaces.find(a, b, Pose(), 0.2, 0.2, found);
     ASSERT_FALSE(found.empty()) << "case " << i;
     ASSERT_NEAR(testing::deepest(found), 0.1, 1e-14);
   }
@@ -464,7 +483,7 @@ TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
     const Vec3 away = testing::randomRotation(random).col(0) * uniform(random, 0.0, 3.0) * size;
     pose.translation = a.mesh().bounds().center() - pose * b.mesh().bounds().center() + away;
     const Found found(a, b, pose, size * std::pow(10.0, uniform(random, -3, 0)));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
     ASSERT_EQ(at_once.empty(), found.kept.empty()) << "case " << i;
     if (at_once.empty()) continue;
     ASSERT_EQ(testing::deepest(at_once), testing::deepest(found.kept)) << "case " << i;
@@ -490,7 +509,7 @@ TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
     Pose pose = testing::randomPose(random, 0.0);
     pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.4, 2.8);
     const Found found(a, b, pose, uniform(random, 0.01, 0.2));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     if (found.all.empty()) continue;
     ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
@@ -515,7 +534,7 @@ TEST(SurfaceContacts, fineMeshesHaveTheContactsOfASmallerThreshold) {
         Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
     const double threshold = uniform(random, 0.1, 0.2);
     const double reach = nearPairs(treeOf(tree), treeOf(tree), pose, threshold, 0.1 * threshold, near);
-    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, false, at_once);
+    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, at_once);
     const Found found(tree, tree, pose, reach);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     ASSERT_FALSE(at_once.empty());

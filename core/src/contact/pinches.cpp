@@ -60,10 +60,10 @@ void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::u
   }
   const std::optional<Vec3> out = wayOut(crossing_);
   if (!out) return;
-  constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2;  // cosines
+  constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2, kAgainst = 0.3;  // cosines
   constexpr double kCrossing = 0.25;  // the least depth as a fraction of the extent; bars that cross have 1
   const double extent = extentAlong(*out, crossing_);
-  if (depthAlong(*out, crossing_) < kCrossing * extent) return;
+  const bool is_flat = depthAlong(*out, crossing_) < kCrossing * extent;
   pushing_.clear();
   for (const PairedContact& contact : contacts) {
     if (contact.distance <= 0.0 && crossings_.groupOf(contact.pair) == group)
@@ -74,14 +74,18 @@ void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::u
                                [&](const Vec3& normal) { return normal.dot(direction) > least_cosine; });
   };
   const bool has_way_out = isAnyPushing(*out, kOut);
+  const auto pinches = [&](const Vec3& normal) {
+    const double along = normal.dot(*out);
+    if (has_way_out && along < -kAgainst) return true;
+    return !is_flat && along < kAcross && (!has_way_out || isAnyPushing(-normal, kOpposed));
+  };
   std::uint32_t deepest = kNoIndex;
   for (const std::uint32_t c : members) {
-    const Vec3& normal = contacts[c].normal;
-    if (normal.dot(*out) >= kAcross || (has_way_out && !isAnyPushing(-normal, kOpposed))) continue;
+    if (!pinches(contacts[c].normal)) continue;
     contacts[c].is_removed = true;
     if (deepest == kNoIndex || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
-  if (deepest == kNoIndex) return;
+  if (deepest == kNoIndex || is_flat) return;
   contacts[deepest].is_removed = false;
   Contact& contact = contacts[deepest];
   contact.normal = *out;

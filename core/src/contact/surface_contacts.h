@@ -37,7 +37,7 @@ class SurfaceContacts {
   /// the closest points of two triangles are not unique, or nearly so, find may keep other contacts than
   /// filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
-            double surplus, bool are_solid, std::vector<Contact>& found);
+            double surplus, std::vector<Contact>& found);
 
   /// Treats the contacts of A and B within `threshold`, which are in ascending order of triangles. Contacts
   /// of the last kind above get a normal perpendicular to a face; their distances stay. Contacts of the other
