@@ -72,7 +72,7 @@ void SurfaceContacts::clear() {
 }
 
 void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                           double threshold, double surplus, std::vector<Contact>& found) {
+                           double threshold, double surplus, int solids, std::vector<Contact>& found) {
   clear();
   of_near_.clear();
   threshold = nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, surplus, near_);
@@ -105,7 +105,12 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
         contactWithin(threshold, near_[n], surfaces_.a.triangle(pair), surfaces_.b.triangle(pair));
     if (contact) contacts_.push_back({*contact, pair});
   }
+  meeting_.clear();
+  for (const PairedContact& contact : contacts_) {
+    if (contact.distance <= 0.0) meeting_.push_back(contact.pair);
+  }
   filter(threshold);
+  if (solids > 0) pinches_.open(contacts_, surfaces_, meeting_, solids == 2);
   found.assign(contacts_.begin(), contacts_.end());
 }
 
@@ -120,17 +125,12 @@ void SurfaceContacts::findMeetingGroups() {
 }
 
 void SurfaceContacts::filter(double threshold) {
-  meeting_.clear();
-  for (const PairedContact& contact : contacts_) {
-    if (contact.distance <= 0.0) meeting_.push_back(contact.pair);
-  }
   if (!contacts_.empty() && contacts_.size() + skipped_.size() >= 2) {
     long_ways_.removeFrom(contacts_, surfaces_);  // first, because their depths are meaningless
     inner_contacts_.removeFrom(contacts_, surfaces_, skipped_);
     alignWithFaces(contacts_, surfaces_);
   }
   addCorners(contacts_, surfaces_, threshold);
-  pinches_.open(contacts_, surfaces_, meeting_);
 }
 
 }  // namespace octoblisk::detail

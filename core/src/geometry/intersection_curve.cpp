@@ -13,6 +13,12 @@ struct Ends {
   Vec3 from, to;
 };
 
+double lengthOf(IntersectionCurve curve) {
+  double length = 0.0;
+  for (const CurveSegment& segment : curve) length += (segment.to - segment.from).norm();
+  return length;
+}
+
 /// The part of a plane that is in a triangle; none if the triangle is on one side of the plane or in it.
 std::optional<Ends> cutOf(const Triangle& triangle, const Vec3& on_plane, const Vec3& normal) {
   std::array<double, 3> height;
@@ -47,11 +53,10 @@ std::optional<CurveSegment> meetingSegment(const Triangle& a, const Triangle& b)
 std::optional<Vec3> wayOut(IntersectionCurve curve) {
   constexpr double kClosed = 0.01;  // of the length
   constexpr double kWide = 0.005;   // twice the area over the length squared; a circle has 0.16
-  double length = 0.0;
+  const double length = lengthOf(curve);
   Vec3 twice_area = Vec3::Zero(), end = Vec3::Zero();
   for (const CurveSegment& segment : curve) {
     const Vec3 from = segment.from - curve[0].from, to = segment.to - curve[0].from;
-    length += (to - from).norm();
     twice_area += from.cross(to);
     end += to - from;
   }
@@ -76,6 +81,11 @@ double extentAlong(const Vec3& way_out, IntersectionCurve curve) {
   const auto height = [&](const CurveSegment& segment) { return way_out.dot(segment.from); };
   const auto [low, high] = std::ranges::minmax(curve, {}, height);
   return height(high) - height(low);
+}
+
+bool isPlanar(const Vec3& way_out, IntersectionCurve curve) {
+  constexpr double kPlanar = 0.05;  // of the length
+  return extentAlong(way_out, curve) < kPlanar * lengthOf(curve);
 }
 
 double depthAlong(const Vec3& way_out, IntersectionCurve curve) {

@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 
 #include "geometry/frame_along.h"
+#include "query/leaf_triangles-inl.h"
 #include "query/traversal-inl.h"
 
 #ifndef OCTOBLISK_QUERY_TRIANGLES_ALONG_ONCE
@@ -62,8 +63,8 @@ inline std::optional<NearPart> nearPart(const Tree& tree, const MovingBox& box) 
   return part;
 }
 
-/// A lower bound of the fraction at which the box first meets a triangle. Tests the axes of the box, the
-/// triangle's normal, and the axes perpendicular to the motion and an edge.
+/// A lower bound of the fraction at which the box first meets a triangle. Tests the triangle's normal, and
+/// the axes perpendicular to the motion and an edge.
 inline double firstMeeting(const Triangle& triangle, const MovingBox& box, double slack) {
   const double reach = slack + box.rim * boundsOf(triangle).halfExtents().norm();
   OverlapInterval overlap;
@@ -74,8 +75,6 @@ inline double firstMeeting(const Triangle& triangle, const MovingBox& box, doubl
         (box.start.axes.transpose() * axis).cwiseAbs().dot(box.start.half_extents) + reach * axis.norm();
     overlap.narrow(std::min({a, b, c}), std::max({a, b, c}), axis.dot(box.motion), radius);
   };
-  for (int axis = 0; axis < 3; ++axis) narrow(box.start.axes.col(axis));
-  if (overlap.first() == OverlapInterval::kNever) return OverlapInterval::kNever;
   narrow(scaledNormal(triangle));
   for (int edge = 0; edge < 3; ++edge) {
     narrow((triangle[std::size_t(edge + 1) % 3] - triangle[std::size_t(edge)]).cross(box.motion));
@@ -122,6 +121,43 @@ class FirstMeetings {
   float rim_, slack_;
 };
 
+/// The same for the eight triangles of a leaf, along the axes of the moving box.
+class MotionCull {
+ public:
+  MotionCull(const BoxF& start, const Vec3& motion, double rim, float slack)
+      : start_(start),
+        speeds_(start.axes.transpose() * motion.cast<float>()),
+        rim_(static_cast<float>(rim)),
+        slack_(slack) {}
+
+  /// A bit for each triangle that the box may meet up to the fraction `last`. The corners are in rows
+  /// (leaf_vertices.h) in the frame of the leaf's box.
+  HWY_INLINE unsigned near(const BoxF& leaf, const float* rows, std::uint32_t count, double last) const {
+    const Eigen::Matrix3f axes = leaf.axes.transpose() * start_.axes;
+    const Eigen::Vector3f center = leaf.axes.transpose() * (start_.center - leaf.center);
+    const Vec8 corners[] = {Vec8::load(rows, count), Vec8::load(rows + 3 * count, count),
+                            Vec8::load(rows + 6 * count, count)};
+    const float reach = slack_ + 2.0f * rim_ * leaf.half_extents.sum();
+    Float8 first_meeting(0.0f), last_meeting(static_cast<float>(last));
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3f forward = std::copysign(1.0f, speeds_[i]) * axes.col(i);
+      const Vec8 axis = Vec8::all(forward);
+      const Float8 a = dot(axis, corners[0]), b = dot(axis, corners[1]), c = dot(axis, corners[2]);
+      const float along = forward.dot(center), radius = start_.half_extents[i] + reach;
+      const Float8 reciprocal(1.0f / std::max(std::abs(speeds_[i]), kSlowest));
+      first_meeting = max(first_meeting, (min(a, min(b, c)) - Float8(along + radius)) * reciprocal);
+      last_meeting = min(last_meeting, (max(a, max(b, c)) - Float8(along - radius)) * reciprocal);
+    }
+    return ((1u << count) - 1u) & ~less(last_meeting, first_meeting);
+  }
+
+ private:
+  static constexpr float kSlowest = 1e-30f;
+  const BoxF& start_;
+  Eigen::Vector3f speeds_;  // along the axes of the moving box
+  float rim_, slack_;
+};
+
 void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near, double last_fraction,
                     AlongVisitor visit) {
   const Obb start{box.start.center + near.first * box.motion, box.start.axes, box.start.half_extents};
@@ -135,14 +171,13 @@ void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near
   const auto limit = [&] {  // fraction of the near part
     return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kSingleRounding) : 1.0f;
   };
-  walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot slot) {
-    for (const std::uint32_t triangle : tree.triangles(tree.child(slot))) {
+  const MotionCull cull(local.box, share * box.motion, box.rim, slack);
+  walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot leaf) {
+    return forEachNearInLeaf(tree, leaf, cull, double(limit()), [&](std::uint32_t triangle) {
       const double first = firstMeeting(tree.mesh().triangle(triangle), box, slack_of_doubles);
-      if (!(first <= wanted)) continue;
-      wanted = std::min(wanted, visit(triangle, first));
-      if (wanted < 0.0) return true;
-    }
-    return false;
+      if (first <= wanted) wanted = std::min(wanted, visit(triangle, first));
+      return wanted < 0.0;
+    });
   });
 }
 
