@@ -26,7 +26,7 @@ QueryCost costOfMeeting(const Tree& a, const Tree& b, const Pose& b_in_a, bool a
 
 QueryCost costOfNearest(const Tree& a, const Tree& b, const Pose& b_in_a) {
   QueryCost cost;
-  Nearest nearest(a.mesh(), b.mesh(), b_in_a, {});
+  DistanceSearch nearest(a.mesh(), b.mesh(), b_in_a, {});
   searchNearest(a, b, b_in_a, nearest, cost);
   nearest.settled();
   cost.exact_tests = nearest.measured();

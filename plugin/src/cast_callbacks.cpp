@@ -59,7 +59,7 @@ class ForwardingSweep final : public btTriangleConvexcastCallback {
 };
 
 /// The box around a moving convex body, in the frame of the triangles.
-MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
+MovingBox movingBoxOf(const btTriangleConvexcastCallback& sweep) {
   const btTransform to_triangles = sweep.m_triangleToWorld.inverse();
   const Pose from = fromBullet(to_triangles * sweep.m_convexShapeFrom);
   const Pose to = fromBullet(to_triangles * sweep.m_convexShapeTo);
@@ -82,7 +82,7 @@ MovingBox boxRound(const btTriangleConvexcastCallback& sweep) {
 
 void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& hand_over) {
   ForwardingSweep forwarding(sweep);
-  forEachTriangleAlong(hand_over.tree(), boxRound(sweep), double(forwarding.m_hitFraction),
+  forEachTriangleAlong(hand_over.tree(), movingBoxOf(sweep), double(forwarding.m_hitFraction),
                        [&](std::uint32_t triangle, double) {
                          hand_over(forwarding, triangle);
                          return double(forwarding.m_hitFraction);

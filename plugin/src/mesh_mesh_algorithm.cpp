@@ -14,7 +14,7 @@ const ClusteredOctreeShape& ourShape(const btCollisionShape& shape) {
 }
 
 /// Converts a contact of B and A, in B's frame, to one of A and B in A's frame.
-Contact turnedRound(const Contact& of_b, const Pose& b_in_a) {
+Contact exchanged(const Contact& of_b, const Pose& b_in_a) {
   return {b_in_a * of_b.point_on_b, b_in_a * of_b.point_on_a, -(b_in_a.rotation * of_b.normal), of_b.distance,
           of_b.triangle_b,          of_b.triangle_a};
 }
@@ -47,7 +47,7 @@ void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const Cl
     far_vertices_.find(a, b, shape_b.farVertices(), b_in_a, meet, least_depth, ways_out_);
   } else {
     far_vertices_.find(b, a, shape_a.farVertices(), b_in_a.inverse(), meet, least_depth, ways_out_);
-    for (Contact& contact : ways_out_) contact = turnedRound(contact, b_in_a);
+    for (Contact& contact : ways_out_) contact = exchanged(contact, b_in_a);
   }
   if (!meet && !ways_out_.empty()) found.clear();
   found.insert(found.end(), ways_out_.begin(), ways_out_.end());

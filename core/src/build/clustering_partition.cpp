@@ -39,9 +39,9 @@ struct Open {
 };
 
 /// Finds which of up to eight clusters a record belongs to, from the cuts that made the clusters.
-class Sorter {
+class ClusterClassifier {
  public:
-  explicit Sorter(const std::vector<Cut>& cuts) : cluster_count_(cuts.size() + 1) {
+  explicit ClusterClassifier(const std::vector<Cut>& cuts) : cluster_count_(cuts.size() + 1) {
     for (std::size_t c = 0; c < cuts.size(); ++c) {
       const auto lane = static_cast<Eigen::Index>(c);
       for (int k = 0; k < 3; ++k) {
@@ -149,19 +149,19 @@ class ClusteringPartitioner {
     for (std::size_t i = 0; i < records.size(); i += stride) sample.push_back(static_cast<std::uint32_t>(i));
     const std::vector<Cluster>& clusters = divider.byPlanes(records, sample, node.box);
 
-    const Sorter sorter(divider.cuts());
+    const ClusterClassifier classifier(divider.cuts());
     std::vector<std::uint8_t> cluster_of(records.size());
     // For each chunk first counts, then the next free places.
     std::vector<std::array<std::uint32_t, kLanes>> places((records.size() + kChunk - 1) / kChunk);
     parallelForChunks(records.size(), kChunk, threads, [&](std::size_t begin, std::size_t end) {
       std::array<std::uint32_t, kLanes> counts = {};
-      for (std::size_t i = begin; i < end; ++i) ++counts[cluster_of[i] = sorter(records[i])];
+      for (std::size_t i = begin; i < end; ++i) ++counts[cluster_of[i] = classifier(records[i])];
       places[begin / kChunk] = counts;
     });
 
     Nodes children;
     std::uint32_t place = 0;
-    for (std::size_t c = 0; c < sorter.clusterCount(); ++c) {
+    for (std::size_t c = 0; c < classifier.clusterCount(); ++c) {
       const std::uint32_t begin = place;
       for (auto& chunk : places) place += std::exchange(chunk[c], place);
       if (place == begin) continue;  // rounding has put its few sampled triangles on the other side

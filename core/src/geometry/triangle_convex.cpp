@@ -3,8 +3,8 @@
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 #include "geometry/thin_triangle.h"
+#include "geometry/triangle_capsule.h"
 #include "geometry/triangle_polyhedron.h"
-#include "geometry/triangle_round.h"
 
 namespace octoblisk::detail {
 namespace {

@@ -125,7 +125,7 @@ struct Face {
   /// The height over the plane, times the normal's length.
   double height(const Vec3& point) const { return normal.dot(point - corner[0]); }
   /// Whether a point is in the prism over the triangle.
-  bool isBelow(const Vec3& point) const {
+  bool isOver(const Vec3& point) const {
     return inward[0].dot(point - corner[0]) >= 0.0 && inward[1].dot(point - corner[1]) >= 0.0 &&
            inward[2].dot(point - corner[2]) >= 0.0;
   }
@@ -163,13 +163,13 @@ std::optional<Vec3> nearestOver(const Face& face, const Triangle& other) {
   const auto [least, most] = std::ranges::minmax_element(height);
   if (!(*least > 0.0) && !(*most < 0.0)) return std::nullopt;
   const Vec3& nearest = other[static_cast<std::size_t>((*least > 0.0 ? least : most) - height.begin())];
-  return face.isBelow(nearest) ? std::optional(nearest) : std::nullopt;
+  return face.isOver(nearest) ? std::optional(nearest) : std::nullopt;
 }
 
 /// The point of a face that is closest to a point over it; for a thin face, to any point.
 std::optional<Vec3> inside(const Face& face, const Vec3& point) {
   if (face.isThin()) return closestPointOf(face.corner, face.normal, point).point;
-  return face.isBelow(point) ? std::optional(face.foot(point)) : std::nullopt;
+  return face.isOver(point) ? std::optional(face.foot(point)) : std::nullopt;
 }
 
 /// Whether two planes perpendicular to the line between two points separate the triangles, up to rounding of
@@ -233,7 +233,7 @@ std::optional<Penetration> penetration(const Face& face, const Triangle& other) 
     return Penetration{std::max(0.0, -heightOf(deepest) / std::sqrt(face.squared_normal)), deepest};
   };
   const Vec3& lowest = *std::ranges::min_element(other, {}, heightOf);
-  if (face.isBelow(lowest)) return below(lowest);
+  if (face.isOver(lowest)) return below(lowest);
   Polygon<9> over_face(other);  // three cuts turn 3 corners into 4, 6 and 9 at most
   for (std::size_t i = 0; i < 3; ++i) {
     over_face.cut([&](const Vec3& point) { return face.inward[i].dot(point - face.corner[i]); });

@@ -24,7 +24,7 @@ std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b
 
 void candidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a,
                     FunctionRef<void(CandidatePair pair)> visit) {
-  forEachCandidatePair(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
+  walkCandidatePairs(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
     visit({pair, meets});
     return false;
   });

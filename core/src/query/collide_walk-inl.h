@@ -20,8 +20,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// separate. `nodes` are the nodes whose leaves contain the pair. `meets`: the filter proves that they meet;
 /// otherwise the exact test must decide. Returns true as soon as a visit does, otherwise false.
 template <typename Visit, typename Tally = NoTally>
-bool forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
-                          Tally&& tally = {}) {
+bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
+                        Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();
@@ -59,7 +59,7 @@ bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
     }
     return static_cast<bool>(visit(pair, nodes));
   };
-  return forEachCandidatePair(a, b, b_in_a, below, settle, tally);
+  return walkCandidatePairs(a, b, b_in_a, below, settle, tally);
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "base/rounding.h"
-#include "geometry/points_round_core.h"
+#include "geometry/core_points.h"
 #include "simd/simd-inl.h"
 #include "tree/node_boxes-inl.h"
 #include "tree/tree.h"
@@ -24,7 +24,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// of the points.
 class ConvexCull {
  public:
-  /// For 1 to kMaxPointsRoundCore points; boxes are relative to `origin`.
+  /// For 1 to kMaxCorePoints points; boxes are relative to `origin`.
   ConvexCull(const Vec3& origin, std::span<const Vec3> points, const Aabb& bounds, const Pose& convex_in_tree)
       : count_(points.size()),
         half_extents_(bounds.halfExtents().cast<float>()),
@@ -129,7 +129,7 @@ class ConvexCull {
     return near;
   }
 
-  std::array<Eigen::Vector3f, kMaxPointsRoundCore> points_;  // relative to their middle
+  std::array<Eigen::Vector3f, kMaxCorePoints> points_;  // relative to their middle
   std::size_t count_;
   Pose tree_in_center_;  // from the tree's local frame
   Eigen::Vector3f half_extents_;

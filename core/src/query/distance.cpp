@@ -9,11 +9,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-void searchPairs(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& nearest) {
+void searchPairs(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSearch& nearest) {
   searchNearest(a, b, b_in_a, nearest);
 }
 
-void searchConvex(const Tree& a, const Obb& bounds_of_b, NearestToConvex& nearest) {
+void searchConvex(const Tree& a, const Obb& bounds_of_b, ConvexDistanceSearch& nearest) {
   const LocalBox local(a, bounds_of_b);
   const auto bound = [](const Box8& boxes, const BoxF& box)
                          HWY_ATTR { return squaredDistanceBound(boxes, box); };
@@ -39,7 +39,7 @@ HWY_EXPORT(searchConvex);
 
 Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
                    const DistanceOptions& options) {
-  Nearest nearest(a.mesh(), b.mesh(), b_in_a, options);
+  DistanceSearch nearest(a.mesh(), b.mesh(), b_in_a, options);
   const auto within = [](std::uint32_t triangle, const ClusteredOctree& tree) {
     return triangle < tree.mesh().triangleCount();
   };
@@ -51,7 +51,7 @@ Clearance distance(const ClusteredOctree& a, const ClusteredOctree& b, const Pos
 
 Clearance distance(const ClusteredOctree& a, const Convex& b, const Pose& b_in_a,
                    const DistanceOptions& options) {
-  NearestToConvex nearest(a.mesh(), b, b_in_a, options);
+  ConvexDistanceSearch nearest(a.mesh(), b, b_in_a, options);
   const bool hinted = options.hint.a < a.mesh().triangleCount() && b_in_a.isFinite();
   const Obb box = b_in_a * obbOf(b.bounds());
   if (!hinted || !nearest.offer(options.hint.a)) HWY_DYNAMIC_DISPATCH(searchConvex)(treeOf(a), box, nearest);

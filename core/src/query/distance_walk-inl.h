@@ -6,7 +6,7 @@
 #define OCTOBLISK_QUERY_DISTANCE_WALK_INL_H
 #endif
 
-#include "query/nearest.h"
+#include "query/distance_search.h"
 #include "query/pair_distances-inl.h"
 #include "query/tally.h"
 #include "query/traversal-inl.h"
@@ -18,7 +18,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 /// Offers the pairs of triangles that may be nearest, until none is left or nothing can be nearer.
 template <typename Tally = NoTally>
-void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, Nearest& nearest, Tally&& tally = {}) {
+void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSearch& nearest,
+                   Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto bound = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();

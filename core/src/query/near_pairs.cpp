@@ -4,13 +4,14 @@
 #define HWY_TARGET_INCLUDE "query/near_pairs.cpp"
 #include <hwy/foreach_target.h>
 
+#include "query/near_pair_collector.h"
 #include "query/near_pair_walk-inl.h"
-#include "query/nearest_pairs.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-void addNearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, NearestPairs& near) {
+void addNearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold,
+                  NearPairCollector& near) {
   const auto reach = [&near] { return near.reach(); };
   forEachNearPair(a, b, b_in_a, threshold, reach, [&](const NearPair& pair) { near.add(pair); });
 }
@@ -27,7 +28,7 @@ HWY_EXPORT(addNearPairs);
 
 double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, double surplus,
                  std::vector<NearPair>& near) {
-  NearestPairs nearest(near, threshold, surplus);
+  NearPairCollector nearest(near, threshold, surplus);
   HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, nearest);
   return nearest.reach();
 }

@@ -10,9 +10,9 @@
 #include <array>
 #include <span>
 
+#include "query/distance_search.h"
 #include "query/leaf_pair-inl.h"
 #include "query/near_pair.h"
-#include "query/nearest.h"
 #include "simd/lanes.h"
 #include "simd/triangle8-inl.h"
 

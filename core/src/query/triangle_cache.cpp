@@ -32,7 +32,7 @@ void sift(std::span<const TriangleBundle> bundles, const Vec3& origin, std::span
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "geometry/points_round_core.h"
+#include "geometry/core_points.h"
 #include "octoblisk/triangles_near_convex.h"
 #include "tree/tree.h"
 
@@ -104,7 +104,7 @@ void TriangleCache::gather(const ClusteredOctree& tree, const Convex& convex, st
 std::span<const std::uint32_t> TriangleCache::find(const ClusteredOctree& tree, const Convex& convex,
                                                    const Pose& convex_in_tree, double reach) {
   std::array<Vec3, 8> room;
-  const std::span<const Vec3> points = pointsRoundCore(convex, room);
+  const std::span<const Vec3> points = corePoints(convex, room);
   const Aabb bounds = boundsOf(points);
   if (tree_ != &tree || bounds.min != bounds_.min || bounds.max != bounds_.max) forget();
   tree_ = &tree;

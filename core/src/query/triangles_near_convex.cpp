@@ -32,7 +32,7 @@ bool trianglesNear(const Tree& tree, std::span<const Vec3> points, const Aabb& b
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "geometry/points_round_core.h"
+#include "geometry/core_points.h"
 
 namespace octoblisk {
 
@@ -43,7 +43,7 @@ HWY_EXPORT(trianglesNear);
 bool forEachTriangleNear(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_tree,
                          double reach, FunctionRef<bool(std::uint32_t triangle)> visit) {
   std::array<Vec3, 8> room;
-  const std::span<const Vec3> points = pointsRoundCore(convex, room);
+  const std::span<const Vec3> points = corePoints(convex, room);
   return HWY_DYNAMIC_DISPATCH(trianglesNear)(treeOf(tree), points, boundsOf(points), convex_in_tree,
                                              reach + convex.radius(), visit);
 }

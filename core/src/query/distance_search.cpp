@@ -1,4 +1,4 @@
-#include "query/nearest.h"
+#include "query/distance_search.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +14,7 @@ constexpr double kLead = 0.98;  // a pair is measured at once if its distance is
 
 }  // namespace
 
-bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
+bool DistanceSearch::offer(const TrianglePair& pair, bool may_meet) {
   ++measured_;
   const Triangle triangle_a = a_.triangle(pair.a), triangle_b = b_in_a_ * b_.triangle(pair.b);
   const bool meet = may_meet && intersects(triangle_a, triangle_b);
@@ -29,7 +29,7 @@ bool Nearest::offer(const TrianglePair& pair, bool may_meet) {
   return distance == 0.0;
 }
 
-bool Nearest::consider(std::span<const TrianglePair> pairs, const DistanceBounds8& bounds) {
+bool DistanceSearch::consider(std::span<const TrianglePair> pairs, const DistanceBounds8& bounds) {
   const auto most = std::span(bounds.most).first(pairs.size());
   assert(std::ranges::none_of(most, [](float distance) { return std::isnan(distance); }));
   const auto nearest = static_cast<std::size_t>(std::ranges::min_element(most) - most.begin());
@@ -43,7 +43,7 @@ bool Nearest::consider(std::span<const TrianglePair> pairs, const DistanceBounds
   return best_.distance == 0.0;
 }
 
-void Nearest::keep(const TrianglePair& pair, double least) {
+void DistanceSearch::keep(const TrianglePair& pair, double least) {
   if (count_ == candidates_.size()) {
     const auto nearer = [&](const Candidate& candidate) { return candidate.least <= bound_; };
     const auto end = std::partition(candidates_.begin(), candidates_.end(), nearer);
@@ -53,7 +53,7 @@ void Nearest::keep(const TrianglePair& pair, double least) {
   candidates_[count_++] = {least, pair};
 }
 
-void Nearest::settleAll() {
+void DistanceSearch::settleAll() {
   const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(candidates_.begin(), end, [](const Candidate& one, const Candidate& other) {
     return one.least != other.least ? one.least < other.least : one.pair < other.pair;
@@ -65,12 +65,12 @@ void Nearest::settleAll() {
   count_ = 0;
 }
 
-Clearance Nearest::settled() {
+Clearance DistanceSearch::settled() {
   settleAll();
   return best_;
 }
 
-bool NearestToConvex::offer(std::uint32_t triangle) {
+bool ConvexDistanceSearch::offer(std::uint32_t triangle) {
   const std::optional<Contact> contact = b_.contactWith(a_.triangle(triangle), best_.distance);
   if (!contact || std::max(contact->distance, 0.0) >= best_.distance) return false;
   const bool meet = contact->distance <= 0.0;

@@ -27,9 +27,10 @@ struct DistanceBounds8 {
 };
 
 /// The nearest pair of triangles of two meshes.
-class Nearest {
+class DistanceSearch {
  public:
-  Nearest(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a, const DistanceOptions& options)
+  DistanceSearch(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
+                 const DistanceOptions& options)
       : a_(a), b_(b), b_in_a_(b_in_a), tolerance_(options.tolerance), bound_(options.upper_bound) {
     best_.distance = options.upper_bound;
   }
@@ -76,9 +77,10 @@ class Nearest {
 };
 
 /// The triangle of a mesh that is nearest to a convex body.
-class NearestToConvex {
+class ConvexDistanceSearch {
  public:
-  NearestToConvex(const TriangleMesh& a, const Convex& b, const Pose& b_in_a, const DistanceOptions& options)
+  ConvexDistanceSearch(const TriangleMesh& a, const Convex& b, const Pose& b_in_a,
+                       const DistanceOptions& options)
       : a_(a), b_(b, b_in_a), tolerance_(options.tolerance) {
     best_.distance = options.upper_bound;
   }

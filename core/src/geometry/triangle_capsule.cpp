@@ -1,4 +1,4 @@
-#include "geometry/triangle_round.h"
+#include "geometry/triangle_capsule.h"
 
 #include <algorithm>
 #include <cmath>

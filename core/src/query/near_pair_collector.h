@@ -12,11 +12,11 @@ namespace octoblisk::detail {
 
 /// Where two fine meshes touch, the number of pairs within a threshold grows with the square of the number of
 /// triangles. If the pairs become many, the reach shrinks, and pairs beyond it are dropped.
-class NearestPairs {
+class NearPairCollector {
  public:
   /// Replaces the content of `pairs`. The reach is `threshold` at first; it stays at least `surplus` beyond
   /// the nearest pair.
-  NearestPairs(std::vector<NearPair>& pairs, double threshold, double surplus)
+  NearPairCollector(std::vector<NearPair>& pairs, double threshold, double surplus)
       : pairs_(pairs), reach_(threshold), surplus_(surplus) {
     pairs_.clear();
   }
