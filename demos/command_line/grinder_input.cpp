@@ -305,8 +305,12 @@ PathFile readPath(const std::string& file, const ClusteredOctree& blisk) {
     throw std::runtime_error(
         atLine(file, path.lines[pose].first, "the tool is more than 1e6 mm from the origin"));
   }
-  for (const ClIgnored& ignored : path.ignored) {
-    warnOf(file, ignored.word + ", first in line " + std::to_string(ignored.line) + ", is ignored");
+  for (const ClUnknown& unknown : path.unknown) {
+    warnOf(file, unknown.word + ", first in line " + std::to_string(unknown.line) + ", is ignored");
+  }
+  if (path.second_tool != 0) {
+    warnOf(file, "line " + std::to_string(path.second_tool) +
+                     " loads another tool, but every motion is judged with the same tool");
   }
   return path;
 }

@@ -101,16 +101,25 @@ class ClReader {
       const bool is_known = arguments.empty() || isAmong(arguments.front(), {"ON", "OFF"});
       if (!is_known || arguments.size() > 1) refuse(" needs ON or OFF");
     } else if (loadsTool(word)) {
-      if (!tool_.empty() && tool_ != arguments) noteIgnored(word, statement.line);
-      tool_ = arguments;
+      noteTool(statement);
     } else if (!isOfNoMeaningHere(word) && !movesWhatFollows(word) && word != "CYCLE") {
-      noteIgnored(word, statement.line);
+      noteUnknown(word, statement.line);
     }
   }
 
-  void noteIgnored(const std::string& word, std::size_t line) {
-    const auto is_same = [&](const ClIgnored& ignored) { return ignored.word == word; };
-    if (std::ranges::none_of(result_.ignored, is_same)) result_.ignored.push_back({word, line});
+  void noteUnknown(const std::string& word, std::size_t line) {
+    const auto is_same = [&](const ClUnknown& unknown) { return unknown.word == word; };
+    if (std::ranges::none_of(result_.unknown, is_same)) result_.unknown.push_back({word, line});
+  }
+
+  void noteTool(const AptStatement& statement) {
+    const std::vector<std::string>& arguments = statement.arguments;
+    const std::size_t at =
+        !arguments.empty() && arguments.front() == "TOOL" ? 1 : 0;  // LOADTL/2 or LOAD/TOOL,2
+    if (at >= arguments.size()) return;
+    const std::string& tool = arguments[at];
+    if (!tool_.empty() && tool != tool_ && result_.second_tool == 0) result_.second_tool = statement.line;
+    tool_ = tool;
   }
 
   Vec3 vectorAt(const AptStatement& statement, std::size_t first) const {
@@ -258,7 +267,7 @@ class ClReader {
   bool feed_is_per_turn_ = false;
   bool is_rapid_ = false;
   std::optional<double> turns_per_minute_;
-  std::vector<std::string> tool_;  // arguments of the last LOADTL or LOAD
+  std::string tool_;  // of the last LOADTL or LOAD
 };
 
 }  // namespace

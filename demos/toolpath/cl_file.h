@@ -21,15 +21,16 @@ struct ClMotion {
   double unit = 1.0;                    ///< mm, of the statement's lengths
 };
 
-/// An ignored word, and the line of its first statement.
-struct ClIgnored {
+/// A word that is ignored, and the line of its first statement.
+struct ClUnknown {
   std::string word;
   std::size_t line = 0;
 };
 
 struct ClFile {
   std::vector<ClMotion> motions;
-  std::vector<ClIgnored> ignored;  ///< unknown words, and those that load another tool; one entry per word
+  std::vector<ClUnknown> unknown;  ///< words of unknown meaning, one entry per word
+  std::size_t second_tool = 0;     ///< line of the first LOADTL or LOAD of another tool; 0: there is none
 };
 
 /// Reads FROM, GOTO and GODLTA with UNITS, FEDRAT, RAPID, SPINDL, TLAXIS and MULTAX.
@@ -38,8 +39,7 @@ struct ClFile {
 /// revolution (PERREV, IPR, MMPR) of a spindle whose speed SPINDL gives in RPM. RAPID applies only to the
 /// next motion. GOTO takes a point, a point and a tool axis (its length within 1e-3 of 1), or a point, a tool
 /// axis and a second axis; the last is our own extension, which gives a complete pose. Machine functions and
-/// the cutter (CUTTER, LOADTL, SPINDL, COOLNT, PPRINT and similar words) are ignored. A second tool is
-/// reported in `ignored`, because every motion is taken for the same tool.
+/// the cutter (CUTTER, LOADTL, SPINDL, COOLNT, PPRINT and similar words) are ignored.
 ///
 /// Throws std::runtime_error with a one-line message that names the file and the line: for what AptText
 /// refuses; for arcs and other motions than those above (CIRCLE, MOVARC, CYCLE, GOFWD, ...); for statements

@@ -111,7 +111,8 @@ PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& 
   path.motions = toolMotionsOf(read, blisk);
   for (const ClMotion& motion : read.motions)
     path.lines.push_back({motion.line, motion.last_line, motion.unit});
-  path.ignored = std::move(read.ignored);
+  path.unknown = std::move(read.unknown);
+  path.second_tool = read.second_tool;
   return path;
 }
 

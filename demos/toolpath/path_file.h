@@ -21,7 +21,8 @@ struct MotionLines {
 struct PathFile {
   std::vector<ToolMotion> motions;
   std::vector<MotionLines> lines;  ///< per motion
-  std::vector<ClIgnored> ignored;  ///< words of a CL file
+  std::vector<ClUnknown> unknown;  ///< ignored words of a CL file
+  std::size_t second_tool = 0;     ///< line of a CL file that loads another tool; 0: none
 
   std::vector<Pose> poses() const;
 };

@@ -87,13 +87,14 @@ struct Body {
       : shape(*bodyOf(proxy)->getCollisionShape()),
         whole(partOf(shape, bodyOf(proxy)->getWorldTransform())),
         box(whole.box) {
-    const Aabb box_of_proxy = boxOf(proxy);
-    box.extend(box_of_proxy.min);
-    box.extend(box_of_proxy.max);
+    box.extend(fromBullet(proxy.m_aabbMin));
+    box.extend(fromBullet(proxy.m_aabbMax));
   }
 
   const btCollisionShape& shape;
   const Part whole;
+  /// Bullet may leave the proxies of sleeping bodies unchanged after they were moved
+  /// (setForceUpdateAllAabbs), so this box holds the proxy's box and the box at the body's current position.
   Aabb box;
 };
 

@@ -29,8 +29,9 @@ class ClusterTest {
   ///   and contact breaking threshold.
   /// - No body is inside the other as a solid.
   /// A compound that contains a ClusteredOctreeShape is tested child by child. Any other body is represented
-  /// by its box (boxOf, grown as Bullet grows boxes). With `ahead`, true also proves that the bodies stay
-  /// apart until both together have moved by this length; not for compounds.
+  /// by two boxes, that of its proxy and that of its shape. They differ if the body was moved by hand. With
+  /// `ahead`, true also proves that the bodies stay apart until both together have moved by this length; not
+  /// for compounds.
   bool separates(const btBroadphaseProxy& a, const btBroadphaseProxy& b, double ahead = 0.0);
 
  private:

@@ -31,7 +31,7 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
   surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, kCreated * shapes.breaking,
-                         int(shape_a.isSolid()) + int(shape_b.isSolid()), found);
+                         shape_a.isSolid() && shape_b.isSolid(), found);
   // The contacts of triangles push vertices that are less deep than `reach`.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }

@@ -10,6 +10,7 @@
 #include "octoblisk/motion.h"
 #include "our_shape.h"
 #include "proxy_body.h"
+#include "shape_bounds.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -26,7 +27,9 @@ TravelledDistances::State TravelledDistances::stateOf(const btBroadphaseProxy& p
   const btCollisionShape& shape = *object.getCollisionShape();
   State state;
   state.in_world = fromBullet(object.getWorldTransform());
-  state.box = boxOf(proxy);
+  state.box = shapeBounds(shape, object.getWorldTransform());
+  state.box.extend(fromBullet(proxy.m_aabbMin));
+  state.box.extend(fromBullet(proxy.m_aabbMax));
   state.reach = double(gContactBreakingThreshold);
   if (const ClusteredOctreeShape* const ours = asOurShape(shape)) {
     state.tree = ours->sharedTree();

@@ -39,7 +39,7 @@ class TravelledDistances {
     bool is_solid = false;
     double reach = 0.0;
     Pose in_world;
-    Aabb box;  // boxOf
+    Aabb box;  // of proxy and shape, in the world
   };
   struct Body {
     State state;

@@ -119,7 +119,7 @@ TEST(Allocation, warmQueriesOfSurfacesAllocateNothing) {
   const auto queryAll = [&] {
     std::mt19937_64 random(64);
     for (int i = 0; i < 51; ++i) {  // an odd number: buffers that are exchanged change places
-      query.find(ring, ring, testing::randomPose(random, 1.2), 0.05, 0.05, 2, found);
+      query.find(ring, ring, testing::randomPose(random, 1.2), 0.05, 0.05, true, found);
       hits += !found.empty();
     }
   };

@@ -103,18 +103,21 @@ TEST_F(ClFiles, readsWhatRealFilesHold) {
   EXPECT_EQ(m[3].position, Vec3(3, 4, 3));
   EXPECT_DOUBLE_EQ(m[4].feed, 300.0);
   EXPECT_EQ(m[4].tool_axis, Vec3(0, 0, 1)) << "of length 1";
-  ASSERT_EQ(file.ignored.size(), 1u);
-  EXPECT_EQ(file.ignored[0].word, "QUIRK");
-  EXPECT_EQ(file.ignored[0].line, 26u);
+  ASSERT_EQ(file.unknown.size(), 1u);
+  EXPECT_EQ(file.unknown[0].word, "QUIRK");
+  EXPECT_EQ(file.unknown[0].line, 26u);
 }
 
 TEST_F(ClFiles, reportsASecondTool) {
-  const ClFile one = read("LOADTL/1\nGOTO/0,0,0\nLOADTL/1\nGOTO/1,0,0\n");
-  EXPECT_TRUE(one.ignored.empty());
-  const ClFile two = read("LOADTL/1\nGOTO/0,0,0\nLOADTL/2\nGOTO/1,0,0\nLOADTL/1\nGOTO/2,0,0\n");
-  ASSERT_EQ(two.ignored.size(), 1u);
-  EXPECT_EQ(two.ignored[0].word, "LOADTL");
-  EXPECT_EQ(two.ignored[0].line, 3u);
+  const auto secondTool = [&](const std::string& second) {
+    return read("LOADTL/1\nGOTO/0,0,0\n" + second + "\nGOTO/1,0,0\nLOADTL/1\nGOTO/2,0,0\n").second_tool;
+  };
+  EXPECT_EQ(secondTool("LOADTL/1"), 0u);
+  EXPECT_EQ(secondTool("LOAD/TOOL,1"), 0u);
+  EXPECT_EQ(secondTool("LOADTL/1,OSETNO,2"), 0u);
+  EXPECT_EQ(secondTool("LOADTL"), 0u);
+  EXPECT_EQ(secondTool("LOADTL/2"), 3u);
+  EXPECT_EQ(secondTool("LOAD/TOOL,2"), 3u);
 }
 
 TEST_F(ClFiles, turnsInchesToMillimetres) {

@@ -88,9 +88,12 @@ TEST_F(Interrupt, grindKeepsItsTablesWhileItDraws) {
     });
   };
   const pid_t child = startOctoblisk(folder_.path(), "grind --frames 400 --out run");
-  for (int wait = 0; wait < 18'000 && !isDrawing(); ++wait) std::this_thread::sleep_for(10ms);
-  ::kill(child, SIGINT);
   int status = 0;
+  for (int wait = 0; wait < 18'000 && !isDrawing(); ++wait) {
+    ASSERT_EQ(::waitpid(child, &status, WNOHANG), 0) << "it ended before it drew";
+    std::this_thread::sleep_for(10ms);
+  }
+  ::kill(child, SIGINT);
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   const Outcome stopped = outcomeOf(status, folder_.path());
   EXPECT_EQ(stopped.exit_code, 130);

@@ -19,7 +19,7 @@ bool areFacing(const PairedContact& contact, const SurfacePair& surfaces) {
 }  // namespace
 
 void Pinches::open(std::vector<PairedContact>& contacts, const SurfacePair& surfaces,
-                   const std::vector<NumberPair>& meeting, bool both_are_solid) {
+                   const std::vector<NumberPair>& meeting) {
   pinching_.clear();
   for (std::uint32_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].distance <= 0.0 && !areFacing(contacts[c], surfaces)) pinching_.push_back(c);
@@ -43,18 +43,17 @@ void Pinches::open(std::vector<PairedContact>& contacts, const SurfacePair& surf
     const std::uint32_t group = groupOf(*first);
     const auto last =
         std::find_if(first, pinching_.end(), [&](std::uint32_t c) { return groupOf(c) != group; });
-    open(contacts, {first, last}, group, both_are_solid);
+    open(contacts, {first, last}, group);
     first = last;
   }
   std::erase_if(contacts, [](const PairedContact& contact) { return contact.is_removed; });
 }
 
 /// Opens one crossing: a group of pairs that meet. The members are its contacts that may pinch. Where bars
-/// cross, the curve extends as far as they overlap. An end that pokes into a side has a planar curve: without
-/// another way out, the depth is that of the triangles. The curve of surfaces that lie along each other, as
-/// the walls of nested cups do, extends much farther than they overlap: their contacts stay as they are.
-void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::uint32_t group,
-                   bool both_are_solid) {
+/// cross, the curve extends as far as they overlap. An end that pokes into a side has a planar curve: the
+/// depth is that of the triangles. The curve of surfaces that lie along each other, as the walls of nested
+/// cups do, extends much farther than they overlap: contacts across the way out stay.
+void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::uint32_t group) {
   crossing_.clear();
   for (std::size_t s = 0; s < curve_.size(); ++s) {
     if (crossings_.groupOf(of_segments_[s]) == group) crossing_.push_back(curve_[s]);
@@ -64,34 +63,35 @@ void Pinches::open(std::vector<PairedContact>& contacts, Members members, std::u
   constexpr double kOpposed = 0.9, kAcross = 0.5, kOut = 0.2, kAgainst = 0.3;  // cosines
   constexpr double kCrossing = 0.25;  // the least depth as a fraction of the extent; bars that cross have 1
   const double extent = extentAlong(*out, crossing_);
-  const bool may_be_bars = both_are_solid && depthAlong(*out, crossing_) >= kCrossing * extent;
+  const bool lie_along = depthAlong(*out, crossing_) < kCrossing * extent;
   const bool is_planar = isPlanar(*out, crossing_);
-  pushing_.clear();
+  touching_.clear();
   for (const PairedContact& contact : contacts) {
     if (contact.distance <= 0.0 && crossings_.groupOf(contact.pair) == group)
-      pushing_.push_back(contact.normal);
+      touching_.push_back(contact.normal);
   }
   const auto isAnyPushing = [&](const Vec3& direction, double least_cosine) {
-    return std::ranges::any_of(pushing_,
+    return std::ranges::any_of(touching_,
                                [&](const Vec3& normal) { return normal.dot(direction) > least_cosine; });
   };
   const bool has_way_out = isAnyPushing(*out, kOut);
+  const bool keeps_way_out = isAnyPushing(*out, kAcross);
   std::uint32_t deepest = kNoIndex;
   for (const std::uint32_t c : members) {
     const Vec3& normal = contacts[c].normal;
     const double along = normal.dot(*out);
     const bool pulls = is_planar && along < -kAgainst;
-    const bool pinches = may_be_bars && along < kAcross && (!has_way_out || isAnyPushing(-normal, kOpposed));
+    const bool pinches = !lie_along && along < kAcross && (!has_way_out || isAnyPushing(-normal, kOpposed));
     if (!pulls && !pinches) continue;
     contacts[c].is_removed = true;
-    if (pulls && has_way_out) continue;
+    if (pulls && keeps_way_out) continue;
     if (deepest == kNoIndex || contacts[c].distance < contacts[deepest].distance) deepest = c;
   }
   if (deepest == kNoIndex) return;
   contacts[deepest].is_removed = false;
   Contact& contact = contacts[deepest];
   contact.normal = *out;
-  contact.distance = has_way_out ? -extent : std::min(contact.distance, -extent);
+  contact.distance = keeps_way_out ? -extent : std::min(contact.distance, -extent);
   placeAround(middleOf(crossing_), contact);
 }
 

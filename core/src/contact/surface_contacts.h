@@ -31,23 +31,22 @@ namespace octoblisk::detail {
 class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`: what filter makes of
-  /// octoblisk::contacts. `solids` is the number of solids, 0 to 2, among the bodies: if there are any,
-  /// contacts that hold the bodies in each other are removed as well (Pinches). Where very many triangle
-  /// pairs are within the threshold, uses a smaller one, but at least the distance of the nearest pair plus
-  /// `surplus`. Most contacts that filter would remove are not computed in the first place. Where the closest
-  /// points of two triangles are not unique, or nearly so, find may keep other contacts than filter does.
-  /// Allocates nothing once warm.
+  /// octoblisk::contacts. If both bodies are solids, removes contacts that hold them in each other as well
+  /// (Pinches). Where very many triangle pairs are within the threshold, uses a smaller one, but at least the
+  /// distance of the nearest pair plus `surplus`. Most contacts that filter would remove are not computed in
+  /// the first place. Where the closest points of two triangles are not unique, or nearly so, find may keep
+  /// other contacts than filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
-            double surplus, int solids, std::vector<Contact>& found);
+            double surplus, bool are_solid, std::vector<Contact>& found);
 
   /// Treats the contacts of A and B within `threshold`, which are in ascending order of triangles. Contacts
-  /// between two faces that lie on each other get a normal perpendicular to a face; their distances stay.
-  /// Contacts of the other kinds are removed; the order stays. Missing contacts follow at the end. Contacts
-  /// that push the long way are all removed. Of the others, the deepest stays, and
-  /// at least one of each connected group. A contact whose triangles are apart also stays if it is connected
-  /// to no contact whose triangles meet, because a thin sheet has two sides. Triangles face outward, and
-  /// shared corners are equal to the last bit. `triangle_a(contact)` and `triangle_b(contact)` return the
-  /// triangles in the frame of the contacts. Allocates nothing once warm.
+  /// of the last kind above get a normal perpendicular to a face; their distances stay. Contacts of the other
+  /// kinds are removed; the order stays. Missing contacts follow at the end. Contacts that push the long way
+  /// are all removed. Of the others, the deepest stays, and at least one of each connected group. A contact
+  /// whose triangles are apart also stays if it is connected to no contact whose triangles meet, because a
+  /// thin sheet has two sides. Triangles face outward, and shared corners are equal to the last bit.
+  /// `triangle_a(contact)` and `triangle_b(contact)` return the triangles in the frame of the contacts.
+  /// Allocates nothing once warm.
   template <typename TriangleA, typename TriangleB>
   void filter(std::vector<Contact>& contacts, double threshold, TriangleA&& triangle_a,
               TriangleB&& triangle_b) {

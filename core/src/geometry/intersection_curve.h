@@ -32,8 +32,8 @@ Vec3 middleOf(IntersectionCurve curve);
 /// How far the curve extends along the way out, a unit vector.
 double extentAlong(const Vec3& way_out, IntersectionCurve curve);
 
-/// Whether the curve is nearly in one plane: one of the bodies is flat there, and bounds the other like a
-/// half-space.
+/// Whether the curve is nearly in one plane, as where one of the bodies is flat. The way out is then
+/// perpendicular to this plane.
 bool isPlanar(const Vec3& way_out, IntersectionCurve curve);
 
 /// How deep the bodies overlap on the line through the curve's middle along the way out, a unit vector. Takes

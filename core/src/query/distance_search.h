@@ -26,7 +26,7 @@ struct DistanceBounds8 {
   std::array<float, kLanes> least, most;
 };
 
-/// The nearest pair of triangles of two meshes.
+/// A search for the nearest pair of triangles of two meshes.
 class DistanceSearch {
  public:
   DistanceSearch(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
@@ -76,7 +76,7 @@ class DistanceSearch {
   std::size_t measured_ = 0;
 };
 
-/// The triangle of a mesh that is nearest to a convex body.
+/// A search for the triangle of a mesh that is nearest to a convex body.
 class ConvexDistanceSearch {
  public:
   ConvexDistanceSearch(const TriangleMesh& a, const Convex& b, const Pose& b_in_a,

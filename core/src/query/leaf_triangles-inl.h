@@ -16,17 +16,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls visit(triangle) for each triangle of a leaf that may be within `reach`, according to a PointCull or
-/// ConvexCull. Returns true as soon as a visit does, otherwise false.
+/// Calls visit(triangle) for each triangle of a leaf that a cull lets through: cull.near(…, limit), as
+/// PointCull, ConvexCull and MotionCull have it. Returns true as soon as a visit does, otherwise false.
 template <typename Cull, typename Visit>
-HWY_INLINE bool forEachNearInLeaf(const Tree& tree, Slot leaf, const Cull& cull, double reach,
+HWY_INLINE bool forEachNearInLeaf(const Tree& tree, Slot leaf, const Cull& cull, double limit,
                                   Visit&& visit) {
   const std::span<const std::uint32_t> triangles = tree.triangles(tree.child(leaf));
   Box8 box_room(Box8::Unset{});
   LeafVertices room;
   const BoxF box = boxesAt(tree, leaf, box_room).get(leaf.lane);
   const float* const rows = tree.leafVertices(leaf, room);
-  for (const std::uint32_t i : Lanes(cull.near(box, rows, tree.child(leaf).count(), reach))) {
+  for (const std::uint32_t i : Lanes(cull.near(box, rows, tree.child(leaf).count(), limit))) {
     if (visit(triangles[i])) return true;
   }
   return false;

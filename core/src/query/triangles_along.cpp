@@ -63,8 +63,8 @@ inline std::optional<NearPart> nearPart(const Tree& tree, const MovingBox& box) 
   return part;
 }
 
-/// A lower bound of the fraction at which the box first meets a triangle. Tests the triangle's normal, and
-/// the axes perpendicular to the motion and an edge.
+/// A lower bound of the fraction at which the box first meets a triangle that MotionCull lets through. Tests
+/// the triangle's normal, and the axes perpendicular to the motion and an edge.
 inline double firstMeeting(const Triangle& triangle, const MovingBox& box, double slack) {
   const double reach = slack + box.rim * boundsOf(triangle).halfExtents().norm();
   OverlapInterval overlap;
@@ -121,7 +121,7 @@ class FirstMeetings {
   float rim_, slack_;
 };
 
-/// The same for the eight triangles of a leaf, along the axes of the moving box.
+/// Tests the moving box against the eight triangles of a leaf, along the axes of the moving box.
 class MotionCull {
  public:
   MotionCull(const BoxF& start, const Vec3& motion, double rim, float slack)
@@ -171,7 +171,8 @@ void trianglesAlong(const Tree& tree, const MovingBox& box, const NearPart& near
   const auto limit = [&] {  // fraction of the near part
     return share > 0.0 ? static_cast<float>((wanted - near.first) / share + kSingleRounding) : 1.0f;
   };
-  const MotionCull cull(local.box, share * box.motion, box.rim, slack);
+  const MotionCull cull(local.box, share * box.motion, box.rim,
+                        4.0f * slack + static_cast<float>(local.doubles));
   walkBox(tree, local, FirstMeetings(share * box.motion, box.rim, slack), limit, [&](Slot leaf) {
     return forEachNearInLeaf(tree, leaf, cull, double(limit()), [&](std::uint32_t triangle) {
       const double first = firstMeeting(tree.mesh().triangle(triangle), box, slack_of_doubles);
