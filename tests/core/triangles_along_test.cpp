@@ -63,13 +63,14 @@ TEST(TrianglesAlong, movingBoxes_vs_bruteforce) {
   for (const Scene& scene : {Scene{testing::torus(2, 0.7, 24, 12), 1.0}, Scene{testing::fan(7, 12), 0.2},
                              Scene{testing::soup(random, 400, 2, 0.8), 1.5}}) {
     const SharedMesh& mesh = scene.mesh;  // Clang 14 captures no structured binding
-    const ClusteredOctree tree = ClusteredOctree::build(mesh);
+    const ClusteredOctree tree = ClusteredOctree::build(mesh),
+                          compact = ClusteredOctree::build(mesh, {.storage = Storage::compact});
     int hits = 0;
     std::size_t given = 0, seen = 0;
     constexpr int kBoxes = 50;
     for (int i = 0; i < kBoxes; ++i) {
       const MovingBox box = randomBox(random, *mesh, 0.15, scene.miss);
-      const auto found = visited(tree, box);
+      const auto found = visited(tree, box), found_in_compact = visited(compact, box);
       double first_of_all = 2.0;
       for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t) {
         const double first = firstSeen(box, mesh->triangle(t), 24);
@@ -79,6 +80,7 @@ TEST(TrianglesAlong, movingBoxes_vs_bruteforce) {
         const auto at = found.find(t);
         ASSERT_TRUE(at != found.end()) << "box " << i << ", triangle " << t;
         ASSERT_LE(at->second, first + 1e-12);
+        ASSERT_TRUE(found_in_compact.contains(t)) << "box " << i << ", triangle " << t;
       }
       given += found.size();
       hits += first_of_all <= 1.0;
