@@ -26,10 +26,10 @@ QueryCost costOfMeeting(const Tree& a, const Tree& b, const Pose& b_in_a, bool a
 
 QueryCost costOfNearest(const Tree& a, const Tree& b, const Pose& b_in_a) {
   QueryCost cost;
-  DistanceSearch nearest(a.mesh(), b.mesh(), b_in_a, {});
-  searchNearest(a, b, b_in_a, nearest, cost);
-  nearest.settled();
-  cost.exact_tests = nearest.measured();
+  DistanceSearch search(a.mesh(), b.mesh(), b_in_a, {});
+  searchNearest(a, b, b_in_a, search, cost);
+  search.settled();
+  cost.exact_tests = search.measured();
   return cost;
 }
 

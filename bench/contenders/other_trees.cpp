@@ -60,12 +60,12 @@ class Narrower {
         continue;
       }
       const std::span<const Slot> group = boxes.subspan(begin, end - begin);
-      set(slot, boxRound(group));
+      set(slot, boxAround(group));
       writeBelow(group, slot);
     }
   }
 
-  BoxF boxRound(std::span<const Slot> boxes) const {
+  BoxF boxAround(std::span<const Slot> boxes) const {
     std::vector<Vec3> points;
     for (const Slot slot : boxes) addCorners(slot, points);
     const Obb box = principalBox(points);

@@ -18,18 +18,18 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 /// Offers the pairs of triangles that may be nearest, until none is left or nothing can be nearer.
 template <typename Tally = NoTally>
-void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSearch& nearest,
+void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSearch& search,
                    Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto bound = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();
     return squaredDistanceBound(boxes, box);
   };
-  const auto limit = [&] { return squaredLimit(nearest.bound() + pose.doubles, pose.size); };
+  const auto limit = [&] { return squaredLimit(search.bound() + pose.doubles, pose.size); };
   PairDistances pairs;
   const auto measure = [&]() HWY_ATTR {
     tally.triangleTest();
-    const bool done = nearest.consider(pairs.pairs(), pairs.bounds());
+    const bool done = search.consider(pairs.pairs(), pairs.bounds());
     pairs.clear();
     return done;
   };
@@ -37,11 +37,11 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSea
     tally.leafPair();
     const LeafPair leaves(a, b, pose, slot_a, slot_b);
     const auto reach = [&] {
-      return static_cast<float>(std::min(kFarthest, nearest.bound())) + leaves.planeRounding();
+      return static_cast<float>(std::min(kFarthest, search.bound())) + leaves.planeRounding();
     };
     auto close = leaves.within(reach());
     if (close.of_a == 0) return false;
-    leaves.keepWithin(reach(), nearest.direction(), close);  // keeps few if the surfaces are nearly parallel
+    leaves.keepWithin(reach(), search.direction(), close);  // keeps few if the surfaces are nearly parallel
     if (close.of_a == 0) return false;
     const TriangleLanes triangles_of_b(leaves);
     for (const std::uint32_t i : Lanes(close.of_a)) {
@@ -52,19 +52,18 @@ void searchNearest(const Tree& a, const Tree& b, const Pose& b_in_a, DistanceSea
       for (const std::uint32_t j : Lanes(near)) {
         const bool may_meet = ((verdicts.meet | verdicts.open) >> j & 1u) != 0;
         if (may_meet) {
-          if (nearest.offer({leaves.triangleA(i), leaves.triangleB(j)}, true)) return true;
+          if (search.offer({leaves.triangleA(i), leaves.triangleB(j)}, true)) return true;
         } else {
           pairs.add(leaves, i, j);
           if (pairs.isFull() && measure()) return true;
         }
       }
     }
-    return !nearest.hasPair() && pairs.count() != 0 && measure();
+    return !search.hasPair() && pairs.count() != 0 && measure();
   };
   // The queue finds a near pair early. If one is known, the stack is faster.
-  const bool done = nearest.hasPair()
-                        ? walkPairs<TraversalStack>(a, b, pose, NodePair(), bound, limit, visit)
-                        : walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, visit);
+  const bool done = search.hasPair() ? walkPairs<TraversalStack>(a, b, pose, NodePair(), bound, limit, visit)
+                                     : walkPairs<TraversalQueue>(a, b, pose, NodePair(), bound, limit, visit);
   if (!done && pairs.count() != 0) measure();
 }
 

@@ -28,9 +28,9 @@ HWY_EXPORT(addNearPairs);
 
 double nearPairs(const Tree& a, const Tree& b, const Pose& b_in_a, double threshold, double surplus,
                  std::vector<NearPair>& near) {
-  NearPairCollector nearest(near, threshold, surplus);
-  HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, nearest);
-  return nearest.reach();
+  NearPairCollector collector(near, threshold, surplus);
+  HWY_DYNAMIC_DISPATCH(addNearPairs)(a, b, b_in_a, threshold, collector);
+  return collector.reach();
 }
 
 }  // namespace octoblisk::detail

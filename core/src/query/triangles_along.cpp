@@ -88,6 +88,8 @@ inline double firstMeeting(const Triangle& triangle, const MovingBox& box, doubl
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
+constexpr float kSlowest = 1e-30f;  // speeds below it are raised to it, because they are divisors
+
 /// For each of eight boxes, a lower bound of the fraction at which the moving box first overlaps it along all
 /// six face axes; above kFarthest if it never does.
 class FirstMeetings {
@@ -115,7 +117,6 @@ class FirstMeetings {
   }
 
  private:
-  static constexpr float kSlowest = 1e-30f;
   static constexpr float kMissed = 1e30f;  // above kFarthest
   float motion_[3];
   float rim_, slack_;
@@ -152,7 +153,6 @@ class MotionCull {
   }
 
  private:
-  static constexpr float kSlowest = 1e-30f;
   const BoxF& start_;
   Eigen::Vector3f speeds_;  // along the axes of the moving box
   float rim_, slack_;
