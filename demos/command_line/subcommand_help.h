@@ -7,7 +7,7 @@
 namespace octoblisk::demos {
 
 struct Help {
-  std::string about;   ///< the file up to its first empty line: above the options. Its first line is a summary
+  std::string about;  ///< the file up to its first empty line: above the options. Its first line is a summary
   std::string footer;  ///< the rest: below them. Paragraphs, and items that begin with "- "
 };
 
