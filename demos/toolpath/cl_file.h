@@ -30,7 +30,7 @@ struct ClUnknown {
 struct ClFile {
   std::vector<ClMotion> motions;
   std::vector<ClUnknown> unknown;  ///< words of unknown meaning, one entry per word
-  std::size_t second_tool = 0;     ///< line of the first LOADTL or LOAD of another tool; 0: there is none
+  std::size_t second_tool = 0;     ///< line where the tool first changes; 0: it never does
 };
 
 /// Reads FROM, GOTO and GODLTA with UNITS, FEDRAT, RAPID, SPINDL, TLAXIS and MULTAX.

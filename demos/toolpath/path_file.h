@@ -22,7 +22,7 @@ struct PathFile {
   std::vector<ToolMotion> motions;
   std::vector<MotionLines> lines;  ///< per motion
   std::vector<ClUnknown> unknown;  ///< ignored words of a CL file
-  std::size_t second_tool = 0;     ///< line of a CL file that loads another tool; 0: none
+  std::size_t second_tool = 0;     ///< line where a CL file first changes the tool; 0: it never does
 
   std::vector<Pose> poses() const;
 };

@@ -10,8 +10,8 @@ namespace octoblisk {
 class Convex;
 
 /// Two bounding volumes of a body, a box grown by a distance and a ball. They bound the motion of the body's
-/// points. A tree or a convex body converts to a BodyBounds, which keeps no reference to it. A box alone
-/// makes one, too. The bounds hold even if rotations are orthonormal to single precision only.
+/// points. A tree or a convex body converts to a BodyBounds, which keeps no reference to it. A BodyBounds
+/// can also be made from a box. The bounds hold even if rotations are orthonormal to single precision only.
 class BodyBounds {
  public:
   BodyBounds(const ClusteredOctree& tree);

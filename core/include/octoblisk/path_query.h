@@ -34,8 +34,9 @@ class PathQuery {
   /// triangles around it. Tests nothing else if B's points have moved by less than the last distance.
   std::optional<TrianglePair> collide(const Pose& b_in_a);
 
-  /// The least distance. The hint is the last pair found, or the hint of the options if there is none yet. If
-  /// B has moved too little since the last measured distance to come within the upper bound, tests nothing.
+  /// The least distance. The search starts from the pair that the last search found. The first search starts
+  /// from the hint of the options. Skips the search if B cannot have come within the upper bound since the
+  /// last measured distance.
   Clearance distance(const Pose& b_in_a, const DistanceOptions& options = {});
 
   /// The signed distance (signed_distance.h). If the bodies are apart, the last pair found is the hint.

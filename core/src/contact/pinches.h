@@ -24,9 +24,9 @@ class Pinches {
   /// - contacts that push against the way out, if the curve of the crossing is planar;
   /// - contacts that push across or against the way out: those that another contact opposes, or all if no
   ///   contact pushes out. If the surfaces lie along each other, as the walls of nested cups do, these stay.
-  /// Of the removed contacts, the deepest comes back, but pushes out, at the middle of the curve. A contact
-  /// of the first kind does not if another contact pushes out. The depth is the extent of the curve along the
-  /// way out; if no other contact pushes out, it is at least that of the triangles. The order stays.
+  /// Of the removed contacts, the deepest comes back, but pushes out, at the middle of the curve. Contacts
+  /// of the first kind stay removed if another contact pushes out. The depth is the extent of the curve along
+  /// the way out; if no other contact pushes out, it is at least that of the triangles. The order stays.
   /// Allocates nothing once warm.
   void open(std::vector<PairedContact>& contacts, const SurfacePair& surfaces,
             const std::vector<NumberPair>& meeting);

@@ -20,8 +20,8 @@ struct AxisSearch {
   CoreContact contact;
 };
 
-/// Whether searchAxes can search these faces: there are some, and no more points, faces or edges than it has
-/// room for.
+/// Whether searchAxes can search these faces. It needs at least one face, and has room for a limited number
+/// of points, faces and edges.
 bool canSearchAxes(std::span<const Vec3> points, const HullFaces& faces);
 
 /// The triangle must be wide enough to have a normal. `faces` are those of the hull of `points`. If triangle

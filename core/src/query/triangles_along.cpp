@@ -88,7 +88,7 @@ inline double firstMeeting(const Triangle& triangle, const MovingBox& box, doubl
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-constexpr float kSlowest = 1e-30f;  // speeds below it are raised to it, because they are divisors
+constexpr float kSlowest = 1e-30f;  // the least speed to divide by
 
 /// For each of eight boxes, a lower bound of the fraction at which the moving box first overlaps it along all
 /// six face axes; above kFarthest if it never does.
