@@ -19,6 +19,7 @@
 #include "our_shape.h"
 #include "shape_bounds.h"
 #include "step_correction.h"
+#include "step_start.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -83,6 +84,14 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap0_;
   const btCollisionObjectWrapper* wrap1_;
 };
+
+/// The pose of a body, or of a child of its shape, at the start of the last step.
+Pose lastPose(const btCollisionObjectWrapper& body, btScalar time_step) {
+  const btCollisionObject& object = *body.getCollisionObject();
+  const Pose in_object =
+      fromBullet(object.getWorldTransform()).inverse() * fromBullet(body.getWorldTransform());
+  return fromBullet(stepStart(object, time_step)) * in_object;
+}
 
 /// Whether the touching points of the two bodies have certainly moved by at most `limit` relative to each
 /// other.
@@ -178,6 +187,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
                                      btManifoldResult* result) {
   if (const ShapeTypes types(*body0, *body1); types != types_) {
     manifolds_.clear();
+    way_back_.forget();
     substituteFor(types, *body0, *body1).processCollision(body0, body1, info, result);
     return;
   }
@@ -208,6 +218,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_.reset();  // in case of an exception
     findBodyContacts(shapes, reach, contacts_);
+    if (is_step && info.m_timeStep > 0) pushBack(shapes, reach, mesh, other, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
@@ -225,10 +236,40 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
   if (mesh_has_changed || other_has_changed || are_solid != are_solid_) {
     manifolds_.clear();
     patches_ = {};
+    way_back_.forget();
     other_in_mesh_.reset();
   }
   are_solid_ = are_solid;
   if (!readOther(shapes.other)) other_in_mesh_.reset();
+}
+
+void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+                             const btCollisionObjectWrapper& other, btScalar time_step) {
+  const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
+  if (shapes.other.isInfinite() || !(is_mesh_open || is_other_open)) return;  // a half-space is solid
+  const auto overlap = [this] {
+    return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
+  };
+  if (overlap()) {
+    const Pose last_pose = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
+    bool were_apart = true;
+    if (way_back_.isNew()) {
+      findTriangleContacts({shapes.mesh, shapes.other, last_pose, shapes.breaking}, 0.0, contacts_);
+      were_apart = !overlap();
+      findBodyContacts(shapes, reach, contacts_);
+    }
+    const auto normalsAt = [&](const Contact& contact) {
+      WayBack::Normals normals;
+      if (is_mesh_open) normals.of_a = scaledNormal(shapes.mesh.tree().mesh().triangle(contact.triangle_a));
+      if (is_other_open) {
+        const Triangle of_other = triangleOfOther(shapes.other, contact)->corners;
+        normals.of_b = shapes.other_in_mesh.rotation * scaledNormal(of_other);
+      }
+      return normals;
+    };
+    if (were_apart) way_back_.pushBack(contacts_, last_pose * shapes.other_in_mesh.inverse(), normalsAt);
+  }
+  way_back_.endStep(contacts_);
 }
 
 void MeshAlgorithm::noticeRoom() {

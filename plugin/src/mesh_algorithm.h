@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/contact_patches.h"
+#include "contact/way_back.h"
 #include "manifolds.h"
 #include "octoblisk/triangle_source.h"
 
@@ -112,6 +113,11 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Discards what was made with earlier states of the shapes.
   void noticeChanges(const PosedShapes& shapes);
 
+  /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. The
+  /// last step took `time_step`.
+  void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+                const btCollisionObjectWrapper& other, btScalar time_step);
+
   /// Measures the room if one body is between opposite walls of the other. Keeps the greatest room since the
   /// bodies met: a load shrinks the room, and the margins would shrink with it.
   void noticeRoom();
@@ -127,6 +133,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   Manifolds manifolds_;
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
+  WayBack way_back_;  // if a body has an open mesh
   ContactPatches patches_;
 
   // The state for which the patches were made. Without a pose, they are made anew.

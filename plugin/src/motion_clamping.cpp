@@ -4,7 +4,6 @@
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-#include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
 #include <numeric>
@@ -12,20 +11,13 @@
 #include "octoblisk_bullet/step_motion.h"
 #include "part_sweep.h"
 #include "shape_bounds.h"
+#include "step_start.h"
 
 namespace octoblisk {
 
 using namespace detail;
 
 namespace {
-
-/// The pose from which Bullet moved the body: the inverse of its motion.
-btTransform startOf(const btRigidBody& body, btScalar dt) {
-  btTransform start;
-  btTransformUtil::integrateTransform(body.getWorldTransform(), -body.getLinearVelocity(),
-                                      -body.getAngularVelocity(), dt, start);
-  return start;
-}
 
 /// No point of the shape, margin included, is farther than this from its origin.
 double farthestFromOrigin(const btCollisionShape& shape) {
@@ -104,7 +96,7 @@ void MotionClamping::collect(btCollisionWorld& world, btScalar dt) {
     btRigidBody* body = movedBody(object);
     const btVector3 none(0, 0, 0);
     const Motion motion =
-        body ? stepMotion(startOf(*body, dt), body->getLinearVelocity(), body->getAngularVelocity(), dt)
+        body ? stepMotion(stepStart(*body, dt), body->getLinearVelocity(), body->getAngularVelocity(), dt)
              : stepMotion(object.getWorldTransform(), none, none, dt);
     const Aabb swept = sweptBox(object, motion, body != nullptr);
     if (!swept.min.allFinite() || !swept.max.allFinite()) continue;

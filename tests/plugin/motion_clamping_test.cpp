@@ -468,7 +468,7 @@ TEST_F(ThinParts, whatBulletHasPutBackIsLeftThere) {
   body.setCcdMotionThreshold(btScalar(0.05));
   for (const bool put_back : {false, true}) {
     // As Bullet leaves a body that has moved by 1 down, or would have.
-    body.setWorldTransform(at(0, 0, -0.5));
+    body.proceedToTransform(at(0, 0, -0.5));
     body.setHitFraction(put_back ? 0 : 1);
     MotionClamping clamping;
     clamping.updateAction(&*world, btScalar(1.0 / 240.0));

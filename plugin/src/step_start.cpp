@@ -1,0 +1,17 @@
+#include "step_start.h"
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <LinearMath/btTransformUtil.h>
+
+namespace octoblisk::detail {
+
+btTransform stepStart(const btCollisionObject& body, btScalar dt) {
+  if (body.isStaticObject()) return body.getWorldTransform();
+  btTransform start;
+  // The user may have changed the velocities since. The interpolation velocities are still those of the step.
+  btTransformUtil::integrateTransform(body.getWorldTransform(), -body.getInterpolationLinearVelocity(),
+                                      -body.getInterpolationAngularVelocity(), dt, start);
+  return start;
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,14 @@
+// Where a body was at the start of the last step.
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+class btCollisionObject;
+
+namespace octoblisk::detail {
+
+/// The pose from which Bullet moved a body in its last step, which took `dt`: the inverse of that motion.
+/// Without velocities, e.g. of a static body, the current pose.
+btTransform stepStart(const btCollisionObject& body, btScalar dt);
+
+}  // namespace octoblisk::detail
