@@ -247,29 +247,34 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
                              const btCollisionObjectWrapper& other, btScalar time_step) {
   const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
   if (shapes.other.isInfinite() || !(is_mesh_open || is_other_open)) return;  // a half-space is solid
+  const bool is_convex = shapes.other.isConvex();
+  const Aabb bounds = shapeBounds(shapes.other);
+  if (is_convex && bounds.halfExtents().norm() > shapes.mesh.tree().mesh().bounds().halfExtents().norm())
+    return;  // its center says nothing about its side of the mesh
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
-  if (overlap()) {
-    const Pose last_pose = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
-    bool were_apart = true;
-    if (way_back_.isNew()) {
-      findTriangleContacts({shapes.mesh, shapes.other, last_pose, shapes.breaking}, 0.0, contacts_);
-      were_apart = !overlap();
-      findBodyContacts(shapes, reach, contacts_);
+  if (!overlap()) return way_back_.areApart();
+  const Pose start = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
+  if (way_back_.isNew()) {
+    findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
+    const bool were_apart = !overlap();
+    findBodyContacts(shapes, reach, contacts_);
+    if (!were_apart) {
+      if (is_convex) way_back_.areApart();  // from now on, its center shows its side
+      return;
     }
-    const auto normalsAt = [&](const Contact& contact) {
-      WayBack::Normals normals;
-      if (is_mesh_open) normals.of_a = scaledNormal(shapes.mesh.tree().mesh().triangle(contact.triangle_a));
-      if (is_other_open) {
-        const Triangle of_other = triangleOfOther(shapes.other, contact)->corners;
-        normals.of_b = shapes.other_in_mesh.rotation * scaledNormal(of_other);
-      }
-      return normals;
-    };
-    if (were_apart) way_back_.pushBack(contacts_, last_pose * shapes.other_in_mesh.inverse(), normalsAt);
   }
-  way_back_.endStep(contacts_);
+  const std::optional<Vec3> center = is_convex ? std::optional(bounds.center()) : std::nullopt;
+  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, center, [&](const Contact& contact) {
+    WayBack::Normals normals;
+    if (is_mesh_open) normals.of_a = scaledNormal(shapes.mesh.tree().mesh().triangle(contact.triangle_a));
+    if (is_other_open) {
+      const Triangle of_other = triangleOfOther(shapes.other, contact)->corners;
+      normals.of_b = shapes.other_in_mesh.rotation * scaledNormal(of_other);
+    }
+    return normals;
+  });
 }
 
 void MeshAlgorithm::noticeRoom() {

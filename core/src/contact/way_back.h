@@ -22,35 +22,42 @@ class WayBack {
     Vec3 of_b = Vec3::Zero();
   };
 
-  /// Call this for all contacts of bodies that overlap. Removes those that do not push the bodies back. If no
-  /// contact remains, turns the deepest of these instead. The way back is perpendicular to the open surface.
-  /// It leads to the side
-  /// - to which the nearest contact of the last step pushed, or if there was none,
-  /// - from which B has come since the last step, in which they were apart.
-  /// If that contact pushed along the surface, or B came along the surface, the way back is unknown, and the
-  /// contact stays. `to_last` takes points of B, in A's frame, to where they were in the last step. Allocates
-  /// nothing once warm.
-  void pushBack(std::vector<Contact>& contacts, const Pose& to_last,
-                FunctionRef<Normals(const Contact& contact)> normals_at) const;
-
-  /// Call this in each step for all contacts, after pushBack.
-  void endStep(const std::vector<Contact>& contacts) { last_ = contacts; }
-
-  /// Whether the last step had no contacts, or is not known.
-  bool isNew() const { return last_.empty(); }
-
-  /// Discards the last step.
-  void forget() { last_.clear(); }
-
- private:
-  struct Way {
-    Vec3 direction;   ///< of A; unit
-    double distance;  ///< of the bodies along the direction; <= 0
+  /// The poses of B in A at the start of a step and now.
+  struct Step {
+    Pose start, now;
   };
 
-  std::optional<Way> wayAt(const Contact& contact, const Normals& normals, const Pose& to_last) const;
+  /// Whether nothing is known about the last step.
+  bool isNew() const { return is_new_; }
 
-  std::vector<Contact> last_;  // of the last step
+  /// Discards all that is known.
+  void forget() {
+    is_new_ = true;
+    home_.reset();
+  }
+
+  /// Call this in each step in which the bodies do not overlap.
+  void areApart() {
+    is_new_ = false;
+    home_.reset();
+  }
+
+  /// Call this in each step in which the bodies overlap, for all contacts. If nothing is known about the last
+  /// step, they must have been apart at the start of this one. Removes the contacts that push a body through
+  /// an open surface. If no contact remains, turns the deepest of these instead.
+  ///
+  /// B belongs on the side of a surface where it was at the start of the step: its `center` if B is convex,
+  /// or else its point at the contact. For a convex body whose contact was removed, the start of that step
+  /// counts until it is back. For other bodies, the start of the first step in which they overlap counts. A
+  /// contact that pushes along the surface, e.g. at its edge, stays, unless a convex body is on the wrong
+  /// side.
+  void pushBack(std::vector<Contact>& contacts, const Step& step, const std::optional<Vec3>& center,
+                FunctionRef<Normals(const Contact& contact)> normals_at);
+
+ private:
+  bool is_new_ = true;
+  bool is_through_ = false;   // whether a contact was removed since home_
+  std::optional<Pose> home_;  // of B in A, on the right side
 };
 
 }  // namespace octoblisk::detail
