@@ -15,6 +15,7 @@
 #include "octoblisk/containment.h"
 #include "query/thickness.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk {
 

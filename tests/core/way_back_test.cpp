@@ -1,0 +1,119 @@
+#include "contact/way_back.h"
+
+#include <gtest/gtest.h>
+
+namespace octoblisk::detail {
+namespace {
+
+/// Contacts of a body B with the surface z = 0 of A. A moves along the normals, so B moves against them.
+class WayBackTest : public ::testing::Test {
+ protected:
+  static constexpr double kUp = -1.0, kDown = 1.0;  // where a contact pushes B
+
+  static Contact push(double way, double depth, double x = 0.0) {
+    const Vec3 normal(0, 0, way), on_surface(x, 0, 0);
+    return {on_surface, on_surface + depth * normal, normal, -depth};
+  }
+
+  /// B moves from a height to another.
+  static WayBack::Step step(double from, double to) {
+    return {{Mat3::Identity(), Vec3(0, 0, from)}, {Mat3::Identity(), Vec3(0, 0, to)}};
+  }
+
+  void pushBack(const WayBack::Step& taken, bool is_convex = true) {
+    const std::optional<Vec3> center = is_convex ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
+    way_back_.pushBack(contacts_, taken, center, [this](const Contact&) { return normals_; });
+  }
+
+  /// The ways in which the contacts push, as a mean.
+  double way() const {
+    double sum = 0.0;
+    for (const Contact& contact : contacts_) sum += contact.normal.z();
+    return sum / static_cast<double>(contacts_.size());
+  }
+
+  WayBack way_back_;
+  WayBack::Normals normals_{Vec3(0, 0, 2), Vec3::Zero()};
+  std::vector<Contact> contacts_;
+};
+
+TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
+  for (const bool is_convex : {true, false}) {
+    for (const double from : {0.3, -0.3}) {
+      contacts_ = {push(from > 0.0 ? kDown : kUp, 0.1)};
+      way_back_.areApart();
+      pushBack(step(from, -0.1 * from), is_convex);
+      ASSERT_EQ(contacts_.size(), 1u);
+      EXPECT_EQ(way(), from > 0.0 ? kUp : kDown);
+      EXPECT_NEAR(contacts_[0].distance, -0.33, 1e-12);
+      EXPECT_TRUE(contacts_[0].point_on_a.isZero());
+      EXPECT_NEAR(contacts_[0].point_on_b.z(), from > 0.0 ? -0.33 : 0.33, 1e-12);
+    }
+  }
+}
+
+TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
+  contacts_ = {push(kDown, 0.1, 0), push(kUp, 0.05, 1), push(kDown, 0.2, 2)};
+  way_back_.areApart();
+  pushBack(step(0.3, -0.01));
+  ASSERT_EQ(contacts_.size(), 1u);
+  EXPECT_EQ(contacts_[0].distance, -0.05);
+}
+
+TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
+  way_back_.areApart();
+  for (const double height : {-0.05, -0.1, -0.05}) {
+    contacts_ = {push(kDown, 0.1)};
+    pushBack(step(height + 0.2, height));  // wherever it came from in this step
+    EXPECT_EQ(way(), kUp) << height;
+  }
+  contacts_ = {push(kUp, 0.1)};
+  pushBack(step(-0.05, 0.05));
+  EXPECT_EQ(way(), kUp);
+  contacts_ = {push(kDown, 0.1)};  // it was back, and comes from below
+  pushBack(step(-0.1, 0.02));
+  EXPECT_EQ(way(), kDown);
+}
+
+TEST_F(WayBackTest, aBodyThatWasAloneOrForgottenStartsAnew) {
+  contacts_ = {push(kDown, 0.1)};
+  way_back_.areApart();
+  pushBack(step(0.3, -0.1));
+  EXPECT_EQ(way(), kUp);
+  EXPECT_FALSE(way_back_.isNew());
+  way_back_.forget();
+  EXPECT_TRUE(way_back_.isNew());
+  contacts_ = {push(kDown, 0.1)};
+  pushBack(step(-0.3, 0.1));
+  EXPECT_EQ(way(), kDown);
+}
+
+TEST_F(WayBackTest, contactsAlongTheSurfaceStay) {
+  const Contact at_edge{Vec3::Zero(), Vec3(0, 0, -0.1), Vec3::UnitX(), -0.1};
+  for (const bool is_convex : {true, false}) {
+    contacts_ = {at_edge};
+    way_back_.areApart();
+    pushBack(step(0.3, -0.1), is_convex);
+    EXPECT_EQ(contacts_[0].normal, Vec3::UnitX());
+  }
+}
+
+TEST_F(WayBackTest, theSurfaceMayBeOfB) {
+  normals_ = {Vec3::Zero(), Vec3(0, 0, -3)};
+  contacts_ = {push(kDown, 0.1)};
+  way_back_.areApart();
+  pushBack(step(0.3, -0.1), false);
+  EXPECT_EQ(way(), kUp);
+  EXPECT_EQ(contacts_[0].point_on_b, Vec3(0, 0, 0.1));  // on the surface, as before
+}
+
+TEST_F(WayBackTest, contactsOfSolidsStay) {
+  normals_ = {};
+  contacts_ = {push(kDown, 0.1), push(kUp, 0.1)};
+  way_back_.areApart();
+  pushBack(step(0.3, -0.1));
+  EXPECT_EQ(contacts_.size(), 2u);
+}
+
+}  // namespace
+}  // namespace octoblisk::detail

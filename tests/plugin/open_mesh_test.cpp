@@ -1,0 +1,192 @@
+// Bodies stay on their side of open meshes, at 60 Hz and default settings.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "plugin/bullet_world.h"
+#include "plugin/shape_over.h"
+#include "shapes/sheets.h"
+#include "shared/meshes.h"
+#include "shared/solids.h"
+
+namespace octoblisk {
+namespace {
+
+using testing::at;
+using testing::BulletWorld;
+
+constexpr double kStep = 1.0 / 60.0;
+constexpr int kRuns = 12;
+
+struct Kind {
+  const char* name;
+  std::function<std::unique_ptr<btCollisionShape>()> make;
+};
+
+std::unique_ptr<btCollisionShape> ours(const testing::SharedMesh& mesh) {
+  return std::make_unique<ClusteredOctreeShape>(treeOver(mesh));
+}
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all = {
+      {"ball", [] { return std::make_unique<btSphereShape>(btScalar(0.05)); }},
+      {"box", [] { return std::make_unique<btBoxShape>(toBullet(Vec3(0.3, 0.2, 0.1))); }},
+      {"ring", [] { return ours(testing::torus(0.4, 0.1, 32, 12)); }},
+      {"gear", [] { return ours(testing::gear(12, 0.4, 0.48, 0.15, 0.1)); }},
+      {"channel", [] { return ours(testing::uProfile(0.3, 0.25, 0.05, 0.6)); }},
+      {"plate",
+       [] {
+         return ours(testing::boxMesh({0.5, 0.5, 0.05}));
+       }},
+  };
+  return all;
+}
+
+/// A flat square of 17 m in z = `height`. It faces up.
+testing::SharedMesh flatFloor(double height = 0.0) {
+  const auto floor = shapes::waveSheet(8.5, 0.0, 17);
+  return testing::moved(*floor, {Mat3::Identity(), Vec3(0, 0, height)});
+}
+
+btTransform turnedAt(std::mt19937_64& random, double z) {
+  return toBullet(Pose{testing::randomRotation(random), Vec3(0.13, 0.07, z)});
+}
+
+/// The contacts with impulses that push a body up, and down.
+struct Pushes {
+  int up = 0, down = 0;
+
+  void count(BulletWorld& world, const btRigidBody& body) {
+    for (int m = 0; m < world.dispatcher().getNumManifolds(); ++m) {
+      const btPersistentManifold& manifold = *world.dispatcher().getManifoldByIndexInternal(m);
+      const double on_body = manifold.getBody0() == &body ? 1.0 : -1.0;
+      for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        const btManifoldPoint& point = manifold.getContactPoint(p);
+        if (!(point.m_appliedImpulse > 0)) continue;
+        const double along = on_body * double(point.m_normalWorldOnB.z());
+        up += along > 0.3;
+        down += along < -0.3;
+      }
+    }
+  }
+};
+
+/// Bullet's own mesh shape, over the same triangles.
+class StockFloor {
+ public:
+  explicit StockFloor(const testing::SharedMesh& mesh) : mesh_(*mesh), shape_(mesh_.view(), true) {}
+  btBvhTriangleMeshShape& shape() { return shape_; }
+
+ private:
+  testing::BulletMesh mesh_;
+  btBvhTriangleMeshShape shape_;
+};
+
+TEST(OpenMesh, bodiesThatFallOntoItStayAbove) {
+  ClusteredOctreeShape floor = shapeOver(flatFloor());
+  for (const Kind& kind : kinds()) {
+    const std::unique_ptr<btCollisionShape> shape = kind.make();
+    std::mt19937_64 random(81);
+    Pushes pushes;
+    for (int run = 0; run < kRuns; ++run) {
+      BulletWorld world;
+      world.add(floor, 0, at(0, 0, 0));
+      btRigidBody& body = world.add(*shape, 1, turnedAt(random, 1.6));
+      for (int step = 0; step < 120; ++step) {
+        world.step(1, kStep);
+        pushes.count(world, body);
+      }
+      EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), 0.0) << kind.name << ' ' << run;
+    }
+    EXPECT_GT(pushes.up, 20 * kRuns) << kind.name;
+    EXPECT_LE(pushes.down, pushes.up / 200) << kind.name;
+  }
+}
+
+TEST(OpenMesh, bodiesThatComeFromBehindStayBehind) {
+  ClusteredOctreeShape floor = shapeOver(flatFloor());
+  int passed = 0;
+  for (const Kind& kind : kinds()) {
+    const std::unique_ptr<btCollisionShape> shape = kind.make();
+    std::mt19937_64 random(82);
+    int touched = 0;
+    for (int run = 0; run < kRuns; ++run) {
+      BulletWorld world;
+      world->setGravity(btVector3(0, 0, 0));
+      world.add(floor, 0, at(0, 0, 0));
+      btRigidBody& body = world.add(*shape, 1, turnedAt(random, -1.5));
+      body.setLinearVelocity(btVector3(0, 0, 3));
+      world.step(120, kStep);
+      touched += double(body.getLinearVelocity().z()) < 2.9;
+      passed += double(body.getWorldTransform().getOrigin().z()) > 0.0;
+    }
+    EXPECT_EQ(touched, kRuns) << kind.name;
+  }
+  EXPECT_LE(passed, 1);  // a plate that comes edge first
+}
+
+/// The floor pushes up while the ceiling pushes down: the contacts of one do not show the side of the other.
+TEST(OpenMesh, bodiesBetweenFloorAndCeilingStayThere) {
+  constexpr double kHeight = 1.4;
+  ClusteredOctreeShape room = shapeOver(testing::joined(*flatFloor(), *flatFloor(kHeight)));
+  for (const Kind& kind : kinds()) {
+    const std::unique_ptr<btCollisionShape> shape = kind.make();
+    std::mt19937_64 random(83);
+    std::uniform_real_distribution<double> speed(-3.0, 3.0);
+    for (int run = 0; run < kRuns; ++run) {
+      BulletWorld world;
+      world.add(room, 0, at(0, 0, 0)).setRestitution(1);
+      btRigidBody& body = world.add(*shape, 1, at(0.13, 0.07, 0.5 * kHeight));
+      body.setRestitution(btScalar(0.8));
+      body.setLinearVelocity(toBullet(Vec3(speed(random) / 3.0, speed(random) / 3.0, speed(random))));
+      world.step(150, kStep);
+      const double z = double(body.getWorldTransform().getOrigin().z());
+      EXPECT_TRUE(z > 0.0 && z < kHeight) << kind.name << ' ' << run << ' ' << z;
+    }
+  }
+}
+
+/// Bullet's mesh lets all these balls through. Each moves by nearly its diameter in a step.
+TEST(OpenMesh, smallFastBallsDoNotPass_vs_bvh) {
+  const testing::SharedMesh mesh = flatFloor();
+  ClusteredOctreeShape floor = shapeOver(mesh);
+  StockFloor stock(mesh);
+  btSphereShape ball(btScalar(0.05));
+  const auto passed = [&](btCollisionShape& shape) {
+    std::mt19937_64 random(84);
+    std::uniform_real_distribution<double> height(1.4, 1.7);
+    int below = 0;
+    for (int run = 0; run < 3 * kRuns; ++run) {
+      BulletWorld world;
+      world.add(shape, 0, at(0, 0, 0));
+      btRigidBody& body = world.add(ball, 1, turnedAt(random, height(random)));
+      world.step(120, kStep);
+      below += double(body.getWorldTransform().getOrigin().z()) < 0.0;
+    }
+    return below;
+  };
+  EXPECT_EQ(passed(floor), 0);
+  EXPECT_GT(passed(stock.shape()), kRuns);
+}
+
+/// Nothing is known about how a body got into a surface that it overlaps from the start: the shortest way
+/// counts.
+TEST(OpenMesh, whatOverlapsAtTheStartGoesTheShortestWay) {
+  ClusteredOctreeShape floor = shapeOver(flatFloor());
+  btBoxShape box(toBullet(Vec3(0.3, 0.3, 0.3)));
+  for (const double side : {-1.0, 1.0}) {
+    BulletWorld world;
+    world->setGravity(btVector3(0, 0, 0));
+    world.add(floor, 0, at(0, 0, 0));
+    btRigidBody& body = world.add(box, 1, at(0.13, 0.07, 0.1 * side));
+    body.setLinearVelocity(toBullet(Vec3(0, 0, -0.5 * side)));
+    world.step(60, kStep);
+    EXPECT_GT(side * double(body.getWorldTransform().getOrigin().z()), 0.25) << side;
+  }
+}
+
+}  // namespace
+}  // namespace octoblisk
