@@ -85,7 +85,7 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap1_;
 };
 
-/// The pose of a body, or of a child of its shape, at the start of the last step.
+/// The pose of a body, or of a child of its shape, at the start of its last step.
 Pose lastPose(const btCollisionObjectWrapper& body, btScalar time_step) {
   const btCollisionObject& object = *body.getCollisionObject();
   const Pose in_object =
@@ -247,33 +247,30 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
                              const btCollisionObjectWrapper& other, btScalar time_step) {
   const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
   if (shapes.other.isInfinite() || !(is_mesh_open || is_other_open)) return;  // a half-space is solid
-  const bool is_convex = shapes.other.isConvex();
-  const Aabb bounds = shapeBounds(shapes.other);
-  if (is_convex && bounds.halfExtents().norm() > shapes.mesh.tree().mesh().bounds().halfExtents().norm())
-    return;  // its center says nothing about its side of the mesh
+  const TriangleMesh& triangles = shapes.mesh.tree().mesh();
+  const std::optional<Vec3> middle = middleOfOther();
+  const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
+  if (middle && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
+    return way_back_.forget();  // too large for its middle to show its side
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
-  if (!overlap()) return way_back_.areApart();
+  if (!overlap()) return way_back_.noticeApart();
   const Pose start = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
   if (way_back_.isNew()) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
     const bool were_apart = !overlap();
     findBodyContacts(shapes, reach, contacts_);
     if (!were_apart) {
-      if (is_convex) way_back_.areApart();  // from now on, its center shows its side
-      return;
+      // From the next step on, the middle of a convex body shows its side.
+      return middle ? way_back_.noticeApart() : way_back_.noticeOverlap();
     }
   }
-  const std::optional<Vec3> center = is_convex ? std::optional(bounds.center()) : std::nullopt;
-  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, center, [&](const Contact& contact) {
-    WayBack::Normals normals;
-    if (is_mesh_open) normals.of_a = scaledNormal(shapes.mesh.tree().mesh().triangle(contact.triangle_a));
-    if (is_other_open) {
-      const Triangle of_other = triangleOfOther(shapes.other, contact)->corners;
-      normals.of_b = shapes.other_in_mesh.rotation * scaledNormal(of_other);
-    }
-    return normals;
+  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
+    WayBack::OpenTriangles open;
+    if (is_mesh_open) open.of_a = triangles.triangle(contact.triangle_a);
+    if (is_other_open) open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
+    return open;
   });
 }
 

@@ -17,6 +17,7 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
   void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   bool readOther(const btCollisionShape& other) override;
+  std::optional<Vec3> middleOfOther() const override { return core_.middle(); }
   void trianglesHaveMoved() override {
     near_.forget();
     middle_.forget();

@@ -95,9 +95,9 @@ void MotionClamping::collect(btCollisionWorld& world, btScalar dt) {
     if (!shape || !hasPart(*shape)) continue;
     btRigidBody* body = movedBody(object);
     const btVector3 none(0, 0, 0);
-    const Motion motion =
-        body ? stepMotion(stepStart(*body, dt), body->getLinearVelocity(), body->getAngularVelocity(), dt)
-             : stepMotion(object.getWorldTransform(), none, none, dt);
+    const Motion motion = body ? stepMotion(stepStart(*body, dt), body->getInterpolationLinearVelocity(),
+                                            body->getInterpolationAngularVelocity(), dt)
+                               : stepMotion(object.getWorldTransform(), none, none, dt);
     const Aabb swept = sweptBox(object, motion, body != nullptr);
     if (!swept.min.allFinite() || !swept.max.allFinite()) continue;
     movers_.push_back({&object, holdsOurShape(*shape), body, motion, swept, movers_.size(), 1.0});

@@ -6,9 +6,10 @@
 namespace octoblisk::detail {
 
 btTransform stepStart(const btCollisionObject& body, btScalar dt) {
-  if (body.isStaticObject()) return body.getWorldTransform();
+  if (body.isStaticObject() || !body.isActive() || body.getHitFraction() < 1) return body.getWorldTransform();
   btTransform start;
-  // The user may have changed the velocities since. The interpolation velocities are still those of the step.
+  // The user may have changed the velocities since the step. The interpolation velocities are still those
+  // that moved the body.
   btTransformUtil::integrateTransform(body.getWorldTransform(), -body.getInterpolationLinearVelocity(),
                                       -body.getInterpolationAngularVelocity(), dt, start);
   return start;

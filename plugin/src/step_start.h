@@ -7,8 +7,8 @@ class btCollisionObject;
 
 namespace octoblisk::detail {
 
-/// The pose from which Bullet moved a body in its last step, which took `dt`: the inverse of that motion.
-/// Without velocities, e.g. of a static body, the current pose.
+/// The pose from which Bullet moved a body in its last step, which took `dt`: the inverse of that motion. The
+/// current pose if the body did not move, or if Bullet's own clamping has moved it back.
 btTransform stepStart(const btCollisionObject& body, btScalar dt);
 
 }  // namespace octoblisk::detail

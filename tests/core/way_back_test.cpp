@@ -21,8 +21,8 @@ class WayBackTest : public ::testing::Test {
   }
 
   void pushBack(const WayBack::Step& taken, bool is_convex = true) {
-    const std::optional<Vec3> center = is_convex ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
-    way_back_.pushBack(contacts_, taken, center, [this](const Contact&) { return normals_; });
+    const std::optional<Vec3> middle = is_convex ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
+    way_back_.pushBack(contacts_, taken, middle, [this](const Contact&) { return triangles_; });
   }
 
   /// The ways in which the contacts push, as a mean.
@@ -33,7 +33,9 @@ class WayBackTest : public ::testing::Test {
   }
 
   WayBack way_back_;
-  WayBack::Normals normals_{Vec3(0, 0, 2), Vec3::Zero()};
+  static constexpr double kFar = 9.0;
+  const Triangle surface_{Vec3(-kFar, -kFar, 0), Vec3(kFar, -kFar, 0), Vec3(0, kFar, 0)};
+  WayBack::OpenTriangles triangles_{surface_, std::nullopt};
   std::vector<Contact> contacts_;
 };
 
@@ -41,7 +43,7 @@ TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
   for (const bool is_convex : {true, false}) {
     for (const double from : {0.3, -0.3}) {
       contacts_ = {push(from > 0.0 ? kDown : kUp, 0.1)};
-      way_back_.areApart();
+      way_back_.noticeApart();
       pushBack(step(from, -0.1 * from), is_convex);
       ASSERT_EQ(contacts_.size(), 1u);
       EXPECT_EQ(way(), from > 0.0 ? kUp : kDown);
@@ -54,14 +56,14 @@ TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
 
 TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
   contacts_ = {push(kDown, 0.1, 0), push(kUp, 0.05, 1), push(kDown, 0.2, 2)};
-  way_back_.areApart();
+  way_back_.noticeApart();
   pushBack(step(0.3, -0.01));
   ASSERT_EQ(contacts_.size(), 1u);
   EXPECT_EQ(contacts_[0].distance, -0.05);
 }
 
 TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
-  way_back_.areApart();
+  way_back_.noticeApart();
   for (const double height : {-0.05, -0.1, -0.05}) {
     contacts_ = {push(kDown, 0.1)};
     pushBack(step(height + 0.2, height));  // wherever it came from in this step
@@ -77,7 +79,7 @@ TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
 
 TEST_F(WayBackTest, aBodyThatWasAloneOrForgottenStartsAnew) {
   contacts_ = {push(kDown, 0.1)};
-  way_back_.areApart();
+  way_back_.noticeApart();
   pushBack(step(0.3, -0.1));
   EXPECT_EQ(way(), kUp);
   EXPECT_FALSE(way_back_.isNew());
@@ -92,25 +94,25 @@ TEST_F(WayBackTest, contactsAlongTheSurfaceStay) {
   const Contact at_edge{Vec3::Zero(), Vec3(0, 0, -0.1), Vec3::UnitX(), -0.1};
   for (const bool is_convex : {true, false}) {
     contacts_ = {at_edge};
-    way_back_.areApart();
+    way_back_.noticeApart();
     pushBack(step(0.3, -0.1), is_convex);
     EXPECT_EQ(contacts_[0].normal, Vec3::UnitX());
   }
 }
 
 TEST_F(WayBackTest, theSurfaceMayBeOfB) {
-  normals_ = {Vec3::Zero(), Vec3(0, 0, -3)};
+  triangles_ = {std::nullopt, surface_};
   contacts_ = {push(kDown, 0.1)};
-  way_back_.areApart();
+  way_back_.noticeApart();
   pushBack(step(0.3, -0.1), false);
   EXPECT_EQ(way(), kUp);
   EXPECT_EQ(contacts_[0].point_on_b, Vec3(0, 0, 0.1));  // on the surface, as before
 }
 
 TEST_F(WayBackTest, contactsOfSolidsStay) {
-  normals_ = {};
+  triangles_ = {};
   contacts_ = {push(kDown, 0.1), push(kUp, 0.1)};
-  way_back_.areApart();
+  way_back_.noticeApart();
   pushBack(step(0.3, -0.1));
   EXPECT_EQ(contacts_.size(), 2u);
 }

@@ -30,10 +30,19 @@ std::unique_ptr<btCollisionShape> ours(const testing::SharedMesh& mesh) {
   return std::make_unique<ClusteredOctreeShape>(treeOver(mesh));
 }
 
+/// The middle of its box is outside.
+std::unique_ptr<btCollisionShape> corner() {
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (const Vec3& point : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+    hull->addPoint(toBullet(0.8 * (point - Vec3::Constant(0.25))));
+  return hull;
+}
+
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {"ball", [] { return std::make_unique<btSphereShape>(btScalar(0.05)); }},
       {"box", [] { return std::make_unique<btBoxShape>(toBullet(Vec3(0.3, 0.2, 0.1))); }},
+      {"corner", corner},
       {"ring", [] { return ours(testing::torus(0.4, 0.1, 32, 12)); }},
       {"gear", [] { return ours(testing::gear(12, 0.4, 0.48, 0.15, 0.1)); }},
       {"channel", [] { return ours(testing::uProfile(0.3, 0.25, 0.05, 0.6)); }},

@@ -6,20 +6,18 @@
 
 #include "octoblisk/contact.h"
 #include "octoblisk/function_ref.h"
-#include "octoblisk/types.h"
+#include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
 
-/// A contact of a triangle pushes a body out by the shortest way. If the body is more than halfway through an
-/// open surface, this is the way through it. WayBack follows two bodies A and B from step to step, so that
-/// their contacts push them back the way they came.
+/// A contact pushes a body out of a triangle by the shortest way. Once the body is more than halfway through
+/// an open surface, that way leads to the far side. WayBack remembers on which side of each other's surfaces
+/// two bodies A and B were, so that their contacts push them back there.
 class WayBack {
  public:
-  /// The normals of a contact's triangles in A's frame, of any length: of those triangles that belong to an
-  /// open surface. The others are zero.
-  struct Normals {
-    Vec3 of_a = Vec3::Zero();
-    Vec3 of_b = Vec3::Zero();
+  /// The two triangles of a contact in A's frame: those that belong to an open surface.
+  struct OpenTriangles {
+    std::optional<Triangle> of_a, of_b;
   };
 
   /// The poses of B in A at the start of a step and now.
@@ -27,37 +25,42 @@ class WayBack {
     Pose start, now;
   };
 
-  /// Whether nothing is known about the last step.
-  bool isNew() const { return is_new_; }
+  /// Whether nothing is known about the bodies.
+  bool isNew() const { return state_ == State::fresh; }
 
   /// Discards all that is known.
-  void forget() {
-    is_new_ = true;
-    home_.reset();
-  }
+  void forget() { state_ = State::fresh; }
 
   /// Call this in each step in which the bodies do not overlap.
-  void areApart() {
-    is_new_ = false;
-    home_.reset();
-  }
+  void noticeApart() { state_ = State::apart; }
 
-  /// Call this in each step in which the bodies overlap, for all contacts. If nothing is known about the last
-  /// step, they must have been apart at the start of this one. Removes the contacts that push a body through
-  /// an open surface. If no contact remains, turns the deepest of these instead.
+  /// Call this if isNew() and the bodies already overlap at the start of a step. Contacts stay as they are
+  /// until the bodies are apart.
+  void noticeOverlap() { state_ = State::unknown; }
+
+  /// Call this with all contacts in each step in which the bodies overlap. If isNew(), the bodies must have
+  /// been apart at the start of the step. Removes the contacts that push a body through an open surface. If
+  /// no contact remains, the deepest of the removed contacts returns, turned round.
   ///
-  /// B belongs on the side of a surface where it was at the start of the step: its `center` if B is convex,
-  /// or else its point at the contact. For a convex body whose contact was removed, the start of that step
-  /// counts until it is back. For other bodies, the start of the first step in which they overlap counts. A
-  /// contact that pushes along the surface, e.g. at its edge, stays, unless a convex body is on the wrong
-  /// side.
-  void pushBack(std::vector<Contact>& contacts, const Step& step, const std::optional<Vec3>& center,
-                FunctionRef<Normals(const Contact& contact)> normals_at);
+  /// The right side of a surface is where B was at the start of the step. A convex B is represented by its
+  /// `middle`, any other body by its point at the contact. Once a contact was removed, the start of that step
+  /// remains the reference until a convex body is back. For other bodies, the reference is the start of the
+  /// first step in which they overlap. A contact that pushes along the surface, e.g. at its edge, stays,
+  /// unless a convex body is known to be on the wrong side.
+  void pushBack(std::vector<Contact>& contacts, const Step& step, const std::optional<Vec3>& middle,
+                FunctionRef<OpenTriangles(const Contact& contact)> triangles_at);
 
  private:
-  bool is_new_ = true;
-  bool is_through_ = false;   // whether a contact was removed since home_
-  std::optional<Pose> home_;  // of B in A, on the right side
+  enum class State {
+    fresh,     ///< nothing is known
+    unknown,   ///< the bodies overlapped from the start
+    apart,     ///< they do not overlap, or a convex body is on the right side
+    touching,  ///< they overlap since reference_
+    through    ///< a contact was removed since reference_
+  };
+
+  State state_ = State::fresh;
+  Pose reference_;  // B in A when it was last on the right side; if touching or through
 };
 
 }  // namespace octoblisk::detail
