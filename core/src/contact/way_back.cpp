@@ -50,10 +50,13 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
     const Vec3& normal = is_of_a ? of_a : of_b;
     const Vec3& place = is_of_a ? contact.point_on_a : contact.point_on_b;
     const Vec3 now = middle ? Vec3(step.now * *middle) : place, before = to_reference * now;
-    const double height = normal.dot(before - place);
+    const Vec3 normal_before = is_of_a ? normal : Vec3(to_reference.rotation * normal);
+    const double height = normal_before.dot(before - place);
     const Vec3 out = std::copysign(1.0, -height) * normal;  // the way that A should go
     const double cosine = out.dot(contact.normal);
-    const bool is_known = height != 0.0 && ((middle && was_through) || std::abs(cosine) > kAlong);
+    const bool has_side =
+        std::abs(height) > std::max(0.0, contact.distance);  // or else it has not moved enough
+    const bool is_known = has_side && ((middle && was_through) || std::abs(cosine) > kAlong);
     if (is_known && !(cosine > kAlong)) {
       state_ = State::through;
       if (contact.distance >= deepest) continue;
