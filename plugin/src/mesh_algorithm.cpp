@@ -247,15 +247,15 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
                              const btCollisionObjectWrapper& other, btScalar time_step) {
   const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
   if (shapes.other.isInfinite() || !(is_mesh_open || is_other_open)) return;  // a half-space is solid
+  const auto overlap = [this] {
+    return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
+  };
+  if (!overlap()) return way_back_.noticeApart();
   const TriangleMesh& triangles = shapes.mesh.tree().mesh();
   const std::optional<Vec3> middle = middleOfOther();
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
   if (middle && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side
-  const auto overlap = [this] {
-    return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
-  };
-  if (!overlap()) return way_back_.noticeApart();
   const Pose start = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
   if (way_back_.isNew()) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);

@@ -54,8 +54,8 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
     const double height = normal_before.dot(before - place);
     const Vec3 out = std::copysign(1.0, -height) * normal;  // the way that A should go
     const double cosine = out.dot(contact.normal);
-    const bool has_side =
-        std::abs(height) > std::max(0.0, contact.distance);  // or else it has not moved enough
+    // A contact that does not overlap shows a side only if the body has moved farther than it is away.
+    const bool has_side = std::abs(height) > std::max(0.0, contact.distance);
     const bool is_known = has_side && ((middle && was_through) || std::abs(cosine) > kAlong);
     if (is_known && !(cosine > kAlong)) {
       state_ = State::through;
