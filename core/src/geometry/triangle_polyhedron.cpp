@@ -51,8 +51,10 @@ class Axes {
     double most = 0.0;
     for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
       const HullFace& face = hull_.faces[f];
-      for (std::size_t v = 0; v < 3; ++v) height_[f][v] = face.normal.dot(triangle_[v]) - face.offset;
-      const auto [first, second, third] = height_[f];
+      const double first = face.normal.dot(triangle_[0]) - face.offset,
+                   second = face.normal.dot(triangle_[1]) - face.offset,
+                   third = face.normal.dot(triangle_[2]) - face.offset;
+      height_[f] = {first, second, third};
       const double gap = std::min({first, second, third}), sum = first + second + third;
       if (gap < gap_ || (gap == gap_ && sum <= most)) continue;  // of equal gaps, where most is outside
       gap_ = gap;
