@@ -189,14 +189,14 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "point of the fixed mesh in the moving one; a point's depth is its distance from the other surface. "
       "The depth is 0 where the surfaces are apart or just touch, and where equal solids coincide. A depth "
       "above 0 without meeting surfaces means that one mesh is wholly inside the other. The fixed mesh must "
-      "be closed. An open moving mesh contains nothing: it is not noticed if the fixed mesh is inside it");
+      "be closed. An open moving mesh has no inside, so the command does not notice a fixed mesh in it");
   command.add_flag(
       "--signed", options.signed_distance,
       "Add the column signed_distance: the clearance where the meshes are apart, minus the "
       "penetration depth where they are not. Also add its derivatives: by_x,by_y,by_z by the "
       "translation of the moving mesh, by_rx,by_ry,by_rz by its rotation about its own origin, "
-      "in radians about the fixed mesh's axes. One mesh must be closed. An open mesh contains nothing: it "
-      "is not noticed if the other mesh is inside it");
+      "in radians about the fixed mesh's axes. One mesh must be closed. An open mesh has no inside, "
+      "so the command does not notice the other mesh in it");
   command.add_flag(
       "--continuous", options.continuous,
       "Add the column fraction: the fraction of the motion from the previous pose that is proved to keep the "
