@@ -117,7 +117,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   void noticeChanges(const PosedShapes& shapes);
 
   /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. The
-  /// last step took `time_step`.
+  /// last step is assumed to have taken `time_step` too.
   void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                 const btCollisionObjectWrapper& other, btScalar time_step);
 

@@ -157,7 +157,12 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
     const double fraction = movers_[islandOf(i)].fraction;
     btRigidBody* const body = movers_[i].moved;
     if (!body || fraction >= 1.0) continue;
+    const btVector3 moved_by = body->getInterpolationLinearVelocity(),
+                    turned_by = body->getInterpolationAngularVelocity();
     body->proceedToTransform(toBullet(movers_[i].motion.at(fraction)));
+    // These lead back to the start of the step: Bullet draws the body by them, and contacts may need it.
+    body->setInterpolationLinearVelocity(btScalar(fraction) * moved_by);
+    body->setInterpolationAngularVelocity(btScalar(fraction) * turned_by);
     // Forces have acted for the whole step, but the body has moved for a part of it.
     const btScalar left = btScalar(1.0 - fraction) * dt;
     body->setLinearVelocity(

@@ -6,7 +6,7 @@
 namespace octoblisk::detail {
 
 btTransform stepStart(const btCollisionObject& body, btScalar dt) {
-  if (body.isStaticObject() || !body.isActive() || body.getHitFraction() < 1) return body.getWorldTransform();
+  if (body.isStaticObject() || !body.isActive()) return body.getWorldTransform();
   btTransform start;
   // The user may have changed the velocities since the step. The interpolation velocities are still those
   // that moved the body.

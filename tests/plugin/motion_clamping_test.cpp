@@ -1,6 +1,7 @@
 // Thin bodies at 200 m/s tunnel through sheets unless their motions are clamped.
 #include "octoblisk_bullet/motion_clamping.h"
 
+#include <LinearMath/btTransformUtil.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -263,6 +264,21 @@ TEST_F(ThinRing, isPutWhereTheImpactIsAndKeepsItsVelocity) {
   scene.world.step(1);  // the solver has contacts now
   EXPECT_GT(scene.body->getLinearVelocity().z(), -3);
   EXPECT_GT(double(scene.body->getWorldTransform().getOrigin().z()), 0.9 * kTube);
+}
+
+/// Bullet draws a body between two steps by its interpolation velocities.
+TEST_F(ThinRing, theInterpolationVelocitiesLeadBackToTheStartOfAClampedStep) {
+  Scene scene(sheet_, ring_, {.spin = {20, 10, 5}, .height = 0.6}, true);
+  const btTransform before = scene.body->getWorldTransform();
+  scene.world.step(1);
+  ASSERT_EQ(scene.clamping.clamped().size(), 1u);
+  EXPECT_LT(scene.clamping.clamped()[0].fraction, 0.7);
+  btTransform start;
+  btTransformUtil::integrateTransform(
+      scene.body->getWorldTransform(), -scene.body->getInterpolationLinearVelocity(),
+      -scene.body->getInterpolationAngularVelocity(), btScalar(1.0 / 240.0), start);
+  EXPECT_LT((start.getOrigin() - before.getOrigin()).length(), 1e-5);
+  EXPECT_LT(start.getRotation().angleShortestPath(before.getRotation()), 2e-3);
 }
 
 /// The positions of a scene's bodies after some steps, with or without clamping.
