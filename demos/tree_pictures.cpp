@@ -113,7 +113,7 @@ std::vector<std::uint32_t> trianglesBelow(const Tree& tree, Slot slot) {
 double meanNormal(const Tree& tree, Slot slot, const Vec3& axis) {
   double sum = 0.0;
   const std::vector<std::uint32_t> triangles = trianglesBelow(tree, slot);
-  for (const std::uint32_t t : triangles) sum += scaledNormal(tree.mesh().triangle(t)).normalized().dot(axis);
+  for (const std::uint32_t t : triangles) sum += unitNormal(tree.mesh().triangle(t)).dot(axis);
   return sum / static_cast<double>(triangles.size());
 }
 
@@ -151,7 +151,7 @@ Image divisionPicture(const Tree& tree) {
       const Triangle corners = mesh.triangle(t);
       const Vec3 centroid = centroidOf(corners);
       const Vec3 place = box.axes.transpose() * (centroid - box.center);
-      places.push_back({place.x(), place.y(), height * scaledNormal(corners).normalized().dot(thin)});
+      places.push_back({place.x(), place.y(), height * unitNormal(corners).dot(thin)});
     }
     Obb moved = tree.box(children[c]);
     const Vec3 outward = moved.center - box.center;

@@ -200,7 +200,7 @@ const PartDepth* MotionCheck::depthInBlisk(const PoseReport& pose, std::size_t p
 }
 
 MotionCheck::Touch MotionCheck::touchOf(const PartDepth& depth) const {
-  return {depth.depth, scaledNormal(blisk_->mesh().triangle(depth.triangle_of_blisk)).normalized()};
+  return {depth.depth, unitNormal(blisk_->mesh().triangle(depth.triangle_of_blisk))};
 }
 
 bool MotionCheck::isProved(const Stretch& stretch) const {

@@ -26,7 +26,7 @@ bool isOfRevolution(const Triangle& t) {
   double half_width = 0.0;
   for (const Vec3& corner : t) half_width = std::max(half_width, std::abs(corner.dot(e_theta)));
   const double tolerance = std::max(kTolerance, half_width / radiusOf(centroid));
-  return std::abs(scaledNormal(t).normalized().dot(e_theta)) <= tolerance;
+  return std::abs(unitNormal(t).dot(e_theta)) <= tolerance;
 }
 
 /// Grows the blades down to the hub and up to the shroud.

@@ -38,7 +38,7 @@ double outflow(const TriangleMesh& blisk, const BladesFound& blades) {
 void adoptEdges(const TriangleMesh& blisk, const Neighbours& beside, std::vector<int>& blade_of_triangle) {
   constexpr double kSmooth = 0.7;      // cosine from triangle to triangle; the edges may be rounded coarsely
   constexpr double kAlongAxis = 0.75;  // of the normal
-  const auto normalOf = [&](std::uint32_t t) { return scaledNormal(blisk.triangle(t)).normalized(); };
+  const auto normalOf = [&](std::uint32_t t) { return unitNormal(blisk.triangle(t)); };
   std::vector<std::uint32_t> front;
   for (std::uint32_t t = 0; t < blade_of_triangle.size(); ++t) {
     if (blade_of_triangle[t] != 0) front.push_back(t);
@@ -58,7 +58,7 @@ BladePart partFacing(const Triangle& t, double outwards) {
   constexpr double kAtTip = 0.7;
   const Vec3 center = centroidOf(t);
   const Vec3 e_r = Vec3(center.x(), center.y(), 0.0).normalized();
-  const Vec3 normal = outwards * scaledNormal(t).normalized();
+  const Vec3 normal = outwards * unitNormal(t);
   if (normal.dot(e_r) > kAtTip) return BladePart::tip;
   const Vec3 e_theta(-e_r.y(), e_r.x(), 0.0);
   return normal.dot(e_theta) > 0.0 ? BladePart::forward : BladePart::backward;

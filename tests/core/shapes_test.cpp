@@ -80,7 +80,7 @@ TEST(Shapes, ellipsoidIsConvex) {
   for (std::size_t t = 0; t < stone->triangleCount(); ++t) {
     const Triangle triangle = stone->triangle(t);
     for (const Vec3& vertex : stone->vertices())
-      EXPECT_LT(scaledNormal(triangle).normalized().dot(vertex - triangle[0]), 1e-12);
+      EXPECT_LT(unitNormal(triangle).dot(vertex - triangle[0]), 1e-12);
   }
 }
 

@@ -59,7 +59,7 @@ std::vector<bool> boundaryOf(const TriangleMesh& mesh) {
       const Triangle other = mesh.triangle(s);
       if (s != t && !sharesCorner(triangle, other) && detail::intersects(triangle, other)) bounds[t] = false;
     }
-    const Vec3 normal = scaledNormal(triangle).normalized();
+    const Vec3 normal = unitNormal(triangle);
     if (testing::windingNumber(mesh, centroidOf(triangle) + 1e-9 * normal) > 0.5) bounds[t] = false;
   }
   return bounds;

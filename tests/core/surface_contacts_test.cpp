@@ -84,8 +84,8 @@ TEST(SurfaceContacts, aBoxOnAnEqualOneIsHeldAtItsFourCorners) {
     const auto tiltTo = [](const Contact& c, const Vec3& facing) { return c.normal.cross(facing).norm(); };
     // A contact of a horizontal face, tilted by less than the two faces may be.
     const auto isTilted = [&](const Contact& c) {
-      const bool of_top = std::abs(scaledNormal(box.mesh().triangle(c.triangle_a)).normalized().z()) > 0.5,
-                 of_bottom = std::abs(scaledNormal(box.mesh().triangle(c.triangle_b)).normalized().z()) > 0.5;
+      const bool of_top = std::abs(unitNormal(box.mesh().triangle(c.triangle_a)).z()) > 0.5,
+                 of_bottom = std::abs(unitNormal(box.mesh().triangle(c.triangle_b)).z()) > 0.5;
       const double to_top = tiltTo(c, Vec3::UnitZ()), to_bottom = tiltTo(c, pose.rotation.col(2));
       return ((of_top && to_top < 9e-3) || (of_bottom && to_bottom < 9e-3)) &&
              std::min(to_top, to_bottom) > 2e-3;

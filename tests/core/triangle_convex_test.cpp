@@ -276,8 +276,7 @@ TEST(TriangleConvex, spheresFarFromTheOriginKnowTheirSide) {
     if (scaledNormal(triangle).norm() < 0.1) continue;
     const Vec3 offset = randomPoint(random, 1e6);
     for (Vec3& corner : triangle) corner += offset;
-    const Vec3 center =
-        centroidOf(triangle) + uniform(random, -1e-9, 1e-9) * scaledNormal(triangle).normalized();
+    const Vec3 center = centroidOf(triangle) + uniform(random, -1e-9, 1e-9) * unitNormal(triangle);
     const LongVec3 first = triangle[0].cast<long double>();
     const LongVec3 normal =
         (triangle[1].cast<long double>() - first).cross(triangle[2].cast<long double>() - first).normalized();

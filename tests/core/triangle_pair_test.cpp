@@ -91,7 +91,7 @@ TEST(TrianglePair, depthIsTheLeastTranslationAlongAFaceThatParts) {
     ++meeting;
     const Contact contact = contactOf(a, b);
     ASSERT_LE(contact.distance, 0.0);
-    const Vec3 normal_a = scaledNormal(a).normalized(), normal_b = scaledNormal(b).normalized();
+    const Vec3 normal_a = unitNormal(a), normal_b = unitNormal(b);
     ASSERT_TRUE(contact.normal.isApprox(-normal_a, 1e-9) || contact.normal.isApprox(normal_b, 1e-9));
     ASSERT_NEAR((contact.point_on_a - contact.point_on_b).norm(), -contact.distance, 1e-12);
     const auto moved = [&](double factor) {

@@ -48,7 +48,7 @@ double distanceFromAxis(const Pose& belt_in_blisk, const Vec3& point) {
 
 /// Whether a point lies on a triangle, within a tolerance in mm.
 bool liesOn(const Triangle& t, const Vec3& point, double tolerance) {
-  const Vec3 normal = scaledNormal(t).normalized();
+  const Vec3 normal = unitNormal(t);
   if (std::abs(normal.dot(point - t[0])) > tolerance) return false;
   for (int k = 0; k < 3; ++k) {
     const Vec3 inwards = normal.cross(t[(k + 1) % 3] - t[k]).normalized();

@@ -116,7 +116,7 @@ TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFo
     const auto closest = closestPoint(bladeTree(), contact).value();
     ASSERT_LT(closest.distance, 1e-6) << "on the blade";
     const Vec3 normal = normalOf(pose, options().tilt);
-    const Vec3 facet = scaledNormal(bladeTree().mesh().triangle(closest.triangle)).normalized();
+    const Vec3 facet = unitNormal(bladeTree().mesh().triangle(closest.triangle));
     EXPECT_GT(normal.dot(facet), at_edge ? 0.3 : 0.99) << "few facets go around the edge";
     const double facing = normal.dot(tangential(contact));
     const double side = options().region == forward ? 1.0 : -1.0;

@@ -145,7 +145,7 @@ double bruteForceDistance(const TriangleMesh& mesh, const Vec3& point) {
 double deepestShortWay(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                        const std::vector<Contact>& contacts) {
   const auto isSquare = [](const Triangle& triangle, const Vec3& direction) {
-    return scaledNormal(triangle).normalized().cross(direction).norm() < 1e-6;
+    return unitNormal(triangle).cross(direction).norm() < 1e-6;
   };
   const auto isShort = [](const TriangleMesh& mesh, const Vec3& pushed, double way) {
     return windingNumber(mesh, pushed) > 0.25 && bruteForceDistance(mesh, pushed) >= 0.5 * way;

@@ -112,7 +112,7 @@ TrianglePairSample touching(std::mt19937_64& random, PairKind kind) {
     }
     case PairKind::vertexOnFace: {
       b[0] = onFace(random, a);
-      const Vec3 up = scaledNormal(a).normalized();
+      const Vec3 up = unitNormal(a);
       for (int i = 1; i < 3; ++i) {
         Vec3& corner = b[static_cast<std::size_t>(i)];
         corner = b[0] + corner - up * (up.dot(corner) - std::abs(up.dot(corner)));

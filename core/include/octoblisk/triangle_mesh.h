@@ -15,6 +15,9 @@ using Triangle = std::array<Vec3, 3>;
 /// (b−a)×(c−a): the outward normal, as long as twice the triangle's area; zero for a degenerate triangle.
 inline Vec3 scaledNormal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
+/// The outward unit normal if the area is at least 1e-150; zero for a degenerate triangle.
+inline Vec3 unitNormal(const Triangle& t) { return scaledNormal(t).normalized(); }
+
 inline Vec3 centroidOf(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 inline Triangle operator*(const Pose& pose, const Triangle& t) {

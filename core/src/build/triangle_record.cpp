@@ -10,7 +10,7 @@ TriangleRecord recordOf(const TriangleMesh& mesh, std::size_t index, const Vec3&
   const Triangle corners = mesh.triangle(index);
   for (std::size_t v = 0; v < 3; ++v) record.vertices[v] = (corners[v] - origin).cast<float>();
   record.centroid = (record.vertices[0] + record.vertices[1] + record.vertices[2]) / 3.0f;
-  record.normal = scaledNormal(corners).normalized().cast<float>();  // zero stays zero
+  record.normal = unitNormal(corners).cast<float>();
   record.triangle = static_cast<std::uint32_t>(index);
   return record;
 }

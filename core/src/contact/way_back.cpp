@@ -12,8 +12,8 @@ namespace {
 constexpr double kAlong = 0.3;  // a cosine; contacts within 17° of the surface push along it
 
 /// Zero if there is no triangle, or if it is too thin for its normal.
-Vec3 unitNormal(const std::optional<Triangle>& triangle) {
-  return triangle && !isThin(*triangle) ? scaledNormal(*triangle).normalized() : Vec3(Vec3::Zero());
+Vec3 reliableNormal(const std::optional<Triangle>& triangle) {
+  return triangle && !isThin(*triangle) ? unitNormal(*triangle) : Vec3(Vec3::Zero());
 }
 
 /// Makes a contact push A along a direction. The point on the open surface stays.
@@ -45,7 +45,7 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
   std::size_t kept = 0;
   for (const Contact& contact : contacts) {
     const OpenTriangles triangles = triangles_at(contact);
-    const Vec3 of_a = unitNormal(triangles.of_a), of_b = unitNormal(triangles.of_b);
+    const Vec3 of_a = reliableNormal(triangles.of_a), of_b = reliableNormal(triangles.of_b);
     const bool is_of_a = std::abs(of_a.dot(contact.normal)) >= std::abs(of_b.dot(contact.normal));
     const Vec3& normal = is_of_a ? of_a : of_b;
     const Vec3& place = is_of_a ? contact.point_on_a : contact.point_on_b;

@@ -19,7 +19,7 @@ class SegmentContact {
   SegmentContact(const Triangle& triangle, const Vec3& from, const Vec3& to)
       : triangle_(triangle),
         end_{from, to},
-        facing_(scaledNormal(triangle).normalized()),
+        facing_(unitNormal(triangle)),
         height_{facing_.dot(from - triangle[0]), facing_.dot(to - triangle[0])} {
     for (const Vec3& corner : triangle) size_ = std::max(size_, (corner - from).norm());
     size_ = std::max(size_, (to - from).norm());

@@ -67,7 +67,7 @@ class Axes {
 
   /// Prefers the triangle's own normal to an equally good face normal.
   bool tryOwnSides(double limit) {
-    const Vec3 facing = scaledNormal(triangle_).normalized();
+    const Vec3 facing = unitNormal(triangle_);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& point : points_) {
       const double along = facing.dot(point);

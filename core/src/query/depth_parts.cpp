@@ -88,22 +88,19 @@ double DepthSearch::boundOf(const Part& part) {
 double DepthSearch::boundByMovingOut(const Part& part) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   if (boundary_) return kUnbounded;  // the part may move through a hole
-  Vec3 out = part.met_begin != part.met_end ? outwards(met_[part.met_begin]) : Vec3::Zero();
+  const TriangleMesh& mesh = a_->tree().mesh();
+  Vec3 out = part.met_begin != part.met_end ? unitNormal(mesh.triangle(met_[part.met_begin])) : Vec3::Zero();
   double greatest = 0.0;
   for (const std::uint32_t index : part.corner) {
     const Corner& corner = corners_[index];
     if (corner.location == PointLocation::outside || corner.distance < greatest) continue;
     greatest = corner.distance;
-    out = greatest > tolerance_ ? ((corner.foot - corner.point) / greatest) : outwards(corner.nearest);
+    out = greatest > tolerance_ ? ((corner.foot - corner.point) / greatest)
+                                : unitNormal(mesh.triangle(corner.nearest));
   }
   Triangle moved = triangleOf(part);
   for (Vec3& point : moved) point += limit() * out;
   return isOutside(moved) ? limit() : kUnbounded;
-}
-
-/// The unit normal of a triangle of A.
-Vec3 DepthSearch::outwards(std::uint32_t triangle_a) const {
-  return scaledNormal(a_->tree().mesh().triangle(triangle_a)).normalized();
 }
 
 /// Whether the whole triangle is outside A.

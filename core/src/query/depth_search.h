@@ -83,7 +83,6 @@ class DepthSearch {
   Cut cutOf(const Part& part) const;
   double boundOf(const Part& part);
   double boundByMovingOut(const Part& part);
-  Vec3 outwards(std::uint32_t triangle_a) const;
   bool isOutside(const Triangle& triangle) const;
   void gatherExtremes(const Part& part);
   double deepestSoFar() const { return std::max(best_.depth, sought_.above); }

@@ -79,7 +79,7 @@ class StraightOn {
     at.center = point;
     forEachTriangleIn(surface, at, reach, [&](std::uint32_t index) {
       const Triangle triangle = surface.mesh().triangle(index);
-      const Vec3 normal = scaledNormal(triangle).normalized();
+      const Vec3 normal = unitNormal(triangle);
       if (distance(triangle, point) > reach || !normal.allFinite()) return false;
       const Vec3 along = project(rotation * normal);
       if (along.norm() > kTurn && normals_ < 3) across_.row(normals_++) = along.normalized();

@@ -37,10 +37,6 @@ bool shareCorner(const Surface& surface, std::uint32_t a, std::uint32_t b) {
   });
 }
 
-Vec3 unitNormal(const Surface& surface, std::uint32_t triangle) {
-  return scaledNormal(surface.tree().mesh().triangle(triangle)).normalized();
-}
-
 double angleAt(const Triangle& triangle, std::size_t corner) {
   const Vec3 to_next = triangle[(corner + 1) % 3] - triangle[corner];
   const Vec3 to_last = triangle[(corner + 2) % 3] - triangle[corner];
@@ -138,7 +134,8 @@ PointLocation SolidBoundary::locate(const Vec3& point, const ClosestPoint& neare
 
 std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
   if (bounds_[at.triangle] == 0) return std::nullopt;
-  const Triangle triangle = surface_->tree().mesh().triangle(at.triangle);
+  const TriangleMesh& mesh = surface_->tree().mesh();
+  const Triangle triangle = mesh.triangle(at.triangle);
   const auto& corners = surface_->corners(at.triangle);
   constexpr double kOnEdge = 1e-9;  // fraction of the triangle's height
   const unsigned feature = featureOf(triangle, scaledNormal(triangle), at.point, kOnEdge);
@@ -147,7 +144,7 @@ std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
     if (feature == (1u << i | 1u << next)) {
       const std::uint32_t other = neighbourAt(*surface_, at.triangle, corners[i], corners[next]);
       if (bounds_[other] == 0) return std::nullopt;
-      return unitNormal(*surface_, at.triangle) + unitNormal(*surface_, other);
+      return unitNormal(triangle) + unitNormal(mesh.triangle(other));
     }
     if (feature != 1u << i) continue;
     Vec3 sum = Vec3::Zero();
@@ -155,11 +152,12 @@ std::optional<Vec3> SolidBoundary::pseudonormal(const ClosestPoint& at) const {
       if (bounds_[t] == 0) return std::nullopt;
       const auto& of_t = surface_->corners(t);
       const auto corner = static_cast<std::size_t>(std::ranges::find(of_t, corners[i]) - of_t.begin());
-      sum += angleAt(surface_->tree().mesh().triangle(t), corner) * unitNormal(*surface_, t);
+      const Triangle beside = mesh.triangle(t);
+      sum += angleAt(beside, corner) * unitNormal(beside);
     }
     return sum;
   }
-  return unitNormal(*surface_, at.triangle);
+  return unitNormal(triangle);
 }
 
 }  // namespace octoblisk

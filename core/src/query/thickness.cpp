@@ -24,7 +24,7 @@ double thinThickness(const ClusteredOctree& tree) {
     const auto t = std::ranges::lower_bound(area_up_to, at) - area_up_to.begin();
     const Triangle triangle = mesh.triangle(static_cast<std::uint32_t>(t));
     Ray ray;
-    ray.direction = -scaledNormal(triangle).normalized();
+    ray.direction = -unitNormal(triangle);
     ray.origin = centroidOf(triangle) + inward * ray.direction;
     if (const auto hit = closestHit(tree, ray)) thickness.push_back(inward + hit->t);
   }
