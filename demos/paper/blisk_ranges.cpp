@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "io/number_text.h"
 #include "paper/comparison_table.h"
 #include "paper/published.h"

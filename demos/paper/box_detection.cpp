@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/convex.h"
 #include "tree/tree.h"

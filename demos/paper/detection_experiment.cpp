@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {

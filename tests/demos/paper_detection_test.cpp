@@ -6,6 +6,7 @@
 #include <array>
 
 #include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"
 #include "paper/box_detection.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 #include "geometry/separating_axis.h"
 #include "paper/belt_poses.h"
 #include "paper/published.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 
+#include "geometry/bounding_box.h"
 #include "geometry/triangle_pair.h"
 #include "octoblisk/triangles_in_box.h"
 #include "query/depth_bounds.h"
@@ -107,13 +108,10 @@ double DepthSearch::boundByMovingOut(const Part& part) {
 bool DepthSearch::isOutside(const Triangle& triangle) const {
   const Vec3 along = (triangle[1] - triangle[0]).normalized();
   const Vec3 normal = along.cross(triangle[2] - triangle[0]).normalized();
-  Obb box;
-  box.axes << along, normal.cross(along), normal;
-  Aabb bounds;
-  for (const Vec3& corner : triangle) bounds.extend(box.axes.transpose() * corner);
-  box.center = box.axes * bounds.center();
-  box.half_extents = bounds.halfExtents();
-  if (!box.axes.allFinite()) return false;  // the triangle is a needle
+  Mat3 axes;
+  axes << along, normal.cross(along), normal;
+  if (!axes.allFinite()) return false;  // the triangle is a needle
+  const Obb box = boundingBox(triangle, axes);
   const bool meets = forEachTriangleIn(a_->tree(), box, 0.0, [&](std::uint32_t triangle_a) {
     const Triangle other = a_->tree().mesh().triangle(triangle_a);
     return areMeeting(triangle, other);

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "build/paper/principal_box.h"
+#include "geometry/bounding_box.h"
 
 namespace octoblisk::detail {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "geometry/bounding_box.h"
 #include "geometry/principal_axes.h"
 
 namespace octoblisk::detail {
@@ -14,13 +15,6 @@ Mat3 covariance(std::span<const Vec3> points) {
   Mat3 sum = Mat3::Zero();
   for (const Vec3& point : points) sum += (point - mean) * (point - mean).transpose();
   return points.size() == 1 ? sum : Mat3(sum / static_cast<double>(points.size() - 1));
-}
-
-Obb boundingBox(std::span<const Vec3> points, const Mat3& axes) {
-  if (points.empty()) throw std::invalid_argument("the bounding box of no points is undefined");
-  Aabb local;
-  for (const Vec3& point : points) local.extend(axes.transpose() * point);
-  return {axes * local.center(), axes, local.halfExtents()};
 }
 
 Obb principalBox(std::span<const Vec3> points) {

@@ -11,10 +11,6 @@ namespace octoblisk::detail {
 /// std::invalid_argument if there are no points.
 Mat3 covariance(std::span<const Vec3> points);
 
-/// The box of the points in the given frame. Its centre is the middle of the box, not the centroid. Throws
-/// std::invalid_argument if there are no points.
-Obb boundingBox(std::span<const Vec3> points, const Mat3& axes);
-
 /// boundingBox in the principal axes of the points' covariance. It contains the points, but not a surface
 /// that bulges between them, and it is not the smallest box (errata 7 and 14).
 Obb principalBox(std::span<const Vec3> points);
