@@ -38,7 +38,7 @@ class Polytope {
   /// Makes a tetrahedron from GJK's last simplex, without its flat part. False if the Minkowski difference is
   /// flat.
   bool start(const Simplex& simplex) {
-    for (std::size_t i = 0; i < simplex.count; ++i) vertices_[count_++] = at(simplex, i);
+    for (std::size_t i = 0; i < simplex.count; ++i) vertices_[count_++] = simplex.point[i];
     for (std::size_t i = 0; i < count_; ++i) size_ = std::max(size_, point(i).norm());
     dropFlat();
     for (int k = 0; k < 3 && count_ < 2; ++k) addIfApart(Vec3::Unit(k));
@@ -71,7 +71,6 @@ class Polytope {
   }
 
  private:
-  static const SupportPoint& at(const Simplex& simplex, std::size_t i) { return simplex.point[i]; }
   double tolerance() const { return std::max(kFlat, convex_.precision()) * size_; }
   const Vec3& point(std::size_t i) const { return vertices_[i].difference; }
 
@@ -140,13 +139,11 @@ class Polytope {
     return {{{i, j}, {j, k}, {k, i}}};
   }
 
-  PolytopeFace& faceAt(std::size_t f) { return faces_[f]; }
-
   /// The index of the face on the left of a directed edge, as seen from outside.
   std::uint8_t& leftOf(std::size_t from, std::size_t to) { return left_of_[from][to]; }
 
   void setFace(std::size_t f, const PolytopeFace& face) {
-    faceAt(f) = face;
+    faces_[f] = face;
     for (const Edge& edge : edgesOf(face)) leftOf(edge.from, edge.to) = static_cast<std::uint8_t>(f);
   }
 
@@ -174,10 +171,10 @@ class Polytope {
     vertices_[count_] = vertex;
     replace(seen_face);
     for (std::size_t r = 0; r < replaced_count; ++r) {
-      for (const Edge& edge : edgesOf(faceAt(replaced[r]))) {
+      for (const Edge& edge : edgesOf(faces_[replaced[r]])) {
         const std::size_t across = leftOf(edge.to, edge.from);
         if (is_replaced[across]) continue;
-        if (faceAt(across).normal.dot(vertex.difference) >= faceAt(across).distance - coplanar) {
+        if (faces_[across].normal.dot(vertex.difference) >= faces_[across].distance - coplanar) {
           replace(across);
           continue;
         }
@@ -198,7 +195,7 @@ class Polytope {
                       std::greater<>());
     for (std::size_t r = rim_count; r < replaced_count; ++r) {
       const std::size_t last = --face_count_, place = replaced[r];
-      if (place != last) setFace(place, faceAt(last));
+      if (place != last) setFace(place, faces_[last]);
     }
     return true;
   }
