@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "base/turn.h"
+#include "base/trigonometry.h"
 #include "geometry/principal_axes.h"
 
 namespace octoblisk::detail {

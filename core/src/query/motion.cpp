@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "base/turn.h"
+#include "base/trigonometry.h"
 #include "octoblisk/convex.h"
 #include "tree/tree.h"
 

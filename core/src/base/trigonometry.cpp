@@ -1,4 +1,4 @@
-#include "base/turn.h"
+#include "base/trigonometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Compares sine, cosine and angle with the C library in extended precision.
-#include "base/turn.h"
+#include "base/trigonometry.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ constexpr double kOracleError = 0x1p-66;  // the x87 instruction's π has 66 bit
 constexpr double kOracleError = 0.0;
 #endif
 
-TEST(Turn, sineAndCosineAreThoseOfTheCLibrary) {
+TEST(Trigonometry, sineAndCosineAreThoseOfTheCLibrary) {
   std::mt19937_64 random(3);
   for (const double size : {1e-9, 1.0, 10.0, 1e6}) {
     for (int i = 0; i < 20000; ++i) {
@@ -38,14 +38,14 @@ TEST(Turn, sineAndCosineAreThoseOfTheCLibrary) {
   EXPECT_NEAR(sineCosine(1e9).sine, static_cast<double>(sinl(1e9L)), 1e-7);
 }
 
-TEST(Turn, isExactOnTheAxes) {
+TEST(Trigonometry, isExactOnTheAxes) {
   EXPECT_EQ(sineCosine(0.0).sine, 0.0);
   EXPECT_EQ(sineCosine(0.0).cosine, 1.0);
   EXPECT_EQ(angleOf(0.0, 2.0), 0.0);
   EXPECT_EQ(angleOf(2.0, 0.0), std::numbers::pi / 2.0);
 }
 
-TEST(Turn, angleIsThatOfTheCLibrary) {
+TEST(Trigonometry, angleIsThatOfTheCLibrary) {
   std::mt19937_64 random(4);
   for (const double size : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
     for (int i = 0; i < 20000; ++i) {
