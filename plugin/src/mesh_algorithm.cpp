@@ -11,8 +11,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include "octoblisk/body_bounds.h"
 #include "octoblisk/clustered_octree.h"
-#include "octoblisk/motion.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "octoblisk/motion.h"
+#include "octoblisk/body_bounds.h"
 #include "our_shape.h"
 #include "proxy_body.h"
 #include "shape_bounds.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "octoblisk/motion.h"
 #include "shared/meshes.h"
 
 namespace octoblisk {

@@ -8,6 +8,7 @@
 
 #include "core/solid.h"
 #include "octoblisk/batch.h"
+#include "octoblisk/motion.h"
 #include "octoblisk/path_query.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"

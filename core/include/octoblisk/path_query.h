@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "octoblisk/body_bounds.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/depth.h"
 #include "octoblisk/distance.h"
-#include "octoblisk/motion.h"
 #include "octoblisk/signed_distance.h"
 
 namespace octoblisk {
