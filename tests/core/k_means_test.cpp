@@ -145,16 +145,12 @@ TEST(KOpt, prefersTheNumberOfClumps) {
   std::vector<Vec3> points;
   for (int i = 0; i < 600; ++i)
     points.push_back(Vec3(100.0 * (i % 3), 70.0 * (i % 3 == 1), 0) + testing::randomPoint(random, 1));
-  const KOpt result = optimalK(points, {.leaf_capacity = 200});
-  EXPECT_EQ(result.k, 3u);
   // One of two clusters spans the gap between clumps, and is divided; each of more clusters is a leaf.
-  EXPECT_EQ(result.nodes, (std::vector<std::size_t>{1 + 9, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(optimalK(points, {.leaf_capacity = 200}), 3u);
 }
 
-TEST(KOpt, countsNodesAsThePaperDoes) {
+TEST(KOpt, refusesAKOutOfRange) {
   const std::vector<Vec3> points = randomPoints(5, 400);
-  const KOpt result = optimalK(points, {.leaf_capacity = 2});
-  for (std::size_t k = 2; k <= 8; ++k) EXPECT_EQ((result.nodes[k - 2] - k) % 8, 0u);  // k + 8 · splits
   EXPECT_THROW(optimalK(points, {.k_max = 1}), std::invalid_argument);
   EXPECT_THROW(optimalK(points, {.k_max = 401}), std::invalid_argument);
 }

@@ -68,7 +68,7 @@ TEST(PartClusters, withoutAKEachPartHasItsBest) {
     for (std::size_t t = 0; t < points.parts.size(); ++t) {
       if (points.parts[t] == number) alone.push_back(points.centroids[t]);
     }
-    EXPECT_EQ(part->size(), optimalK(alone, {.leaf_capacity = kFnop}).k);
+    EXPECT_EQ(part->size(), optimalK(alone, {.leaf_capacity = kFnop}));
     found.insert((part++)->size());
   }
   EXPECT_GT(found.size(), 1u) << "not all the same";

@@ -1,19 +1,20 @@
 #include "build/paper/k_opt.h"
 
-#include <algorithm>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "build/paper/k_means.h"
 #include "build/paper/octree.h"
 
 namespace octoblisk::detail {
 
-KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options) {
+std::size_t optimalK(std::span<const Vec3> points, const KOptOptions& options) {
   constexpr std::size_t kMinK = 2;
   if (options.k_max < kMinK || options.k_max > points.size()) {
     throw std::invalid_argument("k_opt: the greatest k must lie between 2 and the number of points");
   }
-  KOpt result;
+  std::size_t best = 0, fewest = std::numeric_limits<std::size_t>::max();
   for (std::size_t k = kMinK; k <= options.k_max; ++k) {
     const Clustering clustering = kMeans(points, {.k = k, .seed = options.seed});
     std::size_t nodes = 0;
@@ -25,10 +26,12 @@ KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options) {
       if (cluster.empty()) continue;
       nodes += Octree::build(cluster, {.leaf_capacity = options.leaf_capacity}).stats().total_nodes;
     }
-    result.nodes.push_back(nodes);
+    if (nodes < fewest) {
+      fewest = nodes;
+      best = k;
+    }
   }
-  result.k = kMinK + static_cast<std::size_t>(std::ranges::min_element(result.nodes) - result.nodes.begin());
-  return result;
+  return best;
 }
 
 }  // namespace octoblisk::detail

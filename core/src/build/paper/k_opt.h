@@ -1,9 +1,9 @@
 // The best number of clusters (step 5 of the paper, which gives no criterion; erratum 5).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "octoblisk/types.h"
 
@@ -15,13 +15,9 @@ struct KOptOptions {
   std::uint64_t seed = 1;
 };
 
-struct KOpt {
-  std::size_t k = 0;               ///< the smallest k of the fewest nodes
-  std::vector<std::size_t> nodes;  ///< for k = 2, 3, … k_max
-};
-
-/// Clusters the points for each k and divides every cluster by an axis-aligned octree. The best k has the
-/// fewest nodes in total (TNON). Throws std::invalid_argument if k_max is not in 2..n.
-KOpt optimalK(std::span<const Vec3> points, const KOptOptions& options = {});
+/// Clusters the points for each k = 2, 3, … k_max and divides every cluster by an axis-aligned octree.
+/// Returns the smallest k of the fewest nodes in total (TNON). Throws std::invalid_argument if k_max is not
+/// in 2..n.
+std::size_t optimalK(std::span<const Vec3> points, const KOptOptions& options = {});
 
 }  // namespace octoblisk::detail

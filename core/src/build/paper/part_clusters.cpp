@@ -16,8 +16,7 @@ std::size_t clusterCount(std::span<const Vec3> points, const PartClusterOptions&
   if (options.clusters > 0 || points.size() < kMinK) return std::max<std::size_t>(options.clusters, 1);
   return optimalK(points, {.k_max = std::min(kMaxK, points.size()),
                            .leaf_capacity = options.leaf_capacity,
-                           .seed = options.seed})
-      .k;
+                           .seed = options.seed});
 }
 
 std::vector<TriangleSet> clustersOf(const TriangleSet& part, std::span<const Vec3> centroids,
