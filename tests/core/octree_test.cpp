@@ -40,9 +40,9 @@ TEST(Octree, countsNodesAsBruteForceDoes) {
     for (int i = 0; i < 700; ++i) points.push_back((testing::randomPoint(random, 32).array() + 32).floor());
     points.push_back(Vec3::Zero());
     points.push_back(Vec3::Constant(64));
-    const Octree octree = Octree::build(points, {.leaf_capacity = capacity, .max_depth = 20});
-    EXPECT_EQ(octree.stats().total_nodes,
-              1 + 8 * bruteForceSplits(points, Vec3::Zero(), Vec3::Constant(64), capacity, 20));
+    const Octree octree = Octree::build(points, {.leaf_capacity = capacity});
+    EXPECT_EQ(octree.stats().total_nodes, 1 + 8 * bruteForceSplits(points, Vec3::Zero(), Vec3::Constant(64),
+                                                                   capacity, Octree::kMaxDepth));
   }
 }
 
@@ -72,9 +72,9 @@ TEST(Octree, everyPointIsInOneLeafThatHoldsIt) {
 
 TEST(Octree, duplicatePointsEndAtTheDepthCap) {
   const std::vector<Vec3> points(5, Vec3(1, 2, 3));
-  const Octree octree = Octree::build(points, {.leaf_capacity = 2, .max_depth = 12});
-  EXPECT_EQ(octree.stats().depth, 12);
-  EXPECT_EQ(octree.stats().total_nodes, 1u + 8u * 12u);
+  const Octree octree = Octree::build(points, {.leaf_capacity = 2});
+  EXPECT_EQ(octree.stats().depth, 32);
+  EXPECT_EQ(octree.stats().total_nodes, 1u + 8u * 32u);
 }
 
 TEST(Octree, aCubicRootIsACube) {
@@ -88,7 +88,6 @@ TEST(Octree, refusesBadOptions) {
   const std::vector<Vec3> points = {{0, 0, 0}};
   EXPECT_THROW(Octree::build({}), std::invalid_argument);
   EXPECT_THROW(Octree::build(points, {.leaf_capacity = 0}), std::invalid_argument);
-  EXPECT_THROW(Octree::build(points, {.max_depth = -1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -38,7 +38,6 @@ OctreeStats measure(const std::vector<Octree::Node>& nodes) {
 Octree Octree::build(std::span<const Vec3> points, const OctreeOptions& options) {
   if (points.empty()) throw std::invalid_argument("an octree needs at least one point");
   if (options.leaf_capacity < 1) throw std::invalid_argument("the octree's leaf capacity must be at least 1");
-  if (options.max_depth < 0) throw std::invalid_argument("the octree's depth must not be negative");
   if (points.size() >= std::numeric_limits<std::uint32_t>::max() / 8) {
     throw std::invalid_argument("the octree holds at most 2^29 - 2 points");
   }
@@ -59,7 +58,7 @@ Octree Octree::build(std::span<const Vec3> points, const OctreeOptions& options)
   std::vector<std::uint32_t> sorted;
   for (std::size_t n = 0; n < octree.nodes_.size(); ++n) {  // breadth first: children are appended
     const Node node = octree.nodes_[n];
-    if (node.count() <= options.leaf_capacity || node.depth >= options.max_depth) continue;
+    if (node.count() <= options.leaf_capacity || node.depth >= kMaxDepth) continue;
 
     const std::span<std::uint32_t> range(octree.order_.data() + node.begin, node.count());
     std::array<std::uint32_t, 9> start{};  // counting sort by octant, stable

@@ -12,7 +12,6 @@ namespace octoblisk::detail {
 
 struct OctreeOptions {
   std::size_t leaf_capacity = 8;  ///< the paper's fixed number of points (FNOP), at least 1
-  int max_depth = 32;             ///< cells at this depth are not divided; 0 leaves the root undivided
   bool cubic = false;  ///< whether the root is a cube; otherwise it is the points' bounding box (erratum 9)
   Mat3 axes = Mat3::Identity();  ///< the frame of all cells
 };
@@ -41,8 +40,9 @@ class Octree {
     std::uint32_t count() const { return end - begin; }
   };
 
-  /// Throws std::invalid_argument if there are no points or at least 2^29 - 1, if the leaf capacity is 0, or
-  /// if the depth is negative.
+  static constexpr int kMaxDepth = 32;  ///< cells at this depth are not divided
+
+  /// Throws std::invalid_argument if there are no points or at least 2^29 - 1, or if the leaf capacity is 0.
   static Octree build(std::span<const Vec3> points, const OctreeOptions& options = {});
 
   const std::vector<Node>& nodes() const { return nodes_; }           ///< the root first
