@@ -22,7 +22,7 @@ struct BodyPart {
   Motion in_world;
 
   BodyBounds bounds() const { return ours ? BodyBounds(ours->tree()) : BodyBounds(*convex); }
-  /// The margin that the sweep does not contain. The sweep of a convex shape contains its margin.
+  /// The margin that the sweep leaves out. The sweep of a convex shape includes its margin.
   double margin() const { return ours ? double(ours->getMargin()) : 0.0; }
 };
 

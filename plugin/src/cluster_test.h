@@ -8,7 +8,7 @@ class btCollisionShape;
 
 namespace octoblisk::detail {
 
-/// Tests whether clusters separate two bodies. Does not apply to ghosts (which represent their boxes), soft
+/// Tests whether clusters separate two bodies. Does not apply to ghosts (they stand for their boxes), soft
 /// bodies, user-defined clients and null.
 class ClusterTest {
  public:

@@ -10,7 +10,7 @@
 
 namespace octoblisk::detail {
 
-/// The tolerance for the sweep of two parts; it contains their margins. `tolerance` is that of timeOfImpact;
+/// The tolerance for the sweep of two parts; it includes their margins. `tolerance` is that of timeOfImpact;
 /// below 0, the default.
 double sweepTolerance(const MovingBody& body_a, const BodyPart& a, const MovingBody& body_b,
                       const BodyPart& b, btScalar tolerance = -1);

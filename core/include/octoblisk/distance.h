@@ -10,8 +10,8 @@
 namespace octoblisk {
 
 /// The least distance between two surfaces. Points are in A's frame. If the surfaces meet, both points are
-/// the same point of B. It is no farther from A's triangle than the two triangles are deep in each other. If
-/// both triangles are degenerate, the point is accurate to their width only.
+/// the same point of B. Its distance from A's triangle is at most the penetration depth of the two triangles.
+/// If both triangles are degenerate, the point is accurate to their width only.
 struct Clearance {
   double distance = std::numeric_limits<double>::infinity();  ///< 0 if they meet; mesh units
   Vec3 point_on_a = Vec3::Zero();
