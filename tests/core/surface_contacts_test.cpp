@@ -268,7 +268,9 @@ TEST(SurfaceContacts, eachCrossingHasItsOwnWayOut) {
                                              *barAt({0.08, 0.08, 0.5}, {0.6, 0.16 - kOverlap, 0})));
   const std::vector<Contact> contacts = contactsOf(bar, two, {askew, Vec3::Zero()});
   for (const Contact& contact : contacts) EXPECT_GT(contact.distance, -1.7 * kOverlap);
-  for (const auto& [side, out] : {std::pair(-1.0, Vec3(0, 0, -1)), std::pair(1.0, Vec3(0, -1, 0))}) {
+  for (const auto& side_and_out : {std::pair(-1.0, Vec3(0, 0, -1)), std::pair(1.0, Vec3(0, -1, 0))}) {
+    const double side = side_and_out.first;
+    const Vec3& out = side_and_out.second;
     const auto pushesOut = [&](const Contact& contact) {
       return side * contact.point_on_a.x() > 0.3 && contact.normal.dot(out) > 0.95;
     };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/closest_point_on_triangle.h"
 #include "geometry/segment_pair.h"
