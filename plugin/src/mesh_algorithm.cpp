@@ -85,9 +85,12 @@ class ShownSides {
   const btCollisionObjectWrapper* wrap1_;
 };
 
-/// The pose of a body, or of a child of its shape, at the start of its last step.
-Pose lastPose(const btCollisionObjectWrapper& body, btScalar time_step) {
+/// The pose of a body, or of a child of its shape, at the start of the last step, which took `time_step`.
+/// `start` is what is known of it, or null.
+Pose startOf(const btCollisionObjectWrapper& body, btScalar time_step, const Pose* start) {
   const btCollisionObject& object = *body.getCollisionObject();
+  // In the first step of a frame, a kinematic body moves as far as its velocities say for the whole frame.
+  if (start && object.isKinematicObject()) return *start;
   const Pose in_object =
       fromBullet(object.getWorldTransform()).inverse() * fromBullet(body.getWorldTransform());
   return fromBullet(stepStart(object, time_step)) * in_object;
@@ -188,6 +191,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   if (const ShapeTypes types(*body0, *body1); types != types_) {
     manifolds_.clear();
     way_back_.forget();
+    last_step_.reset();
     substituteFor(types, *body0, *body1).processCollision(body0, body1, info, result);
     return;
   }
@@ -213,16 +217,21 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
     static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);
     return;
   }
+  const bool may_pull = is_step && info.m_timeStep > 0 && mayPull(*other.m_shape);
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_.reset();  // in case of an exception
     findBodyContacts(shapes, reach, contacts_);
-    if (is_step && info.m_timeStep > 0) pushBack(shapes, reach, mesh, other, info.m_timeStep);
+    if (may_pull) pushBack(shapes, reach, mesh, other, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
     reach_ = reach;
+  }
+  if (may_pull) {
+    last_step_ = {fromBullet(mesh.getWorldTransform()), fromBullet(other.getWorldTransform()),
+                  info.m_timeStep};
   }
   showPatches(shapes, mesh, other, info.m_timeStep, *result);
 }
@@ -243,10 +252,13 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
   if (!readOther(shapes.other)) other_in_mesh_.reset();
 }
 
+bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
+  if (other.isInfinite()) return false;  // a half-space is solid
+  return !are_solid_.first || (other.isConcave() && !are_solid_.second);
+}
+
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
-  const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
-  if (shapes.other.isInfinite() || !(is_mesh_open || is_other_open)) return;  // a half-space is solid
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
@@ -256,7 +268,9 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
   if (middle && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side
-  const Pose start = lastPose(mesh, time_step).inverse() * lastPose(other, time_step);
+  const btScalar length = last_step_ ? last_step_->length : time_step;
+  const Pose start = startOf(mesh, length, last_step_ ? &last_step_->mesh_in_world : nullptr).inverse() *
+                     startOf(other, length, last_step_ ? &last_step_->other_in_world : nullptr);
   if (way_back_.isNew()) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
     const bool were_apart = !overlap();
@@ -268,8 +282,9 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   }
   way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
     WayBack::OpenTriangles open;
-    if (is_mesh_open) open.of_a = triangles.triangle(contact.triangle_a);
-    if (is_other_open) open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
+    if (!are_solid_.first) open.of_a = triangles.triangle(contact.triangle_a);
+    if (shapes.other.isConcave() && !are_solid_.second)
+      open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
     return open;
   });
 }

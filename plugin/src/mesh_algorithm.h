@@ -116,8 +116,17 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Discards what was made with earlier states of the shapes.
   void noticeChanges(const PosedShapes& shapes);
 
-  /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. The
-  /// last step is assumed to have taken `time_step` too.
+  /// Where the two bodies were at the start of a step, and its length.
+  struct Step {
+    Pose mesh_in_world, other_in_world;
+    btScalar length;
+  };
+
+  /// Whether contacts may pull a body through an open mesh.
+  bool mayPull(const btCollisionShape& other) const;
+
+  /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. If
+  /// the last step is unknown, it is assumed to have taken `time_step`, as the current one.
   void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                 const btCollisionObjectWrapper& other, btScalar time_step);
 
@@ -136,7 +145,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   Manifolds manifolds_;
   std::shared_ptr<const ClusteredOctree> tree_, tree_of_other_;  // the trees of the current contacts
   std::vector<Contact> contacts_;
-  WayBack way_back_;  // if a body has an open mesh
+  WayBack way_back_;               // if a body has an open mesh
+  std::optional<Step> last_step_;  // if a body has an open mesh
   ContactPatches patches_;
 
   // The state for which the patches were made. Without a pose, they are made anew.

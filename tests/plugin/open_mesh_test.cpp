@@ -158,6 +158,53 @@ TEST(OpenMesh, bodiesBetweenFloorAndCeilingStayThere) {
   }
 }
 
+/// A body has moved by the length of the last step, not of the current one.
+TEST(OpenMesh, stepsMayChangeTheirLength) {
+  ClusteredOctreeShape floor = shapeOver(flatFloor());
+  const std::unique_ptr<btCollisionShape> ring = ours(testing::torus(0.2, 0.03, 24, 8));
+  std::mt19937_64 random(85);
+  std::uniform_real_distribution<double> speed(-3.0, 3.0);
+  Pushes pushes;
+  for (int run = 0; run < 2 * kRuns; ++run) {
+    BulletWorld world;
+    world.add(floor, 0, at(0, 0, 0));
+    btRigidBody& body = world.add(*ring, 1, turnedAt(random, 1.2));
+    body.setLinearVelocity(toBullet(Vec3(speed(random), speed(random), 0.0)));
+    body.setActivationState(DISABLE_DEACTIVATION);
+    for (int step = 0; step < 200; ++step) {
+      world.step(1, step % 2 == 0 ? 1.0 / 120.0 : 1.0 / 30.0);
+      pushes.count(world, body);
+    }
+  }
+  EXPECT_GT(pushes.up, 2000);
+  EXPECT_LE(pushes.down, 5);
+}
+
+/// Bullet moves a kinematic body before the first step of a frame by the way of the whole frame.
+TEST(OpenMesh, bodiesStayOnALiftInFramesOfSeveralSteps) {
+  constexpr double kFrame = 1.0 / 30.0, kSpeed = 3.0;
+  ClusteredOctreeShape floor = shapeOver(flatFloor());
+  btBoxShape box(toBullet(Vec3(0.3, 0.2, 0.1)));
+  const std::unique_ptr<btCollisionShape> gear = ours(testing::gear(12, 0.4, 0.48, 0.15, 0.1));
+  for (btCollisionShape* const shape : {static_cast<btCollisionShape*>(&box), gear.get()}) {
+    std::mt19937_64 random(86);
+    for (int run = 0; run < kRuns; ++run) {
+      BulletWorld world;
+      btRigidBody& lift = world.add(floor, 0, at(0, 0, 0));
+      lift.setCollisionFlags(lift.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+      lift.setActivationState(DISABLE_DEACTIVATION);
+      btRigidBody& body = world.add(*shape, 1, turnedAt(random, 0.7));
+      double height = 0.0;
+      for (int frame = 0; frame < 90; ++frame) {
+        if (frame >= 30) height += kSpeed * kFrame;
+        lift.setWorldTransform(at(0, 0, height));
+        world->stepSimulation(btScalar(kFrame), 2, btScalar(0.5 * kFrame));
+      }
+      EXPECT_GT(double(body.getWorldTransform().getOrigin().z()), height) << run;
+    }
+  }
+}
+
 /// Bullet's mesh lets all these balls through. Each moves by nearly its diameter in a step.
 TEST(OpenMesh, smallFastBallsDoNotPass_vs_bvh) {
   const testing::SharedMesh mesh = flatFloor();
