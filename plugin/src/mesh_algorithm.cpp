@@ -86,11 +86,13 @@ class ShownSides {
 };
 
 /// The pose of a body, or of a child of its shape, at the start of the last step, which took `time_step`.
-/// `start` is what is known of it, or null.
-Pose startOf(const btCollisionObjectWrapper& body, btScalar time_step, const Pose* start) {
+/// `before` is its pose before that step; null if unknown.
+Pose startOf(const btCollisionObjectWrapper& body, btScalar time_step, const Pose* before) {
   const btCollisionObject& object = *body.getCollisionObject();
-  // In the first step of a frame, a kinematic body moves as far as its velocities say for the whole frame.
-  if (start && object.isKinematicObject()) return *start;
+  const bool has_velocity =
+      !object.getInterpolationLinearVelocity().isZero() || !object.getInterpolationAngularVelocity().isZero();
+  // Bullet moves a kinematic body before the first step of a frame, by the way of the whole frame.
+  if (before && object.isKinematicObject() && has_velocity) return *before;
   const Pose in_object =
       fromBullet(object.getWorldTransform()).inverse() * fromBullet(body.getWorldTransform());
   return fromBullet(stepStart(object, time_step)) * in_object;
@@ -259,6 +261,7 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
 
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
+  const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
@@ -282,9 +285,8 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   }
   way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
     WayBack::OpenTriangles open;
-    if (!are_solid_.first) open.of_a = triangles.triangle(contact.triangle_a);
-    if (shapes.other.isConcave() && !are_solid_.second)
-      open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
+    if (is_mesh_open) open.of_a = triangles.triangle(contact.triangle_a);
+    if (is_other_open) open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
     return open;
   });
 }

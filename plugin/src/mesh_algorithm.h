@@ -126,7 +126,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   bool mayPull(const btCollisionShape& other) const;
 
   /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. If
-  /// the last step is unknown, it is assumed to have taken `time_step`, as the current one.
+  /// the last step is unknown, assumes that it took `time_step`.
   void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                 const btCollisionObjectWrapper& other, btScalar time_step);
 

@@ -159,10 +159,14 @@ void MotionClamping::updateAction(btCollisionWorld* world, btScalar dt) {
     if (!body || fraction >= 1.0) continue;
     const btVector3 moved_by = body->getInterpolationLinearVelocity(),
                     turned_by = body->getInterpolationAngularVelocity();
-    body->proceedToTransform(toBullet(movers_[i].motion.at(fraction)));
-    // These lead back to the start of the step: Bullet draws the body by them, and contacts may need it.
+    const Motion& motion = movers_[i].motion;
+    body->proceedToTransform(toBullet(motion.at(fraction)));
+    // Bullet draws the body by these velocities. They must lead back to the start of the step, which contacts
+    // may need. A fast spin turns the body by less than its speed says.
+    const double spin = double(turned_by.length() * dt);
     body->setInterpolationLinearVelocity(btScalar(fraction) * moved_by);
-    body->setInterpolationAngularVelocity(btScalar(fraction) * turned_by);
+    body->setInterpolationAngularVelocity(btScalar(spin > 0.0 ? fraction * motion.angle() / spin : 0.0) *
+                                          turned_by);
     // Forces have acted for the whole step, but the body has moved for a part of it.
     const btScalar left = btScalar(1.0 - fraction) * dt;
     body->setLinearVelocity(

@@ -6,7 +6,8 @@
 namespace octoblisk::detail {
 
 btTransform stepStart(const btCollisionObject& body, btScalar dt) {
-  if (body.isStaticObject() || !body.isActive()) return body.getWorldTransform();
+  if ((body.isStaticObject() && !body.isKinematicObject()) || !body.isActive())
+    return body.getWorldTransform();
   btTransform start;
   // The user may have changed the velocities since the step. The interpolation velocities are still those
   // that moved the body.
