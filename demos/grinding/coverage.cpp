@@ -16,9 +16,9 @@
 #include "models/blade_sides.h"
 #include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
+#include "octoblisk/containment.h"
 #include "octoblisk/motion.h"
 #include "octoblisk/path_query.h"
-#include "octoblisk/solid_boundary.h"
 #include "octoblisk/triangles_in_box.h"
 
 namespace octoblisk::demos {
@@ -79,7 +79,7 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
 /// Measures one place after another; each thread has its own.
 class GroundSearch {
  public:
-  GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const SolidBoundary& part,
+  GroundSearch(const SideGrid& grid, const ClusteredOctree& cells, const octoblisk::Surface& part,
                const SupportPlanes& planes)
       : grid_(grid),
         cells_(cells),
@@ -89,7 +89,7 @@ class GroundSearch {
         last_(grid.size()),
         found_(grid.size()) {
     constexpr int kBoxDepth = 3;
-    boxes_ = part.surface().tree().boxes(kBoxDepth);
+    boxes_ = part.tree().boxes(kBoxDepth);
   }
 
   void ask(const Place& place) {
@@ -136,14 +136,14 @@ class GroundSearch {
   }
 
   void measure(std::size_t cell, const Vec3& point, std::size_t pose) {
-    const ClusteredOctree& tree = part_.surface().tree();
+    const ClusteredOctree& tree = part_.tree();
     const auto near = closestPoint(tree, point, kCoverageReach);
     if (near && near->distance < found_[cell].depth) {
       last_[cell] = {point, near->distance, std::nullopt};
       return;
     }
     const ClosestPoint nearest = near ? *near : closestPoint(tree, point).value();
-    const bool is_inside = part_.locate(point, nearest) == PointLocation::inside;
+    const bool is_inside = locate(part_, point, nearest) == PointLocation::inside;
     const double depth = is_inside ? nearest.distance : -nearest.distance;
     last_[cell] = {};
     if (part_.isWhole()) {  // where a surface bounds no solid, the depth may jump
@@ -155,7 +155,7 @@ class GroundSearch {
 
   const SideGrid& grid_;
   const ClusteredOctree& cells_;
-  const SolidBoundary& part_;
+  const octoblisk::Surface& part_;
   const SupportPlanes& planes_;
   std::vector<Obb> boxes_;
   std::vector<std::size_t> asked_at_;
@@ -256,11 +256,10 @@ std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctre
                                       std::span<const Pose> part_in_blisk, int threads) {
   const std::vector<Place> places = placesAlong(part_in_blisk);
   const ClusteredOctree cells = ClusteredOctree::build(std::make_shared<const TriangleMesh>(grid.mesh()));
-  const octoblisk::Surface surface(part);
-  const SolidBoundary boundary(surface, threads);
+  const octoblisk::Surface surface(part, threads);
   const SupportPlanes planes(part, threads);
   std::vector<GroundSearch> searches(static_cast<std::size_t>(threadCount(threads)),
-                                     GroundSearch(grid, cells, boundary, planes));
+                                     GroundSearch(grid, cells, surface, planes));
   constexpr std::size_t kAtOnce = 16;
   parallelFor((places.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t block, std::size_t worker) {
     const std::size_t end = std::min(places.size(), (block + 1) * kAtOnce);

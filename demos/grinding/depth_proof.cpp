@@ -7,18 +7,19 @@
 #include "grinding/lift.h"
 #include "models/triangle_tree.h"
 #include "octoblisk/distance.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk::demos {
 namespace {
 
 constexpr std::array kShells = {16.0, 60.0};  // mm: a contact wheel, the belt about it; the rest
-constexpr double kKeptOff = 1e-5;             // mm
+constexpr double kKeptOff = 1e-5;             // mm: at least
 constexpr int kMaxDistances = 200;            // of a shell
 
-/// Whether a shell of the part keeps off the blisk from one fraction to another. Each distance proves the
-/// fractions on both sides of its own.
+/// Whether a shell of the part, lifted, keeps farther off the blisk than a distance from one fraction to
+/// another. Each distance that is measured proves the fractions on both sides of its own.
 bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const Motion& motion, double begin,
-              double end, const Vec3& lift) {
+              double end, const Vec3& lift, double kept_off) {
   const double length = motion.lengthBound(shell);
   // The path length that the next distance must prove, on either side.
   double reach = 0.5 * (end - begin) * length;
@@ -29,11 +30,11 @@ bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const 
     const double middle = length > 0.0 ? begin + reach / length : begin;
     Pose pose = motion.at(middle);
     pose.translation += lift;
-    const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kKeptOff, .hint = hint});
+    const Clearance found = distance(blisk, shell, pose, {.upper_bound = reach + kept_off, .hint = hint});
     if (found.found()) {
       hint = found.triangles();
       constexpr double kNearer = 0.7;  // of the step that would suffice if the distance were the same there
-      reach = kNearer * (found.distance - kKeptOff);
+      reach = kNearer * (found.distance - kept_off);
       if (reach <= kKeptOff) return false;
       continue;
     }
@@ -47,7 +48,7 @@ bool keepsOff(const ClusteredOctree& blisk, const ClusteredOctree& shell, const 
 
 }  // namespace
 
-DepthProof::DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& part)
+DepthProof::DepthProof(const octoblisk::Surface& blisk, const octoblisk::Surface& part)
     : blisk_(blisk), part_(part) {
   const TriangleMesh& mesh = part.tree().mesh();
   std::array<std::vector<TriangleMesh::Indices>, kShells.size() + 1> triangles;
@@ -64,12 +65,14 @@ DepthProof::DepthProof(const SolidBoundary& blisk, const octoblisk::Surface& par
 
 bool DepthProof::holds(const Motion& motion, double begin, double end, const Vec3& up, double limit) const {
   const Vec3 lift = limit * up;
+  const ClusteredOctree* const caps = blisk_.solidParts().winding.capTree();
   for (const Shell& shell : shells_) {
-    if (!keepsOff(blisk_.surface().tree(), *shell, motion, begin, end, lift)) return false;
+    if (!keepsOff(blisk_.tree(), *shell, motion, begin, end, lift, kKeptOff)) return false;
+    if (caps && !keepsOff(*caps, *shell, motion, begin, end, Vec3::Zero(), limit + kKeptOff)) return false;
   }
   Pose lifted = motion.at(begin);  // the surfaces do not meet, so what holds here holds on the whole motion
   lifted.translation += lift;
-  return !mayBeNested(blisk_, part_, lifted);
+  return !areNestedIfCapped(blisk_, part_, lifted);
 }
 
 }  // namespace octoblisk::demos

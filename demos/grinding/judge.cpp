@@ -153,10 +153,9 @@ std::optional<Obstruction> Judge::hitBy(std::size_t part, const Pose& pose, Pose
   return Obstruction{part, bodyOfTriangle()[obstacles_.of(part)->triangleOfAll(triangle)], false, false};
 }
 
-/// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse, or
-/// if this is unknown.
+/// For a part that does not touch the blisk: true if any of its surface is in the blisk, or the reverse.
 bool Judge::isInside(std::size_t part, const Pose& pose) const {
-  return mayBeNested(depths_->blisk(), depths_->partSurface(part), pose);
+  return areNested(depths_->blisk(), depths_->partSurface(part), pose);
 }
 
 std::vector<std::optional<Obstruction>> Judge::obstaclesOf(std::span<const MotionEnds> motions) {

@@ -2,30 +2,47 @@
 
 #include "octoblisk/collide.h"
 #include "octoblisk/containment.h"
+#include "octoblisk/distance.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk::demos {
 
-bool mayBeNested(const SolidBoundary& a, const octoblisk::Surface& b, const Pose& b_in_a) {
+namespace {
+
+template <typename IsInA>
+bool areNestedBy(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a,
+                 const IsInA& is_in_a) {
   for (std::size_t k = 0; k < b.componentCount(); ++k) {
-    if (a.locate(b_in_a * b.position(b.cornerOfComponent(k))) != PointLocation::outside) return true;
+    if (is_in_a(b_in_a * b.position(b.cornerOfComponent(k)))) return true;
   }
-  const octoblisk::Surface& surface = a.surface();
-  for (std::size_t k = 0; b.isClosed() && k < surface.componentCount(); ++k) {
-    if (locate(b, surface.position(surface.cornerOfComponent(k)), b_in_a) == PointLocation::inside)
-      return true;
+  for (std::size_t k = 0; b.isClosed() && k < a.componentCount(); ++k) {
+    if (locate(b, a.position(a.cornerOfComponent(k)), b_in_a) == PointLocation::inside) return true;
   }
   return false;
 }
 
-bool partsWhenLifted(const SolidBoundary& solid, const octoblisk::Surface& part, const Pose& part_in_solid,
+}  // namespace
+
+bool areNested(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a) {
+  return areNestedBy(a, b, b_in_a,
+                     [&](const Vec3& point) { return locate(a, point) == PointLocation::inside; });
+}
+
+bool areNestedIfCapped(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a) {
+  return areNestedBy(a, b, b_in_a,
+                     [&](const Vec3& point) { return a.solidParts().winding.closedAt(point) != 0; });
+}
+
+bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part, const Pose& part_in_solid,
                      const Vec3& up, double depth) {
+  const ClusteredOctree* const caps = solid.solidParts().winding.capTree();
+  if (caps && distance(*caps, part.tree(), part_in_solid, {.upper_bound = depth}).found()) return false;
   constexpr double kSlope = 0.3;
   const Vec3 across = up.unitOrthogonal(), along = up.cross(across);
   for (const Vec3& direction : {up, Vec3(up + kSlope * across), Vec3(up - kSlope * across),
                                 Vec3(up + kSlope * along), Vec3(up - kSlope * along)}) {
     const Pose lifted{part_in_solid.rotation, part_in_solid.translation + depth * direction.normalized()};
-    if (!collide(solid.surface().tree(), part.tree(), lifted) && !mayBeNested(solid, part, lifted))
-      return true;
+    if (!collide(solid.tree(), part.tree(), lifted) && !areNestedIfCapped(solid, part, lifted)) return true;
   }
   return false;
 }

@@ -78,7 +78,7 @@ MotionCheck::MotionCheck(std::shared_ptr<const ClusteredOctree> blisk, std::span
     const bool may_touch = obstacles.mayTouchAny(part);
     far_parts_.push_back(may_touch ? farPartOf(parts[part].tree->mesh()) : FarPart());
     depth_proofs_.emplace_back();
-    if (!may_touch || !depths.blisk().isWhole()) continue;
+    if (!may_touch) continue;
     depth_proofs_.back().emplace(depths.blisk(), depths.partSurface(part));
   }
 }

@@ -24,8 +24,7 @@ constexpr double kFiner = 0.1;          // factor, if the limit is between the b
 double toleranceFor(double limit) { return std::max(kPartOfLimit * limit, kMinTolerance); }
 
 /// Measures more closely as long as the limit is between the bounds.
-template <typename SurfaceOfA>
-GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
+GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a,
                    double limit, double known_depth = 0.0) {
   const double tolerance = toleranceFor(limit);
   const GougeDepth found = query.deepest(a, b, b_in_a, tolerance, {.above = known_depth});
@@ -34,8 +33,7 @@ GougeDepth settled(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surf
 }
 
 /// Whether B is deeper than the limit, or its depth is unknown; the same answer as by `settled`.
-template <typename SurfaceOfA>
-bool isDeeper(DepthQuery& query, const SurfaceOfA& a, const octoblisk::Surface& b, const Pose& b_in_a,
+bool isDeeper(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a,
               double limit) {
   const double tolerance = toleranceFor(limit), beyond = limit + tolerance;
   const GougeDepth found =
@@ -57,13 +55,10 @@ PartDepths::PartDepths(std::shared_ptr<const ClusteredOctree> blisk, std::vector
     : blisk_(std::move(blisk)),
       parts_(std::move(parts)),
       limits_(std::move(limits)),
-      blisk_surface_(*blisk_),
-      blisk_boundary_(blisk_surface_, threads),
+      blisk_surface_(*blisk_, threads),
       queries_(static_cast<std::size_t>(threadCount(threads))) {
-  for (const ToolPart& part : parts_) part_surfaces_.emplace_back(*part.tree);
-  for (const Fixture& fixture : fixtures) {
-    fixtures_.push_back(std::make_unique<const FixedSolid>(*fixture.tree, threads));
-  }
+  for (const ToolPart& part : parts_) part_surfaces_.emplace_back(*part.tree, threads);
+  for (const Fixture& fixture : fixtures) fixtures_.emplace_back(*fixture.tree, threads);
 }
 
 DepthKind PartDepths::kindOf(std::size_t part) const {
@@ -125,8 +120,8 @@ PartDepths::PoseBits PartDepths::bitsOf(const Pose& pose) {
 bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
                              std::uint32_t triangle_of_blisk) const {
   const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
-  return blisk_boundary_.isWhole() && !normal.isZero() &&
-         partsWhenLifted(blisk_boundary_, part_surfaces_[part], tool_in_blisk, normal.normalized(),
+  return !normal.isZero() &&
+         partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk, normal.normalized(),
                          limits_[part]);
 }
 
@@ -134,7 +129,7 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
                                             DepthQuery& query) const {
   const octoblisk::Surface& surface = part_surfaces_[part];
   const double limit = limits_[part];
-  const GougeDepth of_part = settled(query, blisk_boundary_, surface, tool_in_blisk, limit);
+  const GougeDepth of_part = settled(query, blisk_surface_, surface, tool_in_blisk, limit);
   if (of_part.gouging != Gouging::found && !of_part.is_known) {
     const Clearance nearest = distance(*blisk_, *parts_[part].tree, tool_in_blisk);
     return PartDepth{part, 0.0, nearest.triangle_a, nearest.point_on_a, true, false};
@@ -155,7 +150,7 @@ std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_i
 bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                           std::optional<std::uint32_t>& deep_corner, std::size_t thread) {
   const double limit = limits_[part];
-  if (!blisk_boundary_.has(touch.a)) return true;
+  if (blisk_surface_.role(touch.a) == TriangleRole::sheet) return true;
   if (staysWithin(part, tool_in_blisk, touch.a)) return false;
   const double beyond = limit + toleranceFor(limit);
   if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
@@ -165,7 +160,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   }
   DepthQuery& query = queries_[thread];
   const octoblisk::Surface& surface = part_surfaces_[part];
-  return isDeeper(query, blisk_boundary_, surface, tool_in_blisk, limit) ||
+  return isDeeper(query, blisk_surface_, surface, tool_in_blisk, limit) ||
          (kindOf(part) == DepthKind::of_solids &&
           isDeeper(query, surface, blisk_surface_, tool_in_blisk.inverse(), limit));
 }
@@ -173,7 +168,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
 double PartDepths::depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const {
   const Vec3 point = tool_in_blisk * part_surfaces_[part].position(corner);
   const ClosestPoint nearest = closestPoint(*blisk_, point).value();
-  return blisk_boundary_.locate(point, nearest) == PointLocation::inside ? nearest.distance : 0.0;
+  return locate(blisk_surface_, point, nearest) == PointLocation::inside ? nearest.distance : 0.0;
 }
 
 /// Climbs from a touching triangle, corner by corner, to a place that is deeper than the limit. None: not
@@ -207,9 +202,9 @@ std::optional<std::uint32_t> PartDepths::cornerBeyond(std::size_t part, const Po
 void PartDepths::addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& found) const {
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     auto first = static_cast<std::uint32_t>(blisk_->mesh().triangleCount());
-    for (const auto& fixture : fixtures_) {
-      const ClusteredOctree& tree = fixture->surface.tree();
-      if (isNested(part, *fixture, tool_in_blisk)) {
+    for (const octoblisk::Surface& fixture : fixtures_) {
+      const ClusteredOctree& tree = fixture.tree();
+      if (isNested(part, fixture, tool_in_blisk)) {
         const Clearance nearest = distance(tree, *parts_[part].tree, tool_in_blisk);
         found.push_back({part, 0.0, first + nearest.triangle_a, nearest.point_on_a, true});
       }
@@ -220,13 +215,14 @@ void PartDepths::addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& fo
 
 bool PartDepths::isInFixture(std::size_t part, const Pose& tool_in_blisk) const {
   return std::ranges::any_of(fixtures_,
-                             [&](const auto& fixture) { return isNested(part, *fixture, tool_in_blisk); });
+                             [&](const auto& fixture) { return isNested(part, fixture, tool_in_blisk); });
 }
 
-bool PartDepths::isNested(std::size_t part, const FixedSolid& fixture, const Pose& tool_in_blisk) const {
-  const octoblisk::Surface &surface = part_surfaces_[part], &fixed = fixture.surface;
+bool PartDepths::isNested(std::size_t part, const octoblisk::Surface& fixed,
+                          const Pose& tool_in_blisk) const {
+  const octoblisk::Surface& surface = part_surfaces_[part];
   if (collide(fixed.tree(), surface.tree(), tool_in_blisk)) return false;
-  if (fixed.isClosed()) return mayBeNested(fixture.boundary, surface, tool_in_blisk);
+  if (fixed.isClosed()) return areNested(fixed, surface, tool_in_blisk);
   for (std::size_t k = 0; surface.isClosed() && k < fixed.componentCount(); ++k) {
     const Vec3& corner = fixed.position(fixed.cornerOfComponent(k));
     if (locate(surface, corner, tool_in_blisk) == PointLocation::inside) return true;

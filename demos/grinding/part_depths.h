@@ -13,7 +13,7 @@
 #include "grinding/fixture.h"
 #include "grinding/grinding_cell.h"
 #include "octoblisk/depth.h"
-#include "octoblisk/solid_boundary.h"
+#include "octoblisk/surface.h"
 
 namespace octoblisk::demos {
 
@@ -25,8 +25,8 @@ struct PartDepth {
   std::uint32_t triangle_of_blisk = 0;
   Vec3 point_on_blisk = Vec3::Zero();  ///< on that triangle
   bool is_inside = false;              ///< the surfaces do not meet: one lies wholly in the other
-  /// False if the part is at a place where the blisk's surface does not bound a solid
-  /// (octoblisk/solid_boundary.h), for example at a hole: it may be deeper, or not in the blisk at all.
+  /// False if the part is at a sheet of the blisk (octoblisk/surface.h), for example at a hole: it may be
+  /// deeper, or not in the blisk at all.
   bool is_known = true;
 };
 
@@ -56,7 +56,7 @@ class PartDepths {
   void remember() { remembers_ = true; }
 
   DepthKind kindOf(std::size_t part) const;
-  const SolidBoundary& blisk() const { return blisk_boundary_; }
+  const octoblisk::Surface& blisk() const { return blisk_surface_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 
   /// For each pose, in the order of the parts: the parts that touch the blisk, contain it or lie inside it.
@@ -75,23 +75,14 @@ class PartDepths {
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
-  /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it, or this is
-  /// unknown. An open fixture contains nothing.
+  /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it. An open fixture contains nothing.
   bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
 
  private:
-  /// A fixture as a solid.
-  struct FixedSolid {
-    explicit FixedSolid(const ClusteredOctree& tree, int threads)
-        : surface(tree), boundary(surface, threads) {}
-    octoblisk::Surface surface;
-    SolidBoundary boundary;
-  };
-
   using PoseBits = std::array<std::uint64_t, 12>;
 
   static PoseBits bitsOf(const Pose& pose);
-  bool isNested(std::size_t part, const FixedSolid& fixture, const Pose& tool_in_blisk) const;
+  bool isNested(std::size_t part, const octoblisk::Surface& fixture, const Pose& tool_in_blisk) const;
   void addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& found) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
   bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
@@ -103,8 +94,7 @@ class PartDepths {
   std::vector<ToolPart> parts_;
   std::vector<double> limits_;  // per part
   octoblisk::Surface blisk_surface_;
-  SolidBoundary blisk_boundary_;
-  std::vector<std::unique_ptr<const FixedSolid>> fixtures_;
+  std::vector<octoblisk::Surface> fixtures_;
   std::vector<octoblisk::Surface> part_surfaces_;
   std::vector<DepthQuery> queries_;  // one per thread
   bool remembers_ = false;

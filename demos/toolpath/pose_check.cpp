@@ -16,8 +16,8 @@ PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving
                      const PoseCheckOptions& options)
     : fixed_(fixed), moving_(moving), options_(options) {
   if (!options.depth && !options.signed_distance) return;
-  fixed_surface_ = std::make_unique<const Surface>(fixed);
-  moving_surface_ = std::make_unique<const Surface>(moving);
+  fixed_surface_ = std::make_unique<const Surface>(fixed, options.threads);
+  moving_surface_ = std::make_unique<const Surface>(moving, options.threads);
   requireClosed();
   depth_queries_.resize(static_cast<std::size_t>(threadCount(options.threads)));
 }

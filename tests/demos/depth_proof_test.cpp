@@ -27,8 +27,7 @@ struct Solid {
 
 TEST(DepthProof, aSlideWithinTheLimitIsProvedAndOneBeyondIsNot) {
   const Solid wall(block({1, 50, 50}, 3)), tool(block({0.5, 20, 2}, 4));
-  const SolidBoundary wall_boundary(wall.surface);
-  const DepthProof proof(wall_boundary, tool.surface);
+  const DepthProof proof(wall.surface, tool.surface);
   const auto isProved = [&](double depth_from, double depth_to) {
     const Motion motion(at(1.5 - depth_from, -3, 0), at(1.5 - depth_to, 3, 0));
     return proof.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMaxDepth);
@@ -53,8 +52,7 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
   for (const Vec3& corner : ridge.vertices()) vertices.push_back(corner + Vec3(1.0, 0, 0));
   for (const auto& [a, b, c] : ridge.triangles()) triangles.push_back({first + a, first + b, first + c});
   const Solid solid(TriangleMesh(vertices, triangles)), tool(block({0.5, 1, 2}, 2));
-  const SolidBoundary solid_boundary(solid.surface);
-  const DepthProof proof(solid_boundary, tool.surface);
+  const DepthProof proof(solid.surface, tool.surface);
   const Motion over(at(1.48, -3, 0), at(1.48, 3, 0)), beside(at(1.48, -3, 0), at(1.48, -1.2, 0));
   EXPECT_FALSE(proof.holds(over, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
   EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
@@ -62,18 +60,16 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
 
 TEST(DepthProof, aToolWhollyInsideIsNotWithinTheLimit) {
   const Solid wall(block({20, 20, 20}, 2)), tool(block({1, 1, 1}, 2));
-  const SolidBoundary wall_boundary(wall.surface);
-  const DepthProof proof(wall_boundary, tool.surface);
+  const DepthProof proof(wall.surface, tool.surface);
   EXPECT_FALSE(proof.holds(Motion(at(0, 0, 0), at(1, 1, 0)), 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
-  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(0, 0, 0), Vec3::UnitX(), kMaxDepth));
-  EXPECT_TRUE(partsWhenLifted(wall_boundary, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kMaxDepth));
-  EXPECT_FALSE(partsWhenLifted(wall_boundary, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(0, 0, 0), Vec3::UnitX(), kMaxDepth));
+  EXPECT_TRUE(partsWhenLifted(wall.surface, tool.surface, at(20.95, 0, 0), Vec3::UnitX(), kMaxDepth));
+  EXPECT_FALSE(partsWhenLifted(wall.surface, tool.surface, at(20.85, 0, 0), Vec3::UnitX(), kMaxDepth));
 }
 
 TEST(DepthProof, whatIsProved_vs_depthsAtManyPlaces) {
   const Solid ring(*testing::torus(10.0, 3.0, 60, 30)), tool(block({2, 2, 2}, 3));
-  const SolidBoundary ring_boundary(ring.surface);
-  const DepthProof proof(ring_boundary, tool.surface);
+  const DepthProof proof(ring.surface, tool.surface);
   DepthQuery query;
   std::mt19937_64 random(83);
   int proved = 0, beyond = 0;

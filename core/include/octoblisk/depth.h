@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "octoblisk/contact.h"
-#include "octoblisk/solid_boundary.h"
 #include "octoblisk/surface.h"
 
 namespace octoblisk {
@@ -16,9 +15,8 @@ class DepthSearch;
 }  // namespace detail
 
 enum class Gouging {
-  none,     ///< no point of B's surface is in A: A and B are apart, or A is wholly inside B
-  found,    ///< B's surface touches A's, or reaches into A
-  unknown,  ///< A's surface is open, so it has no inside
+  none,   ///< no point of B's surface is in A: A and B are apart, or A is wholly inside B
+  found,  ///< B's surface touches A's, or reaches into A
 };
 
 /// The deepest point found; points are in the frame of A.
@@ -30,7 +28,7 @@ struct GougeDepth {
   Vec3 point_on_a = Vec3::Zero();  ///< the point of A's surface that is closest to point_on_b
   std::uint32_t triangle_a = kNoTriangle;
   std::uint32_t triangle_b = kNoTriangle;
-  /// False if B meets A's surface, or is nearest to it, where the surface bounds no solid (solid_boundary.h).
+  /// False if B meets A's surface, or is nearest to it, where its triangles are sheets (surface.h).
   /// Then B may reach deeper than the upper bound, or may not be in A at all. If B meets such a part of A's
   /// surface, the depth is not measured.
   bool is_known = true;
@@ -47,8 +45,9 @@ struct DepthsSought {
 
 /// Finds the greatest distance to A's surface among the points of B's surface that are in the solid A:
 ///     depth = max { dist(x, ∂A) : x ∈ ∂B ∩ A }.
-/// A must be closed (containment.h defines its inside); B may be open. If B is wholly inside A, the depth is
-/// that of B's innermost point. If A is wholly inside B, no point of B's surface is in A.
+/// containment.h defines what is in A. Neither what lies inside of A counts as its surface, nor what lies inside
+/// of B as B's (Surface::boundary). If B is wholly inside A, the depth is that of B's innermost point. If A is
+/// wholly inside B, no point of B's surface is in A.
 ///
 /// Holds the working memory of the query: use one object per thread. Warm queries allocate nothing.
 class DepthQuery {
@@ -63,11 +62,6 @@ class DepthQuery {
   /// The tolerance is a length > 0. Values below 1e-12 of the meshes' sizes are raised to that. Up to
   /// rounding (1e-15 of the coordinates) the answer is between `depth` and `upper_bound`.
   GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
-                     const DepthsSought& sought = {});
-
-  /// The same for a surface A that may have holes, be doubled, or meet itself. Holes elsewhere do not change
-  /// the answer.
-  GougeDepth deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance,
                      const DepthsSought& sought = {});
 
  private:

@@ -1,7 +1,7 @@
 // The mass properties of a solid of uniform density.
 #pragma once
 
-#include "octoblisk/triangle_mesh.h"
+#include "octoblisk/surface.h"
 
 namespace octoblisk {
 
@@ -23,11 +23,16 @@ struct MassProperties {
 
 /// The mass properties of the solid that the mesh bounds, in O(n), exact up to rounding. Sums the signed
 /// tetrahedra between each triangle and a point amid the mesh (C. Zhang, T. Chen, Efficient Feature
-/// Extraction for 2D/3D Objects in Mesh Representation, 2001). Where parts of the solid overlap, each of them
-/// counts. An inner surface that faces the other way is a cavity.
+/// Extraction for 2D/3D Objects in Mesh Representation, 2001). Each point inside counts once (containment.h),
+/// however often the mesh encloses it. Hollows do not count.
 ///
-/// If the mesh is open, not consistently oriented (Surface::isOriented), or has no volume, returns the
-/// properties of the solid bounding box of its triangles.
+/// If the mesh has holes (Surface::isClosed) or no volume, returns the properties of the solid bounding box of
+/// its triangles.
+MassProperties massProperties(const Surface& surface);
+
+/// The same for a mesh alone. Builds a tree and a surface if the mesh is not known to be simple: with each edge
+/// in two triangles, which use it in opposite directions, and with components whose bounds are apart. A simple
+/// mesh is assumed not to intersect itself.
 MassProperties massProperties(const TriangleMesh& mesh);
 
 /// The frame in which the inertia is diagonal.

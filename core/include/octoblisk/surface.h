@@ -1,8 +1,9 @@
-// A mesh as a surface: which triangles are connected, and whether they enclose a solid.
+// A mesh as a surface: which triangles are connected, and which bound a solid.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,24 +11,50 @@
 
 namespace octoblisk {
 
+namespace detail {
+struct SolidParts;
+}  // namespace detail
+
+/// What a triangle separates. A point is inside a solid if the winding number of the mesh, rounded, is not 0
+/// (containment.h).
+enum class TriangleRole : std::uint8_t {
+  outward,  ///< bounds a solid, and faces out of it
+  inward,   ///< bounds a solid, and faces into it
+  inner,    ///< both sides are inside: other parts of the mesh overlap there. Or the triangle has no area
+  sheet,    ///< both sides are outside, or a hole is near
+};
+
 /// What inside and depth queries need to know of a mesh, in addition to its tree. Vertices at equal positions
 /// form one "corner", so that triangles without shared indices (STL) are connected too. Vertices that are
 /// only nearly equal are not merged. Built once in O(n log n), never changed.
+///
+/// A mesh stays a solid if its facets are doubled, if parts of it overlap, if a corner lies on the edge of
+/// another triangle (a T-junction), and where cracks are narrow compared with the triangles beside them. Around
+/// holes its triangles are sheets: those that see holes of their own component in more than 1/64 of all
+/// directions, and those with an edge from which this is so.
 class Surface {
  public:
-  /// The tree must outlive the surface.
-  explicit Surface(const ClusteredOctree& tree);
-  explicit Surface(ClusteredOctree&&) = delete;
+  /// The tree must outlive the surface. `threads`: 0 for as many as the machine has; the answers do not
+  /// depend on it.
+  explicit Surface(const ClusteredOctree& tree, int threads = 0);
+  explicit Surface(ClusteredOctree&&, int = 0) = delete;
 
   const ClusteredOctree& tree() const { return *tree_; }
 
-  /// Whether every edge belongs to an even number of triangles. The parity of crossings then divides space
-  /// into an inside and an outside, whatever the genus, the orientation, or how the surface meets itself. If
-  /// a corner lies inside another triangle's edge (a T-junction), that edge is open.
+  /// Whether the mesh bounds a solid and has no holes.
   bool isClosed() const { return closed_; }
 
-  /// Whether every edge is used equally often in both directions: closed, and consistently oriented.
+  /// Whether the mesh is closed without defects: each edge belongs to two triangles, no triangles intersect,
+  /// and none is inner or a sheet.
+  bool isWhole() const { return whole_; }
+
+  /// Whether every edge is used equally often in both directions.
   bool isOriented() const { return oriented_; }
+
+  /// A triangle that intersects others may be inner in part. It has the role of the rest.
+  TriangleRole role(std::uint32_t triangle) const {
+    return roles_.empty() ? TriangleRole::outward : roles_[triangle];
+  }
 
   // Corners are numbered from 0. Vertices that no triangle uses have no corner.
   std::size_t cornerCount() const { return star_begin_.size() - 1; }
@@ -43,14 +70,27 @@ class Surface {
   std::uint32_t cornerOfComponent(std::size_t component) const { return component_corner_[component]; }
   std::uint32_t component(std::uint32_t corner) const { return component_[corner]; }
 
+  /// The surface without what is inside the solid: without inner triangles, copies of others, and the inner
+  /// parts of triangles that intersect. The surface itself if it has none of these.
+  const Surface& boundary() const;
+  /// The triangle that a triangle of boundary() is, or is a part of.
+  std::uint32_t sourceOf(std::uint32_t boundary_triangle) const;
+
+  /// For the library's own queries.
+  const detail::SolidParts& solidParts() const { return *solid_; }
+
  private:
+  struct OnlyConnected {};
+  Surface(const ClusteredOctree& tree, OnlyConnected);
+  friend struct detail::SolidParts;
+
   void weld();
   void gatherStars();
-  void checkEdges();
   void findComponents();
 
   const ClusteredOctree* tree_;
   bool closed_ = true;
+  bool whole_ = true;
   bool oriented_ = true;
   std::vector<std::array<std::uint32_t, 3>> corners_;  // per triangle
   std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
@@ -58,6 +98,8 @@ class Surface {
   std::vector<std::uint32_t> stars_;
   std::vector<std::uint32_t> component_;  // per corner
   std::vector<std::uint32_t> component_corner_;
+  std::vector<TriangleRole> roles_;  // per triangle; empty if all are outward
+  std::shared_ptr<const detail::SolidParts> solid_;
 };
 
 }  // namespace octoblisk

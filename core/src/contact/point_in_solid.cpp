@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "octoblisk/closest_point.h"
-#include "query/locate_in_closed.h"
+#include "query/winding.h"
 
 namespace octoblisk::detail {
 
@@ -18,7 +18,7 @@ bool isInSolid(const ClusteredOctree& tree, const Vec3& point) {
   Pose turn{Mat3::Zero(), Vec3::Zero()};  // by right angles, so without rounding; the way out becomes +x
   turn.rotation(0, axis) = turn.rotation(1, (axis + 1) % 3) = sense;
   turn.rotation(2, (axis + 2) % 3) = 1.0;
-  return locateInClosed(tree, turn * point, turn) == PointLocation::inside;
+  return crossingNumber(tree, turn * point, turn).value_or(0) != 0;
 }
 
 bool PointInSolid::contains(const ClusteredOctree& tree, const Vec3& point,

@@ -1,15 +1,55 @@
 // The winding number of triangles around a point.
 #pragma once
 
-#include "octoblisk/contact.h"
+#include <cstdint>
+#include <vector>
+
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
 
-/// How often the triangles enclose the point: for a closed surface that faces outward, 1 inside and 0
-/// outside; for one with holes, approximately that (A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust
-/// inside-outside segmentation using generalized winding numbers, ACM TOG 32 (4), 2013). Ignores the triangle
-/// `left_out`. O(n).
-double windingNumber(const TriangleMesh& mesh, const Vec3& point, std::uint32_t left_out = kNoTriangle);
+/// The share of all directions in which a point sees triangles: positive for those seen from the back,
+/// negative for those seen from the front. For a surface without open edges, this is the winding number (A.
+/// Jacobson, L. Kavan, O. Sorkine-Hornung, Robust inside-outside segmentation using generalized winding
+/// numbers, ACM TOG 32 (4), 2013).
+///
+/// A tree of spheres holds the triangles, large ones near its root. From afar, the triangles of a sphere count as one dipole (G.
+/// Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for soups and clouds, ACM TOG
+/// 37 (4), 2018).
+class WindingShare {
+ public:
+  explicit WindingShare(std::vector<Triangle> triangles);
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+
+  /// The share, up to rounding. A point in the plane of a triangle is on the side given by sideInPlane.
+  double at(const Vec3& point, const Pose& triangles_in_a = {}) const;
+  /// The share, rounded. Asks no more triangles than it needs to. Allocates nothing.
+  int roundedAt(const Vec3& point, const Pose& triangles_in_a = {}) const;
+  /// Whether the share or its negative exceeds a limit.
+  bool exceeds(double limit, const Vec3& point) const;
+
+ private:
+  /// The triangles [begin, end), and how to replace them from afar. The first of them is the largest. Two
+  /// children share the others: the first one follows the node.
+  struct Node {
+    Vec3 center = Vec3::Zero();     // the mean over the area
+    double radius = 0.0;            // of the sphere that contains the triangles
+    double area = 0.0;              // the sum of all areas
+    Vec3 area_vector = Vec3::Zero();
+    double first_moment = 0.0;   // at most ∫ |n - mean n| |x - center| over the area, for unit normals n
+    double second_moment = 0.0;  // ∫ |x - center|² over the area
+    std::uint32_t begin = 0, end = 0;
+    std::uint32_t second_child = 0;  // 0: none; a node of two triangles has only the first child
+  };
+
+  void build(std::uint32_t begin, std::uint32_t end);
+  double sumOf(std::uint32_t begin, std::uint32_t end, const Vec3& point, const Pose& triangles_in_a) const;
+  template <typename IsEnough>
+  double refined(const Vec3& point, const Pose& triangles_in_a, const IsEnough& is_enough) const;
+
+  std::vector<Triangle> triangles_;
+  std::vector<Node> nodes_;  // a parent precedes its children
+};
 
 }  // namespace octoblisk::detail

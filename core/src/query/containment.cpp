@@ -1,13 +1,12 @@
 #include "octoblisk/containment.h"
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "base/rounding.h"
-#include "geometry/half_line_crossing.h"
+#include "geometry/triangle_feature.h"
 #include "octoblisk/collide.h"
-#include "query/locate_in_closed.h"
-#include "query/ray_walk.h"
-#include "tree/tree.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk {
 
@@ -15,12 +14,7 @@ using namespace detail;
 
 namespace {
 
-/// The rounding error of a half-line in double precision.
-double roundingOf(const Tree& tree, const Vec3& point, const Pose& tree_in_a) {
-  return kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + tree.origin().norm());
-}
-
-/// The numbers of components of one surface inside and outside the other solid.
+/// The numbers of components of one solid's boundary inside and outside the other solid.
 struct ComponentCount {
   std::size_t inside = 0, outside = 0;
 };
@@ -35,39 +29,75 @@ ComponentCount countComponents(const Surface& of, const Pose& of_in_a, const Sur
   return count;
 }
 
-}  // namespace
-
-PointLocation detail::locateInClosed(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a) {
-  constexpr double kAll = std::numeric_limits<double>::infinity(), kStop = -1.0;
-  bool odd = false, on_surface = false;
-  // The half-line from the point along +x of frame A.
-  const Ray ray{.origin = tree_in_a.inverse() * point, .direction = tree_in_a.rotation.row(0).transpose()};
-  forEachCandidate(
-      treeOf(tree), ray, roundingOf(treeOf(tree), point, tree_in_a), [&](std::uint32_t triangle) {
-        const Crossing crossing = halfLineCrossing(point, tree_in_a * tree.mesh().triangle(triangle));
-        odd ^= crossing == Crossing::crossed;
-        on_surface |= crossing == Crossing::on_triangle;
-        return on_surface ? kStop : kAll;
-      });
-  if (on_surface) return PointLocation::on_surface;
-  return odd ? PointLocation::inside : PointLocation::outside;
+double angleAt(const Triangle& triangle, std::size_t corner) {
+  const Vec3 to_next = triangle[(corner + 1) % 3] - triangle[corner];
+  const Vec3 to_last = triangle[(corner + 2) % 3] - triangle[corner];
+  return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
 }
 
+/// The pseudonormal of the feature (face, edge or vertex) of a whole surface that the point lies on.
+Vec3 pseudonormal(const Surface& surface, const ClosestPoint& at) {
+  const TriangleMesh& mesh = surface.tree().mesh();
+  const Triangle triangle = mesh.triangle(at.triangle);
+  const auto& corners = surface.corners(at.triangle);
+  constexpr double kOnEdge = 1e-9;  // fraction of the triangle's height
+  const unsigned feature = featureOf(triangle, scaledNormal(triangle), at.point, kOnEdge);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    Vec3 sum = Vec3::Zero();
+    if (feature == (1u << i | 1u << next)) {
+      for (const std::uint32_t t : surface.star(corners[i])) {
+        if (std::ranges::find(surface.corners(t), corners[next]) != surface.corners(t).end())
+          sum += unitNormal(mesh.triangle(t));
+      }
+      return sum;
+    }
+    if (feature != 1u << i) continue;
+    for (const std::uint32_t t : surface.star(corners[i])) {
+      const auto& of_t = surface.corners(t);
+      const auto corner = static_cast<std::size_t>(std::ranges::find(of_t, corners[i]) - of_t.begin());
+      const Triangle beside = mesh.triangle(t);
+      sum += angleAt(beside, corner) * unitNormal(beside);
+    }
+    return sum;
+  }
+  return unitNormal(triangle);
+}
+
+}  // namespace
+
 PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a) {
-  const PointLocation location = locateInClosed(surface.tree(), point, surface_in_a);
-  if (location == PointLocation::on_surface || surface.isClosed()) return location;
-  return PointLocation::unknown;
+  const std::optional<int> winding = surface.solidParts().winding.at(point, surface_in_a);
+  if (!winding) return PointLocation::on_surface;
+  return *winding != 0 ? PointLocation::inside : PointLocation::outside;
+}
+
+PointLocation locate(const Surface& surface, const Vec3& point, const ClosestPoint& nearest) {
+  if (nearest.distance == 0.0) return PointLocation::on_surface;
+  if (!surface.isWhole() || surface.role(nearest.triangle) != TriangleRole::outward)
+    return locate(surface, point);
+  const double height = pseudonormal(surface, nearest).dot(point - nearest.point);
+  return height < 0.0 ? PointLocation::inside : PointLocation::outside;
+}
+
+double windingNumber(const Surface& surface, const Vec3& point) {
+  return surface.solidParts().winding.valueAt(point);
 }
 
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a) {
-  if (collide(a.tree(), b.tree(), b_in_a)) return Containment::touching;
+  const auto touch = [&](const Surface& of_a, const Surface& of_b) {
+    return collide(of_a.tree(), of_b.tree(), b_in_a).has_value();
+  };
+  // What touches only inside a solid does not touch its surface.
+  const bool have_inner = &a.boundary() != &a || &b.boundary() != &b;
+  if (touch(a, b) && (!have_inner || touch(a.boundary(), b.boundary()))) return Containment::touching;
   if (!a.isClosed() || !b.isClosed()) return Containment::unknown;
   // Each component of a surface is now wholly inside or outside the other solid. Where A and B share a point,
   // the shared region is bounded by a component of A's surface in B or one of B's in A; likewise for the
   // region of B that is not in A.
   const Pose identity;
-  const ComponentCount of_a = countComponents(a, identity, b, b_in_a),
-                       of_b = countComponents(b, b_in_a, a, identity);
+  const ComponentCount of_a = countComponents(a.boundary(), identity, b, b_in_a),
+                       of_b = countComponents(b.boundary(), b_in_a, a, identity);
   if (of_a.inside == 0 && of_b.inside == 0) return Containment::apart;
   if (of_a.inside == 0 && of_b.outside == 0) return Containment::b_inside_a;
   if (of_b.inside == 0 && of_a.outside == 0) return Containment::a_inside_b;

@@ -18,13 +18,7 @@ detail::DepthSearch& DepthQuery::search() {
 
 GougeDepth DepthQuery::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                                const DepthsSought& sought) {
-  if (!a.isClosed()) return {.gouging = Gouging::unknown};
-  return search().deepest(a, nullptr, b, b_in_a, tolerance, sought);
-}
-
-GougeDepth DepthQuery::deepest(const SolidBoundary& a, const Surface& b, const Pose& b_in_a, double tolerance,
-                               const DepthsSought& sought) {
-  return search().deepest(a.surface(), a.isWhole() ? nullptr : &a, b, b_in_a, tolerance, sought);
+  return search().deepest(a, b, b_in_a, tolerance, sought);
 }
 
 }  // namespace octoblisk

@@ -119,9 +119,7 @@ void DepthSearch::findInside() {
     if (component_crosses_[component]) continue;
     const std::uint32_t corner = b_->cornerOfComponent(component);
     const Vec3 point = b_in_a_ * b_->position(corner);
-    const PointLocation location = located(point);
-    if (location == PointLocation::unknown) best_.is_known = false;
-    if (location != PointLocation::inside) continue;
+    if (located(point) != PointLocation::inside) continue;
     corners_[addCorner(corner)].location = PointLocation::inside;
     spread(corner);
   }
@@ -132,8 +130,7 @@ void DepthSearch::findInside() {
 /// holes, B may leave A through one, so each corner is tested.
 void DepthSearch::spread(std::uint32_t from) {
   const PointLocation location = corners_[index_of_corner_[from]].location.value();
-  if (location == PointLocation::on_surface || location == PointLocation::unknown)
-    return;  // all triangles around it are barriers, or may be
+  if (location == PointLocation::on_surface) return;  // all triangles around it are barriers
   open_.push_back(from);
   while (!open_.empty()) {
     const std::uint32_t corner = open_.back();
@@ -149,10 +146,10 @@ void DepthSearch::spread(std::uint32_t from) {
         const std::uint32_t index = addCorner(next);
         Corner& neighbour = corners_[index];
         if (!neighbour.location) {
-          if (boundary_ == nullptr) neighbour.location = location;
+          if (is_whole_) neighbour.location = location;
           if (locationOf(neighbour) == location) open_.push_back(next);
         }
-        if (boundary_ && neighbour.location != location && neighbour.location != PointLocation::on_surface)
+        if (!is_whole_ && neighbour.location != location && neighbour.location != PointLocation::on_surface)
           best_.is_known = false;
       }
     }

@@ -39,7 +39,7 @@ double DepthSearch::boundOf(const Part& part) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
     }
     const bool is_outside = corner.location == PointLocation::outside;
-    if (boundary_) {  // sides may change where A has no surface
+    if (!is_whole_) {  // sides may change where A has no surface
       if (!is_outside && !boundsSolid(corner.nearest)) best_.is_known = false;
       bound = std::min(bound, way + corner.distance);
       continue;
@@ -88,7 +88,7 @@ double DepthSearch::boundOf(const Part& part) {
 /// the limit. A part that lies along many triangles of A therefore need not be divided at their edges.
 double DepthSearch::boundByMovingOut(const Part& part) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  if (boundary_) return kUnbounded;  // the part may move through a hole
+  if (!is_whole_) return kUnbounded;  // the part may move through a hole
   const TriangleMesh& mesh = a_->tree().mesh();
   Vec3 out = part.met_begin != part.met_end ? unitNormal(mesh.triangle(met_[part.met_begin])) : Vec3::Zero();
   double greatest = 0.0;

@@ -35,18 +35,21 @@ Vec3 sharedPoint(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-GougeDepth DepthSearch::deepest(const Surface& a, const SolidBoundary* boundary, const Surface& b,
-                                const Pose& b_in_a, double tolerance, const DepthsSought& sought) {
-  prepare(a, b, b_in_a, tolerance, sought);
-  boundary_ = boundary;
+GougeDepth DepthSearch::deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                                const DepthsSought& sought) {
+  solid_a_ = &a;
+  is_whole_ = a.isWhole();
+  prepare(a.boundary(), b.boundary(), b_in_a, tolerance, sought);
   findCrossings();
   if (!best_.is_known) {
     best_.gouging = Gouging::found;
     keepCrossing(crossings_.front());
-    return best_;
+  } else {
+    findInside();
+    search();
   }
-  findInside();
-  search();
+  if (best_.triangle_a != kNoTriangle) best_.triangle_a = a.sourceOf(best_.triangle_a);
+  if (best_.triangle_b != kNoTriangle) best_.triangle_b = b.sourceOf(best_.triangle_b);
   return best_;
 }
 
@@ -165,23 +168,8 @@ void DepthSearch::findNearest(Corner& corner) const {
 }
 
 PointLocation DepthSearch::locationOf(Corner& corner) {
-  if (!corner.location) corner.location = located(corner);
-  if (corner.location == PointLocation::unknown) best_.is_known = false;
+  if (!corner.location) corner.location = located(corner.point);
   return *corner.location;
-}
-
-PointLocation DepthSearch::located(const Vec3& point) const {
-  return boundary_ ? boundary_->locate(point) : locate(*a_, point);
-}
-
-PointLocation DepthSearch::located(Corner& corner) {
-  if (!boundary_) return locate(*a_, corner.point);
-  if (!corner.is_exact) {
-    considerNear(corner, last_nearest_);
-    findNearest(corner);
-    last_nearest_ = corner.nearest;
-  }
-  return boundary_->locate(corner.point, {corner.foot, corner.distance, corner.nearest});
 }
 
 void DepthSearch::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
@@ -189,7 +177,7 @@ void DepthSearch::keepDeeper(Corner& corner, std::uint32_t triangle_b) {
   const bool is_first = best_.triangle_b == kNoTriangle;
   if (!(corner.distance > best_.depth || is_first)) return;
   const PointLocation location = locationOf(corner);
-  if (location == PointLocation::outside || location == PointLocation::unknown) return;
+  if (location == PointLocation::outside) return;
   best_.gouging = Gouging::found;
   best_.depth = corner.distance;
   best_.point_on_b = corner.point;

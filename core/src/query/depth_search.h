@@ -22,9 +22,9 @@ namespace octoblisk::detail {
 /// moving the whole part out of A.
 class DepthSearch {
  public:
-  /// As DepthQuery::deepest. Without a boundary, A must be closed.
-  GougeDepth deepest(const Surface& a, const SolidBoundary* boundary, const Surface& b, const Pose& b_in_a,
-                     double tolerance, const DepthsSought& sought);
+  /// As DepthQuery::deepest.
+  GougeDepth deepest(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
+                     const DepthsSought& sought);
 
  private:
   enum class Mark : std::uint8_t { none, flat, crossing, inside };
@@ -55,9 +55,10 @@ class DepthSearch {
 
   void prepare(const Surface& a, const Surface& b, const Pose& b_in_a, double tolerance,
                const DepthsSought& sought);
-  PointLocation located(const Vec3& point) const;
-  PointLocation located(Corner& corner);
-  bool boundsSolid(std::uint32_t triangle_a) const { return !boundary_ || boundary_->has(triangle_a); }
+  PointLocation located(const Vec3& point) const { return locate(*solid_a_, point); }
+  bool boundsSolid(std::uint32_t triangle_a) const {
+    return is_whole_ || solid_a_->role(solid_a_->sourceOf(triangle_a)) != TriangleRole::sheet;
+  }
   void findCrossings();
   bool findCopy();
   void findTouch();
@@ -90,9 +91,10 @@ class DepthSearch {
   bool isEnough() const { return best_.depth > sought_.enough; }
   Triangle triangleOf(const Part& part) const;
 
-  const Surface* a_ = nullptr;
-  const Surface* b_ = nullptr;
-  const SolidBoundary* boundary_ = nullptr;  // A's boundary, if A does not bound a solid everywhere
+  const Surface* solid_a_ = nullptr;
+  const Surface* a_ = nullptr;  // the boundary of solid A
+  const Surface* b_ = nullptr;  // the boundary of B
+  bool is_whole_ = true;        // whether A has no defects, so that all that enters it passes its triangles
   Pose b_in_a_;
   double tolerance_ = 0.0;
   DepthsSought sought_;

@@ -201,14 +201,16 @@ SignedDistance detail::signedDistance(const Surface& a, const Surface& b, const 
                                       DepthQuery& depth) {
   const double tolerance = depthTolerance(a, b, options);
   const Pose a_in_b = b_in_a.inverse();
-  const GougeDepth of_b = depth.deepest(a, b, b_in_a, tolerance);
-  const GougeDepth of_a = depth.deepest(b, a, a_in_b, tolerance);
+  const auto depthIn = [&](const Surface& solid, const Surface& other, const Pose& other_in_solid) {
+    return solid.isClosed() ? depth.deepest(solid, other, other_in_solid, tolerance) : GougeDepth();
+  };
+  const GougeDepth of_b = depthIn(a, b, b_in_a), of_a = depthIn(b, a, a_in_b);
   const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
   if (!b_goes_in && !a_goes_in) return signedDistanceOf(clearance, b_in_a);
   if (b_goes_in && (!a_goes_in || of_b.depth >= of_a.depth)) {
-    return signedDistanceOf(of_b, a, b, b_in_a, tolerance);
+    return signedDistanceOf(of_b, a.boundary(), b.boundary(), b_in_a, tolerance);
   }
-  return exchanged(signedDistanceOf(of_a, b, a, a_in_b, tolerance), b_in_a);
+  return exchanged(signedDistanceOf(of_a, b.boundary(), a.boundary(), a_in_b, tolerance), b_in_a);
 }
 
 SignedDistance signedDistance(const Surface& a, const Surface& b, const Pose& b_in_a,

@@ -6,16 +6,28 @@
 
 #include "base/disjoint_sets.h"
 #include "base/no_index.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk {
 
 using namespace detail;
 
-Surface::Surface(const ClusteredOctree& tree) : tree_(&tree) {
+Surface::Surface(const ClusteredOctree& tree, int threads) : Surface(tree, OnlyConnected()) {
+  solid_ = SolidParts::of(*this, threads);
+}
+
+Surface::Surface(const ClusteredOctree& tree, OnlyConnected) : tree_(&tree) {
   weld();
   gatherStars();
-  checkEdges();
   findComponents();
+}
+
+const Surface& Surface::boundary() const {
+  return solid_ && solid_->exposed ? *solid_->exposed->surface : *this;
+}
+
+std::uint32_t Surface::sourceOf(std::uint32_t boundary_triangle) const {
+  return solid_->exposed ? solid_->exposed->source[boundary_triangle] : boundary_triangle;
 }
 
 void Surface::weld() {
@@ -54,33 +66,6 @@ void Surface::gatherStars() {
   std::vector<std::uint32_t> end(star_begin_.begin(), star_begin_.end() - 1);
   for (std::uint32_t t = 0; t < corners_.size(); ++t) {
     for (const std::uint32_t corner : corners_[t]) stars_[end[corner]++] = t;
-  }
-}
-
-void Surface::checkEdges() {
-  struct Use {
-    std::uint32_t other;  // the edge's greater corner
-    int direction;        // +1 towards `other`
-  };
-  std::vector<Use> uses;
-  for (std::uint32_t corner = 0; corner < cornerCount(); ++corner) {
-    uses.clear();
-    for (const std::uint32_t t : star(corner)) {
-      const auto& [a, b, c] = corners_[t];
-      if (a == b || b == c || c == a) continue;  // runs there and back: it neither closes nor opens an edge
-      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
-      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
-      if (next > corner) uses.push_back({next, 1});
-      if (last > corner) uses.push_back({last, -1});
-    }
-    std::ranges::sort(uses, {}, &Use::other);
-    for (auto use = uses.begin(); use != uses.end();) {
-      int count = 0, balance = 0;
-      const std::uint32_t other = use->other;
-      for (; use != uses.end() && use->other == other; ++use, ++count) balance += use->direction;
-      closed_ &= count % 2 == 0;
-      oriented_ &= balance == 0;
-    }
   }
 }
 

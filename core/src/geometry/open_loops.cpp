@@ -1,0 +1,144 @@
+#include "geometry/open_loops.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/no_index.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// For each corner, one corner that stands for all those close to it: closer than 1/64 of the shortest of the
+/// open edges at both.
+std::vector<std::uint32_t> mergedCorners(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
+  constexpr double kClose = 1.0 / 64.0;
+  std::vector<double> reach(positions.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::uint32_t> corners;
+  Aabb bounds;
+  for (const OpenEdge& edge : edges) {
+    const double length = kClose * (positions[edge.to] - positions[edge.from]).norm();
+    for (const std::uint32_t corner : {edge.from, edge.to}) reach[corner] = std::min(reach[corner], length);
+    corners.push_back(edge.from);  // each corner is where an edge begins
+    bounds.extend(positions[edge.from]);
+  }
+  DisjointSets merged(positions.size());
+  Eigen::Index axis = 0;
+  if (!edges.empty()) bounds.halfExtents().maxCoeff(&axis);
+  const auto height = [&](std::uint32_t corner) { return positions[corner][axis]; };
+  std::ranges::sort(corners, {}, [&](std::uint32_t corner) { return std::pair(height(corner), corner); });
+  for (auto corner = corners.begin(); corner != corners.end(); ++corner) {
+    for (auto other = corner + 1; other != corners.end(); ++other) {
+      if (height(*other) - height(*corner) > reach[*corner]) break;
+      const double close = std::min(reach[*corner], reach[*other]);
+      if ((positions[*other] - positions[*corner]).norm() < close) merged.join(*other, *corner);
+    }
+  }
+  std::vector<std::uint32_t> place(positions.size());
+  for (std::uint32_t corner = 0; corner < place.size(); ++corner) place[corner] = merged.rootOf(corner);
+  return place;
+}
+
+/// Adds the triangles between the corners from `first` to `last` of an outline. Halves it again and again, so
+/// that most triangles are small.
+void fill(std::span<const std::uint32_t> outline, std::span<const Vec3> positions, std::size_t first,
+          std::size_t last, std::vector<Triangle>& triangles) {
+  if (last - first < 2) return;
+  const std::size_t middle = first + (last - first) / 2;
+  triangles.push_back({positions[outline[first]], positions[outline[last]], positions[outline[middle]]});
+  fill(outline, positions, first, middle, triangles);
+  fill(outline, positions, middle, last, triangles);
+}
+
+}  // namespace
+
+std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
+  const std::vector<std::uint32_t> place = mergedCorners(edges, positions);
+  const auto begin_at = [&](const OpenEdge& edge) { return place[edge.from]; };
+  std::vector<OpenEdge> sorted(edges.begin(), edges.end());
+  std::ranges::stable_sort(sorted, {}, begin_at);
+  std::vector<bool> is_used(sorted.size(), false);
+  const auto directionOf = [&](const OpenEdge& edge) {
+    return (positions[edge.to] - positions[edge.from]).normalized();
+  };
+  // The unused edge from the end of `last` that turns back most sharply.
+  const auto next = [&](const OpenEdge& last) {
+    const auto from_there = std::ranges::equal_range(sorted, place[last.to], {}, begin_at);
+    const Vec3 back = -directionOf(last);
+    std::size_t best = sorted.size();
+    double sharpest = -std::numeric_limits<double>::infinity();
+    for (auto edge = from_there.begin(); edge != from_there.end(); ++edge) {
+      const auto index = static_cast<std::size_t>(edge - sorted.begin());
+      const double sharpness = back.dot(directionOf(*edge));
+      if (is_used[index] || sharpness <= sharpest) continue;
+      sharpest = sharpness;
+      best = index;
+    }
+    return best;
+  };
+  std::vector<std::uint32_t> step_at(positions.size(), kNoIndex);  // per place: where it begins on the path
+  std::vector<OpenLoop> loops;
+  OpenLoop path;
+  for (std::size_t first = 0; first < sorted.size(); ++first) {
+    if (is_used[first]) continue;
+    for (std::size_t edge = first; edge < sorted.size();
+         edge = path.empty() ? sorted.size() : next(path.back())) {
+      is_used[edge] = true;
+      step_at[begin_at(sorted[edge])] = static_cast<std::uint32_t>(path.size());
+      path.push_back(sorted[edge]);
+      const std::uint32_t begin = step_at[place[sorted[edge].to]];
+      if (begin == kNoIndex) continue;
+      loops.emplace_back(path.begin() + begin, path.end());
+      for (const OpenEdge& of_loop : loops.back()) step_at[begin_at(of_loop)] = kNoIndex;
+      path.resize(begin);
+    }
+  }
+  return loops;
+}
+
+std::vector<std::uint32_t> outlineOf(const OpenLoop& loop) {
+  std::vector<std::uint32_t> outline;
+  std::uint32_t last = loop.back().to;
+  for (const OpenEdge& edge : loop) {
+    if (edge.from != last) outline.push_back(last);
+    outline.push_back(edge.from);
+    last = edge.to;
+  }
+  return outline;
+}
+
+std::vector<OpenEdge> leftOver(std::span<const OpenLoop> loops) {
+  std::vector<OpenEdge> left;
+  for (const OpenLoop& loop : loops) {
+    const OpenEdge* last = &loop.back();
+    for (const OpenEdge& edge : loop) {
+      // The cap adds an edge between corners that are close, so the opposite edge is open.
+      if (last->to != edge.from) left.push_back({edge.from, last->to, edge.triangle});
+      last = &edge;
+    }
+  }
+  const auto ends = [](const OpenEdge& edge) { return std::pair(edge.from, edge.to); };
+  std::ranges::sort(left, {}, ends);
+  std::vector<OpenEdge> open;
+  std::vector<bool> is_matched(left.size(), false);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (is_matched[i]) continue;
+    const auto opposite = std::ranges::equal_range(left, std::pair(left[i].to, left[i].from), {}, ends);
+    for (auto other = opposite.begin(); other != opposite.end() && !is_matched[i]; ++other) {
+      const auto index = static_cast<std::size_t>(other - left.begin());
+      if (is_matched[index]) continue;
+      is_matched[index] = is_matched[i] = true;
+    }
+    if (!is_matched[i]) open.push_back(left[i]);
+  }
+  return open;
+}
+
+std::vector<Triangle> capOf(std::span<const std::uint32_t> outline, std::span<const Vec3> positions) {
+  std::vector<Triangle> cap;
+  if (outline.size() >= 3) fill(outline, positions, 0, outline.size() - 1, cap);
+  return cap;
+}
+
+}  // namespace octoblisk::detail

@@ -1,0 +1,496 @@
+#include "query/solid_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "base/no_index.h"
+#include "base/parallel.h"
+#include "geometry/triangle_pieces.h"
+#include "octoblisk/containment.h"
+#include "query/candidate_pairs.h"
+
+namespace octoblisk::detail {
+namespace {
+
+/// The greatest share of all directions in which a triangle of a solid may see holes.
+constexpr double kHoleShare = 1.0 / 64.0;
+
+/// The rounding of points and planes near the mesh, relative to its coordinates: a few hundred units in the
+/// last place.
+constexpr double kRounding = 1e-13;
+
+/// Triangles side by side, with nothing that meets the surface between them: one role fits all.
+using Region = std::vector<std::uint32_t>;
+
+/// The winding numbers before and behind a triangle.
+struct Sides {
+  int front = 0, back = 0;
+
+  TriangleRole role() const {
+    if (front != 0 && back != 0) return TriangleRole::inner;
+    if (front == 0 && back == 0) return TriangleRole::sheet;
+    return front == 0 ? TriangleRole::outward : TriangleRole::inward;
+  }
+};
+
+class SolidSearch {
+ public:
+  SolidSearch(const Surface& surface, int threads)
+      : surface_(surface),
+        mesh_(surface.tree().mesh()),
+        threads_(threads),
+        tolerance_(kRounding * mesh_.bounds().farthestFromOrigin()) {}
+
+  std::shared_ptr<SolidParts> find() {
+    const std::vector<Vec3> positions = cornerPositions();
+    findEdges();
+    std::vector<Gap> gaps;
+    std::vector<Triangle> caps;
+    for (std::vector<OpenEdge> open = open_edges_; !open.empty();) {
+      const std::vector<OpenLoop> loops = openLoops(open, positions);
+      for (const OpenLoop& loop : loops) {
+        gaps.push_back({loop, capOf(outlineOf(loop), positions)});
+        caps.insert(caps.end(), gaps.back().cap.begin(), gaps.back().cap.end());
+      }
+      open = leftOver(loops);
+    }
+    parts_ = std::make_shared<SolidParts>(surface_.tree(), std::move(caps));
+    parts_->gaps = std::move(gaps);
+    roles_.assign(mesh_.triangleCount(), TriangleRole::inner);
+    const Copies copies = is_manifold_ ? Copies() : findCopies();
+    if (!copies.triangles.empty()) {
+      judgeByOriginals(copies);
+      return parts_;
+    }
+    findCuts();
+    findRegions();
+    judgeRegions();
+    judgePieces();
+    judgeHoles(positions);
+    expose();
+    return parts_;
+  }
+
+  bool isOriented() const { return open_edges_.empty(); }
+  bool hasNoDefect() const {
+    return is_manifold_ && isOriented() && parts_->intersecting.empty() && !parts_->exposed &&
+           std::ranges::find(roles_, TriangleRole::sheet) == roles_.end();
+  }
+  bool hasHoles() const { return has_holes_; }
+  std::vector<TriangleRole> takeRoles() { return std::move(roles_); }
+
+ private:
+  std::vector<Vec3> cornerPositions() const;
+  void findEdges();
+  /// Triangles with the same corners as others.
+  struct Copies {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> original;  // per triangle: the lowest with the same corners
+    std::vector<int> count;               // per original: those that face its way minus the others
+  };
+  Copies findCopies() const;
+  void judgeByOriginals(const Copies& copies);
+  void findCuts();
+  void findRegions();
+  void judgeRegions();
+  void judgePieces();
+  void judgeHoles(std::span<const Vec3> positions);
+  void expose();
+
+  bool hasArea(std::uint32_t triangle) const { return !scaledNormal(mesh_.triangle(triangle)).isZero(0.0); }
+  bool areSameWay(std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t acrossEdge(std::uint32_t triangle, std::size_t edge) const;
+  bool mayCut(std::uint32_t a, std::uint32_t b) const;
+  Sides sidesOf(const Vec3& middle, const Vec3& normal) const;
+  bool isExposedAsItIs() const;
+
+  const Surface& surface_;
+  const TriangleMesh& mesh_;
+  int threads_;
+  double tolerance_;  // a length
+  std::shared_ptr<SolidParts> parts_;
+  bool is_manifold_ = true;  // each edge belongs to two triangles, or to one
+  std::vector<OpenEdge> open_edges_;
+  bool has_holes_ = false;
+  std::vector<TriangleRole> roles_;
+  std::vector<Region> regions_;
+  std::vector<Sides> sides_of_region_;
+  std::vector<TrianglePair> cuts_;                  // triangle b cuts a; by ascending a
+  std::vector<std::vector<TrianglePiece>> pieces_;  // of each intersecting triangle
+  std::vector<std::vector<Sides>> sides_of_pieces_;
+};
+
+std::vector<Vec3> SolidSearch::cornerPositions() const {
+  std::vector<Vec3> positions(surface_.cornerCount());
+  for (std::uint32_t corner = 0; corner < positions.size(); ++corner)
+    positions[corner] = surface_.position(corner);
+  return positions;
+}
+
+void SolidSearch::findEdges() {
+  struct Use {
+    std::uint32_t other;  // the edge's greater corner
+    int direction;        // +1 towards `other`
+    std::uint32_t triangle;
+  };
+  std::vector<Use> uses;
+  for (std::uint32_t corner = 0; corner < surface_.cornerCount(); ++corner) {
+    uses.clear();
+    for (const std::uint32_t t : surface_.star(corner)) {
+      const auto& [a, b, c] = surface_.corners(t);
+      if (a == b || b == c || c == a) continue;  // runs there and back: it neither closes nor opens an edge
+      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
+      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
+      if (next > corner) uses.push_back({next, 1, t});
+      if (last > corner) uses.push_back({last, -1, t});
+    }
+    std::ranges::sort(uses, {}, [](const Use& use) { return std::pair(use.other, use.triangle); });
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto end = std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
+      int balance = 0;
+      for (auto use = begin; use != end; ++use) balance += use->direction;
+      is_manifold_ &= end - begin <= 2;
+      for (auto use = end; use != begin && balance != 0;) {
+        if ((--use)->direction * balance < 0) continue;
+        balance -= use->direction;
+        const bool is_forward = use->direction > 0;
+        open_edges_.push_back(
+            {is_forward ? corner : use->other, is_forward ? use->other : corner, use->triangle});
+      }
+      begin = end;
+    }
+  }
+}
+
+SolidSearch::Copies SolidSearch::findCopies() const {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> order;
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    std::array<std::uint32_t, 3> corners = surface_.corners(t);
+    std::ranges::sort(corners);
+    order.emplace_back(corners, t);
+  }
+  std::ranges::sort(order);
+  Copies copies;
+  copies.original.resize(order.size());
+  copies.count.assign(order.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t triangle = order[i].second;
+    const bool is_copy = i > 0 && order[i].first == order[i - 1].first && hasArea(triangle);
+    copies.original[triangle] = is_copy ? copies.original[order[i - 1].second] : triangle;
+    copies.count[copies.original[triangle]] += areSameWay(triangle, copies.original[triangle]) ? 1 : -1;
+    if (is_copy) copies.triangles.push_back(triangle);
+  }
+  return copies;
+}
+
+/// Gives each triangle the role that it has if all its copies count once.
+void SolidSearch::judgeByOriginals(const Copies& copies) {
+  std::vector<TriangleMesh::Indices> triangles;
+  std::vector<std::uint32_t> source;
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    if (copies.original[t] != t || copies.count[t] == 0) continue;
+    triangles.push_back(mesh_.triangles()[t]);
+    if (copies.count[t] < 0) std::swap(triangles.back()[1], triangles.back()[2]);
+    source.push_back(t);
+  }
+  parts_->copies = copies.triangles;
+  if (triangles.empty()) {
+    roles_.assign(roles_.size(), TriangleRole::sheet);
+    has_holes_ = true;
+    return;
+  }
+  auto reduced = std::make_shared<const TriangleMesh>(mesh_.vertices(), std::move(triangles));
+  const ClusteredOctree tree = ClusteredOctree::build(std::move(reduced), {.threads = threads_});
+  const Surface single(tree, threads_);
+  const SolidParts& found = single.solidParts();
+  const auto reversed = [](TriangleRole role) {
+    return role == TriangleRole::outward  ? TriangleRole::inward
+           : role == TriangleRole::inward ? TriangleRole::outward
+                                          : role;
+  };
+  for (std::uint32_t t = 0; t < source.size(); ++t)
+    roles_[source[t]] = copies.count[source[t]] > 0 ? single.role(t) : reversed(single.role(t));
+  for (std::uint32_t t = 0; t < roles_.size(); ++t) {
+    const std::uint32_t original = copies.original[t];
+    if (original != t) {
+      roles_[t] = areSameWay(t, original) ? roles_[original] : reversed(roles_[original]);
+    } else if (copies.count[t] == 0) {
+      const bool is_inside = locate(single, centroidOf(mesh_.triangle(t))) == PointLocation::inside;
+      roles_[t] = is_inside ? TriangleRole::inner : TriangleRole::sheet;
+    }
+  }
+  has_holes_ = !single.isClosed();
+  parts_->gaps = found.gaps;
+  for (Gap& gap : parts_->gaps) {
+    for (OpenEdge& edge : gap.edges) edge.triangle = source[edge.triangle];
+  }
+  for (const std::uint32_t t : found.intersecting) parts_->intersecting.push_back(source[t]);
+  const ClusteredOctree& boundary = found.exposed ? found.exposed->tree : tree;
+  parts_->exposed = std::make_unique<ExposedSurface>(boundary);
+  for (std::uint32_t t = 0; t < boundary.mesh().triangleCount(); ++t) {
+    parts_->exposed->source.push_back(source[single.sourceOf(t)]);
+    parts_->exposed->share.push_back(found.exposed                               ? found.exposed->share[t]
+                                     : single.role(t) == TriangleRole::inward ? -1.0
+                                                                              : 1.0);
+  }
+}
+
+/// Whether two triangles with the same corners face the same way.
+bool SolidSearch::areSameWay(std::uint32_t a, std::uint32_t b) const {
+  const auto &of_a = surface_.corners(a), &of_b = surface_.corners(b);
+  const auto first = static_cast<std::size_t>(std::ranges::find(of_b, of_a[0]) - of_b.begin());
+  return of_b[(first + 1) % 3] == of_a[1];
+}
+
+/// Whether two triangles near each other may cut one another. Most share a corner, where surfaces touch.
+bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
+  const auto &of_a = surface_.corners(a), &of_b = surface_.corners(b);
+  const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
+  const Vec3 normal = scaledNormal(first), other_normal = scaledNormal(second);
+  if (normal.isZero(0.0) || other_normal.isZero(0.0)) return false;
+  std::array<bool, 3> is_shared_by_a{}, is_shared_by_b{};
+  int shared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (of_a[i] != of_b[j]) continue;
+      is_shared_by_a[i] = is_shared_by_b[j] = true;
+      ++shared;
+    }
+  }
+  if (shared == 0) return true;
+  // Across an edge, triangles overlap only if one is folded onto the other.
+  if (shared >= 2 && normal.dot(other_normal) > 0.0) {
+    const auto i = static_cast<std::size_t>(std::ranges::find(is_shared_by_a, false) - is_shared_by_a.begin());
+    const auto j = static_cast<std::size_t>(std::ranges::find(is_shared_by_b, false) - is_shared_by_b.begin());
+    if (i < 3 && j < 3 && of_a[(i + 1) % 3] == of_b[(j + 2) % 3]) return false;
+  }
+  // Else the corners that are not shared lie on both sides of the other's plane, or in it.
+  const auto isOnOneSide = [&](const Triangle& of, const std::array<bool, 3>& is_shared, const Triangle& plane,
+                               const Vec3& up) {
+    const double near = tolerance_ * up.norm();
+    bool above = true, below = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_shared[i]) continue;
+      const double height = up.dot(of[i] - plane[0]);
+      above &= height > near;
+      below &= height < -near;
+    }
+    return above || below;
+  };
+  return !isOnOneSide(second, is_shared_by_b, first, normal) &&
+         !isOnOneSide(first, is_shared_by_a, second, other_normal);
+}
+
+void SolidSearch::findCuts() {
+  const Tree& tree = treeOf(surface_.tree());
+  forEachCandidatePair(tree, tree, Pose(), [&](const CandidatePair& pair) {
+    const auto [a, b] = pair.triangles;
+    if (a >= b || !mayCut(a, b)) return;
+    const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
+    if (cuts(second, first, tolerance_)) cuts_.push_back({a, b});
+    if (cuts(first, second, tolerance_)) cuts_.push_back({b, a});
+  });
+  std::ranges::sort(cuts_);
+  for (const TrianglePair& cut : cuts_) {
+    if (parts_->intersecting.empty() || parts_->intersecting.back() != cut.a)
+      parts_->intersecting.push_back(cut.a);
+  }
+}
+
+/// The only other triangle at an edge, if it continues the surface there.
+std::uint32_t SolidSearch::acrossEdge(std::uint32_t triangle, std::size_t edge) const {
+  const auto& corners = surface_.corners(triangle);
+  const std::uint32_t from = corners[edge], to = corners[(edge + 1) % 3];
+  std::uint32_t found = kNoTriangle;
+  for (const std::uint32_t other : surface_.star(from)) {
+    if (other == triangle || other == found) continue;
+    const auto& of_other = surface_.corners(other);
+    const auto at = static_cast<std::size_t>(std::ranges::find(of_other, to) - of_other.begin());
+    if (at == 3) continue;
+    if (found != kNoTriangle || of_other[(at + 1) % 3] != from) return kNoTriangle;
+    found = other;
+  }
+  return found;
+}
+
+void SolidSearch::findRegions() {
+  std::vector<char> seen(mesh_.triangleCount(), 0);
+  for (const std::uint32_t cut : parts_->intersecting) seen[cut] = 1;
+  for (std::uint32_t first = 0; first < seen.size(); ++first) {
+    if (seen[first] != 0) continue;
+    Region region = {first};
+    seen[first] = 1;
+    for (std::size_t next = 0; next < region.size(); ++next) {
+      for (std::size_t edge = 0; edge < 3; ++edge) {
+        const std::uint32_t other = acrossEdge(region[next], edge);
+        if (other == kNoTriangle || seen[other] != 0) continue;
+        seen[other] = 1;
+        region.push_back(other);
+      }
+    }
+    regions_.push_back(std::move(region));
+  }
+}
+
+Sides SolidSearch::sidesOf(const Vec3& middle, const Vec3& normal) const {
+  // A step farther if another part of the surface is exactly there.
+  const auto beside = [&](double sign) {
+    for (double step = tolerance_; step < 16.0 * tolerance_; step *= 2.0) {
+      if (const auto number = parts_->winding.closedAt(middle + sign * step * normal)) return *number;
+    }
+    return 0;
+  };
+  return {beside(1.0), beside(-1.0)};
+}
+
+void SolidSearch::judgeRegions() {
+  sides_of_region_.resize(regions_.size());
+  parallelFor(regions_.size(), threads_, [&](std::size_t r, std::size_t) {
+    const std::uint32_t largest = *std::ranges::max_element(regions_[r], {}, [&](std::uint32_t t) {
+      return scaledNormal(mesh_.triangle(t)).squaredNorm();
+    });
+    if (!hasArea(largest)) return;
+    const Triangle triangle = mesh_.triangle(largest);
+    sides_of_region_[r] = sidesOf(centroidOf(triangle), unitNormal(triangle));
+    for (const std::uint32_t t : regions_[r]) roles_[t] = sides_of_region_[r].role();
+  });
+}
+
+void SolidSearch::judgePieces() {
+  const std::vector<std::uint32_t>& triangles = parts_->intersecting;
+  pieces_.resize(triangles.size());
+  sides_of_pieces_.resize(triangles.size());
+  parallelFor(triangles.size(), threads_, [&](std::size_t i, std::size_t) {
+    const Triangle triangle = mesh_.triangle(triangles[i]);
+    pieces_[i] = {TrianglePiece(triangle.begin(), triangle.end())};
+    for (const TrianglePair& cut : std::ranges::equal_range(cuts_, triangles[i], {}, &TrianglePair::a)) {
+      cutAlong(mesh_.triangle(cut.b), pieces_[i], tolerance_);
+    }
+    std::array<bool, 4> occurs{};
+    for (const TrianglePiece& piece : pieces_[i]) {
+      Vec3 middle = Vec3::Zero();
+      for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
+      const Sides sides = sidesOf(middle, unitNormal(triangle));
+      sides_of_pieces_[i].push_back(sides);
+      occurs[static_cast<std::size_t>(sides.role())] = true;
+    }
+    for (const TriangleRole role :
+         {TriangleRole::sheet, TriangleRole::inner, TriangleRole::inward, TriangleRole::outward}) {
+      if (occurs[static_cast<std::size_t>(role)]) roles_[triangles[i]] = role;  // the last one stays
+    }
+  });
+}
+
+/// Makes sheets of the triangles that see holes of their component. A gap inside the solid is no hole.
+void SolidSearch::judgeHoles(std::span<const Vec3> positions) {
+  std::map<std::uint32_t, std::vector<Triangle>> caps;  // by component
+  for (Gap& gap : parts_->gaps) {
+    if (gap.cap.empty()) continue;
+    const Triangle& largest = *std::ranges::max_element(
+        gap.cap, {}, [](const Triangle& t) { return scaledNormal(t).squaredNorm(); });
+    if (scaledNormal(largest).isZero(0.0)) continue;
+    gap.is_inner = sidesOf(centroidOf(largest), unitNormal(largest)).role() == TriangleRole::inner;
+    if (gap.is_inner) continue;
+    auto& of_component = caps[surface_.component(gap.edges.front().from)];
+    of_component.insert(of_component.end(), gap.cap.begin(), gap.cap.end());
+  }
+  std::map<std::uint32_t, WindingShare> holes;
+  for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
+  const auto seesHole = [&](std::uint32_t component, const Vec3& point) {
+    return holes.at(component).exceeds(kHoleShare, point);
+  };
+  if (holes.empty()) return;
+  parallelForChunks(roles_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::uint32_t component = surface_.component(surface_.corners(static_cast<std::uint32_t>(t))[0]);
+      const bool bounds = roles_[t] == TriangleRole::outward || roles_[t] == TriangleRole::inward;
+      if (!bounds || !holes.contains(component)) continue;
+      if (seesHole(component, centroidOf(mesh_.triangle(t)))) roles_[t] = TriangleRole::sheet;
+    }
+  });
+  for (Gap& gap : parts_->gaps) {
+    if (gap.is_inner || !holes.contains(surface_.component(gap.edges.front().from))) continue;
+    const WindingShare cap(gap.cap);
+    const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kHoleShare, point); };
+    for (const OpenEdge& edge : gap.edges) {
+      const Triangle triangle = mesh_.triangle(edge.triangle);
+      const Vec3 normal = unitNormal(triangle), along = positions[edge.to] - positions[edge.from];
+      // Over the middle of the edge, a quarter of the triangle's height away from it.
+      const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
+      const Vec3 middle = 0.5 * (positions[edge.from] + positions[edge.to]);
+      if (!isSeenFrom(middle + off * normal) && !isSeenFrom(middle - off * normal)) continue;
+      gap.is_hole = has_holes_ = true;
+      roles_[edge.triangle] = TriangleRole::sheet;
+    }
+  }
+}
+
+bool SolidSearch::isExposedAsItIs() const {
+  for (std::uint32_t t = 0; t < roles_.size(); ++t) {
+    if (roles_[t] == TriangleRole::inner && hasArea(t)) return false;
+  }
+  return parts_->intersecting.empty();
+}
+
+void SolidSearch::expose() {
+  if (isExposedAsItIs()) return;
+  std::vector<Vec3> vertices = mesh_.vertices();
+  std::vector<TriangleMesh::Indices> triangles;
+  std::vector<std::uint32_t> source;
+  std::vector<double> share;
+  const auto add = [&](const TriangleMesh::Indices& indices, std::uint32_t t, const Sides& sides) {
+    triangles.push_back(indices);
+    source.push_back(t);
+    const bool is_sheet = roles_[t] == TriangleRole::sheet || sides.front == sides.back;
+    share.push_back(is_sheet ? 0.0 : 1.0 / (sides.back - sides.front));
+    if (sides.role() == TriangleRole::inward) share.back() = -share.back();
+  };
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    for (const std::uint32_t t : regions_[r]) {
+      if (roles_[t] != TriangleRole::inner) add(mesh_.triangles()[t], t, sides_of_region_[r]);
+    }
+  }
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (std::size_t p = 0; p < pieces_[i].size(); ++p) {
+      if (sides_of_pieces_[i][p].role() == TriangleRole::inner) continue;
+      const auto first = static_cast<std::uint32_t>(vertices.size());
+      const TrianglePiece& piece = pieces_[i][p];
+      vertices.insert(vertices.end(), piece.begin(), piece.end());
+      for (std::uint32_t corner = 2; corner < piece.size(); ++corner) {
+        add({first, first + corner - 1, first + corner}, parts_->intersecting[i], sides_of_pieces_[i][p]);
+      }
+    }
+  }
+  if (triangles.empty()) return;
+  auto boundary = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
+  parts_->exposed = std::make_unique<ExposedSurface>(
+      ClusteredOctree::build(std::move(boundary), {.threads = threads_}));
+  parts_->exposed->source = std::move(source);
+  parts_->exposed->share = std::move(share);
+}
+
+}  // namespace
+
+std::shared_ptr<const SolidParts> SolidParts::of(Surface& surface, int threads) {
+  SolidSearch search(surface, threads);
+  std::shared_ptr<SolidParts> parts = search.find();
+  surface.oriented_ = search.isOriented();
+  surface.whole_ = search.hasNoDefect();
+  surface.roles_ = search.takeRoles();
+  const auto bounds = [](TriangleRole role) {
+    return role == TriangleRole::outward || role == TriangleRole::inward;
+  };
+  surface.closed_ = std::ranges::any_of(surface.roles_, bounds) && !search.hasHoles();
+  if (std::ranges::all_of(surface.roles_, [](TriangleRole role) { return role == TriangleRole::outward; }))
+    surface.roles_.clear();
+  if (parts->exposed) {
+    parts->exposed->surface.reset(new Surface(parts->exposed->tree, Surface::OnlyConnected()));
+  }
+  return parts;
+}
+
+}  // namespace octoblisk::detail

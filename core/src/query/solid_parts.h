@@ -1,0 +1,47 @@
+// Which triangles of a mesh bound a solid, and what its surface is.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/open_loops.h"
+#include "octoblisk/surface.h"
+#include "query/winding.h"
+
+namespace octoblisk::detail {
+
+/// A loop of open edges, and the triangles that close it. Copies of triangles count once.
+struct Gap {
+  OpenLoop edges;  // corners have the numbers that they have without copies
+  std::vector<Triangle> cap;
+  bool is_inner = false;  // other parts of the mesh enclose it
+  bool is_hole = false;   // a triangle at one of its edges is a sheet because of it
+};
+
+/// The boundary of a solid, if not all triangles of a mesh belong to it as they are.
+struct ExposedSurface {
+  explicit ExposedSurface(ClusteredOctree of_boundary) : tree(std::move(of_boundary)) {}
+  ClusteredOctree tree;
+  std::unique_ptr<const Surface> surface;
+  std::vector<std::uint32_t> source;  // per triangle: the triangle that it is a part of
+  /// Per triangle: its share of the surface. Where k equal facets lie on each other, each has a k-th. Negative
+  /// if it faces into the solid, 0 for sheets.
+  std::vector<double> share;
+};
+
+/// What Surface knows about the solid that its mesh bounds.
+struct SolidParts {
+  SolidParts(const ClusteredOctree& tree, std::vector<Triangle> caps) : winding(tree, std::move(caps)) {}
+
+  /// Examines the mesh, whose corners are known, and fills the surface's roles and this.
+  static std::shared_ptr<const SolidParts> of(Surface& surface, int threads);
+
+  Winding winding;
+  std::vector<Gap> gaps;
+  std::vector<std::uint32_t> copies;        // triangles with the same corners as a lower one, without order
+  std::vector<std::uint32_t> intersecting;  // the triangles that others cut, ascending
+  std::unique_ptr<ExposedSurface> exposed;  // null: all triangles as they are
+};
+
+}  // namespace octoblisk::detail
