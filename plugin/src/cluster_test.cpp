@@ -10,7 +10,6 @@
 #include <algorithm>
 
 #include "contact/far_vertices.h"
-#include "contact/point_in_solid.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
 #include "our_shape.h"
@@ -105,14 +104,13 @@ bool clustersMeetBox(const Part& part, const Aabb& box, int depth, double ahead)
 
 /// A body inside a solid may be far from the solid's surface, and so from its clusters.
 bool isInside(const Vec3& point_in_world, const Part& part) {
-  return part.ours->isSolid() &&
-         isInSolid(part.ours->tree(), fromBullet(part.in_world).inverse() * point_in_world);
+  return part.ours->solid().contains(fromBullet(part.in_world).inverse() * point_in_world);
 }
 
 /// Whether one of a mesh's far vertices is inside another mesh. The narrow phase asks for the same vertices
 /// of the smaller mesh (FarVerticesInSolid).
 bool reachesInto(const Part& part, const Part& solid) {
-  return solid.ours->isSolid() &&
+  return solid.ours->solid().isAnywhereSolid() &&
          std::ranges::any_of(part.ours->farVertices().positions, [&](const Vec3& vertex) {
            return isInside(fromBullet(part.in_world) * vertex, solid);
          });

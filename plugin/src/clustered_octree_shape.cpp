@@ -11,12 +11,14 @@
 
 #include "cast_callbacks.h"
 #include "contact/far_vertices.h"
+#include "contact/solid_mesh.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
 #include "octoblisk_bullet/mesh_interface.h"
+#include "query/simple_solid.h"
 #include "query/thickness.h"
 
 namespace octoblisk {
@@ -37,14 +39,21 @@ std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleM
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
+/// Whether a triangle bounds a solid and faces out of it.
+bool facesOutward(const Surface& surface) {
+  for (std::uint32_t t = 0; t < surface.tree().mesh().triangleCount(); ++t) {
+    if (surface.role(t) == TriangleRole::outward) return true;
+  }
+  return false;
+}
+
 /// Whether contacts can push bodies out of the mesh.
 bool isOutwardSolid(const MassProperties& properties) {
   return properties.is_solid && !properties.faces_inward;
 }
 
 /// A margin that is thin in comparison with the mesh.
-double thinMargin(const ClusteredOctree& tree, const MassProperties& properties) {
-  if (!isOutwardSolid(properties)) return 0.0;
+double thinMargin(const ClusteredOctree& tree) {
   return std::min(0.01 * tree.mesh().bounds().halfExtents().maxCoeff(), 0.1 * thinThickness(tree));
 }
 
@@ -84,12 +93,19 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
 }
 
 void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
-  auto properties = std::make_shared<const MassProperties>(octoblisk::massProperties(tree->mesh()));
+  std::shared_ptr<const Surface> surface;
+  if (!isSimpleSolid(tree->mesh())) surface = std::make_shared<const Surface>(*tree, options_.threads);
+  auto properties = std::make_shared<const MassProperties>(
+      surface ? octoblisk::massProperties(*surface) : massPropertiesOfSimple(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
-  thin_margin_ = btScalar(thinMargin(*tree, *properties));
+  const bool is_anywhere_solid = surface ? facesOutward(*surface) : isOutwardSolid(*properties);
+  if (!is_anywhere_solid) surface = nullptr;
+  thin_margin_ = is_anywhere_solid ? btScalar(thinMargin(surface ? surface->boundary().tree() : *tree)) : 0;
   // Nothing below throws, so that the shape stays consistent.
   mass_properties_ = std::move(properties);
   far_vertices_ = std::move(vertices);
+  surface_ = std::move(surface);
+  is_anywhere_solid_ = is_anywhere_solid;
   tree_ = std::move(tree);
   updateDefaultMargin();
 }
@@ -139,6 +155,11 @@ void ClusteredOctreeShape::setMargin(btScalar margin) {
 }
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }
+
+SolidMesh ClusteredOctreeShape::solid() const {
+  if (!may_be_solid_ || !is_anywhere_solid_) return {*tree_, SolidMesh::Kind::sheet};
+  return surface_ ? SolidMesh(*surface_) : SolidMesh(*tree_, SolidMesh::Kind::simple);
+}
 
 btVector3 ClusteredOctreeShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
   return toBullet(farthest(far_vertices_->positions, fromBullet(direction)));

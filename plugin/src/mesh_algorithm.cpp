@@ -11,6 +11,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "contact/solid_mesh.h"
 #include "octoblisk/body_bounds.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/all_contacts.h"
@@ -158,7 +159,12 @@ bool keepTree(const ClusteredOctreeShape* shape, std::shared_ptr<const Clustered
 
 }  // namespace
 
-SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle) {
+const ClusteredOctree& MeshAlgorithm::PosedShapes::treeOf(const ClusteredOctreeShape& shape) const {
+  return has_all_triangles ? shape.tree() : shape.solid().boundary();
+}
+
+SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t boundary_triangle) {
+  const std::uint32_t triangle = shape.solid().sourceOf(boundary_triangle);
   const TriangleId id = shape.triangleId(triangle);
   return {shape.tree().mesh().triangle(triangle), id.part, id.index};
 }
@@ -204,7 +210,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double breaking = double(std::min(
       breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &mesh_shape),
       breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asOurShape(*other.m_shape))));
-  const PosedShapes shapes{
+  PosedShapes shapes{
       mesh_shape, *other.m_shape,
       fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()), breaking};
   noticeChanges(shapes);
@@ -215,6 +221,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const bool is_step = result_type == typeid(btManifoldResult);
   static_assert(std::is_final_v<AllContacts>);
   if (result_type == typeid(AllContacts)) {
+    shapes.has_all_triangles = true;
     findTriangleContacts(shapes, breaking + near, contacts_);
     static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);
     return;
@@ -261,12 +268,12 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
 
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
-  const bool is_mesh_open = !are_solid_.first, is_other_open = shapes.other.isConcave() && !are_solid_.second;
+  const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
   if (!overlap()) return way_back_.noticeApart();
-  const TriangleMesh& triangles = shapes.mesh.tree().mesh();
+  const TriangleMesh& triangles = shapes.treeOfMesh().mesh();
   const std::optional<Vec3> middle = middleOfOther();
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
   if (middle && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
@@ -285,8 +292,9 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   }
   way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
     WayBack::OpenTriangles open;
-    if (is_mesh_open) open.of_a = triangles.triangle(contact.triangle_a);
-    if (is_other_open) open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
+    if (!shapes.mesh.solid().bounds(contact.triangle_a)) open.of_a = triangles.triangle(contact.triangle_a);
+    if (shapes.other.isConcave() && !(other_mesh && other_mesh->solid().bounds(contact.triangle_b)))
+      open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
     return open;
   });
 }

@@ -24,8 +24,9 @@ class ClusteredOctreeShape;
 
 namespace octoblisk::detail {
 
-/// A triangle of a ClusteredOctreeShape, in the shape's frame, with Bullet's numbers.
-SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t triangle);
+/// The triangle of a ClusteredOctreeShape that a triangle of its solid's boundary belongs to, in the shape's
+/// frame, with Bullet's numbers.
+SourceTriangle triangleOf(const ClusteredOctreeShape& shape, std::uint32_t boundary_triangle);
 
 struct AlgorithmDeleter {
   btDispatcher* dispatcher;
@@ -69,6 +70,10 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     const btCollisionShape& other;
     Pose other_in_mesh;
     double breaking;
+    bool has_all_triangles = false;  ///< also those that a body cannot touch from outside
+
+    const ClusteredOctree& treeOf(const ClusteredOctreeShape& shape) const;
+    const ClusteredOctree& treeOfMesh() const { return treeOf(mesh); }
   };
 
  private:
@@ -83,8 +88,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   btCollisionAlgorithm& substituteFor(const ShapeTypes& types, const btCollisionObjectWrapper& body0,
                                       const btCollisionObjectWrapper& body1);
 
-  /// Replaces `found` with the contacts between all triangles of the mesh (A) and the other body (B) within
-  /// `reach`, in the mesh's frame. AllContacts reports these.
+  /// Replaces `found` with the contacts between the triangles of the mesh (A) and the other body (B) within
+  /// `reach`, in the mesh's frame. AllContacts reports these for all triangles.
   virtual void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
 
   /// The same without contacts that exist only because surfaces are divided into triangles. Steps and contact

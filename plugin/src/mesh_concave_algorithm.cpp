@@ -96,7 +96,7 @@ class ConcaveSource final : public TriangleSource {
 void MeshConcaveAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
                                                 std::vector<Contact>& found) {
   const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
-  source_contacts_.find(shapes.mesh.tree(), source, shapes.other_in_mesh, reach, found);
+  source_contacts_.find(shapes.treeOfMesh(), source, shapes.other_in_mesh, reach, found);
 }
 
 void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
@@ -104,7 +104,7 @@ void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double re
   findTriangleContacts(shapes, reach, found);
   surface_contacts_.filter(
       found, reach,
-      [&](const Contact& contact) { return shapes.mesh.tree().mesh().triangle(contact.triangle_a); },
+      [&](const Contact& contact) { return shapes.treeOfMesh().mesh().triangle(contact.triangle_a); },
       [&](const Contact& contact) {
         return shapes.other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
       });

@@ -27,7 +27,7 @@ bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
 void MeshConvexAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
                                                std::vector<Contact>& found) {
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
-  const ClusteredOctree& tree = shapes.mesh.tree();
+  const ClusteredOctree& tree = shapes.treeOfMesh();
   contacts(tree, near_.find(tree, convex, shapes.other_in_mesh, reach), convex, shapes.other_in_mesh, reach,
            found);
 }
@@ -35,10 +35,11 @@ void MeshConvexAlgorithm::findTriangleContacts(const PosedShapes& shapes, double
 void MeshConvexAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
                                            std::vector<Contact>& found) {
   findTriangleContacts(shapes, reach, found);
-  const ClusteredOctree& tree = shapes.mesh.tree();
+  const ClusteredOctree& tree = shapes.treeOfMesh();
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const Pose& convex_in_mesh = shapes.other_in_mesh;
-  if (shapes.mesh.isSolid()) toSolidContacts(tree, convex, convex_in_mesh, reach, middle_, found);
+  const SolidMesh solid = shapes.mesh.solid();
+  if (solid.isAnywhereSolid()) toSolidContacts(solid, convex, convex_in_mesh, reach, middle_, found);
   const std::size_t of_triangles = found.size();
   addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, found);
   if (core_.hasFeet()) {

@@ -23,14 +23,14 @@ Contact exchanged(const Contact& of_b, const Pose& b_in_a) {
 
 void MeshMeshAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
                                              std::vector<Contact>& found) {
-  contacts(shapes.mesh.tree(), ourShape(shapes.other).tree(), shapes.other_in_mesh, reach, found);
+  contacts(shapes.treeOfMesh(), shapes.treeOf(ourShape(shapes.other)), shapes.other_in_mesh, reach, found);
 }
 
 void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
                                          std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  surface_contacts_.find(shape_a.tree(), shape_b.tree(), b_in_a, reach, kCreated * shapes.breaking,
+  surface_contacts_.find(shapes.treeOf(shape_a), shapes.treeOf(shape_b), b_in_a, reach, kCreated * shapes.breaking,
                          shape_a.isSolid() && shape_b.isSolid(), found);
   // The contacts of triangles push vertices that are less deep than `reach`.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
@@ -38,15 +38,16 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
 
 void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,
                                    const Pose& b_in_a, double least_depth, std::vector<Contact>& found) {
-  const ClusteredOctree &a = shape_a.tree(), &b = shape_b.tree();
+  const SolidMesh solid_a = shape_a.solid(), solid_b = shape_b.solid();
+  const ClusteredOctree &a = solid_a.boundary(), &b = solid_b.boundary();
   const bool is_b_smaller = b.mesh().bounds().halfExtents().norm() <= a.mesh().bounds().halfExtents().norm();
-  if (!(is_b_smaller ? shape_a : shape_b).isSolid()) return;
+  if (!(is_b_smaller ? solid_a : solid_b).isAnywhereSolid()) return;
   const bool meet =
       std::ranges::any_of(found, [](const Contact& contact) { return contact.distance <= 0.0; });
   if (is_b_smaller) {
-    far_vertices_.find(a, b, shape_b.farVertices(), b_in_a, meet, least_depth, ways_out_);
+    far_vertices_.find(solid_a, b, shape_b.farVertices(), b_in_a, meet, least_depth, ways_out_);
   } else {
-    far_vertices_.find(b, a, shape_a.farVertices(), b_in_a.inverse(), meet, least_depth, ways_out_);
+    far_vertices_.find(solid_b, a, shape_a.farVertices(), b_in_a.inverse(), meet, least_depth, ways_out_);
     for (Contact& contact : ways_out_) contact = exchanged(contact, b_in_a);
   }
   if (!meet && !ways_out_.empty()) found.clear();

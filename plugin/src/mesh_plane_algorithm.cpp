@@ -17,7 +17,7 @@ void MeshPlaneAlgorithm::findTriangleContacts(const PosedShapes& shapes, double 
   half_space.normal = (plane_in_mesh.rotation * normal).normalized();
   half_space.offset = half_space.normal.dot(
       plane_in_mesh * (double(plane.getPlaneConstant()) / normal.squaredNorm() * normal));
-  contacts(shapes.mesh.tree(), half_space, reach, found);
+  contacts(shapes.treeOfMesh(), half_space, reach, found);
 }
 
 bool MeshPlaneAlgorithm::readOther(const btCollisionShape& other) {

@@ -27,6 +27,7 @@ namespace {
 TEST(PointInSolid, nearEachSide_vs_locate) {
   std::mt19937_64 random(82);
   const ClusteredOctree tree = ClusteredOctree::build(testing::bumpySphere(random, 1.0, 0.4, 24));
+  const SolidMesh solid(tree, SolidMesh::Kind::simple);
   const Surface surface(tree);
   const Aabb& bounds = tree.mesh().bounds();
   for (int side = 0; side < 6; ++side) {
@@ -37,7 +38,7 @@ TEST(PointInSolid, nearEachSide_vs_locate) {
       const double depth = testing::uniform(random, 0.0, 0.5);
       point[side / 2] = side % 2 == 0 ? bounds.min[side / 2] + depth : bounds.max[side / 2] - depth;
       const bool is_inside = locate(surface, point) == PointLocation::inside;
-      ASSERT_EQ(isInSolid(tree, point), is_inside) << "side " << side << ", point " << i;
+      ASSERT_EQ(solid.contains(point), is_inside) << "side " << side << ", point " << i;
       inside += is_inside;
     }
     EXPECT_GE(inside, kPoints * 2 / 10) << "side " << side;
@@ -48,6 +49,7 @@ TEST(PointInSolid, nearEachSide_vs_locate) {
 /// Follows a point that wanders through a torus in steps of all lengths.
 TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));
+  const SolidMesh solid(tree, SolidMesh::Kind::simple);
   const Surface surface(tree);
   std::mt19937_64 random(81);
   PointInSolid place;
@@ -59,7 +61,7 @@ TEST(PointInSolid, followsAWanderingPoint_vs_locate) {
     point += length * testing::randomRotation(random).col(0);
     if (point.norm() > 1.6 || std::abs(point.z()) > 0.5) point = Vec3(1.0, 0.0, 0.0);
     const bool is_inside = locate(surface, point) == PointLocation::inside;
-    ASSERT_EQ(place.contains(tree, point), is_inside) << i;
+    ASSERT_EQ(place.contains(solid, point), is_inside) << i;
     inside += is_inside;
   }
   EXPECT_GE(inside, kSteps * 3 / 10);
@@ -97,13 +99,14 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
       };
       const Vec3 half_a = halfExtents(0.1), half_b = halfExtents(0.05);
       const ClusteredOctree tree = ClusteredOctree::build(testing::boxMesh(half_a));
+      const SolidMesh solid(tree, SolidMesh::Kind::simple);
       const ConvexHull box(testing::boxMesh(half_b)->vertices(), radius);
       const Vec3 way = testing::randomRotation(random).col(0);
       Pose pose{testing::randomRotation(random), half_a.norm() * way};
       const double depth = testing::uniform(random, 0.0, 0.05);
       // A step inward by the gap is never too far.
       for (int k = 0; k < 60; ++k) pose.translation += (boxDepth(half_a, half_b, pose) - depth) * way;
-      if (isInSolid(tree, pose.translation)) continue;
+      if (solid.contains(pose.translation)) continue;
       const double exact = boxDepth(half_a, half_b, pose) + radius;
       std::vector<Contact> found;
       contacts(tree, box, pose, 0.0, found);
@@ -113,7 +116,7 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
       const double before = greatestDepth();
       const std::size_t of_triangles = found.size();
       PointInSolid middle;
-      toSolidContacts(tree, box, pose, 0.0, middle, found);
+      toSolidContacts(solid, box, pose, 0.0, middle, found);
       ++poses;
       with_way_out += found.size() > of_triangles;
       ASSERT_LE(greatestDepth(), std::max(before, exact) + 1e-9) << "radius " << radius << ", pose " << i;
@@ -126,6 +129,7 @@ TEST(SolidContacts, theWayOutOfAnEnd_isNoDeeperThanTheBoxes) {
 /// A box wanders through a torus in steps of all lengths. Its middle is followed, or located at each pose.
 TEST(SolidContacts, followTheMiddle_vs_new) {
   const ClusteredOctree tree = ClusteredOctree::build(testing::torus(1.0, 0.4, 32, 16));
+  const SolidMesh solid(tree, SolidMesh::Kind::simple);
   const ConvexHull box(testing::boxMesh({0.2, 0.15, 0.1})->vertices(), 0.02);
   std::mt19937_64 random(85);
   PointInSolid followed;
@@ -141,16 +145,16 @@ TEST(SolidContacts, followTheMiddle_vs_new) {
     std::vector<Contact> found;
     contacts(tree, box, pose, kReach, found);
     std::vector<Contact> expected = found;
-    toSolidContacts(tree, box, pose, kReach, followed, found);
+    toSolidContacts(solid, box, pose, kReach, followed, found);
     PointInSolid located;
-    toSolidContacts(tree, box, pose, kReach, located, expected);
+    toSolidContacts(solid, box, pose, kReach, located, expected);
     ASSERT_EQ(found.size(), expected.size()) << i;
     for (std::size_t c = 0; c < found.size(); ++c) {
       ASSERT_EQ(found[c].point_on_a, expected[c].point_on_a) << i;
       ASSERT_EQ(found[c].normal, expected[c].normal) << i;
       ASSERT_EQ(found[c].distance, expected[c].distance) << i;
     }
-    const bool is_inside = isInSolid(tree, pose.translation);
+    const bool is_inside = solid.contains(pose.translation);
     crossings += is_inside != was_inside;
     was_inside = is_inside;
     inside += is_inside;
@@ -173,7 +177,7 @@ TEST(FarVerticesInSolid, theTrianglesHaveThePoints) {
       const Pose pose = testing::randomPose(random, meet ? 1.2 : 0.4);
       FarVerticesInSolid far;
       std::vector<Contact> found;
-      far.find(a, b, far_of_b, pose, meet, 0.0, found);
+      far.find(SolidMesh(a, SolidMesh::Kind::simple), b, far_of_b, pose, meet, 0.0, found);
       contacts += found.size();
       for (const Contact& contact : found) {
         EXPECT_LT(distance(a.mesh().triangle(contact.triangle_a), contact.point_on_a), 1e-9);

@@ -24,10 +24,11 @@ FarVertices farVertices(const ClusteredOctree& tree) {
   return far;
 }
 
-void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
+void FarVerticesInSolid::find(const SolidMesh& solid_a, const ClusteredOctree& b, const FarVertices& far_of_b,
                               const Pose& b_in_a, bool meet, double least_depth,
                               std::vector<Contact>& ways_out) {
   ways_out.clear();
+  const ClusteredOctree& a = solid_a.boundary();
   const auto add = [&](Contact out) {
     out.triangle_b = closestPoint(b, b_in_a.inverse() * out.point_on_b)->triangle;
     ways_out.push_back(out);
@@ -35,7 +36,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
   const auto forEachInside = [&](auto&& visit) {
     for (std::size_t v = 0; v < in_a_.size(); ++v) {
       const Vec3 vertex = b_in_a * far_of_b.positions[v];
-      if (in_a_[v].contains(a, vertex)) visit(vertex);
+      if (in_a_[v].contains(solid_a, vertex)) visit(vertex);
     }
   };
   if (meet) {
@@ -64,7 +65,7 @@ void FarVerticesInSolid::find(const ClusteredOctree& a, const ClusteredOctree& b
   forEachInside([&](const Vec3& vertex) {
     if (!of_all) {
       const Vec3 middle = b_in_a * b.mesh().bounds().center();
-      if (isInSolid(a, middle)) findWayOfAll(middle);
+      if (solid_a.contains(middle)) findWayOfAll(middle);
       if (!of_all || !(of_all->distance < 0.0)) findWayOfAll(vertex);  // the middle may be outside B
       addWayOfAll(of_all->point_on_b);
     }

@@ -17,7 +17,7 @@ struct FarVertices {
 };
 FarVertices farVertices(const ClusteredOctree& tree);
 
-/// Tests whether the far vertices of a mesh (B) are inside a closed mesh (A). Triangles that meet do not show
+/// Tests whether the far vertices of a mesh (B) are inside a solid (A). Triangles that meet do not show
 /// what is deeper inside.
 class FarVerticesInSolid {
  public:
@@ -26,7 +26,7 @@ class FarVerticesInSolid {
   /// inside A, all contacts push B in one direction: the shortest way out of B's middle, or of a far vertex
   /// if the middle does not show the way. B's farthest vertex in this direction and each far vertex inside A
   /// get a contact.
-  void find(const ClusteredOctree& a, const ClusteredOctree& b, const FarVertices& far_of_b,
+  void find(const SolidMesh& a, const ClusteredOctree& b, const FarVertices& far_of_b,
             const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
 
   /// Call this after one of the meshes has changed.

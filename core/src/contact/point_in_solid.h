@@ -1,25 +1,22 @@
-// Whether a point is inside a closed mesh.
+// Whether a moving point is inside a solid.
 #pragma once
 
 #include <optional>
 
-#include "octoblisk/clustered_octree.h"
+#include "contact/solid_mesh.h"
 #include "octoblisk/function_ref.h"
 
 namespace octoblisk::detail {
 
-/// Whether a point is inside a closed mesh. Exact. Allocates nothing.
-bool isInSolid(const ClusteredOctree& tree, const Vec3& point);
-
-/// Whether a moving point is inside a closed mesh. Exact, except within rounding of the surface. Searches the
-/// tree only if the point may have crossed the surface since the last call. Allocates nothing.
+/// Whether a moving point is inside a solid: SolidMesh::contains, except within rounding of the surface.
+/// Searches the tree only if the point may have crossed the surface since the last call. Allocates nothing.
 class PointInSolid {
  public:
   /// The point is in the mesh's frame. Its distance to the surface is at least leastClearance(), which is
   /// called if earlier clearances do not suffice. A number below 0 says nothing.
-  bool contains(const ClusteredOctree& tree, const Vec3& point, FunctionRef<double()> leastClearance);
-  bool contains(const ClusteredOctree& tree, const Vec3& point) {
-    return contains(tree, point, [] { return 0.0; });
+  bool contains(const SolidMesh& solid, const Vec3& point, FunctionRef<double()> leastClearance);
+  bool contains(const SolidMesh& solid, const Vec3& point) {
+    return contains(solid, point, [] { return 0.0; });
   }
 
   /// Call this after the mesh has changed.

@@ -22,8 +22,9 @@ double innerRadius(const Convex& convex) {
 
 }  // namespace
 
-void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Pose& convex_in_mesh,
+void toSolidContacts(const SolidMesh& solid, const Convex& convex, const Pose& convex_in_mesh,
                      double reach, PointInSolid& middle, std::vector<Contact>& contacts) {
+  const ClusteredOctree& tree = solid.boundary();
   const Vec3 center = convex_in_mesh * convex.middle();
   // A triangle that comes nearer to the middle is as much deeper in the ball around it.
   const auto leastClearance = [&] {
@@ -35,7 +36,7 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
     return convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * direction) +
            convex.radius() * direction;
   };
-  if (middle.contains(tree, center, leastClearance)) {
+  if (middle.contains(solid, center, leastClearance)) {
     const Contact out = wayOutOfSolid(tree, center, farthestOfConvex);
     std::erase_if(contacts, [&](const Contact& contact) { return contact.normal.dot(out.normal) <= 0.0; });
     contacts.push_back(out);
@@ -48,7 +49,7 @@ void toSolidContacts(const ClusteredOctree& tree, const Convex& convex, const Po
   }
   if (!towards_end.isZero(0.0)) {
     const Vec3 end = convex_in_mesh * convex.support(convex_in_mesh.rotation.transpose() * towards_end);
-    if (end != center && isInSolid(tree, end)) {
+    if (end != center && solid.contains(end)) {
       const auto farthestOfEnd = [&](const Vec3& direction) -> Vec3 {
         return end + convex.radius() * direction;
       };

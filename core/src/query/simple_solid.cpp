@@ -68,17 +68,28 @@ bool hasRepeats(std::span<const std::uint64_t> numbers) {
   return std::ranges::adjacent_find(suspects) != suspects.end();
 }
 
-/// Which vertices are connected, those at equal positions too.
-DisjointSets connectedVertices(const TriangleMesh& mesh, std::span<const std::uint64_t> hashes) {
-  DisjointSets connected(hashes.size());
-  for (const auto& [a, b, c] : mesh.triangles()) {
-    connected.join(b, a);
-    connected.join(c, a);
+/// Joins the vertices of each triangle, and counts the sets of vertices that triangles use.
+std::size_t joinByIndex(const TriangleMesh& mesh, DisjointSets& connected) {
+  std::vector<bool> is_used(connected.size(), false);
+  std::size_t sets = 0;
+  const auto use = [&](std::uint32_t vertex) {
+    sets += !is_used[vertex];
+    is_used[vertex] = true;
+  };
+  for (const TriangleMesh::Indices& triangle : mesh.triangles()) {
+    for (const std::uint32_t vertex : triangle) use(vertex);
+    const std::uint32_t root = connected.rootOf(triangle[0]);
+    for (const std::uint32_t vertex : {triangle[1], triangle[2]}) {
+      if (connected.rootOf(vertex) == root) continue;
+      connected.join(vertex, root);
+      --sets;
+    }
   }
-  const std::uint32_t first = connected.rootOf(mesh.triangles()[0][0]);
-  const bool is_one = std::ranges::all_of(
-      mesh.triangles(), [&](const TriangleMesh::Indices& t) { return connected.rootOf(t[0]) == first; });
-  if (is_one) return connected;
+  return sets;
+}
+
+/// Joins the vertices at equal positions.
+void joinByPosition(std::span<const std::uint64_t> hashes, DisjointSets& connected) {
   std::vector<std::uint32_t> vertex_at(std::bit_ceil(2 * hashes.size()), kNoIndex);  // a hash table
   for (std::uint32_t v = 0; v < hashes.size(); ++v) {
     std::size_t slot = hashes[v] & (vertex_at.size() - 1);
@@ -90,11 +101,10 @@ DisjointSets connectedVertices(const TriangleMesh& mesh, std::span<const std::ui
       connected.join(v, vertex_at[slot]);
     }
   }
-  return connected;
 }
 
 /// Whether the bounds of the components are apart, and all face outward or all inward.
-bool areApart(const TriangleMesh& mesh, DisjointSets connected) {
+bool areApart(const TriangleMesh& mesh, DisjointSets& connected) {
   std::vector<Aabb> bounds;
   std::vector<double> volume;
   std::vector<std::uint32_t> index(connected.size(), kNoIndex);
@@ -132,14 +142,10 @@ bool isSimpleSolid(const TriangleMesh& mesh) {
     if (is_forward) forward.push_back(edge);
   });
   if (balance != 0 || 2 * forward.size() != 3 * mesh.triangleCount() || hasRepeats(forward)) return false;
-  return areApart(mesh, connectedVertices(mesh, hashes));
-}
-
-bool isOrientedClosed(const TriangleMesh& mesh) {
-  const std::vector<std::uint64_t> hashes = hashesOf(mesh.vertices());
-  std::uint64_t balance = 0;
-  forEachEdge(mesh, hashes, [&](std::uint64_t edge, bool is_forward) { balance += is_forward ? edge : -edge; });
-  return balance == 0;
+  DisjointSets connected(hashes.size());
+  if (joinByIndex(mesh, connected) == 1) return true;
+  joinByPosition(hashes, connected);
+  return areApart(mesh, connected);
 }
 
 }  // namespace octoblisk::detail

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "base/no_index.h"
@@ -16,7 +15,8 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The greatest share of all directions in which a triangle of a solid may see holes.
+/// The greatest share of all directions in which a triangle of a solid may see holes. Also the greatest share of
+/// its area that a component with holes may lack: a triangle sees about that share of directions on average.
 constexpr double kHoleShare = 1.0 / 64.0;
 
 /// The rounding of points and planes near the mesh, relative to its coordinates: a few hundred units in the
@@ -53,8 +53,11 @@ class SolidSearch {
     for (std::vector<OpenEdge> open = open_edges_; !open.empty();) {
       const std::vector<OpenLoop> loops = openLoops(open, positions);
       for (const OpenLoop& loop : loops) {
-        gaps.push_back({loop, capOf(outlineOf(loop), positions)});
-        caps.insert(caps.end(), gaps.back().cap.begin(), gaps.back().cap.end());
+        Gap& gap = gaps.emplace_back();
+        for (const OpenEdge& edge : loop)
+          gap.edges.push_back({positions[edge.from], positions[edge.to], edge.triangle});
+        gap.cap = capOf(outlineOf(loop), positions);
+        caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
       }
       open = leftOver(loops);
     }
@@ -66,11 +69,18 @@ class SolidSearch {
       judgeByOriginals(copies);
       return parts_;
     }
+    findHoles();
+    if (std::ranges::find(sees_hole_, 0) == sees_hole_.end()) {
+      roles_.assign(roles_.size(), TriangleRole::sheet);
+      return parts_;
+    }
     findCuts();
     findRegions();
     judgeRegions();
     judgePieces();
-    judgeHoles(positions);
+    for (std::size_t t = 0; t < roles_.size(); ++t) {
+      if (sees_hole_[t] != 0 && roles_[t] != TriangleRole::inner) roles_[t] = TriangleRole::sheet;
+    }
     expose();
     return parts_;
   }
@@ -98,10 +108,14 @@ class SolidSearch {
   void findRegions();
   void judgeRegions();
   void judgePieces();
-  void judgeHoles(std::span<const Vec3> positions);
+  void findHoles();
   void expose();
 
   bool hasArea(std::uint32_t triangle) const { return !scaledNormal(mesh_.triangle(triangle)).isZero(0.0); }
+  std::uint32_t componentOf(std::size_t triangle) const {
+    return surface_.component(surface_.corners(static_cast<std::uint32_t>(triangle))[0]);
+  }
+  std::uint32_t componentOf(const Gap& gap) const { return componentOf(gap.edges.front().triangle); }
   bool areSameWay(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t acrossEdge(std::uint32_t triangle, std::size_t edge) const;
   bool mayCut(std::uint32_t a, std::uint32_t b) const;
@@ -116,6 +130,7 @@ class SolidSearch {
   bool is_manifold_ = true;  // each edge belongs to two triangles, or to one
   std::vector<OpenEdge> open_edges_;
   bool has_holes_ = false;
+  std::vector<char> sees_hole_;  // per triangle: whether it is a sheet because of a hole
   std::vector<TriangleRole> roles_;
   std::vector<Region> regions_;
   std::vector<Sides> sides_of_region_;
@@ -226,7 +241,7 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
   has_holes_ = !single.isClosed();
   parts_->gaps = found.gaps;
   for (Gap& gap : parts_->gaps) {
-    for (OpenEdge& edge : gap.edges) edge.triangle = source[edge.triangle];
+    for (GapEdge& edge : gap.edges) edge.triangle = source[edge.triangle];
   }
   for (const std::uint32_t t : found.intersecting) parts_->intersecting.push_back(source[t]);
   const ClusteredOctree& boundary = found.exposed ? found.exposed->tree : tree;
@@ -385,8 +400,8 @@ void SolidSearch::judgePieces() {
   });
 }
 
-/// Makes sheets of the triangles that see holes of their component. A gap inside the solid is no hole.
-void SolidSearch::judgeHoles(std::span<const Vec3> positions) {
+/// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
+void SolidSearch::findHoles() {
   std::map<std::uint32_t, std::vector<Triangle>> caps;  // by component
   for (Gap& gap : parts_->gaps) {
     if (gap.cap.empty()) continue;
@@ -395,38 +410,43 @@ void SolidSearch::judgeHoles(std::span<const Vec3> positions) {
     if (scaledNormal(largest).isZero(0.0)) continue;
     gap.is_inner = sidesOf(centroidOf(largest), unitNormal(largest)).role() == TriangleRole::inner;
     if (gap.is_inner) continue;
-    auto& of_component = caps[surface_.component(gap.edges.front().from)];
+    auto& of_component = caps[componentOf(gap)];
     of_component.insert(of_component.end(), gap.cap.begin(), gap.cap.end());
   }
+  sees_hole_.assign(roles_.size(), 0);
+  if (caps.empty()) return;
+  std::vector<double> missing(surface_.componentCount(), 0.0);  // area minus what a solid may lack
+  for (std::uint32_t t = 0; t < roles_.size(); ++t)
+    missing[componentOf(t)] -= kHoleShare * scaledNormal(mesh_.triangle(t)).norm();
   std::map<std::uint32_t, WindingShare> holes;
-  for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
-  const auto seesHole = [&](std::uint32_t component, const Vec3& point) {
-    return holes.at(component).exceeds(kHoleShare, point);
-  };
-  if (holes.empty()) return;
-  parallelForChunks(roles_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
+  for (auto& [component, triangles] : caps) {
+    for (const Triangle& triangle : triangles) missing[component] += scaledNormal(triangle).norm();
+    holes.try_emplace(component, std::move(triangles));
+  }
+  parallelForChunks(sees_hole_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const std::uint32_t component = surface_.component(surface_.corners(static_cast<std::uint32_t>(t))[0]);
-      const bool bounds = roles_[t] == TriangleRole::outward || roles_[t] == TriangleRole::inward;
-      if (!bounds || !holes.contains(component)) continue;
-      if (seesHole(component, centroidOf(mesh_.triangle(t)))) roles_[t] = TriangleRole::sheet;
+      const auto of_component = holes.find(componentOf(t));
+      sees_hole_[t] = of_component != holes.end() &&
+                      (missing[of_component->first] > 0.0 ||
+                       of_component->second.exceeds(kHoleShare, centroidOf(mesh_.triangle(t))));
     }
   });
   for (Gap& gap : parts_->gaps) {
-    if (gap.is_inner || !holes.contains(surface_.component(gap.edges.front().from))) continue;
+    if (gap.is_inner || !holes.contains(componentOf(gap))) continue;
     const WindingShare cap(gap.cap);
     const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kHoleShare, point); };
-    for (const OpenEdge& edge : gap.edges) {
+    for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);
-      const Vec3 normal = unitNormal(triangle), along = positions[edge.to] - positions[edge.from];
+      const Vec3 normal = unitNormal(triangle), along = edge.to - edge.from;
       // Over the middle of the edge, a quarter of the triangle's height away from it.
       const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
-      const Vec3 middle = 0.5 * (positions[edge.from] + positions[edge.to]);
+      const Vec3 middle = 0.5 * (edge.from + edge.to);
       if (!isSeenFrom(middle + off * normal) && !isSeenFrom(middle - off * normal)) continue;
-      gap.is_hole = has_holes_ = true;
-      roles_[edge.triangle] = TriangleRole::sheet;
+      gap.is_hole = true;
+      sees_hole_[edge.triangle] = 1;
     }
   }
+  has_holes_ = std::ranges::find(sees_hole_, 1) != sees_hole_.end();
 }
 
 bool SolidSearch::isExposedAsItIs() const {

@@ -18,13 +18,15 @@ class btStridingMeshInterface;
 namespace octoblisk {
 
 class ClusteredOctree;
+class Surface;
 class TriangleMesh;
 struct InterfaceMesh;
 struct MassProperties;
 
 namespace detail {
 struct FarVertices;
-}
+class SolidMesh;
+}  // namespace detail
 
 /// A concave mesh that may be static, kinematic or dynamic. Call registerAlgorithm (register.h) once for each
 /// dispatcher. The tree is immutable, so shapes, bodies, worlds and threads may share it. setLocalScaling and
@@ -119,6 +121,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// For the library's own algorithms.
   const detail::FarVertices& farVertices() const { return *far_vertices_; }
+  /// The same: what bodies collide with. A surface after setSolid(false).
+  detail::SolidMesh solid() const;
 
   /// Calls back once for every triangle that meets the box, in the shape's frame, and for some others nearby.
   /// Callbacks of Bullet's ray tests and convex sweeps receive only the triangles along their path.
@@ -154,6 +158,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   std::shared_ptr<const ClusteredOctree> tree_;
   std::shared_ptr<const MassProperties> mass_properties_;
   std::shared_ptr<const detail::FarVertices> far_vertices_;
+  std::shared_ptr<const Surface> surface_;  // null if all triangles bound a solid, or none does
+  bool is_anywhere_solid_ = false;
   bool may_be_solid_ = true;
   bool has_default_margin_ = true;
   btScalar thin_margin_ = 0;  // of the mesh; the default margin is no greater

@@ -1,0 +1,26 @@
+#include "contact/solid_mesh.h"
+
+#include "octoblisk/closest_point.h"
+#include "octoblisk/containment.h"
+#include "query/winding.h"
+
+namespace octoblisk::detail {
+
+bool SolidMesh::contains(const Vec3& point) const {
+  const Aabb& mesh_bounds = boundary_->mesh().bounds();
+  if (is_sheet_ || !mesh_bounds.meets({point, point})) return false;
+  // Usually, the shortest way out of the bounds meets the fewest boxes.
+  Eigen::Index axis_down, axis_up;
+  const double down = (point - mesh_bounds.min).minCoeff(&axis_down),
+               up = (mesh_bounds.max - point).minCoeff(&axis_up);
+  const Eigen::Index axis = down < up ? axis_down : axis_up;
+  const double sense = down < up ? -1.0 : 1.0;
+  Pose turn{Mat3::Zero(), Vec3::Zero()};  // by right angles, so without rounding; the way out becomes +x
+  turn.rotation(0, axis) = turn.rotation(1, (axis + 1) % 3) = sense;
+  turn.rotation(2, (axis + 2) % 3) = 1.0;
+  if (!surface_) return crossingNumber(*boundary_, turn * point, turn).value_or(0) != 0;
+  if (locate(*surface_, turn * point, turn) != PointLocation::inside) return false;
+  return surface_->isClosed() || bounds(closestPoint(*boundary_, point)->triangle);
+}
+
+}  // namespace octoblisk::detail
