@@ -14,6 +14,7 @@
 #include "contact/solid_mesh.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"
+#include "octoblisk/inspection.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/triangles_in_box.h"
 #include "octoblisk_bullet/convert.h"
@@ -92,11 +93,13 @@ ClusteredOctreeShape::ClusteredOctreeShape(std::shared_ptr<const ClusteredOctree
   use(std::move(tree));
 }
 
-void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree) {
+void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree, bool may_be_solid) {
+  const bool is_simple = isSimpleSolid(tree->mesh());
   std::shared_ptr<const Surface> surface;
-  if (!isSimpleSolid(tree->mesh())) surface = std::make_shared<const Surface>(*tree, options_.threads);
-  auto properties = std::make_shared<const MassProperties>(
-      surface ? octoblisk::massProperties(*surface) : massPropertiesOfSimple(tree->mesh()));
+  if (may_be_solid && !is_simple) surface = std::make_shared<const Surface>(*tree, options_.threads);
+  auto properties = std::make_shared<const MassProperties>(is_simple ? massPropertiesOfSimple(tree->mesh())
+                                                           : surface ? octoblisk::massProperties(*surface)
+                                                                     : massPropertiesOfBox(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
   const bool is_anywhere_solid = surface ? facesOutward(*surface) : isOutwardSolid(*properties);
   if (!is_anywhere_solid) surface = nullptr;
@@ -135,7 +138,8 @@ void ClusteredOctreeShape::refit(std::shared_ptr<const TriangleMesh> unscaled) {
                                 std::to_string(unscaled_->triangleCount()));
   }
   use(std::make_shared<const ClusteredOctree>(
-      tree_->refitted(scaled(unscaled, fromBullet(scaling_)), options_.threads)));
+          tree_->refitted(scaled(unscaled, fromBullet(scaling_)), options_.threads)),
+      is_anywhere_solid_);
   unscaled_ = std::move(unscaled);
 }
 
@@ -152,6 +156,12 @@ void ClusteredOctreeShape::setContactBreakingThreshold(btScalar threshold) {
 void ClusteredOctreeShape::setMargin(btScalar margin) {
   has_default_margin_ = false;
   btConcaveShape::setMargin(margin);
+}
+
+std::string ClusteredOctreeShape::whyNotSolid() const {
+  if (isSolid()) return "";
+  if (!may_be_solid_) return "setSolid(false) was called.";
+  return octoblisk::whyNotSolid(inspect(surface_ ? *surface_ : Surface(*tree_, options_.threads)));
 }
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }

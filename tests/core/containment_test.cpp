@@ -137,22 +137,48 @@ TEST(Locate, linesOfSightThroughVerticesAndEdges) {
   }
 }
 
-TEST(Locate, openSurfacesHaveNoInside) {
-  const Solid open(testing::firstTriangles(*testing::boxMesh({1, 1, 1}), 11));
-  EXPECT_EQ(locate(open.surface, Vec3::Zero()), PointLocation::unknown);
-  EXPECT_EQ(locate(open.surface, Vec3(9, 9, 9)), PointLocation::unknown);
+TEST(Locate, roundsTheWindingNumberOfOpenSurfaces) {
+  const SharedMesh box = testing::boxMesh({1, 1, 1});
+  const Solid open(testing::firstTriangles(*box, 11)), half(testing::firstTriangles(*box, 6));
+  EXPECT_NEAR(windingNumber(open.surface, Vec3::Zero()), 11.0 / 12.0, 1e-14);
+  EXPECT_EQ(locate(open.surface, Vec3::Zero()), PointLocation::inside);
+  EXPECT_EQ(locate(open.surface, Vec3(9, 9, 9)), PointLocation::outside);
   EXPECT_EQ(locate(open.surface, Vec3(0, 0, 1)), PointLocation::on_surface);
+  std::mt19937_64 random(85);
+  int inside = 0;
+  constexpr int kPoints = 1000;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vec3 point = testing::randomPoint(random, 1.2);
+    const double expected = testing::windingNumber(*half.mesh, point);
+    ASSERT_NEAR(windingNumber(half.surface, point), expected, 1e-12);
+    if (std::abs(std::abs(expected) - 0.5) < 1e-9) continue;
+    const bool is_inside = std::abs(expected) > 0.5;
+    ASSERT_EQ(locate(half.surface, point), is_inside ? PointLocation::inside : PointLocation::outside);
+    inside += is_inside;
+  }
+  EXPECT_GE(inside, kPoints * 15 / 100);
+  EXPECT_LE(inside, kPoints * 7 / 10);
 }
 
-TEST(Locate, insideIsTheParityOfCrossings) {
-  const SharedMesh box = testing::boxMesh({1, 1, 1});
+TEST(Locate, insideIsWhereTheWindingNumberIsNotZero) {
+  const SharedMesh box = testing::boxMesh({1, 1, 1}), large = testing::boxMesh({3, 3, 3});
   const Solid lobes(testing::joined(*box, *testing::moved(*box, {Mat3::Identity(), Vec3(1, 0.5, 0.5)})));
+  const Vec3 in_both(0.5, 0.2, 0.3);
   EXPECT_EQ(locate(lobes.surface, Vec3(-0.5, 0, 0)), PointLocation::inside);
-  EXPECT_EQ(locate(lobes.surface, Vec3(0.5, 0.2, 0.3)), PointLocation::outside);  // in both
+  EXPECT_EQ(locate(lobes.surface, in_both), PointLocation::inside);
+  EXPECT_EQ(windingNumber(lobes.surface, in_both), 2.0);
   EXPECT_EQ(locate(lobes.surface, Vec3(1.5, 0.9, 0.9)), PointLocation::inside);
-  const Solid hollow(testing::joined(*testing::boxMesh({3, 3, 3}), *box));
-  EXPECT_EQ(locate(hollow.surface, Vec3(2, 0.1, 0.1)), PointLocation::inside);
-  EXPECT_EQ(locate(hollow.surface, Vec3(0.5, 0.1, 0.1)), PointLocation::outside);
+  EXPECT_EQ(locate(lobes.surface, Vec3(-0.5, 1.2, 0)), PointLocation::outside);
+  const Solid same_way(testing::joined(*large, *box)),
+      hollow(testing::joined(*large, *testing::insideOut(*box)));
+  for (const Solid* nested : {&same_way, &hollow}) {
+    EXPECT_EQ(locate(nested->surface, Vec3(2, 0.1, 0.1)), PointLocation::inside);
+    EXPECT_EQ(locate(nested->surface, Vec3(0.5, 0.1, 0.1)),
+              nested == &hollow ? PointLocation::outside : PointLocation::inside);
+  }
+  const Solid inside_out(testing::insideOut(*box));
+  EXPECT_EQ(windingNumber(inside_out.surface, Vec3::Zero()), -1.0);
+  EXPECT_EQ(locate(inside_out.surface, Vec3::Zero()), PointLocation::inside);
   const Solid flat(testing::boxMesh({1, 0, 1}));  // two coincident sheets enclose nothing
   EXPECT_EQ(locate(flat.surface, Vec3(0, 0, 0)), PointLocation::on_surface);
   EXPECT_EQ(locate(flat.surface, Vec3(-3, 0, 0)), PointLocation::outside);
@@ -174,7 +200,8 @@ TEST(Containment, closedForms) {
   EXPECT_EQ(containment(large.surface, open.surface, {}), Containment::unknown);
   EXPECT_EQ(containment(open.surface, large.surface, at(3, 0, 0)), Containment::touching);
 
-  const Solid hollow(testing::joined(*testing::boxMesh({9, 9, 9}), *testing::boxMesh({3, 3, 3})));
+  const SharedMesh cavity = testing::insideOut(*testing::boxMesh({3, 3, 3}));
+  const Solid hollow(testing::joined(*testing::boxMesh({9, 9, 9}), *cavity));
   EXPECT_EQ(containment(hollow.surface, small.surface, {}), Containment::apart);
   EXPECT_EQ(containment(small.surface, hollow.surface, {}), Containment::apart);
   EXPECT_EQ(containment(hollow.surface, small.surface, at(6, 0, 0)), Containment::b_inside_a);

@@ -100,7 +100,9 @@ TEST(Depth, whatIsNotIn) {
   DepthQuery query;
   EXPECT_EQ(query.deepest(large.surface, small.surface, at(9, 0, 0), 1e-3).gouging, Gouging::none);
   EXPECT_EQ(query.deepest(small.surface, large.surface, {}, 1e-3).gouging, Gouging::none);  // A inside B
-  EXPECT_EQ(query.deepest(sheet.surface, small.surface, {}, 1e-3).gouging, Gouging::unknown);
+  const GougeDepth in_sheet = query.deepest(sheet.surface, small.surface, {}, 1e-3);
+  EXPECT_EQ(in_sheet.gouging, Gouging::found);  // they touch
+  EXPECT_FALSE(in_sheet.is_known);
   const GougeDepth open = query.deepest(large.surface, sheet.surface, {}, 1e-6);  // B may be open
   expectWitness(open, large, sheet, {}, 1e-12);
   EXPECT_NEAR(open.depth, 3.0, 1e-6);
@@ -357,7 +359,8 @@ TEST(Depth, tinyHugeAndFar) {
 /// A triangle through a thin wall. The middle of a cut may lie exactly on the wall.
 TEST(Depth, aPartWithACornerOnTheSurfaceIsNotTakenToBeInside) {
   constexpr double kInner = 0.94769709439685212;
-  const Solid shell(testing::joined(*testing::boxMesh({1, 1, 1}), *testing::boxMesh(Vec3::Constant(kInner))));
+  const SharedMesh cavity = testing::insideOut(*testing::boxMesh(Vec3::Constant(kInner)));
+  const Solid shell(testing::joined(*testing::boxMesh({1, 1, 1}), *cavity));
   const Vec3 a(-0.96424651073560208, -0.26257278086613928, -1.5588363927613025),
       b(-0.13592183045904938, 3.0939373771491008, 0.33957713051812666),
       c(0.45444729810631335, -2.3336402299038577, 3.9671070150778882);

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/oriented_closed.h"
 #include "octoblisk/surface.h"
+#include "query/simple_solid.h"
 #include "shared/solids.h"
 
 namespace octoblisk {
@@ -22,12 +22,6 @@ Mat3 boxInertia(const Vec3& half) {
          Mat3((1.0 / 3.0) * Mat3::Identity());
 }
 
-TriangleMesh turnedInsideOut(const TriangleMesh& mesh) {
-  auto triangles = mesh.triangles();
-  for (auto& corners : triangles) std::swap(corners[1], corners[2]);
-  return TriangleMesh(mesh.vertices(), std::move(triangles));
-}
-
 void expectNear(const MassProperties& found, const MassProperties& expected, double relative) {
   EXPECT_EQ(found.is_solid, expected.is_solid);
   EXPECT_NEAR(found.volume, expected.volume, relative * expected.volume);
@@ -38,7 +32,7 @@ void expectNear(const MassProperties& found, const MassProperties& expected, dou
 
 TEST(MassProperties, aMeshInsideOutFacesInward) {
   const auto cube = testing::boxMesh({0.9, 0.8, 0.7});
-  const MassProperties outward = massProperties(*cube), inward = massProperties(turnedInsideOut(*cube));
+  const MassProperties outward = massProperties(*cube), inward = massProperties(*testing::insideOut(*cube));
   EXPECT_FALSE(outward.faces_inward);
   EXPECT_TRUE(inward.faces_inward);
   EXPECT_TRUE(inward.is_solid);
@@ -97,7 +91,7 @@ TEST(MassProperties, movedTurnedScaledAndInsideOut) {
           true, own.volume * scale * scale * scale, pose * Vec3(scale * own.center_of_mass),
           scale * scale * (pose.rotation * own.inertia * pose.rotation.transpose())};
       expectNear(massProperties(*posed), expected, 1e-12);
-      expectNear(massProperties(turnedInsideOut(*posed)), expected, 1e-12);
+      expectNear(massProperties(*testing::insideOut(*posed)), expected, 1e-12);
     }
   }
   // Far from the origin the vertices are coarse, but no further digits cancel.
@@ -108,25 +102,25 @@ TEST(MassProperties, movedTurnedScaledAndInsideOut) {
 TEST(MassProperties, aCavityIsTakenOff) {
   const SharedMesh outer = testing::boxMesh({2, 2, 2}), inner = testing::boxMesh({1, 1, 1});
   const Mat3 inertia = (64.0 * boxInertia({2, 2, 2}) - 8.0 * boxInertia({1, 1, 1})) / 56.0;
-  expectNear(massProperties(*testing::joined(*outer, turnedInsideOut(*inner))),
+  expectNear(massProperties(*testing::joined(*outer, *testing::insideOut(*inner))),
              {true, 56.0, Vec3::Zero(), inertia}, 1e-13);
 }
 
-/// Negative moments make Bullet's bodies explode.
-TEST(MassProperties, aPartBesideAnotherThatFacesInwardIsNoSolid) {
-  const SharedMesh cube = testing::boxMesh({1, 1, 1});
-  const TriangleMesh inward = turnedInsideOut(*testing::boxMesh({0.9, 0.9, 0.9}));
-  const TriangleMesh both =
-      *testing::joined(*cube, *testing::moved(inward, {Mat3::Identity(), Vec3(4, 0, 0)}));
-  EXPECT_TRUE(detail::isOrientedClosed(both));
-  expectNear(massProperties(both), {false, 8.0 * 2.95, Vec3(1.95, 0, 0), boxInertia({2.95, 1, 1})}, 1e-13);
-
-  const TriangleMesh half = turnedInsideOut(*testing::boxMesh({0.5, 0.5, 0.5}));
-  const SharedMesh along_x =
-      testing::joined(*cube, *testing::moved(half, {Mat3::Identity(), Vec3(2.15, 0, 0)}));
-  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 1, 1)}) {
-    const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), axis).toRotationMatrix();
-    EXPECT_FALSE(massProperties(*testing::moved(*along_x, {turn, Vec3::Zero()})).is_solid);
+/// A part that faces inward bounds a solid like any other. If its mass counted as negative, the moments could
+/// be too, and Bullet's bodies would explode.
+TEST(MassProperties, aPartThatFacesInwardBesideAnotherWeighsAsMuch) {
+  const SharedMesh cube = testing::boxMesh({1, 1, 1}), inward = testing::insideOut(*cube);
+  for (const double apart : {2.5, 4.0}) {
+    const SharedMesh pair =
+        testing::joined(*cube, *testing::moved(*inward, {Mat3::Identity(), Vec3(apart, 0, 0)}));
+    EXPECT_FALSE(detail::isSimpleSolid(*pair));
+    const Vec3 parallel = 0.25 * apart * apart * Vec3(0, 1, 1);
+    const Mat3 inertia = boxInertia({1, 1, 1}) + Mat3(parallel.asDiagonal());
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 1, 1)}) {
+      const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), axis).toRotationMatrix();
+      expectNear(massProperties(*testing::moved(*pair, {turn, Vec3::Zero()})),
+                 {true, 16.0, 0.5 * apart * turn.col(0), turn * inertia * turn.transpose()}, 1e-13);
+    }
   }
 }
 
@@ -153,33 +147,46 @@ TEST(MassProperties, noSolidMeansTheBoundingBox) {
   EXPECT_EQ(point.center_of_mass, Vec3(1, 1, 1));
 }
 
-TEST(MassProperties, isOrientedClosed_vs_surface) {
+TEST(MassProperties, ofASimpleSolid_vs_surface) {
   std::mt19937_64 random(3);
-  int oriented = 0;
+  int simple = 0;
   constexpr int kMeshes = 200;
   for (int i = 0; i < kMeshes; ++i) {
     SharedMesh mesh =
-        i % 2 ? testing::torus(3, 1, 5 + i % 7, 4) : testing::randomVoxels(random, 2 + i % 4).mesh;
+        i % 8 ? testing::torus(3, 1, 5 + i % 7, 4) : testing::randomVoxels(random, 3 + i % 4).mesh;
+    if (i % 3 == 0) {
+      const Vec3 offset = testing::randomPoint(random, 10.0);
+      mesh =
+          testing::joined(*mesh, *testing::moved(*testing::boxMesh({1, 1, 1}), {Mat3::Identity(), offset}));
+    }
     auto triangles = mesh->triangles();
     const std::size_t victim = random() % triangles.size();
-    switch (i % 5) {
+    switch (i % 7) {
       case 0:
         std::swap(triangles[victim][0], triangles[victim][2]);
         break;
       case 1:
         if (triangles.size() > 1) triangles.erase(triangles.begin() + std::ptrdiff_t(victim));
         break;
-      default:  // unchanged, plus a degenerate triangle
+      case 2:
         triangles.push_back({triangles[victim][0], triangles[victim][0], triangles[victim][1]});
+        break;
+      case 3:
+        triangles.push_back(triangles[victim]);
+        break;
+      default:
+        break;
     }
     mesh = std::make_shared<const TriangleMesh>(mesh->vertices(), std::move(triangles));
+    if (!detail::isSimpleSolid(*mesh)) continue;
+    ++simple;
     const ClusteredOctree tree = ClusteredOctree::build(mesh);
     const Surface surface(tree);
-    ASSERT_EQ(detail::isOrientedClosed(*mesh), surface.isOriented()) << i;
-    oriented += surface.isOriented();
+    ASSERT_TRUE(surface.isWhole()) << i;
+    expectNear(massProperties(*mesh), massProperties(surface), 1e-15);
   }
-  EXPECT_GT(oriented, kMeshes * 3 / 10);
-  EXPECT_LT(oriented, kMeshes * 7 / 10);
+  EXPECT_GT(simple, kMeshes * 3 / 10);
+  EXPECT_LT(simple, kMeshes * 7 / 10);
 }
 
 TEST(MassProperties, principalFrameIsDiagonal) {

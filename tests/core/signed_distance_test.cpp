@@ -156,8 +156,11 @@ TEST(SignedDistance, isTheQueriesThatItJoins) {
         const double clearance = distance(a->tree, b->tree, pose).distance;
         const GougeDepth of_b = depth.deepest(a->surface, b->surface, pose, 1e-7),
                          of_a = depth.deepest(b->surface, a->surface, pose.inverse(), 1e-7);
-        const bool meet = of_b.gouging == Gouging::found || of_a.gouging == Gouging::found;
-        ASSERT_EQ(found.distance, meet ? -std::max(of_b.depth, of_a.depth) : clearance);
+        const bool b_goes_in = a != &sheet && of_b.gouging == Gouging::found,
+                   a_goes_in = b != &sheet && of_a.gouging == Gouging::found;
+        const bool meet = b_goes_in || a_goes_in;
+        const double deeper = std::max(b_goes_in ? of_b.depth : 0.0, a_goes_in ? of_a.depth : 0.0);
+        ASSERT_EQ(found.distance, meet ? -deeper : clearance);
         ASSERT_NEAR((found.point_on_a - found.point_on_b).norm(), std::abs(found.distance), 1e-12);
         const Vec3 on_b = pose.inverse() * found.point_on_b;
         ASSERT_LT(testing::bruteForceDistance(a->mesh->triangle(found.triangle_a), found.point_on_a), 1e-12);

@@ -1,4 +1,5 @@
-// Tests whether a mesh is closed and oriented, and its number of parts.
+// Tests whether a mesh is closed and oriented, and its number of parts. solid_roles_test.cpp and
+// defects_test.cpp test the roles of its triangles.
 #include "octoblisk/surface.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(Surface, openAndTurnedMeshes) {
   EXPECT_EQ(factsOf(testing::waveSheet(4, 0.5, 4)), (Facts{false, false, 25, 1}));
   auto turned = box->triangles();
   std::swap(turned[5][0], turned[5][1]);
-  EXPECT_EQ(factsOf(withTriangles(*box, turned)), (Facts{true, false, 8, 1}));
+  EXPECT_EQ(factsOf(withTriangles(*box, turned)), (Facts{false, false, 8, 1}));  // as if it had a hole
   for (auto& triangle : turned) std::swap(triangle[1], triangle[2]);
   std::swap(turned[5][0], turned[5][1]);
   EXPECT_EQ(factsOf(withTriangles(*box, turned)), (Facts{true, true, 8, 1}));  // inside out

@@ -96,6 +96,12 @@ SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
+SharedMesh insideOut(const TriangleMesh& mesh) {
+  std::vector<TriangleMesh::Indices> triangles;
+  for (const auto& [a, b, c] : mesh.triangles()) triangles.push_back({a, c, b});
+  return std::make_shared<const TriangleMesh>(mesh.vertices(), std::move(triangles));
+}
+
 SharedMesh firstTriangles(const TriangleMesh& mesh, std::size_t count) {
   const auto end = mesh.triangles().begin() + static_cast<std::ptrdiff_t>(count);
   return std::make_shared<const TriangleMesh>(

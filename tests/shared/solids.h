@@ -32,6 +32,9 @@ SharedMesh scaledAndMoved(const SharedMesh& mesh, double scale, const Vec3& offs
 /// All triangles of both meshes, unconnected.
 SharedMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 
+/// The mesh with all triangles turned around.
+SharedMesh insideOut(const TriangleMesh& mesh);
+
 /// The first `count` triangles of the mesh.
 SharedMesh firstTriangles(const TriangleMesh& mesh, std::size_t count);
 

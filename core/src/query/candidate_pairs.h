@@ -17,6 +17,9 @@ struct CandidatePair {
 void forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,
                           FunctionRef<void(CandidatePair pair)> visit);
 
+/// The same for the pairs of different triangles of one tree. Visits each pair once.
+void forEachCandidatePairWithin(const Tree& tree, FunctionRef<void(CandidatePair pair)> visit);
+
 /// Whether the two triangles meet. Uses the exact test if the filter could not decide.
 bool meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair);
 

@@ -24,10 +24,23 @@ std::optional<MeetingPair> firstPair(const Tree& a, const Tree& b, const Pose& b
 
 void candidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a,
                     FunctionRef<void(CandidatePair pair)> visit) {
-  walkCandidatePairs(a, b, b_in_a, NodePair(), [&](TrianglePair pair, NodePair, bool meets) {
+  walkCandidatePairs(a, b, b_in_a, NodePair(), kAnyLeaves, [&](TrianglePair pair, NodePair, bool meets) {
     visit({pair, meets});
     return false;
   });
+}
+
+void candidatePairsWithin(const Tree& tree, FunctionRef<void(CandidatePair pair)> visit) {
+  bool is_one_leaf = false;
+  const auto isFirstOrder = [&](Slot a, Slot b) {
+    is_one_leaf = a.node == b.node && a.lane == b.lane;
+    return a.node < b.node || (a.node == b.node && a.lane <= b.lane);
+  };
+  walkCandidatePairs(tree, tree, Pose(), NodePair(), isFirstOrder,
+                     [&](TrianglePair pair, NodePair, bool meets) {
+                       if (!is_one_leaf || pair.a < pair.b) visit({pair, meets});
+                       return false;
+                     });
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -43,6 +56,7 @@ using namespace detail;
 
 HWY_EXPORT(firstPair);
 HWY_EXPORT(candidatePairs);
+HWY_EXPORT(candidatePairsWithin);
 
 std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, const Pose& b_in_a,
                                                 NodePair below) {
@@ -52,6 +66,10 @@ std::optional<MeetingPair> detail::collideBelow(const Tree& a, const Tree& b, co
 void detail::forEachCandidatePair(const Tree& a, const Tree& b, const Pose& b_in_a,
                                   FunctionRef<void(CandidatePair pair)> visit) {
   HWY_DYNAMIC_DISPATCH(candidatePairs)(a, b, b_in_a, visit);
+}
+
+void detail::forEachCandidatePairWithin(const Tree& tree, FunctionRef<void(CandidatePair pair)> visit) {
+  HWY_DYNAMIC_DISPATCH(candidatePairsWithin)(tree, visit);
 }
 
 bool detail::meet(const Tree& a, const Tree& b, const Pose& b_in_a, const CandidatePair& pair) {

@@ -18,10 +18,11 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 /// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not
 /// separate. `nodes` are the nodes whose leaves contain the pair. `meets`: the filter proves that they meet;
-/// otherwise the exact test must decide. Returns true as soon as a visit does, otherwise false.
-template <typename Visit, typename Tally = NoTally>
-bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Visit&& visit,
-                        Tally&& tally = {}) {
+/// otherwise the exact test must decide. Visits only pairs of leaves for which `wants` is true. Returns true as
+/// soon as a visit does, otherwise false.
+template <typename Wants, typename Visit, typename Tally = NoTally>
+bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Wants&& wants,
+                        Visit&& visit, Tally&& tally = {}) {
   const LocalPose pose(a, b, b_in_a);
   const auto gap = [&](const Box8& boxes, const BoxF& box) HWY_ATTR {
     tally.boxTest();
@@ -30,6 +31,7 @@ bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
   return walkPairs<TraversalStack>(
       a, b, pose, below, gap, [limit = pose.limit(0.0)] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+        if (!wants(slot_a, slot_b)) return false;
         tally.leafPair();
         const LeafPair leaves(a, b, pose, slot_a, slot_b);
         const auto near = leaves.within(2.0f * leaves.coordinateRounding());
@@ -47,6 +49,9 @@ bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
       });
 }
 
+/// All pairs of leaves.
+inline constexpr auto kAnyLeaves = [](Slot, Slot) { return true; };
+
 /// Calls visit(pair, nodes) for every pair of triangles below two nodes that meet. Returns true as soon as a
 /// visit does, otherwise false.
 template <typename Visit, typename Tally = NoTally>
@@ -59,7 +64,7 @@ bool forEachMeetingPair(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
     }
     return static_cast<bool>(visit(pair, nodes));
   };
-  return walkCandidatePairs(a, b, b_in_a, below, settle, tally);
+  return walkCandidatePairs(a, b, b_in_a, below, kAnyLeaves, settle, tally);
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE

@@ -78,6 +78,8 @@ MassProperties detail::massPropertiesOfSimple(const TriangleMesh& mesh) {
   });
 }
 
+MassProperties detail::massPropertiesOfBox(const TriangleMesh& mesh) { return ofBox(mesh.bounds()); }
+
 MassProperties massProperties(const TriangleMesh& mesh) {
   if (isSimpleSolid(mesh)) return detail::massPropertiesOfSimple(mesh);
   const auto shared = std::shared_ptr<const TriangleMesh>(std::shared_ptr<void>(), &mesh);  // not owned

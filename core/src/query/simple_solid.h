@@ -12,10 +12,8 @@ namespace octoblisk::detail {
 /// wrong with a chance of 2⁻⁴⁰ or less, except for meshes made to deceive it.
 bool isSimpleSolid(const TriangleMesh& mesh);
 
-/// massProperties of a simple solid.
+/// massProperties of a simple solid, and of a mesh that bounds none.
 MassProperties massPropertiesOfSimple(const TriangleMesh& mesh);
-
-/// Whether every edge is used equally often in both directions. Gives the answer of Surface::isOriented.
-bool isOrientedClosed(const TriangleMesh& mesh);
+MassProperties massPropertiesOfBox(const TriangleMesh& mesh);
 
 }  // namespace octoblisk::detail

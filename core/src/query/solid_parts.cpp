@@ -301,10 +301,9 @@ bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
 }
 
 void SolidSearch::findCuts() {
-  const Tree& tree = treeOf(surface_.tree());
-  forEachCandidatePair(tree, tree, Pose(), [&](const CandidatePair& pair) {
+  forEachCandidatePairWithin(treeOf(surface_.tree()), [&](const CandidatePair& pair) {
     const auto [a, b] = pair.triangles;
-    if (a >= b || !mayCut(a, b)) return;
+    if (!mayCut(a, b)) return;
     const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
     if (cuts(second, first, tolerance_)) cuts_.push_back({a, b});
     if (cuts(first, second, tolerance_)) cuts_.push_back({b, a});

@@ -11,9 +11,15 @@
 
 namespace octoblisk::detail {
 
+/// An open edge by its ends, and a triangle beside it.
+struct GapEdge {
+  Vec3 from, to;
+  std::uint32_t triangle;
+};
+
 /// A loop of open edges, and the triangles that close it. Copies of triangles count once.
 struct Gap {
-  OpenLoop edges;  // corners have the numbers that they have without copies
+  std::vector<GapEdge> edges;
   std::vector<Triangle> cap;
   bool is_inner = false;  // other parts of the mesh enclose it
   bool is_hole = false;   // a triangle at one of its edges is a sheet because of it

@@ -8,6 +8,7 @@
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "octoblisk/build_options.h"
@@ -61,7 +62,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// Refits the tree to moved vertices of the shape's mesh; parts and triangles must be the same. Applies the
   /// shape's own scaling, not the interface's. Several times faster than a new shape. Changes only this
   /// shape, not others that share its tree. Do not call it while a query runs. For a static or sleeping body,
-  /// also update its bounds (updateSingleAabb) and activate it, as after any change. Throws
+  /// also update its bounds (updateSingleAabb) and activate it, as after any change. A mesh with doubled facets,
+  /// overlapping parts, T-junctions or some holes is examined again, which takes longer than building. Throws
   /// std::invalid_argument if the argument is null, if the number of triangles or the parts differ, or as
   /// ClusteredOctree::refitted does. The shape is then unchanged.
   void refit(const btStridingMeshInterface* mesh_interface);
@@ -76,7 +78,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
   /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
-  /// layer, so their meshes stay apart. Default: 0 if the mesh bounds no solid (see isSolid). Otherwise, the
+  /// layer, so their meshes stay apart. Default: 0 if no triangle bounds a solid (see setSolid). Otherwise, the
   /// least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and half the
   /// contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts
   /// lie exactly on the triangles.
@@ -86,13 +88,17 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// move between the walls since the bodies met.
   void setMargin(btScalar margin) override;
 
-  /// By default, a closed mesh is a solid: a body that gets inside is pushed out along the shortest path.
-  /// With setSolid(false) it is a surface, which has no inside: a body that passes through it in one step
-  /// stays there. An open mesh is always a surface.
+  /// By default, a mesh is a solid where its triangles bound one (octoblisk/surface.h): a body that gets
+  /// inside is pushed out along the shortest path. Facets may be doubled, parts may overlap, and T-junctions
+  /// and narrow cracks do not matter. Around holes, and with setSolid(false) everywhere, the mesh is a
+  /// surface, which has no inside: a body that passes through it in one step stays there.
   void setSolid(bool solid) { may_be_solid_ = solid; }
-  /// False after setSolid(false), and if the mesh bounds no solid: if it has an open edge, a triangle that
-  /// faces against its neighbours, or no volume, or if it faces inward as a whole.
+  /// Whether the whole mesh is a solid. False after setSolid(false), and if the mesh has holes or no volume,
+  /// or if it faces inward as a whole.
   bool isSolid() const;
+  /// Why isSolid() is false, in one sentence that names the first defect; empty if it is true. Examines the
+  /// mesh again, so it takes about as long as building the shape.
+  std::string whyNotSolid() const;
 
   /// The box is grown by the margin and by the contact breaking threshold if one was set, so that the
   /// broadphase misses no contact.
@@ -105,7 +111,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   const btVector3& getLocalScaling() const override { return scaling_; }
 
   /// The exact inertia of the solid within the mesh (octoblisk/mass_properties.h) about the shape's origin,
-  /// which is the body's centre of mass; if the mesh is not closed, that of its solid bounding box. Bullet
+  /// which is the body's centre of mass; if the mesh has holes, that of its solid bounding box. Bullet
   /// uses only the diagonal, so products of inertia are dropped. calculatePrincipalAxisTransform finds a
   /// frame without products of inertia.
   void calculateLocalInertia(btScalar mass, btVector3 & inertia) const override;
@@ -147,7 +153,9 @@ ClusteredOctreeShape final : public btConcaveShape {
 
  private:
   ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling, const BuildOptions& options);
-  void use(std::shared_ptr<const ClusteredOctree> tree);
+  /// `may_be_solid`: false if no triangle of a more complicated mesh bounds a solid, so that it need not be
+  /// examined.
+  void use(std::shared_ptr<const ClusteredOctree> tree, bool may_be_solid = true);
   void updateDefaultMargin();
 
   BuildOptions options_;

@@ -1,0 +1,257 @@
+#include "octoblisk/inspection.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+
+#include "query/gap_shape.h"
+#include "query/solid_parts.h"
+
+namespace octoblisk {
+
+using namespace detail;
+
+namespace {
+
+/// The rounding of two points to floats, relative to their coordinates: of a corner, and of the line that it
+/// is meant to be on.
+constexpr double kFloatRounding = 0x1p-23;
+
+class Inspector {
+ public:
+  explicit Inspector(const Surface& surface)
+      : surface_(surface), mesh_(surface.tree().mesh()), parts_(surface.solidParts()) {}
+
+  MeshInspection inspect() {
+    found_.triangles = mesh_.triangleCount();
+    found_.components = surface_.componentCount();
+    found_.is_closed = surface_.isClosed();
+    found_.mass = massProperties(surface_);
+    findTriangles();
+    findEdges();
+    for (const Gap& gap : parts_.gaps) addGap(gap);
+    countShells();
+    std::ranges::stable_sort(found_.gaps, {}, [](const MeshGap& g) { return std::pair(g.kind, -g.length); });
+    for (auto* places : {&found_.t_junctions, &found_.shared_edges, &found_.opposed_edges})
+      std::ranges::stable_sort(*places, {}, &DefectPlace::triangle);
+    return std::move(found_);
+  }
+
+ private:
+  using Ends = std::array<std::uint32_t, 2>;  // the corners of an edge, ascending
+
+  void findTriangles();
+  void findEdges();
+  void addGap(const Gap& gap);
+  void countShells();
+
+  bool isTurned(const Gap& gap) const;
+  DefectPlace placeOf(std::uint32_t t) const { return {t, centroidOf(mesh_.triangle(t))}; }
+
+  const Surface& surface_;
+  const TriangleMesh& mesh_;
+  const SolidParts& parts_;
+  MeshInspection found_;
+  std::vector<Ends> opposed_;  // ascending
+};
+
+void Inspector::findTriangles() {
+  for (const std::uint32_t t : parts_.intersecting) found_.intersecting.push_back(placeOf(t));
+  for (const std::uint32_t t : parts_.copies) found_.copies.push_back(placeOf(t));
+  std::ranges::sort(found_.copies, {}, &DefectPlace::triangle);
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    if (scaledNormal(mesh_.triangle(t)).isZero(0.0)) {
+      found_.zero_area.push_back(placeOf(t));
+      continue;
+    }
+    switch (surface_.role(t)) {
+      case TriangleRole::outward:
+        break;
+      case TriangleRole::inward:
+        found_.inward.push_back(placeOf(t));
+        break;
+      case TriangleRole::inner:
+        found_.inner.push_back(placeOf(t));
+        break;
+      case TriangleRole::sheet:
+        found_.sheets.push_back(placeOf(t));
+        break;
+    }
+  }
+}
+
+void Inspector::findEdges() {
+  struct Use {
+    std::uint32_t other;  // the edge's greater corner
+    std::uint32_t triangle;
+    bool is_forward;
+  };
+  std::vector<bool> is_copy(mesh_.triangleCount(), false);
+  for (const std::uint32_t t : parts_.copies) is_copy[t] = true;
+  std::vector<Use> uses;
+  for (std::uint32_t corner = 0; corner < surface_.cornerCount(); ++corner) {
+    uses.clear();
+    for (const std::uint32_t t : surface_.star(corner)) {
+      const auto& [a, b, c] = surface_.corners(t);
+      if (is_copy[t] || a == b || b == c || c == a) continue;
+      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
+      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
+      if (next > corner) uses.push_back({next, t, true});
+      if (last > corner) uses.push_back({last, t, false});
+    }
+    std::ranges::sort(uses, {}, [](const Use& use) { return std::pair(use.other, use.triangle); });
+    for (auto begin = uses.begin(); begin != uses.end();) {
+      const auto end =
+          std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
+      const auto triangles = end - begin;
+      const bool is_opposed = triangles == 2 && begin->is_forward == begin[1].is_forward;
+      const DefectPlace place{begin->triangle,
+                              0.5 * (surface_.position(corner) + surface_.position(begin->other))};
+      if (triangles > 2) found_.shared_edges.push_back(place);
+      if (is_opposed) {
+        found_.opposed_edges.push_back(place);
+        opposed_.push_back({corner, begin->other});
+      }
+      begin = end;
+    }
+  }
+}
+
+/// Whether all edges of a gap are between triangles that face against each other.
+bool Inspector::isTurned(const Gap& gap) const {
+  return std::ranges::all_of(gap.edges, [&](const GapEdge& edge) {
+    Ends ends{};
+    for (const std::uint32_t corner : surface_.corners(edge.triangle)) {
+      if (surface_.position(corner) == edge.from) ends[0] = corner;
+      if (surface_.position(corner) == edge.to) ends[1] = corner;
+    }
+    std::ranges::sort(ends);
+    return std::ranges::binary_search(opposed_, ends);
+  });
+}
+
+void Inspector::addGap(const Gap& gap) {
+  // Where caps left edges open between corners that are close to each other, no triangle has an edge.
+  const Triangle beside = mesh_.triangle(gap.edges.front().triangle);
+  const bool is_of_triangles = std::ranges::find(beside, gap.edges.front().from) != beside.end() &&
+                               std::ranges::find(beside, gap.edges.front().to) != beside.end();
+  if (!is_of_triangles && !gap.is_hole) return;
+
+  MeshGap found = shapeOf(gap);
+  const bool is_connected = found.outline.size() == gap.edges.size();
+  if (gap.is_hole) {
+    found.kind = isTurned(gap) ? GapKind::turned : GapKind::hole;
+  } else {
+    found.width = widthOf(found.outline);
+    const bool has_width = found.width > kFloatRounding * mesh_.bounds().farthestFromOrigin();
+    const bool is_t_junction = is_connected && !has_width;
+    found.kind = is_t_junction ? GapKind::t_junction : gap.is_inner ? GapKind::inner : GapKind::crack;
+  }
+  if (found.kind == GapKind::t_junction) {
+    const auto longest = std::ranges::max_element(
+        gap.edges, {}, [](const GapEdge& edge) { return (edge.to - edge.from).squaredNorm(); });
+    for (const Vec3& corner : straightCorners(found.outline))
+      found_.t_junctions.push_back({longest->triangle, corner});
+  }
+  found_.gaps.push_back(std::move(found));
+}
+
+/// A shell's normals, if they face out of the solid, face away from what it encloses. A hollow's face towards
+/// it.
+void Inspector::countShells() {
+  struct Component {
+    double outward_area = 0.0, volume = 0.0;
+    bool bounds_solid = false;
+  };
+  std::vector<Component> components(surface_.componentCount());
+  const auto add = [&](std::uint32_t component, const Triangle& triangle) {
+    const Vec3& from = surface_.position(surface_.cornerOfComponent(component));
+    components[component].volume += (triangle[0] - from).dot((triangle[1] - from).cross(triangle[2] - from));
+  };
+  const auto componentOf = [&](std::uint32_t t) { return surface_.component(surface_.corners(t)[0]); };
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    const Triangle triangle = mesh_.triangle(t);
+    const std::uint32_t component = componentOf(t);
+    add(component, triangle);
+    const TriangleRole role = surface_.role(t);
+    if (role != TriangleRole::outward && role != TriangleRole::inward) continue;
+    components[component].bounds_solid = true;
+    components[component].outward_area +=
+        (role == TriangleRole::outward ? 1.0 : -1.0) * scaledNormal(triangle).norm();
+  }
+  for (const Gap& gap : parts_.gaps) {
+    for (const Triangle& triangle : gap.cap) add(componentOf(gap.edges.front().triangle), triangle);
+  }
+  for (const Component& component : components) {
+    if (!component.bounds_solid) continue;
+    const bool is_shell = (component.volume > 0.0) == (component.outward_area > 0.0);
+    ++(is_shell ? found_.shells : found_.hollows);
+  }
+}
+
+std::string textOf(const Vec3& position) {
+  std::ostringstream text;
+  text << '(' << position.x() << ' ' << position.y() << ' ' << position.z() << ')';
+  return text.str();
+}
+
+std::string textOf(const DefectPlace& place) {
+  return "triangle " + std::to_string(place.triangle) + " at " + textOf(place.position);
+}
+
+}  // namespace
+
+std::size_t MeshInspection::count(GapKind kind) const {
+  return static_cast<std::size_t>(std::ranges::count(gaps, kind, &MeshGap::kind));
+}
+
+std::size_t MeshInspection::openEdges(GapKind kind) const {
+  std::size_t edges = 0;
+  for (const MeshGap& gap : gaps) edges += gap.kind == kind ? gap.edges : 0;
+  return edges;
+}
+
+MeshInspection inspect(const Surface& surface) { return Inspector(surface).inspect(); }
+
+std::string whyNotSolid(const MeshInspection& found) {
+  if (found.isSolid()) return {};
+  const std::string kSubject = "The mesh";
+  std::string text = kSubject;
+  const auto next = [&] { text += text == kSubject ? " " : ", and "; };
+  if (const std::size_t holes = found.count(GapKind::hole); holes > 0) {
+    const MeshGap& longest = *std::ranges::find(found.gaps, GapKind::hole, &MeshGap::kind);
+    next();
+    text += (holes == 1 ? "has a hole with " : "has " + std::to_string(holes) + " holes, the longest with ") +
+            std::to_string(longest.edges) + " edges beside " +
+            textOf(DefectPlace{longest.triangle, longest.center});
+  }
+  if (const std::size_t opposed = found.opposed_edges.size(); opposed > 0) {
+    next();
+    text += "has triangles that face against each other at " + std::to_string(opposed) +
+            (opposed == 1 ? " edge, of " : " edges, the first of ") + textOf(found.opposed_edges.front());
+  }
+  if (const std::size_t inward = found.inward.size(); inward > 0) {
+    next();
+    text += inward + found.zero_area.size() + found.inner.size() == found.triangles
+                ? "faces inward"
+                : "has " + std::to_string(inward) +
+                      (inward == 1 ? " triangle that faces inward, "
+                                   : " triangles that face inward, the first ") +
+                      textOf(found.inward.front());
+  }
+  if (text == kSubject && !found.sheets.empty()) {
+    next();
+    const std::size_t sheets = found.sheets.size();
+    text += !found.isAnywhereSolid()
+                ? std::string("encloses nothing")
+                : "has " + std::to_string(sheets) +
+                      (sheets == 1 ? " triangle without a solid on either side, "
+                                   : " triangles without a solid on either side, the first ") +
+                      textOf(found.sheets.front());
+  }
+  if (text == kSubject) text += " encloses nothing";
+  return text + '.';
+}
+
+}  // namespace octoblisk
