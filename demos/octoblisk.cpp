@@ -7,5 +7,5 @@ int main(int argc, char** argv) {
   return runCommandLine(
       argc, argv, OCTOBLISK_VERSION,
       {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addMakeCommand,
-       addCheckCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
+       addCheckCommand, addInspectCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
 }

@@ -11,6 +11,7 @@ void addBladesCommand(CLI::App& app, int& exit_code);
 void addCheckCommand(CLI::App& app, int& exit_code);
 void addGalleryCommand(CLI::App& app, int& exit_code);
 void addGrindCommand(CLI::App& app, int& exit_code);
+void addInspectCommand(CLI::App& app, int& exit_code);
 void addMakeCommand(CLI::App& app, int& exit_code);
 void addMergeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
