@@ -19,6 +19,7 @@
 #include "octoblisk/sweep.h"
 #include "octoblisk/triangle_cache.h"
 #include "query/triangles_along.h"
+#include "shared/defective_meshes.h"
 #include "shared/mesh_source.h"
 #include "shared/meshes.h"
 
@@ -128,6 +129,36 @@ TEST(Allocation, warmQueriesOfSurfacesAllocateNothing) {
   queryAll();
   EXPECT_EQ(allocations, before);
   EXPECT_GT(hits, 30u);
+}
+
+TEST(Allocation, warmQueriesOfDefectiveSolidsAllocateNothing) {
+  for (const testing::DefectiveMesh& defective : testing::defectiveMeshes()) {
+    SCOPED_TRACE(defective.name);
+    const ClusteredOctree tree = ClusteredOctree::build(defective.mesh);
+    const ClusteredOctree box = ClusteredOctree::build(testing::boxMesh({0.2, 0.3, 0.1}));
+    const Surface surface(tree), box_surface(box);
+    DepthQuery query;
+    std::size_t inside = 0;
+    const auto queryAll = [&] {
+      std::mt19937_64 random(65);
+      for (int i = 0; i < 40; ++i) {
+        const Pose pose = testing::randomPose(random, 1.5);
+        const Vec3 center = pose * defective.mesh->bounds().center();
+        inside += locate(surface, center, pose) == PointLocation::inside;
+        inside += locate(surface, 0.7 * pose.translation) == PointLocation::inside;
+        inside += containment(surface, box_surface, pose) == Containment::b_inside_a;
+        query.deepest(surface, box_surface, pose, 1e-4);
+        query.deepest(box_surface, surface, pose.inverse(), 1e-4);
+      }
+    };
+    queryAll();
+    const std::size_t before = allocations;
+    queryAll();
+    EXPECT_EQ(allocations, before);
+    if (defective.is_closed) {
+      EXPECT_GT(inside, 20u);
+    }
+  }
 }
 
 TEST(Allocation, warmQueriesOfSolidsAllocateNothing) {

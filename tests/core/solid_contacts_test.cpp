@@ -207,10 +207,11 @@ TEST(FarVerticesInSolid, theMiddleOfBMayBeInAnotherPartOfA) {
   const ClusteredOctree b = ClusteredOctree::build(std::make_shared<const TriangleMesh>(
       std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
       std::vector<TriangleMesh::Indices>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
-  ASSERT_TRUE(isInSolid(a, b.mesh().bounds().center()));
+  const SolidMesh solid_a(a, SolidMesh::Kind::simple);
+  ASSERT_TRUE(solid_a.contains(b.mesh().bounds().center()));
   FarVerticesInSolid far;
   std::vector<Contact> found;
-  far.find(a, b, farVertices(b), Pose(), false, 0.0, found);
+  far.find(solid_a, b, farVertices(b), Pose(), false, 0.0, found);
   EXPECT_FALSE(found.empty());
   for (const Contact& contact : found) {
     EXPECT_LT(contact.distance, 0.0);

@@ -103,9 +103,9 @@ TEST(SolidRoles, overlaps_vs_windingNumbers) {
       const double error = area - (1.0 - share(TriangleRole::inner));
       greatest_error = std::max(greatest_error, std::abs(error));
       sum_of_errors += error;
-      // A triangle that others cut is inner only if all of it is. If some of it faces outward, it is outward.
+      // A triangle that others cut is inner only if all of it is. It has the role of most of the rest.
       ASSERT_EQ(role == TriangleRole::inner, area == 0.0) << t;
-      ASSERT_TRUE(share(role) > 0.0 || role == TriangleRole::outward) << t;
+      ASSERT_TRUE(share(role) > 0.0 || area < 0.05) << t;
       if (share(role) == 1.0) continue;
       ++mixed;
       ASSERT_TRUE(std::ranges::binary_search(solid.surface.solidParts().intersecting, t)) << t;

@@ -31,7 +31,7 @@ struct MeshGap {
   GapKind kind = GapKind::hole;
   std::vector<Vec3> outline;   ///< its corners, in the direction of the triangles beside it
   std::size_t edges = 0;       ///< the open edges around it
-  std::uint32_t triangle = 0;  ///< the lowest one beside it
+  std::uint32_t triangle = 0;  ///< the lowest one beside it, at the first two corners
   double length = 0.0;         ///< around it
   double width = 0.0;          ///< of a T-junction or crack
   Vec3 center = Vec3::Zero();  ///< the mean of its corners
@@ -55,9 +55,12 @@ struct MeshInspection {
   std::vector<DefectPlace> shared_edges;   ///< edges of more than two triangles; copies count once
   std::vector<DefectPlace> opposed_edges;  ///< edges of two triangles that face against each other
   std::vector<DefectPlace> intersecting;   ///< triangles that others cut or overlap
-  std::vector<DefectPlace> inward;         ///< triangles with the role TriangleRole::inward
-  std::vector<DefectPlace> inner;          ///< those with the role TriangleRole::inner that have an area
-  std::vector<DefectPlace> sheets;         ///< those with the role TriangleRole::sheet
+  /// Triangles of parts that face inward: the winding number is negative in the solid that they bound.
+  std::vector<DefectPlace> inward;
+  /// Triangles on others that face the other way, where the surface is folded over and back.
+  std::vector<DefectPlace> folded;
+  std::vector<DefectPlace> inner;   ///< those with the role TriangleRole::inner that have an area
+  std::vector<DefectPlace> sheets;  ///< those with the role TriangleRole::sheet
 
   bool is_closed = false;  ///< Surface::isClosed
   MassProperties mass;     ///< of the bounding box if the mesh is not closed
@@ -68,9 +71,11 @@ struct MeshInspection {
 
   /// Whether some triangles bound a solid.
   bool isAnywhereSolid() const { return sheets.size() + inner.size() + zero_area.size() < triangles; }
+  /// Whether the triangles that bound a solid face inward, all but a few.
+  bool facesInward() const;
   /// Whether the whole mesh bounds a solid and faces outward. Then inside, depth, inertia and Bullet's
   /// contacts are those of the solid everywhere, whatever other defects the mesh has.
-  bool isSolid() const { return is_closed && sheets.empty() && inward.empty(); }
+  bool isSolid() const { return is_closed && mass.is_solid && sheets.empty() && inward.empty(); }
 };
 
 /// Examines a mesh. O(n log n).

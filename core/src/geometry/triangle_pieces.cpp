@@ -54,8 +54,27 @@ TrianglePiece side(const TrianglePiece& piece, const Plane& plane, double sign, 
   return kept;
 }
 
-/// Whether the plane of a triangle crosses the polygon along the triangle, for more than the tolerance.
-bool meetsAlong(std::span<const Vec3> polygon, const Plane& plane, const Triangle& triangle, double tolerance) {
+/// The length of the part of a segment that is inside the edges of a triangle, moved outward by the slack.
+double lengthWithin(const Triangle& triangle, const Vec3& normal, const Vec3& from, const Vec3& to,
+                    double slack) {
+  double begin = 0.0, end = 1.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Plane edge = edgePlane(triangle, normal, i);
+    const double first = edge.height(from) + slack, last = edge.height(to) + slack;
+    if (first < 0.0 && last < 0.0) return 0.0;
+    if (first < 0.0) begin = std::max(begin, first / (first - last));
+    if (last < 0.0) end = std::min(end, first / (first - last));
+  }
+  return (end - begin) * (to - from).norm();
+}
+
+/// Whether the length of a part found with the slack is more than that of a part near a corner.
+bool isLong(double length, double tolerance) { return length > 1e4 * tolerance; }
+
+/// Whether the plane of a triangle crosses the polygon along the triangle, for more than the tolerance. The
+/// triangle may also end there.
+bool meetsAlong(std::span<const Vec3> polygon, const Plane& plane, const Triangle& triangle,
+                double tolerance) {
   std::array<Vec3, 2> ends;
   std::size_t count = 0;
   for (std::size_t i = 0; i < polygon.size() && count < 2; ++i) {
@@ -64,16 +83,8 @@ bool meetsAlong(std::span<const Vec3> polygon, const Plane& plane, const Triangl
     if ((here > 0.0) != (there > 0.0)) ends[count++] = from + (to - from) * (here / (here - there));
   }
   if (count < 2) return false;
-  const double length = (ends[1] - ends[0]).norm();
-  double begin = 0.0, end = 1.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Plane edge = edgePlane(triangle, plane.normal, i);
-    const double first = edge.height(ends[0]), last = edge.height(ends[1]);
-    if (first < 0.0 && last < 0.0) return false;
-    if (first < 0.0) begin = std::max(begin, first / (first - last));
-    if (last < 0.0) end = std::min(end, first / (first - last));
-  }
-  return (end - begin) * length > tolerance;
+  return lengthWithin(triangle, plane.normal, ends[0], ends[1], 0.0) > tolerance ||
+         isLong(lengthWithin(triangle, plane.normal, ends[0], ends[1], tolerance), tolerance);
 }
 
 /// The tolerance for points in the plane of a triangle, whose rounding grows with their distance.
@@ -92,8 +103,7 @@ std::span<const Plane> dividers(const Triangle& other, std::span<const Vec3> pol
   const double flat = flatness(other, polygon, tolerance);
   if (low > flat || high < -flat) return {};
   if (low < -flat || high > flat) {
-    const bool meets =
-        low < -tolerance && high > tolerance && meetsAlong(polygon, room[0], other, tolerance);
+    const bool meets = low < -tolerance && high > tolerance && meetsAlong(polygon, room[0], other, tolerance);
     return std::span<const Plane>(room).first(meets ? 1 : 0);
   }
   const Vec3 normal = room[0].normal;
@@ -118,6 +128,15 @@ bool cuts(const Triangle& other, const Triangle& triangle, double tolerance) {
     const auto [low, high] = heightsOf(plane, triangle);
     return low < -tolerance && high > tolerance;
   });
+}
+
+bool liesAlong(const Triangle& triangle, const Vec3& from, const Vec3& to, double tolerance) {
+  const std::array<Vec3, 2> ends = {from, to};
+  const Plane plane = planeOf(triangle);
+  const auto [low, high] = heightsOf(plane, ends);
+  const double flat = flatness(triangle, ends, tolerance);
+  return low >= -flat && high <= flat &&
+         isLong(lengthWithin(triangle, plane.normal, from, to, tolerance), tolerance);
 }
 
 void cutAlong(const Triangle& other, std::vector<TrianglePiece>& pieces, double tolerance) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/thin_triangle.h"
 #include "geometry/triangle_feature.h"
 #include "octoblisk/collide.h"
 #include "query/solid_parts.h"
@@ -35,10 +36,12 @@ double angleAt(const Triangle& triangle, std::size_t corner) {
   return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
 }
 
-/// The pseudonormal of the feature (face, edge or vertex) of a whole surface that the point lies on.
-Vec3 pseudonormal(const Surface& surface, const ClosestPoint& at) {
+/// The pseudonormal of the feature (face, edge or vertex) of a whole surface that the point lies on; none if
+/// a triangle there is too thin for its normal, for example one that fills a T-junction.
+std::optional<Vec3> pseudonormal(const Surface& surface, const ClosestPoint& at) {
   const TriangleMesh& mesh = surface.tree().mesh();
   const Triangle triangle = mesh.triangle(at.triangle);
+  if (isThin(triangle)) return std::nullopt;
   const auto& corners = surface.corners(at.triangle);
   constexpr double kOnEdge = 1e-9;  // fraction of the triangle's height
   const unsigned feature = featureOf(triangle, scaledNormal(triangle), at.point, kOnEdge);
@@ -47,8 +50,9 @@ Vec3 pseudonormal(const Surface& surface, const ClosestPoint& at) {
     Vec3 sum = Vec3::Zero();
     if (feature == (1u << i | 1u << next)) {
       for (const std::uint32_t t : surface.star(corners[i])) {
-        if (std::ranges::find(surface.corners(t), corners[next]) != surface.corners(t).end())
-          sum += unitNormal(mesh.triangle(t));
+        if (std::ranges::find(surface.corners(t), corners[next]) == surface.corners(t).end()) continue;
+        if (isThin(mesh.triangle(t))) return std::nullopt;
+        sum += unitNormal(mesh.triangle(t));
       }
       return sum;
     }
@@ -57,6 +61,7 @@ Vec3 pseudonormal(const Surface& surface, const ClosestPoint& at) {
       const auto& of_t = surface.corners(t);
       const auto corner = static_cast<std::size_t>(std::ranges::find(of_t, corners[i]) - of_t.begin());
       const Triangle beside = mesh.triangle(t);
+      if (isThin(beside)) return std::nullopt;
       sum += angleAt(beside, corner) * unitNormal(beside);
     }
     return sum;
@@ -76,8 +81,9 @@ PointLocation locate(const Surface& surface, const Vec3& point, const ClosestPoi
   if (nearest.distance == 0.0) return PointLocation::on_surface;
   if (!surface.isWhole() || surface.role(nearest.triangle) != TriangleRole::outward)
     return locate(surface, point);
-  const double height = pseudonormal(surface, nearest).dot(point - nearest.point);
-  return height < 0.0 ? PointLocation::inside : PointLocation::outside;
+  const std::optional<Vec3> normal = pseudonormal(surface, nearest);
+  if (!normal) return locate(surface, point);
+  return normal->dot(point - nearest.point) < 0.0 ? PointLocation::inside : PointLocation::outside;
 }
 
 double windingNumber(const Surface& surface, const Vec3& point) {

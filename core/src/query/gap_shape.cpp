@@ -56,12 +56,14 @@ bool isStraight(std::span<const Vec3> outline, std::size_t i) {
 
 std::vector<Vec3> outlineOf(const Gap& gap) {
   std::vector<Vec3> outline;
-  const Vec3* last = &gap.edges.back().to;
-  for (const GapEdge& edge : gap.edges) {
-    if (edge.from != *last) outline.push_back(*last);
-    outline.push_back(edge.from);
-    last = &edge.to;
+  const auto lowest = std::ranges::min_element(gap.edges, {}, &GapEdge::triangle) - gap.edges.begin();
+  for (std::size_t i = 0; i < gap.edges.size(); ++i) {
+    const GapEdge& edge = gap.edges[(static_cast<std::size_t>(lowest) + i) % gap.edges.size()];
+    if (i > 0 && edge.from != outline.back()) outline.push_back(edge.from);
+    if (i == 0) outline.push_back(edge.from);
+    outline.push_back(edge.to);
   }
+  if (outline.back() == outline.front()) outline.pop_back();
   return outline;
 }
 

@@ -13,7 +13,8 @@ namespace octoblisk::detail {
 /// size (closeHoles).
 inline constexpr double kPlanar = 1e-4;
 
-/// The corners around a gap, also those that are close to each other.
+/// The corners around a gap, also those that are close to each other. Begins with an edge of the lowest
+/// triangle.
 std::vector<Vec3> outlineOf(const Gap& gap);
 
 /// All about a gap but its kind and its width.

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
+#include "geometry/thin_triangle.h"
 #include "query/gap_shape.h"
 #include "query/solid_parts.h"
 
@@ -18,10 +20,17 @@ namespace {
 /// is meant to be on.
 constexpr double kFloatRounding = 0x1p-23;
 
+/// The rounding of a point near the mesh, relative to its coordinates, as in solid_parts.cpp. A lower
+/// triangle has no area; a point at this distance is beside a triangle.
+constexpr double kPointRounding = 1e-13;
+
 class Inspector {
  public:
   explicit Inspector(const Surface& surface)
-      : surface_(surface), mesh_(surface.tree().mesh()), parts_(surface.solidParts()) {}
+      : surface_(surface),
+        mesh_(surface.tree().mesh()),
+        parts_(surface.solidParts()),
+        rounding_(kPointRounding * mesh_.bounds().farthestFromOrigin()) {}
 
   MeshInspection inspect() {
     found_.triangles = mesh_.triangleCount();
@@ -46,39 +55,52 @@ class Inspector {
   void addGap(const Gap& gap);
   void countShells();
 
+  bool isFolded(std::uint32_t t) const;
   bool isTurned(const Gap& gap) const;
   DefectPlace placeOf(std::uint32_t t) const { return {t, centroidOf(mesh_.triangle(t))}; }
 
   const Surface& surface_;
   const TriangleMesh& mesh_;
   const SolidParts& parts_;
+  double rounding_;  // a length
   MeshInspection found_;
-  std::vector<Ends> opposed_;  // ascending
+  std::vector<bool> lies_on_others_;  // per triangle: those that are copies or intersect others, perhaps
+  std::vector<Ends> opposed_;         // ascending
 };
 
 void Inspector::findTriangles() {
+  lies_on_others_.assign(mesh_.triangleCount(), !parts_.copies.empty());
+  for (const std::uint32_t t : parts_.intersecting) lies_on_others_[t] = true;
   for (const std::uint32_t t : parts_.intersecting) found_.intersecting.push_back(placeOf(t));
   for (const std::uint32_t t : parts_.copies) found_.copies.push_back(placeOf(t));
   std::ranges::sort(found_.copies, {}, &DefectPlace::triangle);
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-    if (scaledNormal(mesh_.triangle(t)).isZero(0.0)) {
+    const Triangle triangle = mesh_.triangle(t);
+    if (scaledNormal(triangle).squaredNorm() <= rounding_ * rounding_ * squaredLongestEdge(triangle)) {
       found_.zero_area.push_back(placeOf(t));
       continue;
     }
-    switch (surface_.role(t)) {
-      case TriangleRole::outward:
-        break;
-      case TriangleRole::inward:
-        found_.inward.push_back(placeOf(t));
-        break;
-      case TriangleRole::inner:
-        found_.inner.push_back(placeOf(t));
-        break;
-      case TriangleRole::sheet:
-        found_.sheets.push_back(placeOf(t));
-        break;
+    const TriangleRole role = surface_.role(t);
+    const bool bounds_solid = role == TriangleRole::outward || role == TriangleRole::inward;
+    if (role == TriangleRole::inner) found_.inner.push_back(placeOf(t));
+    if (role == TriangleRole::sheet) found_.sheets.push_back(placeOf(t));
+    if (bounds_solid && isFolded(t)) {
+      found_.folded.push_back(placeOf(t));
+    } else if (role == TriangleRole::inward) {
+      found_.inward.push_back(placeOf(t));
     }
   }
+}
+
+/// Whether a triangle that bounds a solid faces against the surface there: the winding number behind a
+/// surface is by one greater than that before it. Only triangles that lie on others can do so.
+bool Inspector::isFolded(std::uint32_t t) const {
+  if (!lies_on_others_[t]) return false;
+  const Triangle triangle = mesh_.triangle(t);
+  const bool is_outward = surface_.role(t) == TriangleRole::outward;
+  const double step = is_outward ? -rounding_ : rounding_;
+  const auto in_solid = parts_.winding.closedAt(centroidOf(triangle) + step * unitNormal(triangle));
+  return in_solid && (*in_solid > 0) != is_outward;
 }
 
 void Inspector::findEdges() {
@@ -191,8 +213,14 @@ void Inspector::countShells() {
 }
 
 std::string textOf(const Vec3& position) {
+  constexpr double kNothing = 1e-9;  // relative to the other coordinates
   std::ostringstream text;
-  text << '(' << position.x() << ' ' << position.y() << ' ' << position.z() << ')';
+  const char* before = "(";
+  for (const double value : position) {
+    text << before << (std::abs(value) > kNothing * position.norm() ? value : 0.0);
+    before = " ";
+  }
+  text << ')';
   return text.str();
 }
 
@@ -210,6 +238,12 @@ std::size_t MeshInspection::openEdges(GapKind kind) const {
   std::size_t edges = 0;
   for (const MeshGap& gap : gaps) edges += gap.kind == kind ? gap.edges : 0;
   return edges;
+}
+
+bool MeshInspection::facesInward() const {
+  constexpr std::size_t kFew = 64;
+  const std::size_t others = zero_area.size() + inner.size() + sheets.size() + folded.size();
+  return (triangles - others - inward.size()) * kFew < inward.size();
 }
 
 MeshInspection inspect(const Surface& surface) { return Inspector(surface).inspect(); }
@@ -233,24 +267,23 @@ std::string whyNotSolid(const MeshInspection& found) {
   }
   if (const std::size_t inward = found.inward.size(); inward > 0) {
     next();
-    text += inward + found.zero_area.size() + found.inner.size() == found.triangles
-                ? "faces inward"
-                : "has " + std::to_string(inward) +
-                      (inward == 1 ? " triangle that faces inward, "
-                                   : " triangles that face inward, the first ") +
-                      textOf(found.inward.front());
+    text += found.facesInward() ? "faces inward: its triangles must be reversed"
+                                : "has " + std::to_string(inward) +
+                                      (inward == 1 ? " triangle that faces inward, "
+                                                   : " triangles that face inward, the first ") +
+                                      textOf(found.inward.front());
   }
   if (text == kSubject && !found.sheets.empty()) {
     next();
     const std::size_t sheets = found.sheets.size();
     text += !found.isAnywhereSolid()
-                ? std::string("encloses nothing")
+                ? std::string("encloses no volume")
                 : "has " + std::to_string(sheets) +
                       (sheets == 1 ? " triangle without a solid on either side, "
                                    : " triangles without a solid on either side, the first ") +
                       textOf(found.sheets.front());
   }
-  if (text == kSubject) text += " encloses nothing";
+  if (text == kSubject) text += " encloses no volume";
   return text + '.';
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/no_index.h"
 #include "base/parallel.h"
+#include "geometry/thin_triangle.h"
 #include "geometry/triangle_pieces.h"
 #include "octoblisk/containment.h"
 #include "query/candidate_pairs.h"
@@ -15,13 +16,14 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The greatest share of all directions in which a triangle of a solid may see holes. Also the greatest share of
-/// its area that a component with holes may lack: a triangle sees about that share of directions on average.
+/// The greatest share of all directions in which a triangle of a solid may see holes. Also the greatest share
+/// of its area that a component with holes may lack: a triangle sees about that share of directions on
+/// average.
 constexpr double kHoleShare = 1.0 / 64.0;
 
 /// The rounding of points and planes near the mesh, relative to its coordinates: a few hundred units in the
 /// last place.
-constexpr double kRounding = 1e-13;
+constexpr double kPointRounding = 1e-13;
 
 /// Triangles side by side, with nothing that meets the surface between them: one role fits all.
 using Region = std::vector<std::uint32_t>;
@@ -43,7 +45,7 @@ class SolidSearch {
       : surface_(surface),
         mesh_(surface.tree().mesh()),
         threads_(threads),
-        tolerance_(kRounding * mesh_.bounds().farthestFromOrigin()) {}
+        tolerance_(kPointRounding * mesh_.bounds().farthestFromOrigin()) {}
 
   std::shared_ptr<SolidParts> find() {
     const std::vector<Vec3> positions = cornerPositions();
@@ -111,12 +113,21 @@ class SolidSearch {
   void findHoles();
   void expose();
 
-  bool hasArea(std::uint32_t triangle) const { return !scaledNormal(mesh_.triangle(triangle)).isZero(0.0); }
+  /// Whether the triangle is higher than rounding.
+  bool hasArea(std::uint32_t t) const {
+    const Triangle triangle = mesh_.triangle(t);
+    return scaledNormal(triangle).squaredNorm() > tolerance_ * tolerance_ * squaredLongestEdge(triangle);
+  }
   std::uint32_t componentOf(std::size_t triangle) const {
     return surface_.component(surface_.corners(static_cast<std::uint32_t>(triangle))[0]);
   }
   std::uint32_t componentOf(const Gap& gap) const { return componentOf(gap.edges.front().triangle); }
   bool areSameWay(std::uint32_t a, std::uint32_t b) const;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;  // corners, the lower one first
+  Edge edgeOf(std::uint32_t triangle, std::size_t edge) const {
+    return std::minmax({surface_.corners(triangle)[edge], surface_.corners(triangle)[(edge + 1) % 3]});
+  }
+  void noteSeams(std::uint32_t of, std::uint32_t beside);
   std::uint32_t acrossEdge(std::uint32_t triangle, std::size_t edge) const;
   bool mayCut(std::uint32_t a, std::uint32_t b) const;
   Sides sidesOf(const Vec3& middle, const Vec3& normal) const;
@@ -127,7 +138,7 @@ class SolidSearch {
   int threads_;
   double tolerance_;  // a length
   std::shared_ptr<SolidParts> parts_;
-  bool is_manifold_ = true;  // each edge belongs to two triangles, or to one
+  bool is_manifold_ = true;  // each edge belongs to two triangles in opposite directions, or to one
   std::vector<OpenEdge> open_edges_;
   bool has_holes_ = false;
   std::vector<char> sees_hole_;  // per triangle: whether it is a sheet because of a hole
@@ -135,6 +146,7 @@ class SolidSearch {
   std::vector<Region> regions_;
   std::vector<Sides> sides_of_region_;
   std::vector<TrianglePair> cuts_;                  // triangle b cuts a; by ascending a
+  std::vector<Edge> seams_;                         // edges along which another triangle meets the surface
   std::vector<std::vector<TrianglePiece>> pieces_;  // of each intersecting triangle
   std::vector<std::vector<Sides>> sides_of_pieces_;
 };
@@ -165,10 +177,11 @@ void SolidSearch::findEdges() {
     }
     std::ranges::sort(uses, {}, [](const Use& use) { return std::pair(use.other, use.triangle); });
     for (auto begin = uses.begin(); begin != uses.end();) {
-      const auto end = std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
+      const auto end =
+          std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
       int balance = 0;
       for (auto use = begin; use != end; ++use) balance += use->direction;
-      is_manifold_ &= end - begin <= 2;
+      is_manifold_ &= end - begin == 1 || (end - begin == 2 && balance == 0);
       for (auto use = end; use != begin && balance != 0;) {
         if ((--use)->direction * balance < 0) continue;
         balance -= use->direction;
@@ -248,7 +261,7 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
   parts_->exposed = std::make_unique<ExposedSurface>(boundary);
   for (std::uint32_t t = 0; t < boundary.mesh().triangleCount(); ++t) {
     parts_->exposed->source.push_back(source[single.sourceOf(t)]);
-    parts_->exposed->share.push_back(found.exposed                               ? found.exposed->share[t]
+    parts_->exposed->share.push_back(found.exposed                            ? found.exposed->share[t]
                                      : single.role(t) == TriangleRole::inward ? -1.0
                                                                               : 1.0);
   }
@@ -266,7 +279,6 @@ bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
   const auto &of_a = surface_.corners(a), &of_b = surface_.corners(b);
   const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
   const Vec3 normal = scaledNormal(first), other_normal = scaledNormal(second);
-  if (normal.isZero(0.0) || other_normal.isZero(0.0)) return false;
   std::array<bool, 3> is_shared_by_a{}, is_shared_by_b{};
   int shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -276,16 +288,18 @@ bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
       ++shared;
     }
   }
-  if (shared == 0) return true;
+  if (shared == 0) return hasArea(a) && hasArea(b);
   // Across an edge, triangles overlap only if one is folded onto the other.
   if (shared >= 2 && normal.dot(other_normal) > 0.0) {
-    const auto i = static_cast<std::size_t>(std::ranges::find(is_shared_by_a, false) - is_shared_by_a.begin());
-    const auto j = static_cast<std::size_t>(std::ranges::find(is_shared_by_b, false) - is_shared_by_b.begin());
+    const auto i =
+        static_cast<std::size_t>(std::ranges::find(is_shared_by_a, false) - is_shared_by_a.begin());
+    const auto j =
+        static_cast<std::size_t>(std::ranges::find(is_shared_by_b, false) - is_shared_by_b.begin());
     if (i < 3 && j < 3 && of_a[(i + 1) % 3] == of_b[(j + 2) % 3]) return false;
   }
   // Else the corners that are not shared lie on both sides of the other's plane, or in it.
-  const auto isOnOneSide = [&](const Triangle& of, const std::array<bool, 3>& is_shared, const Triangle& plane,
-                               const Vec3& up) {
+  const auto isOnOneSide = [&](const Triangle& of, const std::array<bool, 3>& is_shared,
+                               const Triangle& plane, const Vec3& up) {
     const double near = tolerance_ * up.norm();
     bool above = true, below = true;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -297,7 +311,7 @@ bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
     return above || below;
   };
   return !isOnOneSide(second, is_shared_by_b, first, normal) &&
-         !isOnOneSide(first, is_shared_by_a, second, other_normal);
+         !isOnOneSide(first, is_shared_by_a, second, other_normal) && hasArea(a) && hasArea(b);
 }
 
 void SolidSearch::findCuts() {
@@ -307,7 +321,10 @@ void SolidSearch::findCuts() {
     const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
     if (cuts(second, first, tolerance_)) cuts_.push_back({a, b});
     if (cuts(first, second, tolerance_)) cuts_.push_back({b, a});
+    noteSeams(a, b);
+    noteSeams(b, a);
   });
+  std::ranges::sort(seams_);
   std::ranges::sort(cuts_);
   for (const TrianglePair& cut : cuts_) {
     if (parts_->intersecting.empty() || parts_->intersecting.back() != cut.a)
@@ -315,10 +332,22 @@ void SolidSearch::findCuts() {
   }
 }
 
-/// The only other triangle at an edge, if it continues the surface there.
+/// Notes the edges of a triangle that lie on another one. An edge that both share is no seam by itself.
+void SolidSearch::noteSeams(std::uint32_t of, std::uint32_t beside) {
+  const Triangle triangle = mesh_.triangle(of), other = mesh_.triangle(beside);
+  const auto& corners = surface_.corners(beside);
+  for (std::size_t edge = 0; edge < 3; ++edge) {
+    const auto [from, to] = edgeOf(of, edge);
+    if (std::ranges::count(corners, from) > 0 && std::ranges::count(corners, to) > 0) continue;
+    if (liesAlong(other, triangle[edge], triangle[(edge + 1) % 3], tolerance_)) seams_.emplace_back(from, to);
+  }
+}
+
+/// The only other triangle at an edge, if it continues the surface there and nothing else meets it.
 std::uint32_t SolidSearch::acrossEdge(std::uint32_t triangle, std::size_t edge) const {
   const auto& corners = surface_.corners(triangle);
   const std::uint32_t from = corners[edge], to = corners[(edge + 1) % 3];
+  if (std::ranges::binary_search(seams_, edgeOf(triangle, edge))) return kNoTriangle;
   std::uint32_t found = kNoTriangle;
   for (const std::uint32_t other : surface_.star(from)) {
     if (other == triangle || other == found) continue;
@@ -364,9 +393,8 @@ Sides SolidSearch::sidesOf(const Vec3& middle, const Vec3& normal) const {
 void SolidSearch::judgeRegions() {
   sides_of_region_.resize(regions_.size());
   parallelFor(regions_.size(), threads_, [&](std::size_t r, std::size_t) {
-    const std::uint32_t largest = *std::ranges::max_element(regions_[r], {}, [&](std::uint32_t t) {
-      return scaledNormal(mesh_.triangle(t)).squaredNorm();
-    });
+    const std::uint32_t largest = *std::ranges::max_element(
+        regions_[r], {}, [&](std::uint32_t t) { return scaledNormal(mesh_.triangle(t)).squaredNorm(); });
     if (!hasArea(largest)) return;
     const Triangle triangle = mesh_.triangle(largest);
     sides_of_region_[r] = sidesOf(centroidOf(triangle), unitNormal(triangle));
@@ -384,48 +412,56 @@ void SolidSearch::judgePieces() {
     for (const TrianglePair& cut : std::ranges::equal_range(cuts_, triangles[i], {}, &TrianglePair::a)) {
       cutAlong(mesh_.triangle(cut.b), pieces_[i], tolerance_);
     }
-    std::array<bool, 4> occurs{};
+    std::array<double, 4> area{};  // per role
     for (const TrianglePiece& piece : pieces_[i]) {
       Vec3 middle = Vec3::Zero();
       for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
       const Sides sides = sidesOf(middle, unitNormal(triangle));
       sides_of_pieces_[i].push_back(sides);
-      occurs[static_cast<std::size_t>(sides.role())] = true;
+      for (std::size_t corner = 2; corner < piece.size(); ++corner) {
+        area[static_cast<std::size_t>(sides.role())] +=
+            scaledNormal({piece[0], piece[corner - 1], piece[corner]}).norm();
+      }
     }
-    for (const TriangleRole role :
-         {TriangleRole::sheet, TriangleRole::inner, TriangleRole::inward, TriangleRole::outward}) {
-      if (occurs[static_cast<std::size_t>(role)]) roles_[triangles[i]] = role;  // the last one stays
-    }
+    const auto areaOf = [&](TriangleRole role) { return area[static_cast<std::size_t>(role)]; };
+    TriangleRole& role = roles_[triangles[i]];
+    role = areaOf(TriangleRole::inward) > areaOf(TriangleRole::outward) ? TriangleRole::inward
+           : areaOf(TriangleRole::outward) > 0.0                        ? TriangleRole::outward
+           : areaOf(TriangleRole::inner) > 0.0                          ? TriangleRole::inner
+                                                                        : TriangleRole::sheet;
   });
 }
 
 /// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
 void SolidSearch::findHoles() {
-  std::map<std::uint32_t, std::vector<Triangle>> caps;  // by component
+  std::map<std::uint32_t, std::vector<Triangle>> caps;          // by component
+  std::vector<double> missing(surface_.componentCount(), 0.0);  // area minus what a solid may lack
   for (Gap& gap : parts_->gaps) {
     if (gap.cap.empty()) continue;
     const Triangle& largest = *std::ranges::max_element(
         gap.cap, {}, [](const Triangle& t) { return scaledNormal(t).squaredNorm(); });
     if (scaledNormal(largest).isZero(0.0)) continue;
-    gap.is_inner = sidesOf(centroidOf(largest), unitNormal(largest)).role() == TriangleRole::inner;
+    const Sides sides = sidesOf(centroidOf(largest), unitNormal(largest));
+    // Where the mesh turns inside out, the winding number passes 0 in the gap.
+    gap.is_inner = sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
     if (gap.is_inner) continue;
     auto& of_component = caps[componentOf(gap)];
     of_component.insert(of_component.end(), gap.cap.begin(), gap.cap.end());
+    // The cap of a narrow gap may fold back on itself, so its triangles' areas say nothing.
+    Vec3 area_vector = Vec3::Zero();
+    for (const Triangle& triangle : gap.cap) area_vector += scaledNormal(triangle);
+    missing[componentOf(gap)] += area_vector.norm();
   }
   sees_hole_.assign(roles_.size(), 0);
   if (caps.empty()) return;
-  std::vector<double> missing(surface_.componentCount(), 0.0);  // area minus what a solid may lack
   for (std::uint32_t t = 0; t < roles_.size(); ++t)
     missing[componentOf(t)] -= kHoleShare * scaledNormal(mesh_.triangle(t)).norm();
   std::map<std::uint32_t, WindingShare> holes;
-  for (auto& [component, triangles] : caps) {
-    for (const Triangle& triangle : triangles) missing[component] += scaledNormal(triangle).norm();
-    holes.try_emplace(component, std::move(triangles));
-  }
+  for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
   parallelForChunks(sees_hole_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto of_component = holes.find(componentOf(t));
-      sees_hole_[t] = of_component != holes.end() &&
+      sees_hole_[t] = of_component != holes.end() && !isThin(mesh_.triangle(t)) &&
                       (missing[of_component->first] > 0.0 ||
                        of_component->second.exceeds(kHoleShare, centroidOf(mesh_.triangle(t))));
     }
@@ -436,6 +472,7 @@ void SolidSearch::findHoles() {
     const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kHoleShare, point); };
     for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);
+      if (isThin(triangle)) continue;
       const Vec3 normal = unitNormal(triangle), along = edge.to - edge.from;
       // Over the middle of the edge, a quarter of the triangle's height away from it.
       const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
@@ -486,8 +523,8 @@ void SolidSearch::expose() {
   }
   if (triangles.empty()) return;
   auto boundary = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
-  parts_->exposed = std::make_unique<ExposedSurface>(
-      ClusteredOctree::build(std::move(boundary), {.threads = threads_}));
+  parts_->exposed =
+      std::make_unique<ExposedSurface>(ClusteredOctree::build(std::move(boundary), {.threads = threads_}));
   parts_->exposed->source = std::move(source);
   parts_->exposed->share = std::move(share);
 }
