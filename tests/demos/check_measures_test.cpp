@@ -9,11 +9,13 @@
 #include "demos/check_command.h"
 #include "demos/refusal.h"
 #include "shared/meshes.h"
+#include "shared/solids.h"
 
 namespace octoblisk::demos {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// The fields of a row of a table without quotes.
@@ -29,6 +31,47 @@ std::vector<std::string> fieldsOf(const std::string& row) {
 void writeBoxes(const std::filesystem::path& folder) {
   for (const auto& [name, half] : {std::pair("large", 1.0), std::pair("small", 0.5)}) {
     writeMesh(folder / (std::string(name) + ".obj"), *octoblisk::testing::boxMesh({half, half, half}));
+  }
+}
+
+/// A small cube wholly inside a solid, however the facets of both are given. It used to be called clear.
+TEST_F(CheckCommand, doubledAndOverlappingMeshesAreSolids) {
+  using octoblisk::testing::boxMesh;
+  using octoblisk::testing::joined;
+  using octoblisk::testing::moved;
+  const auto large = boxMesh({1, 1, 1}), small = boxMesh({0.1, 0.1, 0.1}), twice = joined(*large, *large);
+  const auto facet = octoblisk::testing::firstTriangles(*large, 1);
+  const auto half = boxMesh({0.65, 1, 1});
+  const auto shifted = [&](double x) { return moved(*half, Pose{Mat3::Identity(), Vec3(x, 0, 0)}); };
+  const struct {
+    const char* name;
+    octoblisk::testing::SharedMesh fixed, moving;
+  } cases[] = {{"one cube", large, small},
+               {"every facet twice", twice, small},
+               {"moving and fixed swapped", small, twice},
+               {"three times", joined(*twice, *large), small},
+               {"one facet twice", joined(*large, *facet), small},
+               {"the moving one doubled", large, joined(*small, *small)},
+               {"two boxes that overlap", joined(*shifted(-0.35), *shifted(0.35)), small},
+               {"nested, the same way", joined(*large, *boxMesh({0.5, 0.5, 0.5})), small}};
+  folder_.write("pose.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
+  for (const auto& [name, fixed, moving] : cases) {
+    writeMesh(folder_.path() / "fixed.stl", *fixed);
+    writeMesh(folder_.path() / "moving.stl", *moving);
+    const Outcome outcome = run(
+        "check --fixed fixed.stl --moving moving.stl --poses pose.csv --out - --clearance --depth --signed");
+    EXPECT_EQ(outcome.exit_code, 1) << name;
+    EXPECT_THAT(outcome.error, Not(HasSubstr("warning"))) << name;
+    std::istringstream table(outcome.out);
+    std::string header, row;
+    std::getline(table, header);
+    std::getline(table, row);
+    const std::vector<std::string> fields = fieldsOf(row);
+    ASSERT_GE(fields.size(), 7u) << name << ": " << outcome.out << outcome.error;
+    EXPECT_EQ(fields[1], "0") << name;
+    EXPECT_NEAR(std::stod(fields[4]), name == std::string("nested, the same way") ? 0.4 : 0.9, 2e-3) << name;
+    EXPECT_NEAR(std::stod(fields[5]), 0.9, 2e-3) << name;
+    EXPECT_NEAR(std::stod(fields[6]), -0.9, 2e-3) << name;
   }
 }
 

@@ -58,6 +58,34 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
   EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
 }
 
+/// A wall that lacks its far side is closed by a cap. What the belt does elsewhere is proved as on the whole wall;
+/// what comes near the cap is not.
+TEST(DepthProof, aHoleElsewhereChangesNothing) {
+  const TriangleMesh whole = block({1, 50, 50}, 3);
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::size_t t = 0; t < whole.triangleCount(); ++t) {
+    if (centroidOf(whole.triangle(t)).x() > -0.999) triangles.push_back(whole.triangles()[t]);
+  }
+  ASSERT_LT(triangles.size(), whole.triangleCount());
+  const Solid closed(whole), open(TriangleMesh(whole.vertices(), std::move(triangles))), tool(block({0.5, 20, 2}, 4));
+  ASSERT_FALSE(open.surface.isClosed());
+  const DepthProof on_closed(closed.surface, tool.surface), on_open(open.surface, tool.surface);
+  int proved = 0;
+  constexpr int kMotions = 40;
+  for (int i = 0; i < kMotions; ++i) {
+    const double depth = 0.15 * i / kMotions;
+    const Motion motion(at(1.5 - 0.02, -3, 0), at(1.5 - depth, 3, 0));
+    const bool expected = on_closed.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMaxDepth);
+    ASSERT_EQ(on_open.holds(motion, 0.0, 1.0, Vec3::UnitX(), kMaxDepth), expected) << depth;
+    proved += expected;
+  }
+  EXPECT_GT(proved, kMotions / 2);
+  EXPECT_LT(proved, kMotions);
+  const Motion near_cap(at(-1.55, -3, 0), at(-1.55, 3, 0)), off_cap(at(-1.65, -3, 0), at(-1.65, 3, 0));
+  EXPECT_FALSE(on_open.holds(near_cap, 0.0, 1.0, -Vec3::UnitX(), kMaxDepth));
+  EXPECT_TRUE(on_open.holds(off_cap, 0.0, 1.0, -Vec3::UnitX(), kMaxDepth));
+}
+
 TEST(DepthProof, aToolWhollyInsideIsNotWithinTheLimit) {
   const Solid wall(block({20, 20, 20}, 2)), tool(block({1, 1, 1}, 2));
   const DepthProof proof(wall.surface, tool.surface);
