@@ -17,11 +17,11 @@
 #include "io/table_name.h"
 #include "models/belt_grinder.h"
 #include "models/blisk_axis.h"
+#include "models/defect_words.h"
 #include "models/embedded_assets.h"
 #include "models/length_limit.h"
 #include "models/outward_mesh.h"
 #include "models/shared_tree.h"
-#include "models/surface_defects.h"
 #include "study/node_inputs.h"
 #include "toolpath/grinding_path.h"
 
@@ -100,10 +100,9 @@ std::vector<Fixture> fixturesOf(const GrinderFiles& files) {
       throw std::invalid_argument("--obstacle " + text + ": two obstacles have the name " +
                                   inQuotes(fixture.name) + ": give another name as MESH,NAME");
     }
-    const SurfaceDefects defects = defectsOf(fixture.tree->mesh());
-    if (!defects.is_closed) {
-      warnOf(text, describe(defects) + ": the obstacle is an open mesh, so no part is ever inside it");
-    }
+    const MeshInspection found = defectsOf(*fixture.tree, files.threads);
+    if (!found.is_closed)
+      warnOf(text, openText(found) + ": the obstacle is an open mesh, so no part is ever inside it");
     fixtures.push_back(std::move(fixture));
   }
   return fixtures;
@@ -378,13 +377,19 @@ void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {
     warnOf(files.bliskName(), "no blades were found: every touch counts as interference with hub or shroud");
   }
-  const SurfaceDefects defects = defectsOf(input.blisk->mesh());
-  if (!defects.none()) {
-    warnOf(files.bliskName(),
-           describe(defects) +
-               ". Near these places the surface does not bound a solid: where the tool touches there, its "
-               "depth and verdict are unknown, which counts as interference");
+  const MeshInspection found = defectsOf(*input.blisk, files.threads);
+  const std::string open = openText(found), inward = inwardText(found);
+  std::string text;
+  if (!open.empty()) {
+    text =
+        open +
+        ". Near these places the surface does not bound a solid: where the tool touches there, its depth and "
+        "verdict are unknown, which counts as interference";
   }
+  if (!inward.empty()) {
+    text += (open.empty() ? "" : ". ") + inward + ": the normals of contacts there may point into the blisk";
+  }
+  if (!text.empty()) warnOf(files.bliskName(), text);
 }
 
 }  // namespace octoblisk::demos

@@ -21,7 +21,7 @@
 #include "grinding/grinding_run.h"
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
-#include "models/surface_defects.h"
+#include "models/defect_words.h"
 #include "report/coverage_report.h"
 #include "report/grinding_frames.h"
 #include "report/grinding_pictures.h"
@@ -55,7 +55,7 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
   for (std::size_t part = 0; part < run.parts.size(); ++part) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
     warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
-           describe(defectsOf(run.parts[part].tree->mesh())) +
+           openText(defectsOf(*run.parts[part].tree, files.threads)) +
                ": only its own points inside the blisk count for its depth");
   }
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "models/surface_defects.h"
+#include "models/defect_words.h"
 #include "octoblisk/batch.h"
 
 namespace octoblisk::demos {
@@ -27,7 +27,7 @@ void PoseCheck::requireClosed() const {
   std::string message =
       options_.depth ? "depths need a closed fixed mesh, but "
                      : "signed distances need a closed mesh; the moving mesh is open and so is this one: ";
-  message += describe(defectsOf(fixed_.mesh()));
+  message += openText(inspect(*fixed_surface_));
   if (moving_surface_->isClosed()) {
     message +=
         "; the moving mesh is closed: unless it may be inside the fixed one, swap the two meshes and "
