@@ -55,11 +55,12 @@ std::string inwardText(const MeshInspection& found) {
 }
 
 MeshInspection defectsOf(const ClusteredOctree& tree, int threads) {
-  if (!detail::isSimpleSolid(tree.mesh())) return inspect(octoblisk::Surface(tree, threads));
   MeshInspection whole;
   whole.triangles = tree.mesh().triangleCount();
   whole.is_closed = true;
   whole.mass = detail::massPropertiesOfSimple(tree.mesh());
+  if (!detail::isSimpleSolid(tree.mesh()) || whole.mass.faces_inward)
+    return inspect(octoblisk::Surface(tree, threads));
   return whole;
 }
 

@@ -148,7 +148,7 @@ TEST_F(CheckCommand, answersDoNotDependOnTheWinding) {
   writeBoxes(folder_.path());
   const auto box = octoblisk::testing::boxMesh({1, 1, 1});
   std::vector<TriangleMesh::Indices> triangles = box->triangles();
-  for (std::size_t t = 0; t < triangles.size(); t += 2) std::swap(triangles[t][1], triangles[t][2]);
+  for (TriangleMesh::Indices& corners : triangles) std::swap(corners[1], corners[2]);
   writeMesh(folder_.path() / "mixed.obj", {box->vertices(), std::move(triangles)});
   folder_.write(
       "poses.csv",

@@ -25,12 +25,12 @@ TEST_F(CommandLine, anUnknownSubcommandIsNamedWithTheNearest) {
   EXPECT_EQ(refusal("chek --fixed a"),
             "octoblisk: 'chek' is not a subcommand; did you mean 'check'? The subcommands are: grind, "
             "blades, path, "
-            "access, repair, make, check, merge, paper, gallery\n");
+            "access, repair, make, check, inspect, merge, paper, gallery\n");
   EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
   EXPECT_EQ(refusal("polish"),
             "octoblisk: 'polish' is not a subcommand; the subcommands are: grind, blades, path, access, "
             "repair, make, "
-            "check, merge, paper, gallery\n");
+            "check, inspect, merge, paper, gallery\n");
 }
 
 TEST_F(CommandLine, sizesAreBoundedAndTheMessageIsShort) {
