@@ -17,6 +17,7 @@
 #include "octoblisk/tree_blob.h"
 #include "query/clusters_near.h"
 #include "shared/mesh_source.h"
+#include "shared/solids.h"
 
 namespace octoblisk::testing {
 
@@ -231,6 +232,47 @@ std::uint64_t hashOfSolids(const GoldenScene& scene, const ClusteredOctree& a, c
   return answers.hash();
 }
 
+/// Two overlapping knobs, of which one is cracked and has facets twice, and a knob with a missing facet.
+std::uint64_t hashOfDefects(const GoldenScene& scene, const ClusteredOctree& b, int threads) {
+  Answers answers;
+  const SharedMesh& knob = scene.knob;
+  std::vector<TriangleMesh::Indices> triangles = knob->triangles();
+  const SharedMesh without_first = std::make_shared<const TriangleMesh>(
+      knob->vertices(), std::vector<TriangleMesh::Indices>(triangles.begin() + 1, triangles.end()));
+  for (std::size_t t = 0; t < knob->triangleCount(); t += 5) triangles.push_back(triangles[t]);
+  std::vector<Vec3> vertices = knob->vertices();
+  for (std::size_t t = 7; t < knob->triangleCount(); t += 50) {
+    vertices.push_back(vertices[triangles[t][0]] + Vec3::Constant(0x1p-20));
+    triangles[t][0] = static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  const TriangleMesh cracked(std::move(vertices), std::move(triangles));
+  const SharedMesh overlapping =
+      joined(cracked, *moved(*knob, {Mat3::Identity(), Vec3(0.25, 0.125, 0.0625)}));
+  DepthQuery query;
+  for (const SharedMesh& mesh : {overlapping, without_first}) {
+    const ClusteredOctree tree = ClusteredOctree::build(mesh, {.threads = threads});
+    const Surface surface(tree, threads), solid_b(b);
+    answers.add(std::uint64_t{surface.isClosed()} << 1 | std::uint64_t{surface.isWhole()});
+    for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t)
+      answers.add(static_cast<std::uint64_t>(surface.role(t)));
+    for (const Vec3& vertex : surface.boundary().tree().mesh().vertices()) answers.add(vertex);
+    const MassProperties mass = massProperties(surface);
+    answers.add(mass.volume);
+    answers.add(mass.center_of_mass);
+    for (const Pose& pose : scene.poses) {
+      const Pose near{pose.rotation, 0.375 * pose.translation};
+      answers.add(static_cast<std::uint64_t>(locate(surface, near.translation, near)));
+      answers.add(static_cast<std::uint64_t>(locate(surface, near.translation)));
+      answers.add(static_cast<std::uint64_t>(containment(surface, solid_b, near)));
+      const GougeDepth depth = query.deepest(surface, solid_b, near, 0.01);
+      answers.add(depth.depth);
+      answers.add(depth.upper_bound);
+      answers.add(depth.point_on_a);
+    }
+  }
+  return answers.hash();
+}
+
 }  // namespace
 
 GoldenScene::GoldenScene() {
@@ -269,6 +311,7 @@ GoldenAnswers goldenAnswers(const GoldenScene& scene, int threads) {
       {"sweeps", hashOfSweeps(scene, ball, knob)},
       {"sweeps of convex bodies", hashOfConvexSweeps(scene, ball)},
       {"solids", hashOfSolids(scene, ball, knob)},
+      {"solids with defects", hashOfDefects(scene, knob, threads)},
   };
   return found;
 }
