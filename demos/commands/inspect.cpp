@@ -65,7 +65,7 @@ int inspectFile(const InspectRequest& request) {
 void addInspectCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "inspect");
   const auto request = std::make_shared<InspectRequest>();
-  command.add_option("mesh", request->mesh, "Mesh file: .stl, .obj or .ply")
+  command.add_option("MESH", request->mesh, "Mesh file: .stl, .obj or .ply")
       ->type_name("FILE")
       ->required()
       ->check(notEmpty());

@@ -133,7 +133,7 @@ TEST_F(InspectCommand, printsJson) {
   EXPECT_EQ(json.at("sheets").at("first").size(), std::min<std::size_t>(10, json.at("sheets").at("count")));
   const nlohmann::json& closed = json.at("closed");
   EXPECT_EQ(closed.at("is_solid"), true);
-  EXPECT_EQ(closed.at("volume"), 800.0);
+  EXPECT_NEAR(closed.at("volume").get<double>(), 800.0, 1e-9);
   EXPECT_EQ(closed.at("added").size(), 1u);
   EXPECT_EQ(closed.at("refused").size(), 0u);
   EXPECT_TRUE(contentOf(file("open.png")).starts_with("\x89PNG"));
@@ -171,7 +171,7 @@ TEST_F(InspectCommand, refusesBadInput) {
   expectRefusal(run("open.stl --close open.stl"), "open.stl");
   expectRefusal(run("open.stl --close closed.txt"), "closed.txt");
   expectRefusal(run("open.stl --units km"), "--units");
-  expectRefusal(run(""), "FILE");
+  expectRefusal(run(""), "MESH is required");
   EXPECT_FALSE(std::filesystem::exists(file("closed.txt")));
 }
 

@@ -13,6 +13,8 @@ bool PointInSolid::contains(const SolidMesh& solid, const Vec3& point,
   last_ = point;
   clearance_ -= moved;
   if (!solid.boundary().mesh().bounds().meets({point, point})) return is_inside_ = false;
+  // Through a hole, a point gets into a solid without crossing the surface.
+  if (!solid.isClosed()) return is_inside_ = solid.contains(point);
   if (clearance_ > 0.0) return is_inside_;
   clearance_ = leastClearance();
   if (moved < clearance_) return is_inside_;

@@ -9,7 +9,8 @@
 namespace octoblisk::detail {
 
 /// Whether a moving point is inside a solid: SolidMesh::contains, except within rounding of the surface.
-/// Searches the tree only if the point may have crossed the surface since the last call. Allocates nothing.
+/// Searches the tree only if the point may have crossed the surface since the last call, or if the solid has
+/// holes. Allocates nothing.
 class PointInSolid {
  public:
   /// The point is in the mesh's frame. Its distance to the surface is at least leastClearance(), which is

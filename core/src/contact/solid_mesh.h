@@ -18,6 +18,9 @@ class SolidMesh {
   /// Whether at least some triangles may bound a solid.
   bool isAnywhereSolid() const { return !is_sheet_; }
 
+  /// Whether nothing gets inside without crossing a triangle.
+  bool isClosed() const { return !is_sheet_ && (!surface_ || surface_->isClosed()); }
+
   /// The triangles that bodies can touch: those of Surface::boundary.
   const ClusteredOctree& boundary() const { return *boundary_; }
   /// The mesh's triangle that a triangle of the boundary is, or is a part of.

@@ -10,9 +10,9 @@ namespace octoblisk::detail {
 /// The corners of a convex piece of a triangle, in the triangle's order.
 using TrianglePiece = std::vector<Vec3>;
 
-/// Whether the other triangle passes through the inside of this one, ends on it along a segment, or lies in its
-/// plane and overlaps it. It does not if they only touch at points or at this one's edges, within the tolerance
-/// (a length).
+/// Whether the other triangle passes through the inside of this one, ends on it along a segment, or lies in
+/// its plane and overlaps it. It does not if they only touch at points or at this one's edges, within the
+/// tolerance (a length).
 bool cuts(const Triangle& other, const Triangle& triangle, double tolerance);
 
 /// Whether a segment, or a part of it, lies on the triangle. Parts shorter than 1e4 tolerances do not count.

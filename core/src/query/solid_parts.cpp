@@ -477,7 +477,9 @@ void SolidSearch::findHoles() {
       // Over the middle of the edge, a quarter of the triangle's height away from it.
       const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
       const Vec3 middle = 0.5 * (edge.from + edge.to);
-      if (!isSeenFrom(middle + off * normal) && !isSeenFrom(middle - off * normal)) continue;
+      const bool sees_it = isSeenFrom(middle + off * normal) || isSeenFrom(middle - off * normal) ||
+                           (sees_hole_[edge.triangle] != 0 && isSeenFrom(centroidOf(triangle)));
+      if (!sees_it) continue;
       gap.is_hole = true;
       sees_hole_[edge.triangle] = 1;
     }
