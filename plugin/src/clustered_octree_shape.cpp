@@ -40,14 +40,6 @@ std::shared_ptr<const TriangleMesh> scaled(const std::shared_ptr<const TriangleM
   return std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
 }
 
-/// Whether a triangle bounds a solid and faces out of it.
-bool facesOutward(const Surface& surface) {
-  for (std::uint32_t t = 0; t < surface.tree().mesh().triangleCount(); ++t) {
-    if (surface.role(t) == TriangleRole::outward) return true;
-  }
-  return false;
-}
-
 /// Whether contacts can push bodies out of the mesh.
 bool isOutwardSolid(const MassProperties& properties) {
   return properties.is_solid && !properties.faces_inward;
@@ -101,7 +93,7 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree, bool
                                                            : surface ? octoblisk::massProperties(*surface)
                                                                      : massPropertiesOfBox(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
-  const bool is_anywhere_solid = surface ? facesOutward(*surface) : isOutwardSolid(*properties);
+  const bool is_anywhere_solid = surface ? SolidMesh(*surface).boundsAnywhere() : isOutwardSolid(*properties);
   if (!is_anywhere_solid) surface = nullptr;
   thin_margin_ = is_anywhere_solid ? btScalar(thinMargin(surface ? surface->boundary().tree() : *tree)) : 0;
   // Nothing below throws, so that the shape stays consistent.

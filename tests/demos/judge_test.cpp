@@ -163,7 +163,7 @@ TEST(Judge, aPressIsTooDeepFromTheLimitOnWithTheBoreCutOpenToo) {
   EXPECT_GT(too_deep, 50u);
 }
 
-TEST(Judge, aTouchOfADoubledSurfaceIsUnknownAndCountsAsInterference) {
+TEST(Judge, aTouchOfADoubledSurfaceIsJudgedAsOfASingleOne) {
   const TriangleMesh closed = embeddedBlisk();
   const BladesFound blades = findBlades(closed);
   const std::vector<Pose> path = makeGrindingPath(
@@ -176,12 +176,13 @@ TEST(Judge, aTouchOfADoubledSurfaceIsUnknownAndCountsAsInterference) {
   for (std::size_t p = 0; p < path.size(); ++p) {
     if (whole.poses[p].verdict != Verdict::intended_contact) continue;
     ++touching;
-    EXPECT_EQ(doubled.poses[p].verdict, Verdict::unknown) << p;
-    EXPECT_TRUE(states[p].obstacle && states[p].obstacle->too_deep) << p;
+    EXPECT_EQ(doubled.poses[p].verdict, Verdict::intended_contact) << p;
+    EXPECT_FALSE(states[p].obstacle) << p;
+    ASSERT_EQ(doubled.poses[p].depths.size(), whole.poses[p].depths.size());
+    EXPECT_NEAR(doubled.poses[p].depths[0].depth, whole.poses[p].depths[0].depth, 1e-3) << p;
+    EXPECT_TRUE(doubled.poses[p].depths[0].is_known) << p;
   }
   EXPECT_GT(touching, 4u);
-  EXPECT_EQ(doubled.count(Verdict::intended_contact), 0u);
-  EXPECT_TRUE(doubled.interferes());
 }
 
 /// Two plates, above and below y = 0, with a gap between them.

@@ -2,9 +2,23 @@
 
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
-#include "query/winding.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk::detail {
+
+bool SolidMesh::bounds(std::uint32_t triangle) const {
+  if (is_sheet_ || !surface_) return !is_sheet_;
+  const std::uint32_t source = surface_->sourceOf(triangle);
+  const std::vector<char>& near_hole = surface_->solidParts().near_hole;
+  return surface_->role(source) == TriangleRole::outward && (near_hole.empty() || near_hole[source] == 0);
+}
+
+bool SolidMesh::boundsAnywhere() const {
+  for (std::uint32_t t = 0; t < boundary_->mesh().triangleCount(); ++t) {
+    if (bounds(t)) return true;
+  }
+  return false;
+}
 
 bool SolidMesh::contains(const Vec3& point) const {
   const Aabb& mesh_bounds = boundary_->mesh().bounds();

@@ -27,10 +27,10 @@ class SolidMesh {
   std::uint32_t sourceOf(std::uint32_t triangle) const {
     return surface_ ? surface_->sourceOf(triangle) : triangle;
   }
-  /// Whether a triangle of the boundary bounds a solid and faces outward.
-  bool bounds(std::uint32_t triangle) const {
-    return !is_sheet_ && (!surface_ || surface_->role(surface_->sourceOf(triangle)) == TriangleRole::outward);
-  }
+  /// Whether a triangle of the boundary bounds a solid and faces outward, and no hole nearby lets bodies in.
+  /// What is in an open box must not be pushed out through its walls.
+  bool bounds(std::uint32_t triangle) const;
+  bool boundsAnywhere() const;
   /// Whether a point is inside, and the nearest triangle shows the way out. Allocates nothing.
   bool contains(const Vec3& point) const;
 

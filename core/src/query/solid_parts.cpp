@@ -16,10 +16,14 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The greatest share of all directions in which a triangle of a solid may see holes. Also the greatest share
-/// of its area that a component with holes may lack: a triangle sees about that share of directions on
-/// average.
-constexpr double kHoleShare = 1.0 / 64.0;
+/// The greatest share of all directions in which a triangle of a solid may see holes: with up to a quarter, the
+/// winding number is nearer to 0 before the triangle and to 1 behind it than to 1/2. Also the greatest share of
+/// its area that a component with holes may lack, because a triangle sees about that share on average.
+constexpr double kHoleShare = 1.0 / 4.0;
+
+/// The same for SolidParts::near_hole. A hole seen in a smaller share is no entrance: an open box of any
+/// proportions up to a depth of four times its width shows more.
+constexpr double kEntranceShare = 1.0 / 64.0;
 
 /// The rounding of points and planes near the mesh, relative to its coordinates: a few hundred units in the
 /// last place.
@@ -252,6 +256,12 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
     }
   }
   has_holes_ = !single.isClosed();
+  if (!found.near_hole.empty()) {
+    parts_->near_hole.assign(roles_.size(), 1);
+    for (std::uint32_t t = 0; t < source.size(); ++t) parts_->near_hole[source[t]] = found.near_hole[t];
+    for (const std::uint32_t t : copies.triangles)
+      parts_->near_hole[t] = parts_->near_hole[copies.original[t]];
+  }
   parts_->gaps = found.gaps;
   for (Gap& gap : parts_->gaps) {
     for (GapEdge& edge : gap.edges) edge.triangle = source[edge.triangle];
@@ -435,7 +445,7 @@ void SolidSearch::judgePieces() {
 /// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
 void SolidSearch::findHoles() {
   std::map<std::uint32_t, std::vector<Triangle>> caps;          // by component
-  std::vector<double> missing(surface_.componentCount(), 0.0);  // area minus what a solid may lack
+  std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
   for (Gap& gap : parts_->gaps) {
     if (gap.cap.empty()) continue;
     const Triangle& largest = *std::ranges::max_element(
@@ -455,21 +465,27 @@ void SolidSearch::findHoles() {
   sees_hole_.assign(roles_.size(), 0);
   if (caps.empty()) return;
   for (std::uint32_t t = 0; t < roles_.size(); ++t)
-    missing[componentOf(t)] -= kHoleShare * scaledNormal(mesh_.triangle(t)).norm();
+    areas[componentOf(t)] += scaledNormal(mesh_.triangle(t)).norm();
+  parts_->near_hole.assign(roles_.size(), 0);
   std::map<std::uint32_t, WindingShare> holes;
   for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
   parallelForChunks(sees_hole_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto of_component = holes.find(componentOf(t));
-      sees_hole_[t] = of_component != holes.end() && !isThin(mesh_.triangle(t)) &&
-                      (missing[of_component->first] > 0.0 ||
-                       of_component->second.exceeds(kHoleShare, centroidOf(mesh_.triangle(t))));
+      if (of_component == holes.end() || isThin(mesh_.triangle(t))) continue;
+      const auto& [component, share] = *of_component;
+      const auto lacks = [&](double limit) {
+        return missing[component] > limit * areas[component] ||
+               share.exceeds(limit, centroidOf(mesh_.triangle(t)));
+      };
+      parts_->near_hole[t] = lacks(kEntranceShare);
+      sees_hole_[t] = parts_->near_hole[t] != 0 && lacks(kHoleShare);
     }
   });
   for (Gap& gap : parts_->gaps) {
     if (gap.is_inner || !holes.contains(componentOf(gap))) continue;
     const WindingShare cap(gap.cap);
-    const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kHoleShare, point); };
+    const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kEntranceShare, point); };
     for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);
       if (isThin(triangle)) continue;
@@ -478,13 +494,13 @@ void SolidSearch::findHoles() {
       const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
       const Vec3 middle = 0.5 * (edge.from + edge.to);
       const bool sees_it = isSeenFrom(middle + off * normal) || isSeenFrom(middle - off * normal) ||
-                           (sees_hole_[edge.triangle] != 0 && isSeenFrom(centroidOf(triangle)));
+                           (parts_->near_hole[edge.triangle] != 0 && isSeenFrom(centroidOf(triangle)));
       if (!sees_it) continue;
       gap.is_hole = true;
-      sees_hole_[edge.triangle] = 1;
+      sees_hole_[edge.triangle] = parts_->near_hole[edge.triangle] = 1;
     }
   }
-  has_holes_ = std::ranges::find(sees_hole_, 1) != sees_hole_.end();
+  has_holes_ = std::ranges::find(parts_->near_hole, 1) != parts_->near_hole.end();
 }
 
 bool SolidSearch::isExposedAsItIs() const {
