@@ -33,8 +33,8 @@ bool areNestedIfCapped(const octoblisk::Surface& a, const octoblisk::Surface& b,
                      [&](const Vec3& point) { return a.solidParts().winding.closedAt(point) != 0; });
 }
 
-bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part, const Pose& part_in_solid,
-                     const Vec3& up, double depth) {
+bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part,
+                     const Pose& part_in_solid, const Vec3& up, double depth) {
   const ClusteredOctree* const caps = solid.solidParts().winding.capTree();
   if (caps && distance(*caps, part.tree(), part_in_solid, {.upper_bound = depth}).found()) return false;
   constexpr double kSlope = 0.3;

@@ -24,8 +24,8 @@ constexpr double kFiner = 0.1;          // factor, if the limit is between the b
 double toleranceFor(double limit) { return std::max(kPartOfLimit * limit, kMinTolerance); }
 
 /// Measures more closely as long as the limit is between the bounds.
-GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a,
-                   double limit, double known_depth = 0.0) {
+GougeDepth settled(DepthQuery& query, const octoblisk::Surface& a, const octoblisk::Surface& b,
+                   const Pose& b_in_a, double limit, double known_depth = 0.0) {
   const double tolerance = toleranceFor(limit);
   const GougeDepth found = query.deepest(a, b, b_in_a, tolerance, {.above = known_depth});
   if (std::max(found.depth, known_depth) > limit || found.upper_bound <= limit) return found;
@@ -120,9 +120,8 @@ PartDepths::PoseBits PartDepths::bitsOf(const Pose& pose) {
 bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
                              std::uint32_t triangle_of_blisk) const {
   const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
-  return !normal.isZero() &&
-         partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk, normal.normalized(),
-                         limits_[part]);
+  return !normal.isZero() && partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk,
+                                             normal.normalized(), limits_[part]);
 }
 
 std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_in_blisk,

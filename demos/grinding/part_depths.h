@@ -75,7 +75,8 @@ class PartDepths {
   bool isBeyond(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch,
                 std::optional<std::uint32_t>& deep_corner, std::size_t thread);
 
-  /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it. An open fixture contains nothing.
+  /// For a part that does not touch a fixture: whether it lies wholly inside it or contains it. An open
+  /// fixture contains nothing.
   bool isInFixture(std::size_t part, const Pose& tool_in_blisk) const;
 
  private:

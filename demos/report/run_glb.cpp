@@ -232,7 +232,8 @@ void addContactNodes(GltfFile& file, const Replay& replay, std::size_t most, Glt
     const std::size_t stride = (points.size() + most - 1) / most;
     std::vector<Vec3> some;
     for (std::size_t i = 0; i < points.size(); i += stride) some.push_back(points[i]);
-    constexpr std::array kToneColors = {"#5c6675", "#00694a", "#b87a00", "#c9370c", "#6b3fa0"};  // one per Tone
+    constexpr std::array kToneColors = {"#5c6675", "#00694a", "#b87a00", "#c9370c",
+                                        "#6b3fa0"};  // one per Tone
     const std::string name = "contacts: " + replay.verdicts[v].name;
     const std::size_t material =
         addMaterial(file, name, kToneColors[static_cast<std::size_t>(replay.verdicts[v].tone)]);

@@ -210,9 +210,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double breaking = double(std::min(
       breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &mesh_shape),
       breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asOurShape(*other.m_shape))));
-  PosedShapes shapes{
-      mesh_shape, *other.m_shape,
-      fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()), breaking};
+  PosedShapes shapes{mesh_shape, *other.m_shape,
+                     fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()),
+                     breaking};
   noticeChanges(shapes);
   const double near = double(shapes.mesh.getMargin()) + marginOfOther(shapes.other) +
                       double(result->m_closestPointDistanceThreshold);

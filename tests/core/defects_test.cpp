@@ -64,9 +64,10 @@ PointCount checkLocations(const DefectiveMesh& defective, const Surface& surface
   PointCount count;
   const double size = sizeOf(defective);
   constexpr double kAccuracy = 1e-5;  // at 1e-6 of the size from an open edge
+  const SharedMesh single = testing::withoutCopies(*defective.mesh);
   for (int i = 0; i < points; ++i) {
     const Vec3 point = samplePoint(random, *defective.mesh);
-    const double winding = testing::preciseWindingNumber(*defective.mesh, point);
+    const double winding = testing::preciseWindingNumber(*single, point);
     if (std::abs(std::abs(winding - std::round(winding)) - 0.5) < 1e-6) {
       ++count.skipped;
       continue;
@@ -215,6 +216,7 @@ void checkPressed(const DefectiveMesh& defective, const Surface& surface) {
 /// Expects each triangle to have a role that occurs on it, by winding numbers on both sides.
 void checkRoles(const DefectiveMesh& defective, const Surface& surface) {
   const TriangleMesh& mesh = *defective.mesh;
+  const SharedMesh single = testing::withoutCopies(mesh);
   const double step = 1e-8 * sizeOf(defective);
   std::vector<double> bounding(mesh.triangleCount(), 0.0);  // the area that is part of the boundary
   for (std::uint32_t t = 0; t < surface.boundary().tree().mesh().triangleCount(); ++t)
@@ -228,8 +230,8 @@ void checkRoles(const DefectiveMesh& defective, const Surface& surface) {
       for (int j = 0; i + j < 3; ++j) {
         const Vec3 point = triangle[0] + (0.07 + 0.4 * i) * (triangle[1] - triangle[0]) +
                            (0.08 + 0.4 * j) * (triangle[2] - triangle[0]);
-        const bool before = std::abs(testing::preciseWindingNumber(mesh, point + step * normal)) > 0.5,
-                   behind = std::abs(testing::preciseWindingNumber(mesh, point - step * normal)) > 0.5;
+        const bool before = std::abs(testing::preciseWindingNumber(*single, point + step * normal)) > 0.5,
+                   behind = std::abs(testing::preciseWindingNumber(*single, point - step * normal)) > 0.5;
         const TriangleRole role = before ? (behind ? TriangleRole::inner : TriangleRole::inward)
                                          : (behind ? TriangleRole::outward : TriangleRole::sheet);
         occurs[static_cast<std::size_t>(role)] = true;

@@ -146,7 +146,8 @@ TEST(SolidRoles, trianglesAroundAHoleAreSheets) {
     // The winding number behind it is 1 less the share of all directions in which it sees the hole.
     const double share =
         1.0 - testing::windingNumber(*open.mesh, centroidOf(triangle) - 1e-9 * unitNormal(triangle));
-    ASSERT_EQ(role == TriangleRole::sheet, std::abs(share) > 1.0 / 4.0 || is_at_the_hole) << t << ' ' << share;
+    ASSERT_EQ(role == TriangleRole::sheet, std::abs(share) > 1.0 / 4.0 || is_at_the_hole)
+        << t << ' ' << share;
     // Bodies may get in through a hole that is seen in a smaller share.
     ASSERT_EQ(detail::SolidMesh(open.surface).bounds(t), !(std::abs(share) > 1.0 / 64.0) && !is_at_the_hole)
         << t << ' ' << share;

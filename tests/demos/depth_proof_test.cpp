@@ -58,8 +58,8 @@ TEST(DepthProof, aRidgeBetweenThePosesIsNotPassedOver) {
   EXPECT_TRUE(proof.holds(beside, 0.0, 1.0, Vec3::UnitX(), kMaxDepth));
 }
 
-/// A wall that lacks its far side is closed by a cap. What the belt does elsewhere is proved as on the whole wall;
-/// what comes near the cap is not.
+/// A wall that lacks its far side is closed by a cap. What the belt does elsewhere is proved as on the whole
+/// wall; what comes near the cap is not.
 TEST(DepthProof, aHoleElsewhereChangesNothing) {
   const TriangleMesh whole = block({1, 50, 50}, 3);
   std::vector<TriangleMesh::Indices> triangles;
@@ -67,7 +67,8 @@ TEST(DepthProof, aHoleElsewhereChangesNothing) {
     if (centroidOf(whole.triangle(t)).x() > -0.999) triangles.push_back(whole.triangles()[t]);
   }
   ASSERT_LT(triangles.size(), whole.triangleCount());
-  const Solid closed(whole), open(TriangleMesh(whole.vertices(), std::move(triangles))), tool(block({0.5, 20, 2}, 4));
+  const Solid closed(whole), open(TriangleMesh(whole.vertices(), std::move(triangles))),
+      tool(block({0.5, 20, 2}, 4));
   ASSERT_FALSE(open.surface.isClosed());
   const DepthProof on_closed(closed.surface, tool.surface), on_open(open.surface, tool.surface);
   int proved = 0;

@@ -514,11 +514,9 @@ struct Defect {
   double gap = 0.0;
   bool keeps_whole = false;
   bool keeps_closed = true;
-  bool copies = false;
 };
 
-constexpr const char *kWithNeedles = "needles", *kWithCornersApart = "corners apart",
-                     *kWithHalfDoubled = "half of the facets doubled";
+constexpr const char *kWithNeedles = "needles", *kWithCornersApart = "corners apart";
 
 const std::vector<Defect>& defects() {
   static const std::vector<Defect> kDefects = {
@@ -541,12 +539,10 @@ const std::vector<Defect>& defects() {
        .gap = 1e-6},
       {.name = "facets of no area", .add = withZeroAreas},
       {.name = "T-junctions filled by slivers", .add = withSlivers, .keeps_whole = true},
-      {.name = "all facets doubled", .add = doubled, .copies = true},
-      {.name = "all facets tripled",
-       .add = [](const TriangleMesh& m) { return joined(*joined(m, m), m); },
-       .copies = true},
-      {.name = "one facet doubled", .add = withOneCopy, .copies = true},
-      {.name = kWithHalfDoubled, .add = halfDoubled, .copies = true},
+      {.name = "all facets doubled", .add = doubled},
+      {.name = "all facets tripled", .add = [](const TriangleMesh& m) { return joined(*joined(m, m), m); }},
+      {.name = "one facet doubled", .add = withOneCopy},
+      {.name = "half of the facets doubled", .add = halfDoubled},
       {.name = "all inside out", .add = insideOut, .keeps_whole = true},
   };
   return kDefects;
@@ -603,10 +599,8 @@ std::vector<DefectiveMesh> defectiveMeshes() {
     all.push_back(with(ofBall(), defect));
     all.push_back(with(ofBlock(), defect));
   }
-  for (const DefectiveMesh& base : {ofBall(), ofBlock()}) {
+  for (const DefectiveMesh& base : {ofBall(), ofBlock()})
     all.push_back(with(base, {.name = "one facet tripled", .add = withTwoCopies}));
-    all.back().is_faithful = false;
-  }
   for (const DefectiveMesh& mesh :
        {alignedBoxes(), turnedBoxes(), star(), nested(), hollow(), opposed(), commonEdge(), commonFace(false),
         commonFace(true), standing(), otherDiagonals(), fin(), openTube(), openRing(), kleinBottle(),
@@ -619,24 +613,22 @@ std::vector<DefectiveMesh> twiceDefectiveMeshes() {
   std::vector<DefectiveMesh> all;
   const std::vector<Defect>& known = defects();
   for (std::size_t i = 0; i < known.size(); ++i) {
-    const bool are_apart = known[i].name == kWithCornersApart, is_half = known[i].name == kWithHalfDoubled;
+    const bool are_apart = known[i].name == kWithCornersApart;
     for (std::size_t j = i + 1; j < known.size(); ++j) {
       if (known[i].name == kWithNeedles && known[j].name == kWithCornersApart)
         continue;  // no needles are left
       all.push_back(with(with(ofBall(), known[i]), known[j]));
-      all.back().is_faithful &= !(known[i].copies && known[j].copies);
     }
     for (const DefectiveMesh& base :
          {alignedBoxes(), turnedBoxes(), nested(), commonFace(true), standing()}) {
       all.push_back(with(base, known[i]));
-      all.back().is_faithful &= !are_apart && !is_half;
+      all.back().is_faithful &= !are_apart;
     }
     for (const DefectiveMesh& base : {hollow(), opposed(), commonEdge()}) {
       // Needles divide the common edge for one of the cubes only. The edges that are left have two triangles
       // each.
       if (base.name == commonEdge().name && known[i].name == kWithNeedles) continue;
       all.push_back(with(base, known[i]));
-      all.back().is_faithful &= !is_half;
     }
   }
   return all;
@@ -649,6 +641,34 @@ DefectiveMesh moved(const DefectiveMesh& mesh, const Pose& pose, double scale) {
   result.gap *= scale;
   result.volume *= scale * scale * scale;
   return result;
+}
+
+SharedMesh withoutCopies(const TriangleMesh& mesh) {
+  using Position = std::array<double, 3>;
+  struct Copies {
+    TriangleMesh::Indices indices;
+    int count = 0;
+  };
+  std::map<std::array<Position, 3>, Copies> found;
+  for (const TriangleMesh::Indices& indices : mesh.triangles()) {
+    std::array<Position, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& vertex = mesh.vertices()[indices[i]];
+      corners[i] = {vertex.x(), vertex.y(), vertex.z()};
+    }
+    const auto lowest = std::ranges::min_element(corners) - corners.begin();
+    std::ranges::rotate(corners, corners.begin() + lowest);
+    const bool is_turned = corners[2] < corners[1];
+    if (is_turned) std::swap(corners[1], corners[2]);
+    Copies& copies = found[corners];
+    copies.count += is_turned ? -1 : 1;
+    if (copies.count * (is_turned ? -1 : 1) > 0) copies.indices = indices;
+  }
+  std::vector<TriangleMesh::Indices> triangles;
+  for (const auto& [corners, copies] : found) {
+    if (copies.count != 0) triangles.push_back(copies.indices);
+  }
+  return std::make_shared<const TriangleMesh>(mesh.vertices(), std::move(triangles));
 }
 
 double preciseWindingNumber(const TriangleMesh& mesh, const Vec3& point) {

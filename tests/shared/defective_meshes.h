@@ -23,9 +23,8 @@ struct DefectiveMesh {
   SharedMesh clean;
   bool is_closed = true;  ///< what Surface::isClosed should say
   bool is_whole = false;  ///< what Surface::isWhole should say
-  /// Whether the winding number, rounded, tells the solid, apart from what is within the gap. Some facets
-  /// that are there three times make it greater than 1/2 before them, too. Where walls that lie on each other
-  /// have cracks, it is 0 in pockets between them.
+  /// Whether the winding number, rounded, tells the solid, apart from what is within the gap. Where walls
+  /// that lie on each other have cracks, it is 0 in pockets between them.
   bool is_faithful = true;
   double gap = 0.0;     ///< the surfaces of mesh and solid are this close to each other, except at holes
   double volume = 0.0;  ///< of the solid, in closed form; 0 if there is none
@@ -46,6 +45,10 @@ std::vector<DefectiveMesh> twiceDefectiveMeshes();
 
 /// Scales and then moves the mesh and the solid.
 DefectiveMesh moved(const DefectiveMesh& mesh, const Pose& pose, double scale);
+
+/// The mesh with each triangle once, on the side that more of its copies face; without those that have as
+/// many copies on both sides.
+SharedMesh withoutCopies(const TriangleMesh& mesh);
 
 /// The winding number as `windingNumber` in shared/solids.h computes it, but in long double.
 double preciseWindingNumber(const TriangleMesh& mesh, const Vec3& point);

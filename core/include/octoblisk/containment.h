@@ -1,10 +1,10 @@
 // Which points and solids are inside which others.
 //
-// A point is inside a mesh if the winding number of the mesh, rounded, is not 0. The winding number counts how
-// often the mesh encloses the point: 1 inside a surface that faces outward, -1 inside one that faces inward, 0
-// outside and in hollows, 2 where two parts overlap or where all facets are doubled. Where a mesh has open
-// edges, the winding number is no integer (A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust inside-outside
-// segmentation using generalized winding numbers, ACM TOG 32 (4), 2013).
+// A point is inside a mesh if the winding number of the mesh, rounded, is not 0. The winding number counts
+// how often the mesh encloses the point: 1 inside a surface that faces outward, -1 inside one that faces
+// inward, 0 outside and in hollows, 2 where two parts overlap. Copies of a triangle count once. Where a mesh
+// has open edges, the winding number is no integer (A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust
+// inside-outside segmentation using generalized winding numbers, ACM TOG 32 (4), 2013).
 #pragma once
 
 #include "octoblisk/closest_point.h"
@@ -15,14 +15,14 @@ namespace octoblisk {
 enum class PointLocation { outside, inside, on_surface };
 
 /// Where a point in A's frame is. The surface's vertices are posed in double precision. If no edge is open,
-/// the verdict equals exact arithmetic. Otherwise the winding number is rounded, with an error of 1e-12 or
-/// less. Allocates nothing.
+/// the verdict equals exact arithmetic. Otherwise the winding number has an error before it is rounded: 1e-6
+/// or less, at points that are farther from open edges than 1e-6 of the mesh's size. Allocates nothing.
 PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a = {});
 
-/// The same, but faster if the surface is whole. `nearest` is the surface's point closest to `point`. Where the
-/// surface faces outward, the pseudonormal of the nearest point decides (J. A. Bærentzen, H. Aanæs, Signed
-/// distance computation using the angle weighted pseudonormal, IEEE TVCG 11 (3), 2005). Within rounding of the
-/// surface, the answer may then differ from the exact one.
+/// The same, but faster if the surface is whole. `nearest` is the surface's point closest to `point`. Where
+/// the surface faces outward, the pseudonormal of the nearest point decides (J. A. Bærentzen, H. Aanæs,
+/// Signed distance computation using the angle weighted pseudonormal, IEEE TVCG 11 (3), 2005). Within
+/// rounding of the surface, the answer may then differ from the exact one.
 PointLocation locate(const Surface& surface, const Vec3& point, const ClosestPoint& nearest);
 
 /// The winding number of a point that is not on the surface.

@@ -45,9 +45,9 @@ struct DepthsSought {
 
 /// Finds the greatest distance to A's surface among the points of B's surface that are in the solid A:
 ///     depth = max { dist(x, ∂A) : x ∈ ∂B ∩ A }.
-/// containment.h defines what is in A. Neither what lies inside of A counts as its surface, nor what lies inside
-/// of B as B's (Surface::boundary). If B is wholly inside A, the depth is that of B's innermost point. If A is
-/// wholly inside B, no point of B's surface is in A.
+/// containment.h defines what is in A. Neither what lies inside of A counts as its surface, nor what lies
+/// inside of B as B's (Surface::boundary). If B is wholly inside A, the depth is that of B's innermost point.
+/// If A is wholly inside B, no point of B's surface is in A.
 ///
 /// Holds the working memory of the query: use one object per thread. Warm queries allocate nothing.
 class DepthQuery {

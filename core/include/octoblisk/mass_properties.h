@@ -26,13 +26,13 @@ struct MassProperties {
 /// Extraction for 2D/3D Objects in Mesh Representation, 2001). Each point inside counts once (containment.h),
 /// however often the mesh encloses it. Hollows do not count.
 ///
-/// If the mesh has holes (Surface::isClosed) or no volume, returns the properties of the solid bounding box of
-/// its triangles.
+/// If the mesh has holes (Surface::isClosed) or no volume, returns the properties of the solid bounding box
+/// of its triangles.
 MassProperties massProperties(const Surface& surface);
 
-/// The same for a mesh alone. Builds a tree and a surface if the mesh is not known to be simple: with each edge
-/// in two triangles, which use it in opposite directions, and with components whose bounds are apart. A simple
-/// mesh is assumed not to intersect itself.
+/// The same for a mesh alone. Builds a tree and a surface if the mesh is not known to be simple: with each
+/// edge in two triangles, which use it in opposite directions, and with components whose bounds are apart. A
+/// simple mesh is assumed not to intersect itself.
 MassProperties massProperties(const TriangleMesh& mesh);
 
 /// The frame in which the inertia is diagonal.

@@ -29,10 +29,10 @@ enum class TriangleRole : std::uint8_t {
 /// only nearly equal are not merged. Built once in O(n log n), never changed.
 ///
 /// A mesh stays a solid if its facets are doubled, if parts of it overlap, if a corner lies on the edge of
-/// another triangle (a T-junction), and where cracks are narrow compared with the triangles beside them. Around
-/// holes its triangles are sheets: those that see holes of their own component in more than a quarter of
-/// all directions, and those at the edge of a hole. A component is a sheet all over if its holes have more than a
-/// quarter of its area.
+/// another triangle (a T-junction), and where cracks are narrow compared with the triangles beside them.
+/// Around holes its triangles are sheets: those that see holes of their own component in more than a quarter
+/// of all directions, and those at the edge of a hole. A component is a sheet all over if its holes have more
+/// than a quarter of its area.
 class Surface {
  public:
   /// The tree must outlive the surface. `threads`: 0 for as many as the machine has; the answers do not

@@ -26,8 +26,8 @@ class FarVerticesInSolid {
   /// inside A, all contacts push B in one direction: the shortest way out of B's middle, or of a far vertex
   /// if the middle does not show the way. B's farthest vertex in this direction and each far vertex inside A
   /// get a contact.
-  void find(const SolidMesh& a, const ClusteredOctree& b, const FarVertices& far_of_b,
-            const Pose& b_in_a, bool meet, double least_depth, std::vector<Contact>& ways_out);
+  void find(const SolidMesh& a, const ClusteredOctree& b, const FarVertices& far_of_b, const Pose& b_in_a,
+            bool meet, double least_depth, std::vector<Contact>& ways_out);
 
   /// Call this after one of the meshes has changed.
   void forget() { in_a_ = {}; }

@@ -6,8 +6,7 @@
 
 namespace octoblisk::detail {
 
-bool PointInSolid::contains(const SolidMesh& solid, const Vec3& point,
-                            FunctionRef<double()> leastClearance) {
+bool PointInSolid::contains(const SolidMesh& solid, const Vec3& point, FunctionRef<double()> leastClearance) {
   const bool is_first = !last_;
   const double moved = is_first ? std::numeric_limits<double>::infinity() : (point - *last_).norm();
   last_ = point;

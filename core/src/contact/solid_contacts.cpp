@@ -22,8 +22,8 @@ double innerRadius(const Convex& convex) {
 
 }  // namespace
 
-void toSolidContacts(const SolidMesh& solid, const Convex& convex, const Pose& convex_in_mesh,
-                     double reach, PointInSolid& middle, std::vector<Contact>& contacts) {
+void toSolidContacts(const SolidMesh& solid, const Convex& convex, const Pose& convex_in_mesh, double reach,
+                     PointInSolid& middle, std::vector<Contact>& contacts) {
   const ClusteredOctree& tree = solid.boundary();
   const Vec3 center = convex_in_mesh * convex.middle();
   // A triangle that comes nearer to the middle is as much deeper in the ball around it.

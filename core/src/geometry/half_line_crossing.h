@@ -10,9 +10,9 @@ enum class Crossing { none, leaving, entering, on_triangle };
 
 /// The verdict equals exact arithmetic on the given doubles. It is `on_triangle` if the closed triangle
 /// contains the point. Otherwise the half-line is moved by (0, ε², ε) for an infinitesimal ε > 0 (simulation
-/// of simplicity: H. Edelsbrunner, E. P. Mücke, 1990). It then meets no edge and no vertex. Over the triangles
-/// of a surface without open edges, the number of times it leaves minus the number of times it enters is the
-/// winding number of the point.
+/// of simplicity: H. Edelsbrunner, E. P. Mücke, 1990). It then meets no edge and no vertex. Over the
+/// triangles of a surface without open edges, the number of times it leaves minus the number of times it
+/// enters is the winding number of the point.
 Crossing halfLineCrossing(const Vec3& point, const Triangle& triangle);
 
 /// The same for triangles that no point counts as on: +1 if the half-line leaves, -1 if it enters, otherwise

@@ -19,9 +19,9 @@ struct OpenEdge {
 using OpenLoop = std::vector<OpenEdge>;
 
 /// Divides the open edges of a mesh into loops. At each corner as many open edges begin as end, because each
-/// triangle is a loop itself. Where several begin, a loop turns back as sharply as possible. A loop ends where
-/// it comes close to its own beginning: closer than 1/64 of the edges there. So the loops of T-junctions and
-/// cracks are as narrow as these are, and a crack does not join the holes at its ends.
+/// triangle is a loop itself. Where several begin, a loop turns back as sharply as possible. A loop ends
+/// where it comes close to its own beginning: closer than 1/64 of the edges there. So the loops of
+/// T-junctions and cracks are as narrow as these are, and a crack does not join the holes at its ends.
 std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions);
 
 /// The corners around a loop, also those that are close to each other.

@@ -143,7 +143,8 @@ int WindingShare::roundedAt(const Vec3& point, const Pose& triangles_in_a) const
   const double share = refined(point, triangles_in_a, [](double estimate, double error) {
     return std::abs(estimate - std::round(estimate)) + error < 0.5;
   });
-  return std::isfinite(share) ? static_cast<int>(std::round(share)) : 0;  // nothing encloses a point at infinity
+  return std::isfinite(share) ? static_cast<int>(std::round(share))
+                              : 0;  // nothing encloses a point at infinity
 }
 
 bool WindingShare::exceeds(double limit, const Vec3& point) const {

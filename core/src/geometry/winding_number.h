@@ -13,9 +13,9 @@ namespace octoblisk::detail {
 /// Jacobson, L. Kavan, O. Sorkine-Hornung, Robust inside-outside segmentation using generalized winding
 /// numbers, ACM TOG 32 (4), 2013).
 ///
-/// A tree of spheres holds the triangles, large ones near its root. From afar, the triangles of a sphere count as one dipole (G.
-/// Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for soups and clouds, ACM TOG
-/// 37 (4), 2018).
+/// A tree of spheres holds the triangles, large ones near its root. From afar, the triangles of a sphere
+/// count as one dipole (G. Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for
+/// soups and clouds, ACM TOG 37 (4), 2018).
 class WindingShare {
  public:
   explicit WindingShare(std::vector<Triangle> triangles);
@@ -33,9 +33,9 @@ class WindingShare {
   /// The triangles [begin, end), and how to replace them from afar. The first of them is the largest. Two
   /// children share the others: the first one follows the node.
   struct Node {
-    Vec3 center = Vec3::Zero();     // the mean over the area
-    double radius = 0.0;            // of the sphere that contains the triangles
-    double area = 0.0;              // the sum of all areas
+    Vec3 center = Vec3::Zero();  // the mean over the area
+    double radius = 0.0;         // of the sphere that contains the triangles
+    double area = 0.0;           // the sum of all areas
     Vec3 area_vector = Vec3::Zero();
     double first_moment = 0.0;   // at most ∫ |n - mean n| |x - center| over the area, for unit normals n
     double second_moment = 0.0;  // ∫ |x - center|² over the area

@@ -18,8 +18,8 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 
 /// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not
 /// separate. `nodes` are the nodes whose leaves contain the pair. `meets`: the filter proves that they meet;
-/// otherwise the exact test must decide. Visits only pairs of leaves for which `wants` is true. Returns true as
-/// soon as a visit does, otherwise false.
+/// otherwise the exact test must decide. Visits only pairs of leaves for which `wants` is true. Returns true
+/// as soon as a visit does, otherwise false.
 template <typename Wants, typename Visit, typename Tally = NoTally>
 bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Wants&& wants,
                         Visit&& visit, Tally&& tally = {}) {

@@ -100,7 +100,8 @@ MassProperties massProperties(const Surface& surface) {
       for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) visit(mesh.triangle(t), signOf(t));
     }
     for (const Gap& gap : parts.gaps) {
-      for (const Triangle& triangle : gap.cap) visit(triangle, gap.is_inner ? 0.0 : signOf(gap.edges[0].triangle));
+      for (const Triangle& triangle : gap.cap)
+        visit(triangle, gap.is_inner ? 0.0 : signOf(gap.edges[0].triangle));
     }
   });
 }

@@ -16,9 +16,10 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The greatest share of all directions in which a triangle of a solid may see holes: with up to a quarter, the
-/// winding number is nearer to 0 before the triangle and to 1 behind it than to 1/2. Also the greatest share of
-/// its area that a component with holes may lack, because a triangle sees about that share on average.
+/// The greatest share of all directions in which a triangle of a solid may see holes: with up to a quarter,
+/// the winding number is nearer to 0 before the triangle and to 1 behind it than to 1/2. Also the greatest
+/// share of its area that a component with holes may lack, because a triangle sees about that share on
+/// average.
 constexpr double kHoleShare = 1.0 / 4.0;
 
 /// The same for SolidParts::near_hole. A hole seen in a smaller share is no entrance: an open box of any
@@ -54,6 +55,12 @@ class SolidSearch {
   std::shared_ptr<SolidParts> find() {
     const std::vector<Vec3> positions = cornerPositions();
     findEdges();
+    roles_.assign(mesh_.triangleCount(), TriangleRole::inner);
+    const Copies copies = is_manifold_ ? Copies() : findCopies();
+    if (!copies.triangles.empty()) {
+      judgeByOriginals(copies);
+      return parts_;
+    }
     std::vector<Gap> gaps;
     std::vector<Triangle> caps;
     for (std::vector<OpenEdge> open = open_edges_; !open.empty();) {
@@ -67,14 +74,8 @@ class SolidSearch {
       }
       open = leftOver(loops);
     }
-    parts_ = std::make_shared<SolidParts>(surface_.tree(), std::move(caps));
+    parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), std::move(caps)));
     parts_->gaps = std::move(gaps);
-    roles_.assign(mesh_.triangleCount(), TriangleRole::inner);
-    const Copies copies = is_manifold_ ? Copies() : findCopies();
-    if (!copies.triangles.empty()) {
-      judgeByOriginals(copies);
-      return parts_;
-    }
     findHoles();
     if (std::ranges::find(sees_hole_, 0) == sees_hole_.end()) {
       roles_.assign(roles_.size(), TriangleRole::sheet);
@@ -223,14 +224,17 @@ SolidSearch::Copies SolidSearch::findCopies() const {
 void SolidSearch::judgeByOriginals(const Copies& copies) {
   std::vector<TriangleMesh::Indices> triangles;
   std::vector<std::uint32_t> source;
+  std::vector<signed char> counts(mesh_.triangleCount(), 0);
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
     if (copies.original[t] != t || copies.count[t] == 0) continue;
+    counts[t] = copies.count[t] > 0 ? 1 : -1;
     triangles.push_back(mesh_.triangles()[t]);
-    if (copies.count[t] < 0) std::swap(triangles.back()[1], triangles.back()[2]);
+    if (counts[t] < 0) std::swap(triangles.back()[1], triangles.back()[2]);
     source.push_back(t);
   }
-  parts_->copies = copies.triangles;
   if (triangles.empty()) {
+    parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), {}, std::move(counts)));
+    parts_->copies = copies.triangles;
     roles_.assign(roles_.size(), TriangleRole::sheet);
     has_holes_ = true;
     return;
@@ -239,6 +243,10 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
   const ClusteredOctree tree = ClusteredOctree::build(std::move(reduced), {.threads = threads_});
   const Surface single(tree, threads_);
   const SolidParts& found = single.solidParts();
+  std::vector<Triangle> caps;
+  for (const Gap& gap : found.gaps) caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
+  parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), std::move(caps), std::move(counts)));
+  parts_->copies = copies.triangles;
   const auto reversed = [](TriangleRole role) {
     return role == TriangleRole::outward  ? TriangleRole::inward
            : role == TriangleRole::inward ? TriangleRole::outward
@@ -444,7 +452,7 @@ void SolidSearch::judgePieces() {
 
 /// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
 void SolidSearch::findHoles() {
-  std::map<std::uint32_t, std::vector<Triangle>> caps;          // by component
+  std::map<std::uint32_t, std::vector<Triangle>> caps;                           // by component
   std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
   for (Gap& gap : parts_->gaps) {
     if (gap.cap.empty()) continue;

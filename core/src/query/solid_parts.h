@@ -17,7 +17,7 @@ struct GapEdge {
   std::uint32_t triangle;
 };
 
-/// A loop of open edges, and the triangles that close it. Copies of triangles count once.
+/// A loop of open edges, and the triangles that close it.
 struct Gap {
   std::vector<GapEdge> edges;
   std::vector<Triangle> cap;
@@ -31,19 +31,19 @@ struct ExposedSurface {
   ClusteredOctree tree;
   std::unique_ptr<const Surface> surface;
   std::vector<std::uint32_t> source;  // per triangle: the triangle that it is a part of
-  /// Per triangle: its share of the surface. Where k equal facets lie on each other, each has a k-th. Negative
-  /// if it faces into the solid, 0 for sheets.
+  /// Per triangle: its share of the surface. Where k equal facets lie on each other, each has a k-th.
+  /// Negative if it faces into the solid, 0 for sheets.
   std::vector<double> share;
 };
 
 /// What Surface knows about the solid that its mesh bounds.
 struct SolidParts {
-  SolidParts(const ClusteredOctree& tree, std::vector<Triangle> caps) : winding(tree, std::move(caps)) {}
+  explicit SolidParts(Winding of_mesh) : winding(std::move(of_mesh)) {}
 
   /// Examines the mesh, whose corners are known, and fills the surface's roles and this.
   static std::shared_ptr<const SolidParts> of(Surface& surface, int threads);
 
-  Winding winding;
+  Winding winding;  // copies count once
   std::vector<Gap> gaps;
   /// Per triangle: whether a hole that it sees, or that is at its edge, lets bodies in; empty if none does.
   std::vector<char> near_hole;

@@ -12,8 +12,8 @@
 namespace octoblisk::detail {
 namespace {
 
-/// Calls visit(triangle), posed in A, for all triangles that the half-line from the point along +x may cross,
-/// until it returns false.
+/// Calls visit(index, triangle), posed in A, for all triangles that the half-line from the point along +x may
+/// cross, until it returns false.
 template <typename Visit>
 void forEachAhead(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a, const Visit& visit) {
   constexpr double kAll = std::numeric_limits<double>::infinity(), kStop = -1.0;
@@ -21,7 +21,7 @@ void forEachAhead(const ClusteredOctree& tree, const Vec3& point, const Pose& tr
   const double rounding =
       kDoubleRounding * (point.norm() + tree_in_a.translation.norm() + treeOf(tree).origin().norm());
   forEachCandidate(treeOf(tree), ray, rounding, [&](std::uint32_t triangle) {
-    return visit(tree_in_a * tree.mesh().triangle(triangle)) ? kAll : kStop;
+    return visit(triangle, tree_in_a * tree.mesh().triangle(triangle)) ? kAll : kStop;
   });
 }
 
@@ -41,25 +41,30 @@ std::shared_ptr<const ClusteredOctree> treeOver(const std::vector<Triangle>& tri
 
 }  // namespace
 
-std::optional<int> crossingNumber(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a) {
+std::optional<int> crossingNumber(const ClusteredOctree& tree, const Vec3& point, const Pose& tree_in_a,
+                                  std::span<const signed char> counts) {
   int number = 0;
   bool on_surface = false;
-  forEachAhead(tree, point, tree_in_a, [&](const Triangle& triangle) {
+  forEachAhead(tree, point, tree_in_a, [&](std::uint32_t t, const Triangle& triangle) {
     const Crossing crossing = halfLineCrossing(point, triangle);
-    number += (crossing == Crossing::leaving) - (crossing == Crossing::entering);
+    const int sign = (crossing == Crossing::leaving) - (crossing == Crossing::entering);
+    number += counts.empty() ? sign : sign * counts[t];
     on_surface |= crossing == Crossing::on_triangle;
     return !on_surface;
   });
   return on_surface ? std::nullopt : std::optional(number);
 }
 
-Winding::Winding(const ClusteredOctree& tree, std::vector<Triangle> caps)
-    : tree_(&tree), caps_(std::move(caps)), cap_tree_(treeOver(caps_.triangles())) {}
+Winding::Winding(const ClusteredOctree& tree, std::vector<Triangle> caps, std::vector<signed char> counts)
+    : tree_(&tree),
+      counts_(std::move(counts)),
+      caps_(std::move(caps)),
+      cap_tree_(treeOver(caps_.triangles())) {}
 
 std::optional<int> Winding::closedAt(const Vec3& point, const Pose& tree_in_a) const {
-  std::optional<int> number = crossingNumber(*tree_, point, tree_in_a);
+  std::optional<int> number = crossingNumber(*tree_, point, tree_in_a, counts_);
   if (number && cap_tree_) {
-    forEachAhead(*cap_tree_, point, tree_in_a, [&](const Triangle& triangle) {
+    forEachAhead(*cap_tree_, point, tree_in_a, [&](std::uint32_t, const Triangle& triangle) {
       *number += signedCrossing(point, triangle);
       return true;
     });

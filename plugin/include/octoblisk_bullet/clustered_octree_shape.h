@@ -62,10 +62,10 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// Refits the tree to moved vertices of the shape's mesh; parts and triangles must be the same. Applies the
   /// shape's own scaling, not the interface's. Several times faster than a new shape. Changes only this
   /// shape, not others that share its tree. Do not call it while a query runs. For a static or sleeping body,
-  /// also update its bounds (updateSingleAabb) and activate it, as after any change. A mesh with doubled facets,
-  /// overlapping parts, T-junctions or some holes is examined again, which takes longer than building. Throws
-  /// std::invalid_argument if the argument is null, if the number of triangles or the parts differ, or as
-  /// ClusteredOctree::refitted does. The shape is then unchanged.
+  /// also update its bounds (updateSingleAabb) and activate it, as after any change. A mesh with doubled
+  /// facets, overlapping parts, T-junctions or some holes is examined again, which takes longer than
+  /// building. Throws std::invalid_argument if the argument is null, if the number of triangles or the parts
+  /// differ, or as ClusteredOctree::refitted does. The shape is then unchanged.
   void refit(const btStridingMeshInterface* mesh_interface);
   /// The same from a mesh of the core.
   void refit(std::shared_ptr<const TriangleMesh> unscaled);
@@ -78,8 +78,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   btScalar getContactBreakingThreshold(btScalar default_factor) const override;
 
   /// The contact margin: the thickness of a layer around the triangles, in world units. Bodies rest on this
-  /// layer, so their meshes stay apart. Default: 0 if no triangle bounds a solid (see setSolid). Otherwise, the
-  /// least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and half the
+  /// layer, so their meshes stay apart. Default: 0 if no triangle bounds a solid (see setSolid). Otherwise,
+  /// the least of 1/100 of its greatest half extent, 1/10 of the thickness of its thin parts, and half the
   /// contact breaking threshold (0.01 by default); scaling and refit change it. With a margin of 0, contacts
   /// lie exactly on the triangles.
   ///
