@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <queue>
 #include <utility>
 
 #include "base/disjoint_sets.h"
@@ -40,6 +42,49 @@ std::vector<std::uint32_t> mergedCorners(std::span<const OpenEdge> edges, std::s
   return place;
 }
 
+/// For each edge, the one that follows it in its loop. Edges that turn back most sharply are joined first, so
+/// that the others do not take what these need.
+std::vector<std::uint32_t> nextEdges(std::span<const OpenEdge> edges, std::span<const Vec3> positions,
+                                     std::span<const std::uint32_t> place) {
+  std::vector<Vec3> direction;
+  for (const OpenEdge& edge : edges)
+    direction.push_back((positions[edge.to] - positions[edge.from]).normalized());
+  const auto begin_at = [&](std::uint32_t edge) { return place[edges[edge].from]; };
+  std::vector<std::uint32_t> order(edges.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, begin_at);
+  struct Turn {
+    double sharpness;
+    std::uint32_t edge, next;
+    bool operator<(const Turn& other) const {
+      return std::pair(sharpness, other.edge) < std::pair(other.sharpness, edge);
+    }
+  };
+  std::vector<std::uint32_t> next(edges.size(), kNoIndex);
+  std::vector<bool> is_taken(edges.size(), false);
+  const auto sharpestFree = [&](std::uint32_t edge) {
+    Turn turn = {-std::numeric_limits<double>::infinity(), edge, kNoIndex};
+    for (const std::uint32_t other : std::ranges::equal_range(order, place[edges[edge].to], {}, begin_at)) {
+      const double sharpness = -direction[edge].dot(direction[other]);
+      if (!is_taken[other] && sharpness > turn.sharpness) turn = {sharpness, edge, other};
+    }
+    return turn;
+  };
+  std::priority_queue<Turn> turns;
+  for (std::uint32_t edge = 0; edge < edges.size(); ++edge) turns.push(sharpestFree(edge));
+  while (!turns.empty()) {
+    const Turn turn = turns.top();
+    turns.pop();
+    if (is_taken[turn.next]) {
+      turns.push(sharpestFree(turn.edge));
+      continue;
+    }
+    next[turn.edge] = turn.next;
+    is_taken[turn.next] = true;
+  }
+  return next;
+}
+
 /// Adds the triangles between the corners from `first` to `last` of an outline. Halves it again and again, so
 /// that most triangles are small.
 void fill(std::span<const std::uint32_t> outline, std::span<const Vec3> positions, std::size_t first,
@@ -55,42 +100,20 @@ void fill(std::span<const std::uint32_t> outline, std::span<const Vec3> position
 
 std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
   const std::vector<std::uint32_t> place = mergedCorners(edges, positions);
-  const auto begin_at = [&](const OpenEdge& edge) { return place[edge.from]; };
-  std::vector<OpenEdge> sorted(edges.begin(), edges.end());
-  std::ranges::stable_sort(sorted, {}, begin_at);
-  std::vector<bool> is_used(sorted.size(), false);
-  const auto directionOf = [&](const OpenEdge& edge) {
-    return (positions[edge.to] - positions[edge.from]).normalized();
-  };
-  // The unused edge from the end of `last` that turns back most sharply.
-  const auto next = [&](const OpenEdge& last) {
-    const auto from_there = std::ranges::equal_range(sorted, place[last.to], {}, begin_at);
-    const Vec3 back = -directionOf(last);
-    std::size_t best = sorted.size();
-    double sharpest = -std::numeric_limits<double>::infinity();
-    for (auto edge = from_there.begin(); edge != from_there.end(); ++edge) {
-      const auto index = static_cast<std::size_t>(edge - sorted.begin());
-      const double sharpness = back.dot(directionOf(*edge));
-      if (is_used[index] || sharpness <= sharpest) continue;
-      sharpest = sharpness;
-      best = index;
-    }
-    return best;
-  };
+  const std::vector<std::uint32_t> next = nextEdges(edges, positions, place);
+  std::vector<bool> is_used(edges.size(), false);
   std::vector<std::uint32_t> step_at(positions.size(), kNoIndex);  // per place: where it begins on the path
   std::vector<OpenLoop> loops;
   OpenLoop path;
-  for (std::size_t first = 0; first < sorted.size(); ++first) {
-    if (is_used[first]) continue;
-    for (std::size_t edge = first; edge < sorted.size();
-         edge = path.empty() ? sorted.size() : next(path.back())) {
+  for (std::uint32_t first = 0; first < edges.size(); ++first) {
+    for (std::uint32_t edge = first; !is_used[edge]; edge = next[edge]) {
       is_used[edge] = true;
-      step_at[begin_at(sorted[edge])] = static_cast<std::uint32_t>(path.size());
-      path.push_back(sorted[edge]);
-      const std::uint32_t begin = step_at[place[sorted[edge].to]];
+      step_at[place[edges[edge].from]] = static_cast<std::uint32_t>(path.size());
+      path.push_back(edges[edge]);
+      const std::uint32_t begin = step_at[place[edges[edge].to]];
       if (begin == kNoIndex) continue;
       loops.emplace_back(path.begin() + begin, path.end());
-      for (const OpenEdge& of_loop : loops.back()) step_at[begin_at(of_loop)] = kNoIndex;
+      for (const OpenEdge& of_loop : loops.back()) step_at[place[of_loop.from]] = kNoIndex;
       path.resize(begin);
     }
   }

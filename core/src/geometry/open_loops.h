@@ -19,7 +19,7 @@ struct OpenEdge {
 using OpenLoop = std::vector<OpenEdge>;
 
 /// Divides the open edges of a mesh into loops. At each corner as many open edges begin as end, because each
-/// triangle is a loop itself. Where several begin, a loop turns back as sharply as possible. A loop ends
+/// triangle is a loop itself. Where several begin, the sharpest turns back are taken first. A loop ends
 /// where it comes close to its own beginning: closer than 1/64 of the edges there. So the loops of
 /// T-junctions and cracks are as narrow as these are, and a crack does not join the holes at its ends.
 std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions);

@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/no_index.h"
+#include "query/solid_parts.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -120,6 +121,7 @@ bool areApart(const TriangleMesh& mesh, DisjointSets& connected) {
     volume[component] += arm(0).dot(arm(1).cross(arm(2)));
     for (const std::uint32_t corner : triangle) bounds[component].extend(mesh.vertices()[corner]);
   }
+  for (Aabb& box : bounds) box = box.grown(touchingDistance(mesh));
   std::ranges::sort(bounds, {}, [](const Aabb& box) { return box.min.x(); });
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     for (std::size_t j = i + 1; j < bounds.size() && bounds[j].min.x() <= bounds[i].max.x(); ++j) {

@@ -26,10 +26,6 @@ constexpr double kHoleShare = 1.0 / 4.0;
 /// proportions up to a depth of four times its width shows more.
 constexpr double kEntranceShare = 1.0 / 64.0;
 
-/// The rounding of points and planes near the mesh, relative to its coordinates: a few hundred units in the
-/// last place.
-constexpr double kPointRounding = 1e-13;
-
 /// Triangles side by side, with nothing that meets the surface between them: one role fits all.
 using Region = std::vector<std::uint32_t>;
 
@@ -50,7 +46,7 @@ class SolidSearch {
       : surface_(surface),
         mesh_(surface.tree().mesh()),
         threads_(threads),
-        tolerance_(kPointRounding * mesh_.bounds().farthestFromOrigin()) {}
+        tolerance_(touchingDistance(mesh_)) {}
 
   std::shared_ptr<SolidParts> find() {
     const std::vector<Vec3> positions = cornerPositions();
