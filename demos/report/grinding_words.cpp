@@ -68,9 +68,7 @@ std::string summaryText(const GrindingRun& run) {
        << " intended contact, " << run.count(Verdict::near_miss) << " near miss, "
        << run.count(Verdict::interference) << " interference";
   if (const std::size_t unknown = run.count(Verdict::unknown); unknown > 0) {
-    text << ", " << unknown
-         << " unknown (the depth is unknown: the blisk's surface is open, doubled or self-intersecting near "
-            "the tool)";
+    text << ", " << unknown << " unknown (the depth is unknown: the blisk's mesh has a hole near the tool)";
   }
   text << '\n';
   if (run.blisk->options().partition == PartitionKind::paper) {
