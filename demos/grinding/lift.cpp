@@ -29,8 +29,10 @@ bool areNested(const octoblisk::Surface& a, const octoblisk::Surface& b, const P
 }
 
 bool areNestedIfCapped(const octoblisk::Surface& a, const octoblisk::Surface& b, const Pose& b_in_a) {
-  return areNestedBy(a, b, b_in_a,
-                     [&](const Vec3& point) { return a.solidParts().winding.closedAt(point) != 0; });
+  // A point on the mesh counts as inside, so that nothing is proved there.
+  return areNestedBy(a, b, b_in_a, [&](const Vec3& point) {
+    return a.solidParts().winding.closedAt(point).value_or(1) != 0;
+  });
 }
 
 bool partsWhenLifted(const octoblisk::Surface& solid, const octoblisk::Surface& part,

@@ -37,7 +37,7 @@ std::string openText(const MeshInspection& found) {
   std::ostringstream text;
   addOpenEdges(found, text);
   if (const std::size_t edges = found.opposed_edges.size(); edges > 0) {
-    text << (text.tellp() > 0 ? "; " : "") << "triangles face against each other at " << edges
+    text << (text.tellp() > 0 ? "; " : "") << "triangles face opposite ways at " << edges
          << (edges == 1 ? " of its edges, at triangle " : " of its edges, the first at triangle ")
          << found.opposed_edges.front().triangle;
   }

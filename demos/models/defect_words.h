@@ -8,7 +8,7 @@
 namespace octoblisk::demos {
 
 /// Where triangles bound no solid: "16 of its edges are open, the first from (0 0 1) to (0 1 1); triangles
-/// face against each other at 2 of its edges, the first at triangle 7". If there are no such edges: "3 of its
+/// face opposite ways at 2 of its edges, the first at triangle 7". If there are no such edges: "3 of its
 /// triangles bound no solid, the first number 7". Empty if the whole mesh bounds a solid. Edges of
 /// T-junctions and cracks do not count.
 std::string openText(const MeshInspection& found);

@@ -20,7 +20,7 @@ struct GapStyle {
 };
 
 constexpr GapStyle kGapStyles[] = {{GapKind::hole, palette::kVermilion, "hole"},
-                                   {GapKind::turned, palette::kOrange, "triangles face against each other"},
+                                   {GapKind::turned, palette::kOrange, "triangles face opposite ways"},
                                    {GapKind::t_junction, palette::kBlue, "T-junction"},
                                    {GapKind::crack, palette::kGreen, "crack"},
                                    {GapKind::inner, palette::kInk, "gap inside"}};

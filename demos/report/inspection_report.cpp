@@ -20,7 +20,7 @@ struct Kind {
 
 /// Because of these, triangles bound no solid, or face into it.
 constexpr Kind kBad[] = {
-    {"opposed_edges", "edges of triangles that face against each other", &MeshInspection::opposed_edges},
+    {"opposed_edges", "edges of triangles that face opposite ways", &MeshInspection::opposed_edges},
     {"sheets", "sheets (triangles that bound no solid)", &MeshInspection::sheets},
     {"inward", "triangles that face inward", &MeshInspection::inward},
 };
@@ -141,7 +141,7 @@ std::string stateText(const MeshInspection& found) {
             (holes == 1 ? "it are sheets" : "them are sheets");
   } else if (!found.sheets.empty()) {
     text += found.opposed_edges.empty() ? ", but some triangles bound none"
-                                        : ", except where triangles face against each other";
+                                        : ", except where triangles face opposite ways";
   }
   return text;
 }

@@ -94,13 +94,15 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree, bool
                                                                      : massPropertiesOfBox(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
   const bool is_anywhere_solid = surface ? SolidMesh(*surface).boundsAnywhere() : isOutwardSolid(*properties);
+  const bool is_open = !is_anywhere_solid && (!may_be_solid || (surface && !surface->isOriented()));
   if (!is_anywhere_solid) surface = nullptr;
-  thin_margin_ = is_anywhere_solid ? btScalar(thinMargin(surface ? surface->boundary().tree() : *tree)) : 0;
+  thin_margin_ = is_anywhere_solid ? btScalar(thinMargin(surface ? surface->boundary() : *tree)) : 0;
   // Nothing below throws, so that the shape stays consistent.
   mass_properties_ = std::move(properties);
   far_vertices_ = std::move(vertices);
   surface_ = std::move(surface);
   is_anywhere_solid_ = is_anywhere_solid;
+  is_open_ = is_open;
   tree_ = std::move(tree);
   updateDefaultMargin();
 }
@@ -131,7 +133,7 @@ void ClusteredOctreeShape::refit(std::shared_ptr<const TriangleMesh> unscaled) {
   }
   use(std::make_shared<const ClusteredOctree>(
           tree_->refitted(scaled(unscaled, fromBullet(scaling_)), options_.threads)),
-      is_anywhere_solid_);
+      !is_open_);
   unscaled_ = std::move(unscaled);
 }
 
@@ -153,7 +155,9 @@ void ClusteredOctreeShape::setMargin(btScalar margin) {
 std::string ClusteredOctreeShape::whyNotSolid() const {
   if (isSolid()) return "";
   if (!may_be_solid_) return "setSolid(false) was called.";
-  return octoblisk::whyNotSolid(inspect(surface_ ? *surface_ : Surface(*tree_, options_.threads)));
+  const std::string why =
+      octoblisk::whyNotSolid(inspect(surface_ ? *surface_ : Surface(*tree_, options_.threads)));
+  return why.empty() ? "The mesh had holes when the shape was built." : why;
 }
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }

@@ -157,6 +157,12 @@ bool keepTree(const ClusteredOctreeShape* shape, std::shared_ptr<const Clustered
   return true;
 }
 
+Solidity solidityOf(const ClusteredOctreeShape* mesh) {
+  if (!mesh) return {};
+  const SolidMesh solid = mesh->solid();
+  return {mesh->isSolid(), solid.isAnywhereSolid(), &solid.boundary()};
+}
+
 }  // namespace
 
 const ClusteredOctree& MeshAlgorithm::PosedShapes::treeOf(const ClusteredOctreeShape& shape) const {
@@ -250,7 +256,7 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
   const bool mesh_has_changed = keepTree(&shapes.mesh, tree_),
              other_has_changed = keepTree(other_mesh, tree_of_other_);
   if (mesh_has_changed || other_has_changed) trianglesHaveMoved();
-  const std::pair are_solid(shapes.mesh.isSolid(), other_mesh && other_mesh->isSolid());
+  const std::pair are_solid(solidityOf(&shapes.mesh), solidityOf(other_mesh));
   if (mesh_has_changed || other_has_changed || are_solid != are_solid_) {
     manifolds_.clear();
     patches_ = {};
@@ -263,7 +269,7 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
 
 bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
   if (other.isInfinite()) return false;  // a half-space is solid
-  return !are_solid_.first || (other.isConcave() && !are_solid_.second);
+  return !are_solid_.first.is_solid || (other.isConcave() && !are_solid_.second.is_solid);
 }
 
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
@@ -292,8 +298,9 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   }
   way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
     WayBack::OpenTriangles open;
-    if (!shapes.mesh.solid().bounds(contact.triangle_a)) open.of_a = triangles.triangle(contact.triangle_a);
-    if (shapes.other.isConcave() && !(other_mesh && other_mesh->solid().bounds(contact.triangle_b)))
+    if (!shapes.mesh.solid().boundsSolid(contact.triangle_a))
+      open.of_a = triangles.triangle(contact.triangle_a);
+    if (shapes.other.isConcave() && !(other_mesh && other_mesh->solid().boundsSolid(contact.triangle_b)))
       open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
     return open;
   });

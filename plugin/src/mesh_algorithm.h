@@ -38,6 +38,13 @@ struct AlgorithmDeleter {
 /// An algorithm of a dispatcher's pool.
 using OwnedAlgorithm = std::unique_ptr<btCollisionAlgorithm, AlgorithmDeleter>;
 
+/// What setSolid changes.
+struct Solidity {
+  bool is_solid = false, is_anywhere_solid = false;
+  const ClusteredOctree* boundary = nullptr;
+  bool operator==(const Solidity&) const = default;
+};
+
 /// The algorithm of a pair of bodies. One of them, the mesh, has a ClusteredOctreeShape. If setCollisionShape
 /// later gives a body a shape of another type, the dispatcher's algorithm for the new types takes over.
 class MeshAlgorithm : public btActivatingCollisionAlgorithm {
@@ -157,8 +164,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   // The state for which the patches were made. Without a pose, they are made anew.
   std::optional<Pose> other_in_mesh_;
   double reach_ = 0.0;
-  std::optional<double> room_;       // between opposite walls; limits the margins of this pair
-  std::pair<bool, bool> are_solid_;  // the mesh, and the other body's mesh
+  std::optional<double> room_;               // between opposite walls; limits the margins of this pair
+  std::pair<Solidity, Solidity> are_solid_;  // the mesh, and the other body's mesh
 };
 
 }  // namespace octoblisk::detail

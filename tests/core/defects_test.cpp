@@ -219,8 +219,8 @@ void checkRoles(const DefectiveMesh& defective, const Surface& surface) {
   const SharedMesh single = testing::withoutCopies(mesh);
   const double step = 1e-8 * sizeOf(defective);
   std::vector<double> bounding(mesh.triangleCount(), 0.0);  // the area that is part of the boundary
-  for (std::uint32_t t = 0; t < surface.boundary().tree().mesh().triangleCount(); ++t)
-    bounding[surface.sourceOf(t)] += scaledNormal(surface.boundary().tree().mesh().triangle(t)).norm();
+  for (std::uint32_t t = 0; t < surface.boundary().mesh().triangleCount(); ++t)
+    bounding[surface.sourceOf(t)] += scaledNormal(surface.boundary().mesh().triangle(t)).norm();
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle triangle = mesh.triangle(t);
     const Vec3 normal = unitNormal(triangle);
@@ -293,7 +293,7 @@ std::vector<double> answersOf(const DefectiveMesh& defective, int threads) {
   const auto add = [&](const Vec3& vector) { answers.insert(answers.end(), vector.begin(), vector.end()); };
   for (std::uint32_t t = 0; t < defective.mesh->triangleCount(); ++t)
     answers.push_back(static_cast<double>(surface.role(t)));
-  const TriangleMesh& boundary = surface.boundary().tree().mesh();
+  const TriangleMesh& boundary = surface.boundary().mesh();
   for (const Vec3& vertex : boundary.vertices()) add(vertex);
   for (const auto& corners : boundary.triangles())
     answers.insert(answers.end(), corners.begin(), corners.end());

@@ -255,7 +255,7 @@ std::uint64_t hashOfDefects(const GoldenScene& scene, const ClusteredOctree& b, 
     answers.add(std::uint64_t{surface.isClosed()} << 1 | std::uint64_t{surface.isWhole()});
     for (std::uint32_t t = 0; t < mesh->triangleCount(); ++t)
       answers.add(static_cast<std::uint64_t>(surface.role(t)));
-    for (const Vec3& vertex : surface.boundary().tree().mesh().vertices()) answers.add(vertex);
+    for (const Vec3& vertex : surface.boundary().mesh().vertices()) answers.add(vertex);
     const MassProperties mass = massProperties(surface);
     answers.add(mass.volume);
     answers.add(mass.center_of_mass);

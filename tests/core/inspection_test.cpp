@@ -257,8 +257,7 @@ TEST(Inspection, findsTrianglesThatFaceAgainstTheirNeighbours) {
   EXPECT_EQ(found.opposed_edges.size(), 3u);
   EXPECT_EQ(found.count(GapKind::hole), 0u) << "no triangle is missing";
   EXPECT_GT(found.count(GapKind::turned), 0u);
-  EXPECT_THAT(whyNotSolid(found),
-              HasSubstr("The mesh has triangles that face against each other at 3 edges"));
+  EXPECT_THAT(whyNotSolid(found), HasSubstr("The mesh has triangles that face opposite ways at 3 edges"));
   const ClosedMesh closed = closedOf(mesh);
   EXPECT_EQ(closed.added.size() + closed.refused.size(), 0u);
   EXPECT_EQ(closed.mesh.triangleCount(), mesh->triangleCount());

@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "contact/solid_mesh.h"
 #include "core/solid.h"
 #include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
+#include "octoblisk/mass_properties.h"
 #include "query/solid_parts.h"
 #include "shared/brute_force.h"
 #include "shared/solids.h"
@@ -70,7 +73,7 @@ TEST(SolidRoles, isWholeWithoutDefects) {
     const Solid solid(mesh);
     EXPECT_TRUE(solid.surface.isWhole());
     EXPECT_TRUE(solid.surface.isClosed());
-    EXPECT_EQ(&solid.surface.boundary(), &solid.surface);
+    EXPECT_EQ(&solid.surface.boundary(), &solid.surface.tree());
   }
 }
 
@@ -86,7 +89,7 @@ TEST(SolidRoles, overlaps_vs_windingNumbers) {
     EXPECT_TRUE(solid.surface.isClosed());
     EXPECT_FALSE(solid.surface.isWhole());
     EXPECT_TRUE(solid.surface.isOriented());
-    const Surface& boundary = solid.surface.boundary();
+    const Surface& boundary = detail::boundaryOf(solid.surface);
     std::vector<double> bounding(mesh->triangleCount(), 0.0);  // the area that is part of the boundary
     for (std::uint32_t t = 0; t < boundary.tree().mesh().triangleCount(); ++t)
       bounding[solid.surface.sourceOf(t)] += scaledNormal(boundary.tree().mesh().triangle(t)).norm();
@@ -149,7 +152,8 @@ TEST(SolidRoles, trianglesAroundAHoleAreSheets) {
     ASSERT_EQ(role == TriangleRole::sheet, std::abs(share) > 1.0 / 4.0 || is_at_the_hole)
         << t << ' ' << share;
     // Bodies may get in through a hole that is seen in a smaller share.
-    ASSERT_EQ(detail::SolidMesh(open.surface).bounds(t), !(std::abs(share) > 1.0 / 64.0) && !is_at_the_hole)
+    ASSERT_EQ(detail::SolidMesh(open.surface).boundsSolid(t),
+              !(std::abs(share) > 1.0 / 64.0) && !is_at_the_hole)
         << t << ' ' << share;
     at_the_hole += is_at_the_hole;
     sheets += role == TriangleRole::sheet;
@@ -168,7 +172,7 @@ TEST(SolidRoles, doubledFacetsAreOneSolid) {
     EXPECT_FALSE(solid.surface.isWhole());
     const bool is_outward = mesh->triangles()[0] == ring->triangles()[0];
     EXPECT_EQ(countOf(solid.surface, is_outward ? TriangleRole::outward : TriangleRole::inward), 2u * count);
-    EXPECT_EQ(solid.surface.boundary().tree().mesh().triangleCount(), count);
+    EXPECT_EQ(solid.surface.boundary().mesh().triangleCount(), count);
   }
   // A surface and the same surface turned around enclose nothing.
   const Solid both(testing::joined(*ring, *inward));
@@ -279,6 +283,108 @@ TEST(SolidRoles, isNeitherAroundNorBelowWhatIsNowhere) {
       EXPECT_EQ(DepthQuery().deepest(a.surface, b.surface, pose, 1e-6).gouging, Gouging::none) << far;
       EXPECT_EQ(DepthQuery().deepest(b.surface, a.surface, pose, 1e-6).gouging, Gouging::none) << far;
     }
+  }
+}
+
+SharedMesh boxBetween(const Vec3& low, const Vec3& high) {
+  return testing::moved(*testing::boxMesh((high - low) / 2.0), {Mat3::Identity(), (high + low) / 2.0});
+}
+
+/// A point on a triangle inside the solid is inside, also if coordinates are equal to the last bit.
+TEST(SolidRoles, innerTrianglesAreInside) {
+  const Solid solid(
+      testing::joined(*boxBetween({-1, -1, -1}, {1, 1, 1}), *boxBetween({0, -1.5, -1.5}, {3, 1.5, 1.5})));
+  EXPECT_EQ(locate(solid.surface, Vec3(0, 0.1, 0.2)), PointLocation::inside);
+  EXPECT_EQ(locate(solid.surface, Vec3(1, 0.1, 0.2)), PointLocation::inside);
+  EXPECT_EQ(locate(solid.surface, Vec3(3, 0.1, 0.2)), PointLocation::on_surface);
+  EXPECT_EQ(locate(solid.surface, Vec3(0, 1.2, 0.2)), PointLocation::on_surface);
+  DepthQuery query;
+  for (const double x : {-0.5, 0.0, 0.5, 1.0}) {
+    const Solid small(boxBetween({x, -0.25, -0.25}, {x + 0.5, 0.25, 0.25}));
+    EXPECT_EQ(containment(solid.surface, small.surface, {}), Containment::b_inside_a) << x;
+    const GougeDepth found = query.deepest(solid.surface, small.surface, {}, 1e-7);
+    EXPECT_EQ(found.gouging, Gouging::found) << x;
+    EXPECT_GT(found.depth, 0.7) << x;
+  }
+}
+
+/// A hole that another part covers in part is a hole.
+TEST(SolidRoles, aHoleThatIsHalfCovered) {
+  const SharedMesh open_box = without(*boxBetween({-2, -2, -2}, {2, 2, 2}), [](const Triangle& triangle) {
+    return centroidOf(triangle).z() == 2.0;
+  });
+  for (const double side : {1.0, -1.0}) {
+    const double low = side > 0.0 ? -3.0 : -0.3, high = side > 0.0 ? 0.3 : 3.0;
+    const Solid half(testing::joined(*open_box, *boxBetween({low, -3, 1}, {high, 3, 4})));
+    EXPECT_FALSE(half.surface.isClosed()) << side;
+  }
+  const Solid whole(testing::joined(*open_box, *boxBetween({-3, -3, 1}, {3, 3, 4})));
+  EXPECT_TRUE(whole.surface.isClosed());
+}
+
+/// Both sides of a sheet are triangles with the same corners. They enclose nothing, and bodies touch them.
+TEST(SolidRoles, aSheetWithTwoSidesStaysInTheBoundary) {
+  const SharedMesh quad = testing::firstTriangles(*boxBetween({-2, -2, 0.5}, {2, 2, 1}), 2);
+  const SharedMesh sheet = testing::joined(*quad, *testing::insideOut(*quad));
+  const SharedMesh away = testing::moved(*sheet, {Mat3::Identity(), Vec3(9, 0, 0)});
+  const SharedMesh cube = testing::boxMesh({1, 1, 1});
+  const auto areaOf = [](const TriangleMesh& mesh) {
+    double area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangleCount(); ++t)
+      area += 0.5 * scaledNormal(mesh.triangle(t)).norm();
+    return area;
+  };
+  const Solid apart(testing::joined(*cube, *away)),
+      twice(testing::joined(*testing::joined(*cube, *cube), *away));
+  for (const Solid* solid : {&apart, &twice}) {
+    EXPECT_TRUE(solid->surface.isClosed());
+    EXPECT_NEAR(areaOf(solid->surface.boundary().mesh()), 24.0 + areaOf(*sheet), 1e-9);
+    EXPECT_EQ(countOf(solid->surface, TriangleRole::sheet), 4u);
+  }
+  // Partly in the cube, only what is outside stays.
+  const Solid through(testing::joined(*testing::joined(*cube, *cube), *sheet));
+  const double height = quad->triangle(0)[0].z();
+  const bool is_level = quad->bounds().halfExtents().z() == 0.0 && std::abs(height) < 1.0;
+  ASSERT_TRUE(is_level);
+  EXPECT_NEAR(areaOf(through.surface.boundary().mesh()), 24.0 + areaOf(*sheet) - 8.0, 1e-9);
+}
+
+/// Each face crosses all bars of the other layer.
+TEST(SolidRoles, aGridOfBars_vs_closedForm) {
+  constexpr int kBars = 20;
+  constexpr double kWide = 0.05, kLong = 12.0, kCommon = 0.04;
+  SharedMesh bars;
+  for (int i = 0; i < kBars; ++i) {
+    const double at = 0.1 * i;
+    const SharedMesh crossing =
+        testing::joined(*boxBetween({-1, at, 0}, {kLong - 1, at + kWide, kWide}),
+                        *boxBetween({at, -1, 0.01}, {at + kWide, kLong - 1, kWide + 0.01}));
+    bars = bars ? testing::joined(*bars, *crossing) : crossing;
+  }
+  const Solid solid(bars);
+  EXPECT_TRUE(solid.surface.isClosed());
+  const double expected = 2 * kBars * kLong * kWide * kWide - kBars * kBars * kWide * kWide * kCommon;
+  EXPECT_NEAR(massProperties(solid.surface).volume, expected, 1e-10 * expected);
+}
+
+/// Thousands of triangles around one corner.
+TEST(SolidRoles, fansAreWhole) {
+  constexpr std::uint32_t kSegments = 1500;
+  for (const double height : {0.0, 1.0}) {
+    std::vector<Vec3> vertices = {Vec3(0, 0, height + 1), Vec3(0, 0, -height - 1)};
+    std::vector<TriangleMesh::Indices> triangles;
+    for (const double z : {1.0, -1.0}) {
+      for (std::uint32_t i = 0; i < kSegments; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kSegments;
+        vertices.emplace_back(std::cos(angle), std::sin(angle), z);
+      }
+    }
+    for (std::uint32_t i = 0; i < kSegments; ++i) {
+      const std::uint32_t a = 2 + i, b = 2 + (i + 1) % kSegments, c = a + kSegments, d = b + kSegments;
+      triangles.insert(triangles.end(), {{0, a, b}, {1, d, c}, {a, c, b}, {b, c, d}});
+    }
+    const Solid solid(std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles)));
+    EXPECT_TRUE(solid.surface.isWhole());
   }
 }
 

@@ -43,7 +43,7 @@ TEST(DefectWords, nameTrianglesThatFaceTheWrongWay) {
   std::vector<TriangleMesh::Indices> triangles = whole.triangles();
   std::swap(triangles[9][0], triangles[9][1]);
   EXPECT_THAT(openText(defects({whole.vertices(), triangles})),
-              StartsWith("triangles face against each other at 3 of its edges, the first at triangle "));
+              StartsWith("triangles face opposite ways at 3 of its edges, the first at triangle "));
   triangles = whole.triangles();
   for (TriangleMesh::Indices& corners : triangles) std::swap(corners[0], corners[1]);
   const TriangleMesh turned(whole.vertices(), triangles);

@@ -83,6 +83,8 @@ DefectiveMesh scaled(const DefectiveMesh& mesh, double factor) { return moved(me
 
 Vec3 placeOf(const btRigidBody& body) { return fromBullet(body.getWorldTransform().getOrigin()); }
 
+Pose at(double x, double y, double z) { return {Mat3::Identity(), Vec3(x, y, z)}; }
+
 /// Bodies meet only the first one, which is at the origin.
 template <typename Broadphase>
 class Range {
@@ -683,7 +685,7 @@ TEST(DefectsOfShapes, trianglesBoundSolids) {
       if (std::ranges::count(are_outward, are_outward[0]) < std::ssize(are_outward)) {
         ++unlike;
       } else {
-        EXPECT_EQ(solid.bounds(t), are_outward[0]) << mesh.name << ' ' << t;
+        EXPECT_EQ(solid.boundsSolid(t), are_outward[0]) << mesh.name << ' ' << t;
       }
     }
   }
@@ -709,10 +711,10 @@ TEST(DefectsOfShapes, aHoleMakesSheetsNearIt) {
       };
       if (std::ranges::count_if(triangle, isCorner) == 2) {
         ++near;
-        EXPECT_FALSE(solid.bounds(t)) << t;
+        EXPECT_FALSE(solid.boundsSolid(t)) << t;
       } else if (distance > 3.0 * width) {
         ++far;
-        EXPECT_TRUE(solid.bounds(t)) << t;
+        EXPECT_TRUE(solid.boundsSolid(t)) << t;
       }
     }
     EXPECT_EQ(near, 3);
@@ -760,7 +762,7 @@ TEST(DefectsOfShapes, bladesOnAnOpenHubAreSolid) {
   for (std::uint32_t t = 0; t < solid.boundary().mesh().triangleCount(); ++t) {
     const Vec3 centroid = centroidOf(solid.boundary().mesh().triangle(t));
     const bool is_of_blade = centroid.head<2>().norm() > BladedHub::kRadius;
-    EXPECT_EQ(solid.bounds(t), is_of_blade) << t << ": " << centroid.transpose();
+    EXPECT_EQ(solid.boundsSolid(t), is_of_blade) << t << ": " << centroid.transpose();
     ++(is_of_blade ? of_blades : of_hub);
   }
   EXPECT_GE(of_blades, 18);
@@ -969,7 +971,43 @@ TEST(DefectsOfShapes, aBoxOfBricksIsASolid) {
     EXPECT_NEAR(double(shape->getMargin()), 0.01, 1e-6) << i;
     EXPECT_NEAR(shape->massProperties().volume, 8.0, 1e-9) << i;
     for (std::uint32_t t = 0; t < shape->solid().boundary().mesh().triangleCount(); ++t)
-      EXPECT_TRUE(shape->solid().bounds(t)) << i << ' ' << t;
+      EXPECT_TRUE(shape->solid().boundsSolid(t)) << i << ' ' << t;
+  }
+}
+
+/// A shape that is fitted to other vertices is like a new one.
+TEST(DefectsOfShapes, refitExaminesTheMeshAgain) {
+  const SharedMesh mesh = testing::joined(*testing::boxMesh({1, 1, 1}),
+                                          *testing::moved(*testing::boxMesh({1, 1, 1}), at(0.5, 0.5, 0.5)));
+  const SharedMesh flat = testing::deformed(*mesh, [](const Vec3& v) { return Vec3(v.x(), v.y(), 0.0); });
+  const auto shape = shapeOf(flat);
+  EXPECT_FALSE(shape->isSolid());
+  EXPECT_NE(shape->whyNotSolid(), "");
+  shape->refit(mesh);
+  const auto expected = shapeOf(mesh);
+  EXPECT_TRUE(shape->isSolid());
+  EXPECT_EQ(shape->getMargin(), expected->getMargin());
+  EXPECT_EQ(shape->massProperties().volume, expected->massProperties().volume);
+}
+
+/// setSolid changes the triangles that bodies touch, also while a body rests on the mesh.
+TEST(DefectsOfShapes, setSolidOfAMeshWithAHole) {
+  const SharedMesh floor = testing::joined(
+      *testing::joined(*testing::boxMesh({2, 2, 1}),
+                       *testing::moved(*testing::boxMesh({1, 1, 1}), at(0, 0, -0.3))),
+      *testing::moved(
+          *withoutTriangles(*testing::boxMesh({1, 1, 1}), [](const Vec3& c) { return c.z() > 0.9; }),
+          at(5, 0, 0)));
+  const auto shape = shapeOf(floor);
+  EXPECT_FALSE(shape->isSolid());
+  EXPECT_NE(shape->solid().boundary().mesh().triangleCount(), floor->triangleCount());
+  Range<btDbvtBroadphase> range(*shape, 0.0, 9.81);
+  const auto body = shapeOf(testing::boxMesh(Vec3::Constant(kBodyHalf)));
+  range.add(*body, at(0.3, 0.2, 1.0 + kBodyHalf + 0.02)).setActivationState(DISABLE_DEACTIVATION);
+  for (const bool is_solid : {true, false, true, false}) {
+    shape->setSolid(is_solid);
+    range.step(60);
+    EXPECT_NEAR(placeOf(range.body(0)).z(), 1.0 + kBodyHalf, 0.03);
   }
 }
 

@@ -58,7 +58,7 @@ std::array<Plane, 6> planesOf(const Box& box) {
 }
 
 /// The boundary of the union of boxes: each face without what is in the other boxes. Where faces coincide,
-/// that of the first box counts, or none if they face against each other.
+/// that of the first box counts, or none if they face opposite ways.
 SharedMesh unionOf(const std::vector<Box>& boxes) {
   constexpr double kNear = 1e-12;
   Vertices vertices;

@@ -25,7 +25,8 @@ PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surf
 /// rounding of the surface, the answer may then differ from the exact one.
 PointLocation locate(const Surface& surface, const Vec3& point, const ClosestPoint& nearest);
 
-/// The winding number of a point that is not on the surface.
+/// The winding number of a point that is not on the surface. Visits all open edges; `locate` only as many as
+/// it needs.
 double windingNumber(const Surface& surface, const Vec3& point);
 
 enum class Containment {

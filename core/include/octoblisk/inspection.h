@@ -18,8 +18,8 @@ struct DefectPlace {
 };
 
 enum class GapKind {
-  hole,    ///< triangles are missing: those around it are sheets
-  turned,  ///< no triangle is missing, but those on its two sides face against each other: they are sheets
+  hole,        ///< triangles are missing: those around it are sheets
+  turned,      ///< no triangle is missing, but those on its two sides face opposite ways: they are sheets
   t_junction,  ///< corners lie on the edge of another triangle, up to the rounding of coordinates to floats
   crack,       ///< narrow compared with the triangles beside it, which bound a solid as if it were not there
   inner,       ///< other parts of the mesh enclose it
@@ -53,7 +53,7 @@ struct MeshInspection {
   std::vector<DefectPlace> copies;       ///< triangles with the same three corners as a lower one
   std::vector<DefectPlace> zero_area;
   std::vector<DefectPlace> shared_edges;   ///< edges of more than two triangles; copies count once
-  std::vector<DefectPlace> opposed_edges;  ///< edges of two triangles that face against each other
+  std::vector<DefectPlace> opposed_edges;  ///< edges of two triangles that face opposite ways
   std::vector<DefectPlace> intersecting;   ///< triangles that others cut or overlap
   /// Triangles of parts that face inward: the winding number is negative in the solid that they bound.
   std::vector<DefectPlace> inward;

@@ -22,7 +22,7 @@ struct MassProperties {
 };
 
 /// The mass properties of the solid that the mesh bounds, in O(n), exact up to rounding. Sums the signed
-/// tetrahedra between each triangle and a point amid the mesh (C. Zhang, T. Chen, Efficient Feature
+/// tetrahedra between each triangle and the middle of the mesh (C. Zhang, T. Chen, Efficient Feature
 /// Extraction for 2D/3D Objects in Mesh Representation, 2001). Each point inside counts once (containment.h),
 /// however often the mesh encloses it. Hollows do not count.
 ///

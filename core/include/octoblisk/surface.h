@@ -32,7 +32,8 @@ enum class TriangleRole : std::uint8_t {
 /// another triangle (a T-junction), and where cracks are narrow compared with the triangles beside them.
 /// Around holes its triangles are sheets: those that see holes of their own component in more than a quarter
 /// of all directions, and those at the edge of a hole. A component is a sheet all over if its holes have more
-/// than a quarter of its area.
+/// than a quarter of its area. A mesh has holes if a triangle sees the gaps of its component in more than
+/// 1/64 of all directions, or if these gaps lack more than 1/64 of the component's area.
 class Surface {
  public:
   /// The tree must outlive the surface. `threads`: 0 for as many as the machine has; the answers do not
@@ -71,9 +72,9 @@ class Surface {
   std::uint32_t cornerOfComponent(std::size_t component) const { return component_corner_[component]; }
   std::uint32_t component(std::uint32_t corner) const { return component_[corner]; }
 
-  /// The surface without what is inside the solid: without inner triangles, copies of others, and the inner
-  /// parts of triangles that intersect. The surface itself if it has none of these.
-  const Surface& boundary() const;
+  /// The mesh without what is inside the solid: without inner triangles, copies of others, and the inner
+  /// parts of triangles that intersect. The surface's own tree if it has none of these.
+  const ClusteredOctree& boundary() const;
   /// The triangle that a triangle of boundary() is, or is a part of.
   std::uint32_t sourceOf(std::uint32_t boundary_triangle) const;
 

@@ -6,7 +6,7 @@
 
 namespace octoblisk::detail {
 
-bool SolidMesh::bounds(std::uint32_t triangle) const {
+bool SolidMesh::boundsSolid(std::uint32_t triangle) const {
   if (is_sheet_ || !surface_) return !is_sheet_;
   const std::uint32_t source = surface_->sourceOf(triangle);
   const std::vector<char>& near_hole = surface_->solidParts().near_hole;
@@ -15,7 +15,7 @@ bool SolidMesh::bounds(std::uint32_t triangle) const {
 
 bool SolidMesh::boundsAnywhere() const {
   for (std::uint32_t t = 0; t < boundary_->mesh().triangleCount(); ++t) {
-    if (bounds(t)) return true;
+    if (boundsSolid(t)) return true;
   }
   return false;
 }
@@ -34,7 +34,7 @@ bool SolidMesh::contains(const Vec3& point) const {
   turn.rotation(2, (axis + 2) % 3) = 1.0;
   if (!surface_) return crossingNumber(*boundary_, turn * point, turn).value_or(0) != 0;
   if (locate(*surface_, turn * point, turn) != PointLocation::inside) return false;
-  return surface_->isClosed() || bounds(closestPoint(*boundary_, point)->triangle);
+  return surface_->isClosed() || boundsSolid(closestPoint(*boundary_, point)->triangle);
 }
 
 }  // namespace octoblisk::detail

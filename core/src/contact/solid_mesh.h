@@ -13,7 +13,7 @@ class SolidMesh {
     simple,  ///< all triangles do (simple_solid.h)
   };
   SolidMesh(const ClusteredOctree& tree, Kind kind) : boundary_(&tree), is_sheet_(kind == Kind::sheet) {}
-  explicit SolidMesh(const Surface& surface) : boundary_(&surface.boundary().tree()), surface_(&surface) {}
+  explicit SolidMesh(const Surface& surface) : boundary_(&surface.boundary()), surface_(&surface) {}
 
   /// Whether at least some triangles may bound a solid.
   bool isAnywhereSolid() const { return !is_sheet_; }
@@ -29,7 +29,7 @@ class SolidMesh {
   }
   /// Whether a triangle of the boundary bounds a solid and faces outward, and no hole nearby lets bodies in.
   /// What is in an open box must not be pushed out through its walls.
-  bool bounds(std::uint32_t triangle) const;
+  bool boundsSolid(std::uint32_t triangle) const;
   bool boundsAnywhere() const;
   /// Whether a point is inside, and the nearest triangle shows the way out. Allocates nothing.
   bool contains(const Vec3& point) const;

@@ -12,8 +12,8 @@
 namespace octoblisk::detail {
 namespace {
 
-/// For each corner, one corner that stands for all those close to it: closer than 1/64 of the shortest of the
-/// open edges at both.
+/// For each corner, one that stands for all those close to it: closer than 1/64 of the shortest of the open
+/// edges at both.
 std::vector<std::uint32_t> mergedCorners(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
   constexpr double kClose = 1.0 / 64.0;
   std::vector<double> reach(positions.size(), std::numeric_limits<double>::infinity());
@@ -72,12 +72,17 @@ std::vector<std::uint32_t> nextEdges(std::span<const OpenEdge> edges, std::span<
   };
   std::priority_queue<Turn> turns;
   for (std::uint32_t edge = 0; edge < edges.size(); ++edge) turns.push(sharpestFree(edge));
+  constexpr int kRounds = 8;  // so that thousands of edges at one place take no cubic time
+  std::vector<signed char> rounds(edges.size(), 0);
   while (!turns.empty()) {
-    const Turn turn = turns.top();
+    Turn turn = turns.top();
     turns.pop();
     if (is_taken[turn.next]) {
-      turns.push(sharpestFree(turn.edge));
-      continue;
+      turn = sharpestFree(turn.edge);
+      if (++rounds[turn.edge] < kRounds) {
+        turns.push(turn);
+        continue;
+      }
     }
     next[turn.edge] = turn.next;
     is_taken[turn.next] = true;
@@ -85,21 +90,9 @@ std::vector<std::uint32_t> nextEdges(std::span<const OpenEdge> edges, std::span<
   return next;
 }
 
-/// Adds the triangles between the corners from `first` to `last` of an outline. Halves it again and again, so
-/// that most triangles are small.
-void fill(std::span<const std::uint32_t> outline, std::span<const Vec3> positions, std::size_t first,
-          std::size_t last, std::vector<Triangle>& triangles) {
-  if (last - first < 2) return;
-  const std::size_t middle = first + (last - first) / 2;
-  triangles.push_back({positions[outline[first]], positions[outline[last]], positions[outline[middle]]});
-  fill(outline, positions, first, middle, triangles);
-  fill(outline, positions, middle, last, triangles);
-}
-
-}  // namespace
-
-std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
-  const std::vector<std::uint32_t> place = mergedCorners(edges, positions);
+/// Divides open edges into loops. Corners with the same place count as one.
+std::vector<OpenLoop> loopsOf(std::span<const OpenEdge> edges, std::span<const Vec3> positions,
+                              std::span<const std::uint32_t> place) {
   const std::vector<std::uint32_t> next = nextEdges(edges, positions, place);
   std::vector<bool> is_used(edges.size(), false);
   std::vector<std::uint32_t> step_at(positions.size(), kNoIndex);  // per place: where it begins on the path
@@ -120,17 +113,8 @@ std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const
   return loops;
 }
 
-std::vector<std::uint32_t> outlineOf(const OpenLoop& loop) {
-  std::vector<std::uint32_t> outline;
-  std::uint32_t last = loop.back().to;
-  for (const OpenEdge& edge : loop) {
-    if (edge.from != last) outline.push_back(last);
-    outline.push_back(edge.from);
-    last = edge.to;
-  }
-  return outline;
-}
-
+/// The edges that stay open if caps fill the outlines of all loops: those between corners that are close to
+/// each other. Most cancel.
 std::vector<OpenEdge> leftOver(std::span<const OpenLoop> loops) {
   std::vector<OpenEdge> left;
   for (const OpenLoop& loop : loops) {
@@ -142,7 +126,7 @@ std::vector<OpenEdge> leftOver(std::span<const OpenLoop> loops) {
     }
   }
   const auto ends = [](const OpenEdge& edge) { return std::pair(edge.from, edge.to); };
-  std::ranges::sort(left, {}, ends);
+  std::ranges::stable_sort(left, {}, ends);
   std::vector<OpenEdge> open;
   std::vector<bool> is_matched(left.size(), false);
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -156,6 +140,38 @@ std::vector<OpenEdge> leftOver(std::span<const OpenLoop> loops) {
     if (!is_matched[i]) open.push_back(left[i]);
   }
   return open;
+}
+
+/// Adds the triangles between the corners from `first` to `last` of an outline. Halves it again and again, so
+/// that most triangles are small.
+void fill(std::span<const std::uint32_t> outline, std::span<const Vec3> positions, std::size_t first,
+          std::size_t last, std::vector<Triangle>& triangles) {
+  if (last - first < 2) return;
+  const std::size_t middle = first + (last - first) / 2;
+  triangles.push_back({positions[outline[first]], positions[outline[last]], positions[outline[middle]]});
+  fill(outline, positions, first, middle, triangles);
+  fill(outline, positions, middle, last, triangles);
+}
+
+}  // namespace
+
+std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions) {
+  std::vector<OpenLoop> loops = loopsOf(edges, positions, mergedCorners(edges, positions));
+  std::vector<std::uint32_t> each_itself(positions.size());
+  std::iota(each_itself.begin(), each_itself.end(), 0u);
+  for (OpenLoop& loop : loopsOf(leftOver(loops), positions, each_itself)) loops.push_back(std::move(loop));
+  return loops;
+}
+
+std::vector<std::uint32_t> outlineOf(const OpenLoop& loop) {
+  std::vector<std::uint32_t> outline;
+  std::uint32_t last = loop.back().to;
+  for (const OpenEdge& edge : loop) {
+    if (edge.from != last) outline.push_back(last);
+    outline.push_back(edge.from);
+    last = edge.to;
+  }
+  return outline;
 }
 
 std::vector<Triangle> capOf(std::span<const std::uint32_t> outline, std::span<const Vec3> positions) {

@@ -22,14 +22,12 @@ using OpenLoop = std::vector<OpenEdge>;
 /// triangle is a loop itself. Where several begin, the sharpest turns back are taken first. A loop ends
 /// where it comes close to its own beginning: closer than 1/64 of the edges there. So the loops of
 /// T-junctions and cracks are as narrow as these are, and a crack does not join the holes at its ends.
+/// Caps that fill the outlines of all loops close the mesh: between corners close by, there are loops of
+/// their own.
 std::vector<OpenLoop> openLoops(std::span<const OpenEdge> edges, std::span<const Vec3> positions);
 
 /// The corners around a loop, also those that are close to each other.
 std::vector<std::uint32_t> outlineOf(const OpenLoop& loop);
-
-/// The edges that stay open if caps fill the outlines of all loops: those between corners that are close to
-/// each other. Most cancel.
-std::vector<OpenEdge> leftOver(std::span<const OpenLoop> loops);
 
 /// Triangles that fill an outline, in the direction that closes the surface.
 std::vector<Triangle> capOf(std::span<const std::uint32_t> outline, std::span<const Vec3> positions);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -119,15 +120,38 @@ std::span<const Plane> dividers(const Triangle& other, std::span<const Vec3> pol
   return room;
 }
 
+bool divides(std::span<const Plane> planes, std::span<const Vec3> polygon, double tolerance) {
+  return std::ranges::any_of(planes, [&](const Plane& plane) {
+    const auto [low, high] = heightsOf(plane, polygon);
+    return low < -tolerance && high > tolerance;
+  });
+}
+
+/// The parts of a polygon between the planes.
+std::vector<TrianglePiece> dividedBy(std::span<const Plane> planes, const TrianglePiece& polygon,
+                                     double tolerance) {
+  std::vector<TrianglePiece> parts = {polygon};
+  for (const Plane& plane : planes) {
+    std::vector<TrianglePiece> divided;
+    for (TrianglePiece& part : parts) {
+      if (divides(std::span(&plane, 1), part, tolerance)) {
+        divided.push_back(side(part, plane, 1.0, tolerance));
+        divided.push_back(side(part, plane, -1.0, tolerance));
+      } else {
+        divided.push_back(std::move(part));
+      }
+    }
+    parts = std::move(divided);
+  }
+  std::erase_if(parts, [](const TrianglePiece& part) { return part.size() < 3; });
+  return parts;
+}
+
 }  // namespace
 
 bool cuts(const Triangle& other, const Triangle& triangle, double tolerance) {
   std::array<Plane, 3> room;
-  const auto planes = dividers(other, triangle, tolerance, room);
-  return std::ranges::any_of(planes, [&](const Plane& plane) {
-    const auto [low, high] = heightsOf(plane, triangle);
-    return low < -tolerance && high > tolerance;
-  });
+  return divides(dividers(other, triangle, tolerance, room), triangle, tolerance);
 }
 
 bool liesAlong(const Triangle& triangle, const Vec3& from, const Vec3& to, double tolerance) {
@@ -139,28 +163,90 @@ bool liesAlong(const Triangle& triangle, const Vec3& from, const Vec3& to, doubl
          isLong(lengthWithin(triangle, plane.normal, from, to, tolerance), tolerance);
 }
 
-void cutAlong(const Triangle& other, std::vector<TrianglePiece>& pieces, double tolerance) {
-  const std::vector<TrianglePiece> before = std::exchange(pieces, {});
-  for (const TrianglePiece& piece : before) {
-    std::array<Plane, 3> room;
-    std::vector<TrianglePiece> parts = {piece};
-    for (const Plane& plane : dividers(other, piece, tolerance, room)) {
-      std::vector<TrianglePiece> divided;
-      for (const TrianglePiece& part : parts) {
-        const auto [low, high] = heightsOf(plane, part);
-        if (!(low < -tolerance && high > tolerance)) {
-          divided.push_back(part);
-          continue;
-        }
-        divided.push_back(side(part, plane, 1.0, tolerance));
-        divided.push_back(side(part, plane, -1.0, tolerance));
-      }
-      parts = std::move(divided);
-    }
-    for (TrianglePiece& part : parts) {
-      if (part.size() >= 3) pieces.push_back(std::move(part));
-    }
+bool meetOnlyAt(const Vec3& corner, const std::array<Vec3, 2>& of_a, const std::array<Vec3, 2>& of_b,
+                double tolerance) {
+  const std::array<Vec3, 2> a = {of_a[0] - corner, of_a[1] - corner},
+                            b = {of_b[0] - corner, of_b[1] - corner};
+  const Vec3 up_a = a[0].cross(a[1]), up_b = b[0].cross(b[1]);
+  const std::array<double, 2> of_b_over_a = {up_a.dot(b[0]), up_a.dot(b[1])},
+                              of_a_over_b = {up_b.dot(a[0]), up_b.dot(a[1])};
+  const double longest =
+      std::sqrt(std::max({a[0].squaredNorm(), a[1].squaredNorm(), b[0].squaredNorm(), b[1].squaredNorm()}));
+  const double flat_a = 2.0 * tolerance * (up_a.norm() + longest * longest),
+               flat_b = 2.0 * tolerance * (up_b.norm() + longest * longest);
+  const auto areOnOneSide = [](const std::array<double, 2>& heights, double flat) {
+    return (heights[0] > flat && heights[1] > flat) || (heights[0] < -flat && heights[1] < -flat);
+  };
+  if (areOnOneSide(of_b_over_a, flat_a) || areOnOneSide(of_a_over_b, flat_b)) return true;
+  const auto areOffPlane = [](const std::array<double, 2>& heights, double flat) {
+    return std::abs(heights[0]) > flat && std::abs(heights[1]) > flat;
+  };
+  if (areOffPlane(of_b_over_a, flat_a) && areOffPlane(of_a_over_b, flat_b)) {
+    // Both cross the line that the planes have in common. They may do so on opposite sides of the corner.
+    const Vec3 line = up_a.cross(up_b);
+    const auto along = [&](const std::array<Vec3, 2>& ends, const std::array<double, 2>& heights) {
+      return (ends[0].dot(line) * heights[1] - ends[1].dot(line) * heights[0]) / (heights[1] - heights[0]);
+    };
+    const double at_a = along(a, of_a_over_b), at_b = along(b, of_b_over_a);
+    const double near = tolerance * line.norm();
+    return (at_a > near && at_b < -near) || (at_a < -near && at_b > near);
   }
+  // In one plane, an edge separates them.
+  constexpr double kClear = 2e-4;  // a sine: less than 1e4 tolerances of an edge are within the tolerance
+  const auto separates = [&](const std::array<Vec3, 2>& edges, const Vec3& up,
+                             const std::array<Vec3, 2>& others) {
+    for (const std::size_t edge : {0u, 1u}) {
+      const Vec3 outward = (edge == 0 ? 1.0 : -1.0) * edges[edge].cross(up);
+      const auto isBeyond = [&](const Vec3& other) {
+        return outward.dot(other) > kClear * outward.norm() * other.norm();
+      };
+      if (isBeyond(others[0]) && isBeyond(others[1])) return true;
+    }
+    return false;
+  };
+  return separates(a, up_a, b) || separates(b, up_b, a);
+}
+
+Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, double tolerance) {
+  // Usually, n triangles take n log n tests. Where all of them cross each other, they would take n³.
+  const double most_tests =
+      1024.0 + 8.0 * static_cast<double>(others.size()) * std::log2(1.0 + static_cast<double>(others.size()));
+  Eigen::Index axis;
+  Aabb bounds;
+  for (const Vec3& corner : triangle) bounds.extend(corner);
+  bounds.halfExtents().maxCoeff(&axis);
+  // In the order along the triangle, so that the middle one of several leaves half of them on each side.
+  std::ranges::stable_sort(others, {},
+                           [axis](const Triangle& t) { return t[0][axis] + t[1][axis] + t[2][axis]; });
+  struct Part {
+    TrianglePiece piece;
+    std::vector<std::uint32_t> cut_by;  // perhaps
+  };
+  std::vector<std::uint32_t> all(others.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<Part> parts = {{TrianglePiece(triangle.begin(), triangle.end()), std::move(all)}};
+  Pieces result;
+  for (double tests = 0.0; !parts.empty() && tests < most_tests;) {
+    Part part = std::move(parts.back());
+    parts.pop_back();
+    tests += static_cast<double>(part.cut_by.size());
+    std::array<Plane, 3> room;
+    std::erase_if(part.cut_by, [&](std::uint32_t other) {
+      return !divides(dividers(others[other], part.piece, tolerance, room), part.piece, tolerance);
+    });
+    if (part.cut_by.empty()) {
+      result.pieces.push_back(std::move(part.piece));
+      continue;
+    }
+    const auto middle = part.cut_by.begin() + static_cast<std::ptrdiff_t>(part.cut_by.size() / 2);
+    const std::span<const Plane> planes = dividers(others[*middle], part.piece, tolerance, room);
+    part.cut_by.erase(middle);
+    for (TrianglePiece& piece : dividedBy(planes, part.piece, tolerance))
+      parts.push_back({std::move(piece), part.cut_by});
+  }
+  result.whole = result.pieces.size();
+  for (Part& part : parts) result.pieces.push_back(std::move(part.piece));
+  return result;
 }
 
 }  // namespace octoblisk::detail

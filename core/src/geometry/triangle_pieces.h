@@ -1,6 +1,8 @@
 // The pieces of a triangle between the triangles that intersect it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
@@ -18,8 +20,20 @@ bool cuts(const Triangle& other, const Triangle& triangle, double tolerance);
 /// Whether a segment, or a part of it, lies on the triangle. Parts shorter than 1e4 tolerances do not count.
 bool liesAlong(const Triangle& triangle, const Vec3& from, const Vec3& to, double tolerance);
 
-/// Divides every piece that the other triangle cuts along the other's plane. If both are in one plane,
-/// divides it along the other's edges.
-void cutAlong(const Triangle& other, std::vector<TrianglePiece>& pieces, double tolerance);
+/// Whether two triangles with a common corner meet nowhere else, and no edge of one lies along the other. May
+/// be false where `cuts` and `liesAlong` decide. Both are given by their other corners.
+bool meetOnlyAt(const Vec3& corner, const std::array<Vec3, 2>& of_a, const std::array<Vec3, 2>& of_b,
+                double tolerance);
+
+struct Pieces {
+  std::vector<TrianglePiece> pieces;
+  /// The number of pieces, at the beginning, that no other triangle cuts. All of them, unless too many
+  /// triangles cross each other: then some pieces are left as they are.
+  std::size_t whole = 0;
+};
+
+/// The pieces between all triangles that cut this one. Each of them divides a piece that it cuts along its
+/// plane, or along its edges if both are in one plane.
+Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, double tolerance);
 
 }  // namespace octoblisk::detail

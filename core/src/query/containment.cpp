@@ -69,17 +69,35 @@ std::optional<Vec3> pseudonormal(const Surface& surface, const ClosestPoint& at)
   return unitNormal(triangle);
 }
 
+/// Where a point of the mesh is. It is inside if the boundary of the solid is elsewhere.
+PointLocation locateOnMesh(const Surface& surface, const Vec3& point) {
+  if (&surface.boundary() == &surface.tree()) return PointLocation::on_surface;
+  // Corners of the boundary where triangles intersect are rounded.
+  const double rounding = 4.0 * touchingDistance(surface.tree().mesh());
+  const double distance = closestPoint(surface.boundary(), point)->distance;
+  if (distance <= rounding) return PointLocation::on_surface;
+  // All points nearby are on the same side of the boundary. Some are on no triangle.
+  for (double step = distance / 2.0; step > distance / 64.0; step *= 0.7) {
+    for (int k = 0; k < 6; ++k) {
+      const Vec3 beside = point + (k < 3 ? step : -step) * Vec3::Unit(k % 3);
+      const std::optional<int> winding = surface.solidParts().winding.at(beside);
+      if (winding) return *winding != 0 ? PointLocation::inside : PointLocation::outside;
+    }
+  }
+  return PointLocation::inside;
+}
+
 }  // namespace
 
 PointLocation locate(const Surface& surface, const Vec3& point, const Pose& surface_in_a) {
   const std::optional<int> winding = surface.solidParts().winding.at(point, surface_in_a);
-  if (!winding) return PointLocation::on_surface;
+  if (!winding) return locateOnMesh(surface, surface_in_a.inverse() * point);
   return *winding != 0 ? PointLocation::inside : PointLocation::outside;
 }
 
 PointLocation locate(const Surface& surface, const Vec3& point, const ClosestPoint& nearest) {
-  if (nearest.distance == 0.0) return PointLocation::on_surface;
-  if (!surface.isWhole() || surface.role(nearest.triangle) != TriangleRole::outward)
+  if (!surface.isWhole() || nearest.distance == 0.0 ||
+      surface.role(nearest.triangle) != TriangleRole::outward)
     return locate(surface, point);
   const std::optional<Vec3> normal = pseudonormal(surface, nearest);
   if (!normal) return locate(surface, point);
@@ -91,19 +109,17 @@ double windingNumber(const Surface& surface, const Vec3& point) {
 }
 
 Containment containment(const Surface& a, const Surface& b, const Pose& b_in_a) {
-  const auto touch = [&](const Surface& of_a, const Surface& of_b) {
-    return collide(of_a.tree(), of_b.tree(), b_in_a).has_value();
-  };
-  // What touches only inside a solid does not touch its surface.
-  const bool have_inner = &a.boundary() != &a || &b.boundary() != &b;
-  if (touch(a, b) && (!have_inner || touch(a.boundary(), b.boundary()))) return Containment::touching;
+  // What touches only inside a solid does not touch its boundary.
+  const bool have_inner = &a.boundary() != &a.tree() || &b.boundary() != &b.tree();
+  if (collide(a.tree(), b.tree(), b_in_a) && (!have_inner || collide(a.boundary(), b.boundary(), b_in_a)))
+    return Containment::touching;
   if (!a.isClosed() || !b.isClosed()) return Containment::unknown;
   // Each component of a surface is now wholly inside or outside the other solid. Where A and B share a point,
   // the shared region is bounded by a component of A's surface in B or one of B's in A; likewise for the
   // region of B that is not in A.
   const Pose identity;
-  const ComponentCount of_a = countComponents(a.boundary(), identity, b, b_in_a),
-                       of_b = countComponents(b.boundary(), b_in_a, a, identity);
+  const ComponentCount of_a = countComponents(boundaryOf(a), identity, b, b_in_a),
+                       of_b = countComponents(boundaryOf(b), b_in_a, a, identity);
   if (of_a.inside == 0 && of_b.inside == 0) return Containment::apart;
   if (of_a.inside == 0 && of_b.outside == 0) return Containment::b_inside_a;
   if (of_b.inside == 0 && of_a.outside == 0) return Containment::a_inside_b;

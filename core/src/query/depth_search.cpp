@@ -39,7 +39,7 @@ GougeDepth DepthSearch::deepest(const Surface& a, const Surface& b, const Pose& 
                                 const DepthsSought& sought) {
   solid_a_ = &a;
   is_whole_ = a.isWhole();
-  prepare(a.boundary(), b.boundary(), b_in_a, tolerance, sought);
+  prepare(boundaryOf(a), boundaryOf(b), b_in_a, tolerance, sought);
   findCrossings();
   if (!best_.is_known) {
     best_.gouging = Gouging::found;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <sstream>
 #include <utility>
 
 #include "geometry/thin_triangle.h"
 #include "query/gap_shape.h"
 #include "query/solid_parts.h"
+#include "query/surface_edges.h"
 
 namespace octoblisk {
 
@@ -20,17 +22,13 @@ namespace {
 /// is meant to be on.
 constexpr double kFloatRounding = 0x1p-23;
 
-/// The rounding of a point near the mesh, relative to its coordinates, as in solid_parts.cpp. A lower
-/// triangle has no area; a point at this distance is beside a triangle.
-constexpr double kPointRounding = 1e-13;
-
 class Inspector {
  public:
   explicit Inspector(const Surface& surface)
       : surface_(surface),
         mesh_(surface.tree().mesh()),
         parts_(surface.solidParts()),
-        rounding_(kPointRounding * mesh_.bounds().farthestFromOrigin()) {}
+        rounding_(touchingDistance(mesh_)) {}
 
   MeshInspection inspect() {
     found_.triangles = mesh_.triangleCount();
@@ -73,7 +71,6 @@ void Inspector::findTriangles() {
   for (const std::uint32_t t : parts_.intersecting) lies_on_others_[t] = true;
   for (const std::uint32_t t : parts_.intersecting) found_.intersecting.push_back(placeOf(t));
   for (const std::uint32_t t : parts_.copies) found_.copies.push_back(placeOf(t));
-  std::ranges::sort(found_.copies, {}, &DefectPlace::triangle);
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
     const Triangle triangle = mesh_.triangle(t);
     if (scaledNormal(triangle).squaredNorm() <= rounding_ * rounding_ * squaredLongestEdge(triangle)) {
@@ -104,43 +101,21 @@ bool Inspector::isFolded(std::uint32_t t) const {
 }
 
 void Inspector::findEdges() {
-  struct Use {
-    std::uint32_t other;  // the edge's greater corner
-    std::uint32_t triangle;
-    bool is_forward;
-  };
   std::vector<bool> is_copy(mesh_.triangleCount(), false);
   for (const std::uint32_t t : parts_.copies) is_copy[t] = true;
-  std::vector<Use> uses;
-  for (std::uint32_t corner = 0; corner < surface_.cornerCount(); ++corner) {
-    uses.clear();
-    for (const std::uint32_t t : surface_.star(corner)) {
-      const auto& [a, b, c] = surface_.corners(t);
-      if (is_copy[t] || a == b || b == c || c == a) continue;
-      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
-      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
-      if (next > corner) uses.push_back({next, t, true});
-      if (last > corner) uses.push_back({last, t, false});
+  const auto isCopy = [&](std::uint32_t t) { return is_copy[t]; };
+  forEachEdge(surface_, isCopy, [&](std::uint32_t corner, std::span<const EdgeUse> uses) {
+    const std::uint32_t other = uses[0].other;
+    const DefectPlace place{uses[0].triangle, 0.5 * (surface_.position(corner) + surface_.position(other))};
+    if (uses.size() > 2) found_.shared_edges.push_back(place);
+    if (uses.size() == 2 && uses[0].is_forward == uses[1].is_forward) {
+      found_.opposed_edges.push_back(place);
+      opposed_.push_back({corner, other});
     }
-    std::ranges::sort(uses, {}, [](const Use& use) { return std::pair(use.other, use.triangle); });
-    for (auto begin = uses.begin(); begin != uses.end();) {
-      const auto end =
-          std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
-      const auto triangles = end - begin;
-      const bool is_opposed = triangles == 2 && begin->is_forward == begin[1].is_forward;
-      const DefectPlace place{begin->triangle,
-                              0.5 * (surface_.position(corner) + surface_.position(begin->other))};
-      if (triangles > 2) found_.shared_edges.push_back(place);
-      if (is_opposed) {
-        found_.opposed_edges.push_back(place);
-        opposed_.push_back({corner, begin->other});
-      }
-      begin = end;
-    }
-  }
+  });
 }
 
-/// Whether all edges of a gap are between triangles that face against each other.
+/// Whether all edges of a gap are between triangles that face opposite ways.
 bool Inspector::isTurned(const Gap& gap) const {
   return std::ranges::all_of(gap.edges, [&](const GapEdge& edge) {
     Ends ends{};
@@ -262,7 +237,7 @@ std::string whyNotSolid(const MeshInspection& found) {
   }
   if (const std::size_t opposed = found.opposed_edges.size(); opposed > 0) {
     next();
-    text += "has triangles that face against each other at " + std::to_string(opposed) +
+    text += "has triangles that face opposite ways at " + std::to_string(opposed) +
             (opposed == 1 ? " edge, of " : " edges, the first of ") + textOf(found.opposed_edges.front());
   }
   if (const std::size_t inward = found.inward.size(); inward > 0) {
@@ -283,7 +258,9 @@ std::string whyNotSolid(const MeshInspection& found) {
                                    : " triangles without a solid on either side, the first ") +
                       textOf(found.sheets.front());
   }
-  if (text == kSubject) text += " encloses no volume";
+  if (text == kSubject)
+    text +=
+        found.is_closed ? " encloses no volume" : " has gaps that together lack more than 1/64 of its area";
   return text + '.';
 }
 

@@ -93,9 +93,9 @@ MassProperties massProperties(const Surface& surface) {
   if (!surface.isClosed()) return ofBox(mesh.bounds());
   const auto signOf = [&](std::uint32_t t) { return surface.role(t) == TriangleRole::inward ? -1.0 : 1.0; };
   return propertiesOf(mesh.bounds(), [&](ShareVisitor visit) {
-    if (const ExposedSurface* exposed = parts.exposed.get()) {
-      for (std::size_t t = 0; t < exposed->share.size(); ++t)
-        visit(exposed->tree.mesh().triangle(t), exposed->share[t]);
+    if (const BoundarySurface* boundary = parts.boundary.get()) {
+      for (std::size_t t = 0; t < boundary->share.size(); ++t)
+        visit(boundary->tree.mesh().triangle(t), boundary->share[t]);
     } else {
       for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) visit(mesh.triangle(t), signOf(t));
     }

@@ -208,9 +208,9 @@ SignedDistance detail::signedDistance(const Surface& a, const Surface& b, const 
   const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
   if (!b_goes_in && !a_goes_in) return signedDistanceOf(clearance, b_in_a);
   if (b_goes_in && (!a_goes_in || of_b.depth >= of_a.depth)) {
-    return signedDistanceOf(of_b, a.boundary(), b.boundary(), b_in_a, tolerance);
+    return signedDistanceOf(of_b, boundaryOf(a), boundaryOf(b), b_in_a, tolerance);
   }
-  return exchanged(signedDistanceOf(of_a, b.boundary(), a.boundary(), a_in_b, tolerance), b_in_a);
+  return exchanged(signedDistanceOf(of_a, boundaryOf(b), boundaryOf(a), a_in_b, tolerance), b_in_a);
 }
 
 SignedDistance signedDistance(const Surface& a, const Surface& b, const Pose& b_in_a,

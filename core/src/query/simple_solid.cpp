@@ -122,9 +122,11 @@ bool areApart(const TriangleMesh& mesh, DisjointSets& connected) {
     for (const std::uint32_t corner : triangle) bounds[component].extend(mesh.vertices()[corner]);
   }
   for (Aabb& box : bounds) box = box.grown(touchingDistance(mesh));
-  std::ranges::sort(bounds, {}, [](const Aabb& box) { return box.min.x(); });
+  Eigen::Index axis;
+  mesh.bounds().halfExtents().maxCoeff(&axis);
+  std::ranges::sort(bounds, {}, [axis](const Aabb& box) { return box.min[axis]; });
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    for (std::size_t j = i + 1; j < bounds.size() && bounds[j].min.x() <= bounds[i].max.x(); ++j) {
+    for (std::size_t j = i + 1; j < bounds.size() && bounds[j].min[axis] <= bounds[i].max[axis]; ++j) {
       if (bounds[i].meets(bounds[j])) return false;
     }
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/no_index.h"
@@ -11,7 +12,9 @@
 #include "geometry/thin_triangle.h"
 #include "geometry/triangle_pieces.h"
 #include "octoblisk/containment.h"
+#include "octoblisk/triangles_in_box.h"
 #include "query/candidate_pairs.h"
+#include "query/surface_edges.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -22,8 +25,8 @@ namespace {
 /// average.
 constexpr double kHoleShare = 1.0 / 4.0;
 
-/// The same for SolidParts::near_hole. A hole seen in a smaller share is no entrance: an open box of any
-/// proportions up to a depth of four times its width shows more.
+/// The same for SolidParts::near_hole. From inside an open box that is up to four times as deep as it is
+/// wide, the opening takes up more than this.
 constexpr double kEntranceShare = 1.0 / 64.0;
 
 /// Triangles side by side, with nothing that meets the surface between them: one role fits all.
@@ -40,6 +43,26 @@ struct Sides {
   }
 };
 
+Gap gapOf(const OpenLoop& loop, std::span<const Vec3> positions) {
+  Gap gap;
+  for (const OpenEdge& edge : loop)
+    gap.edges.push_back({positions[edge.from], positions[edge.to], edge.triangle});
+  gap.cap = capOf(outlineOf(loop), positions);
+  return gap;
+}
+
+std::vector<Triangle> capsOf(std::span<const Gap> gaps) {
+  std::vector<Triangle> caps;
+  for (const Gap& gap : gaps) caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
+  return caps;
+}
+
+Vec3 middleOf(const TrianglePiece& piece) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
+  return middle;
+}
+
 class SolidSearch {
  public:
   SolidSearch(const Surface& surface, int threads)
@@ -49,29 +72,20 @@ class SolidSearch {
         tolerance_(touchingDistance(mesh_)) {}
 
   std::shared_ptr<SolidParts> find() {
-    const std::vector<Vec3> positions = cornerPositions();
     findEdges();
     roles_.assign(mesh_.triangleCount(), TriangleRole::inner);
     const Copies copies = is_manifold_ ? Copies() : findCopies();
-    if (!copies.triangles.empty()) {
+    if (copies.are_left_out) {
       judgeByOriginals(copies);
+      parts_->copies = copies.triangles;
       return parts_;
     }
+    const std::vector<Vec3> positions = cornerPositions();
     std::vector<Gap> gaps;
-    std::vector<Triangle> caps;
-    for (std::vector<OpenEdge> open = open_edges_; !open.empty();) {
-      const std::vector<OpenLoop> loops = openLoops(open, positions);
-      for (const OpenLoop& loop : loops) {
-        Gap& gap = gaps.emplace_back();
-        for (const OpenEdge& edge : loop)
-          gap.edges.push_back({positions[edge.from], positions[edge.to], edge.triangle});
-        gap.cap = capOf(outlineOf(loop), positions);
-        caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
-      }
-      open = leftOver(loops);
-    }
-    parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), std::move(caps)));
+    for (const OpenLoop& loop : openLoops(open_edges_, positions)) gaps.push_back(gapOf(loop, positions));
+    parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), capsOf(gaps)));
     parts_->gaps = std::move(gaps);
+    parts_->copies = copies.triangles;
     findHoles();
     if (std::ranges::find(sees_hole_, 0) == sees_hole_.end()) {
       roles_.assign(roles_.size(), TriangleRole::sheet);
@@ -84,13 +98,13 @@ class SolidSearch {
     for (std::size_t t = 0; t < roles_.size(); ++t) {
       if (sees_hole_[t] != 0 && roles_[t] != TriangleRole::inner) roles_[t] = TriangleRole::sheet;
     }
-    expose();
+    buildBoundary();
     return parts_;
   }
 
   bool isOriented() const { return open_edges_.empty(); }
   bool hasNoDefect() const {
-    return is_manifold_ && isOriented() && parts_->intersecting.empty() && !parts_->exposed &&
+    return is_manifold_ && isOriented() && parts_->intersecting.empty() && !parts_->boundary &&
            std::ranges::find(roles_, TriangleRole::sheet) == roles_.end();
   }
   bool hasHoles() const { return has_holes_; }
@@ -99,11 +113,13 @@ class SolidSearch {
  private:
   std::vector<Vec3> cornerPositions() const;
   void findEdges();
-  /// Triangles with the same corners as others.
+  /// Triangles with the same corners as others. The first of them stands for all, facing as most of them do.
+  /// If as many face the other way, the first of these stays too: both are the sides of a sheet.
   struct Copies {
-    std::vector<std::uint32_t> triangles;
-    std::vector<std::uint32_t> original;  // per triangle: the lowest with the same corners
-    std::vector<int> count;               // per original: those that face its way minus the others
+    std::vector<std::uint32_t> triangles;  // ascending
+    std::vector<std::uint32_t> original;   // per triangle: the one that stands for it
+    std::vector<signed char> count;        // per original: 1, or -1 if it is to be turned
+    bool are_left_out = false;             // whether some triangle has another original
   };
   Copies findCopies() const;
   void judgeByOriginals(const Copies& copies);
@@ -111,12 +127,13 @@ class SolidSearch {
   void findRegions();
   void judgeRegions();
   void judgePieces();
+  bool isInner(const Triangle& of_cap) const;
   void findHoles();
-  void expose();
+  void buildBoundary();
 
   /// Whether the triangle is higher than rounding.
-  bool hasArea(std::uint32_t t) const {
-    const Triangle triangle = mesh_.triangle(t);
+  bool hasArea(std::uint32_t t) const { return hasArea(mesh_.triangle(t)); }
+  bool hasArea(const Triangle& triangle) const {
     return scaledNormal(triangle).squaredNorm() > tolerance_ * tolerance_ * squaredLongestEdge(triangle);
   }
   std::uint32_t componentOf(std::size_t triangle) const {
@@ -129,10 +146,9 @@ class SolidSearch {
     return std::minmax({surface_.corners(triangle)[edge], surface_.corners(triangle)[(edge + 1) % 3]});
   }
   void noteSeams(std::uint32_t of, std::uint32_t beside);
-  std::uint32_t acrossEdge(std::uint32_t triangle, std::size_t edge) const;
   bool mayCut(std::uint32_t a, std::uint32_t b) const;
   Sides sidesOf(const Vec3& middle, const Vec3& normal) const;
-  bool isExposedAsItIs() const;
+  bool isBoundaryAsItIs() const;
 
   const Surface& surface_;
   const TriangleMesh& mesh_;
@@ -141,6 +157,8 @@ class SolidSearch {
   std::shared_ptr<SolidParts> parts_;
   bool is_manifold_ = true;  // each edge belongs to two triangles in opposite directions, or to one
   std::vector<OpenEdge> open_edges_;
+  std::vector<std::array<std::uint32_t, 3>>
+      across_;  // per triangle and edge: the only other one, if opposite
   bool has_holes_ = false;
   std::vector<char> sees_hole_;  // per triangle: whether it is a sheet because of a hole
   std::vector<TriangleRole> roles_;
@@ -160,89 +178,82 @@ std::vector<Vec3> SolidSearch::cornerPositions() const {
 }
 
 void SolidSearch::findEdges() {
-  struct Use {
-    std::uint32_t other;  // the edge's greater corner
-    int direction;        // +1 towards `other`
-    std::uint32_t triangle;
+  across_.assign(mesh_.triangleCount(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  const auto acrossEdge = [&](std::uint32_t triangle, std::uint32_t from) -> std::uint32_t& {
+    const auto& corners = surface_.corners(triangle);
+    return across_[triangle][static_cast<std::size_t>(std::ranges::find(corners, from) - corners.begin())];
   };
-  std::vector<Use> uses;
-  for (std::uint32_t corner = 0; corner < surface_.cornerCount(); ++corner) {
-    uses.clear();
-    for (const std::uint32_t t : surface_.star(corner)) {
-      const auto& [a, b, c] = surface_.corners(t);
-      if (a == b || b == c || c == a) continue;  // runs there and back: it neither closes nor opens an edge
-      const std::uint32_t next = a == corner ? b : b == corner ? c : a;
-      const std::uint32_t last = a == corner ? c : b == corner ? a : b;
-      if (next > corner) uses.push_back({next, 1, t});
-      if (last > corner) uses.push_back({last, -1, t});
+  const auto isLeftOut = [](std::uint32_t) { return false; };
+  forEachEdge(surface_, isLeftOut, [&](std::uint32_t corner, std::span<const EdgeUse> uses) {
+    const std::uint32_t other = uses[0].other;
+    std::ptrdiff_t balance = 0;
+    for (const EdgeUse& use : uses) balance += use.is_forward ? 1 : -1;
+    is_manifold_ &= uses.size() == 1 || (uses.size() == 2 && balance == 0);
+    if (uses.size() == 2 && balance == 0) {
+      acrossEdge(uses[0].triangle, uses[0].is_forward ? corner : other) = uses[1].triangle;
+      acrossEdge(uses[1].triangle, uses[1].is_forward ? corner : other) = uses[0].triangle;
     }
-    std::ranges::sort(uses, {}, [](const Use& use) { return std::pair(use.other, use.triangle); });
-    for (auto begin = uses.begin(); begin != uses.end();) {
-      const auto end =
-          std::find_if(begin, uses.end(), [&](const Use& use) { return use.other != begin->other; });
-      int balance = 0;
-      for (auto use = begin; use != end; ++use) balance += use->direction;
-      is_manifold_ &= end - begin == 1 || (end - begin == 2 && balance == 0);
-      for (auto use = end; use != begin && balance != 0;) {
-        if ((--use)->direction * balance < 0) continue;
-        balance -= use->direction;
-        const bool is_forward = use->direction > 0;
-        open_edges_.push_back(
-            {is_forward ? corner : use->other, is_forward ? use->other : corner, use->triangle});
-      }
-      begin = end;
+    for (auto use = uses.rbegin(); balance != 0; ++use) {
+      if (use->is_forward != (balance > 0)) continue;
+      balance += use->is_forward ? -1 : 1;
+      open_edges_.push_back(
+          {use->is_forward ? corner : other, use->is_forward ? other : corner, use->triangle});
     }
-  }
+  });
 }
 
 SolidSearch::Copies SolidSearch::findCopies() const {
   std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> order;
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+    if (!hasArea(t)) continue;
     std::array<std::uint32_t, 3> corners = surface_.corners(t);
     std::ranges::sort(corners);
     order.emplace_back(corners, t);
   }
   std::ranges::sort(order);
   Copies copies;
-  copies.original.resize(order.size());
-  copies.count.assign(order.size(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t triangle = order[i].second;
-    const bool is_copy = i > 0 && order[i].first == order[i - 1].first && hasArea(triangle);
-    copies.original[triangle] = is_copy ? copies.original[order[i - 1].second] : triangle;
-    copies.count[copies.original[triangle]] += areSameWay(triangle, copies.original[triangle]) ? 1 : -1;
-    if (is_copy) copies.triangles.push_back(triangle);
+  copies.original.resize(mesh_.triangleCount());
+  std::iota(copies.original.begin(), copies.original.end(), 0u);
+  copies.count.assign(mesh_.triangleCount(), 1);
+  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+    const std::uint32_t first = begin->second;
+    std::uint32_t turned = kNoTriangle;  // the first that faces the other way
+    int balance = 0;
+    for (; end != order.end() && end->first == begin->first; ++end) {
+      const bool is_turned = !areSameWay(end->second, first);
+      if (is_turned && turned == kNoTriangle) turned = end->second;
+      balance += is_turned ? -1 : 1;
+      if (end != begin) copies.triangles.push_back(end->second);
+    }
+    copies.count[first] = balance < 0 ? -1 : 1;
+    for (auto copy = begin; copy != end; ++copy) {
+      const bool is_turned = balance == 0 && !areSameWay(copy->second, first);
+      copies.original[copy->second] = is_turned ? turned : first;
+    }
   }
+  std::ranges::sort(copies.triangles);
+  copies.are_left_out = false;
+  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) copies.are_left_out |= copies.original[t] != t;
   return copies;
 }
 
-/// Gives each triangle the role that it has if all its copies count once.
+/// Gives each triangle the role that it has if its copies are left out.
 void SolidSearch::judgeByOriginals(const Copies& copies) {
   std::vector<TriangleMesh::Indices> triangles;
   std::vector<std::uint32_t> source;
   std::vector<signed char> counts(mesh_.triangleCount(), 0);
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-    if (copies.original[t] != t || copies.count[t] == 0) continue;
-    counts[t] = copies.count[t] > 0 ? 1 : -1;
+    if (copies.original[t] != t) continue;
+    counts[t] = copies.count[t];
     triangles.push_back(mesh_.triangles()[t]);
     if (counts[t] < 0) std::swap(triangles.back()[1], triangles.back()[2]);
     source.push_back(t);
-  }
-  if (triangles.empty()) {
-    parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), {}, std::move(counts)));
-    parts_->copies = copies.triangles;
-    roles_.assign(roles_.size(), TriangleRole::sheet);
-    has_holes_ = true;
-    return;
   }
   auto reduced = std::make_shared<const TriangleMesh>(mesh_.vertices(), std::move(triangles));
   const ClusteredOctree tree = ClusteredOctree::build(std::move(reduced), {.threads = threads_});
   const Surface single(tree, threads_);
   const SolidParts& found = single.solidParts();
-  std::vector<Triangle> caps;
-  for (const Gap& gap : found.gaps) caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
-  parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), std::move(caps), std::move(counts)));
-  parts_->copies = copies.triangles;
+  parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), capsOf(found.gaps), std::move(counts)));
   const auto reversed = [](TriangleRole role) {
     return role == TriangleRole::outward  ? TriangleRole::inward
            : role == TriangleRole::inward ? TriangleRole::outward
@@ -250,34 +261,28 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
   };
   for (std::uint32_t t = 0; t < source.size(); ++t)
     roles_[source[t]] = copies.count[source[t]] > 0 ? single.role(t) : reversed(single.role(t));
+  if (!found.near_hole.empty()) parts_->near_hole.resize(roles_.size());
+  for (std::uint32_t t = 0; t < found.near_hole.size(); ++t)
+    parts_->near_hole[source[t]] = found.near_hole[t];
   for (std::uint32_t t = 0; t < roles_.size(); ++t) {
     const std::uint32_t original = copies.original[t];
-    if (original != t) {
-      roles_[t] = areSameWay(t, original) ? roles_[original] : reversed(roles_[original]);
-    } else if (copies.count[t] == 0) {
-      const bool is_inside = locate(single, centroidOf(mesh_.triangle(t))) == PointLocation::inside;
-      roles_[t] = is_inside ? TriangleRole::inner : TriangleRole::sheet;
-    }
+    if (original == t) continue;
+    roles_[t] = areSameWay(t, original) ? roles_[original] : reversed(roles_[original]);
+    if (!found.near_hole.empty()) parts_->near_hole[t] = parts_->near_hole[original];
   }
   has_holes_ = !single.isClosed();
-  if (!found.near_hole.empty()) {
-    parts_->near_hole.assign(roles_.size(), 1);
-    for (std::uint32_t t = 0; t < source.size(); ++t) parts_->near_hole[source[t]] = found.near_hole[t];
-    for (const std::uint32_t t : copies.triangles)
-      parts_->near_hole[t] = parts_->near_hole[copies.original[t]];
-  }
   parts_->gaps = found.gaps;
   for (Gap& gap : parts_->gaps) {
     for (GapEdge& edge : gap.edges) edge.triangle = source[edge.triangle];
   }
   for (const std::uint32_t t : found.intersecting) parts_->intersecting.push_back(source[t]);
-  const ClusteredOctree& boundary = found.exposed ? found.exposed->tree : tree;
-  parts_->exposed = std::make_unique<ExposedSurface>(boundary);
-  for (std::uint32_t t = 0; t < boundary.mesh().triangleCount(); ++t) {
-    parts_->exposed->source.push_back(source[single.sourceOf(t)]);
-    parts_->exposed->share.push_back(found.exposed                            ? found.exposed->share[t]
-                                     : single.role(t) == TriangleRole::inward ? -1.0
-                                                                              : 1.0);
+  const ClusteredOctree& of_boundary = found.boundary ? found.boundary->tree : tree;
+  parts_->boundary = std::make_unique<BoundarySurface>(of_boundary);
+  for (std::uint32_t t = 0; t < of_boundary.mesh().triangleCount(); ++t) {
+    parts_->boundary->source.push_back(source[single.sourceOf(t)]);
+    parts_->boundary->share.push_back(found.boundary                           ? found.boundary->share[t]
+                                      : single.role(t) == TriangleRole::inward ? -1.0
+                                                                               : 1.0);
   }
 }
 
@@ -288,44 +293,36 @@ bool SolidSearch::areSameWay(std::uint32_t a, std::uint32_t b) const {
   return of_b[(first + 1) % 3] == of_a[1];
 }
 
-/// Whether two triangles near each other may cut one another. Most share a corner, where surfaces touch.
+/// Whether two triangles near each other may cut one another, or have a seam. Most share corners, where
+/// surfaces touch.
 bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
   const auto &of_a = surface_.corners(a), &of_b = surface_.corners(b);
-  const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
-  const Vec3 normal = scaledNormal(first), other_normal = scaledNormal(second);
-  std::array<bool, 3> is_shared_by_a{}, is_shared_by_b{};
-  int shared = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (of_a[i] != of_b[j]) continue;
-      is_shared_by_a[i] = is_shared_by_b[j] = true;
+  std::size_t i = 0, j = 0, shared = 0;  // corners i of A and j of B are the same
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t l = 0; l < 3; ++l) {
+      if (of_a[k] != of_b[l]) continue;
+      i = k, j = l;
       ++shared;
     }
   }
-  if (shared == 0) return hasArea(a) && hasArea(b);
-  // Across an edge, triangles overlap only if one is folded onto the other.
-  if (shared >= 2 && normal.dot(other_normal) > 0.0) {
-    const auto i =
-        static_cast<std::size_t>(std::ranges::find(is_shared_by_a, false) - is_shared_by_a.begin());
-    const auto j =
-        static_cast<std::size_t>(std::ranges::find(is_shared_by_b, false) - is_shared_by_b.begin());
-    if (i < 3 && j < 3 && of_a[(i + 1) % 3] == of_b[(j + 2) % 3]) return false;
+  const Triangle first = mesh_.triangle(a), second = mesh_.triangle(b);
+  if (shared == 1 && meetOnlyAt(first[i], {first[(i + 1) % 3], first[(i + 2) % 3]},
+                                {second[(j + 1) % 3], second[(j + 2) % 3]}, tolerance_))
+    return false;
+  // Across an edge, triangles overlap only if one is folded onto the other, in one plane.
+  if (shared == 2) {
+    const bool is_next = of_a[(i + 1) % 3] == of_b[(j + 2) % 3],
+               is_last = of_a[(i + 2) % 3] == of_b[(j + 1) % 3];
+    const Vec3 up = scaledNormal(first), other_up = scaledNormal(second);
+    if ((is_next || is_last) && up.dot(other_up) > 0.0) return false;
+    const auto isOffPlane = [&](const Triangle& of, const Triangle& plane, const Vec3& normal) {
+      const double near = tolerance_ * normal.norm();
+      return std::ranges::any_of(of,
+                                 [&](const Vec3& p) { return std::abs(normal.dot(p - plane[0])) > near; });
+    };
+    if (isOffPlane(second, first, up) || isOffPlane(first, second, other_up)) return false;
   }
-  // Else the corners that are not shared lie on both sides of the other's plane, or in it.
-  const auto isOnOneSide = [&](const Triangle& of, const std::array<bool, 3>& is_shared,
-                               const Triangle& plane, const Vec3& up) {
-    const double near = tolerance_ * up.norm();
-    bool above = true, below = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (is_shared[i]) continue;
-      const double height = up.dot(of[i] - plane[0]);
-      above &= height > near;
-      below &= height < -near;
-    }
-    return above || below;
-  };
-  return !isOnOneSide(second, is_shared_by_b, first, normal) &&
-         !isOnOneSide(first, is_shared_by_a, second, other_normal) && hasArea(a) && hasArea(b);
+  return hasArea(first) && hasArea(second);
 }
 
 void SolidSearch::findCuts() {
@@ -357,23 +354,6 @@ void SolidSearch::noteSeams(std::uint32_t of, std::uint32_t beside) {
   }
 }
 
-/// The only other triangle at an edge, if it continues the surface there and nothing else meets it.
-std::uint32_t SolidSearch::acrossEdge(std::uint32_t triangle, std::size_t edge) const {
-  const auto& corners = surface_.corners(triangle);
-  const std::uint32_t from = corners[edge], to = corners[(edge + 1) % 3];
-  if (std::ranges::binary_search(seams_, edgeOf(triangle, edge))) return kNoTriangle;
-  std::uint32_t found = kNoTriangle;
-  for (const std::uint32_t other : surface_.star(from)) {
-    if (other == triangle || other == found) continue;
-    const auto& of_other = surface_.corners(other);
-    const auto at = static_cast<std::size_t>(std::ranges::find(of_other, to) - of_other.begin());
-    if (at == 3) continue;
-    if (found != kNoTriangle || of_other[(at + 1) % 3] != from) return kNoTriangle;
-    found = other;
-  }
-  return found;
-}
-
 void SolidSearch::findRegions() {
   std::vector<char> seen(mesh_.triangleCount(), 0);
   for (const std::uint32_t cut : parts_->intersecting) seen[cut] = 1;
@@ -383,8 +363,9 @@ void SolidSearch::findRegions() {
     seen[first] = 1;
     for (std::size_t next = 0; next < region.size(); ++next) {
       for (std::size_t edge = 0; edge < 3; ++edge) {
-        const std::uint32_t other = acrossEdge(region[next], edge);
+        const std::uint32_t other = across_[region[next]][edge];
         if (other == kNoTriangle || seen[other] != 0) continue;
+        if (std::ranges::binary_search(seams_, edgeOf(region[next], edge))) continue;
         seen[other] = 1;
         region.push_back(other);
       }
@@ -422,15 +403,16 @@ void SolidSearch::judgePieces() {
   sides_of_pieces_.resize(triangles.size());
   parallelFor(triangles.size(), threads_, [&](std::size_t i, std::size_t) {
     const Triangle triangle = mesh_.triangle(triangles[i]);
-    pieces_[i] = {TrianglePiece(triangle.begin(), triangle.end())};
-    for (const TrianglePair& cut : std::ranges::equal_range(cuts_, triangles[i], {}, &TrianglePair::a)) {
-      cutAlong(mesh_.triangle(cut.b), pieces_[i], tolerance_);
-    }
+    std::vector<Triangle> others;
+    for (const TrianglePair& cut : std::ranges::equal_range(cuts_, triangles[i], {}, &TrianglePair::a))
+      others.push_back(mesh_.triangle(cut.b));
+    Pieces pieces = piecesBetween(triangle, std::move(others), tolerance_);
+    pieces_[i] = std::move(pieces.pieces);
     std::array<double, 4> area{};  // per role
-    for (const TrianglePiece& piece : pieces_[i]) {
-      Vec3 middle = Vec3::Zero();
-      for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
-      const Sides sides = sidesOf(middle, unitNormal(triangle));
+    for (std::size_t p = 0; p < pieces_[i].size(); ++p) {
+      const TrianglePiece& piece = pieces_[i][p];
+      // A piece that is only partly inside stays a part of the boundary: as a sheet.
+      const Sides sides = p < pieces.whole ? sidesOf(middleOf(piece), unitNormal(triangle)) : Sides();
       sides_of_pieces_[i].push_back(sides);
       for (std::size_t corner = 2; corner < piece.size(); ++corner) {
         area[static_cast<std::size_t>(sides.role())] +=
@@ -446,18 +428,38 @@ void SolidSearch::judgePieces() {
   });
 }
 
+/// Whether a triangle of a cap is wholly inside the solid.
+bool SolidSearch::isInner(const Triangle& of_cap) const {
+  if (!hasArea(of_cap)) return true;
+  const Vec3 normal = unitNormal(of_cap);
+  const auto isInnerAt = [&](const Vec3& point) {
+    const Sides sides = sidesOf(point, normal);
+    // Where the mesh turns inside out, the winding number passes 0 in the gap.
+    return sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
+  };
+  if (!isInnerAt(centroidOf(of_cap))) return false;
+  Aabb bounds;
+  for (const Vec3& corner : of_cap) bounds.extend(corner);
+  const Obb box{.center = bounds.center(), .half_extents = bounds.halfExtents()};
+  std::vector<Triangle> others;
+  forEachTriangleIn(surface_.tree(), box, tolerance_, [&](std::uint32_t t) {
+    const Triangle triangle = mesh_.triangle(t);
+    if (hasArea(triangle) && cuts(triangle, of_cap, tolerance_)) others.push_back(triangle);
+    return false;
+  });
+  if (others.empty()) return true;
+  const Pieces pieces = piecesBetween(of_cap, std::move(others), tolerance_);
+  return pieces.whole == pieces.pieces.size() &&
+         std::ranges::all_of(pieces.pieces, [&](const TrianglePiece& p) { return isInnerAt(middleOf(p)); });
+}
+
 /// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
 void SolidSearch::findHoles() {
   std::map<std::uint32_t, std::vector<Triangle>> caps;                           // by component
   std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
   for (Gap& gap : parts_->gaps) {
     if (gap.cap.empty()) continue;
-    const Triangle& largest = *std::ranges::max_element(
-        gap.cap, {}, [](const Triangle& t) { return scaledNormal(t).squaredNorm(); });
-    if (scaledNormal(largest).isZero(0.0)) continue;
-    const Sides sides = sidesOf(centroidOf(largest), unitNormal(largest));
-    // Where the mesh turns inside out, the winding number passes 0 in the gap.
-    gap.is_inner = sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
+    gap.is_inner = std::ranges::all_of(gap.cap, [&](const Triangle& t) { return isInner(t); });
     if (gap.is_inner) continue;
     auto& of_component = caps[componentOf(gap)];
     of_component.insert(of_component.end(), gap.cap.begin(), gap.cap.end());
@@ -507,15 +509,15 @@ void SolidSearch::findHoles() {
   has_holes_ = std::ranges::find(parts_->near_hole, 1) != parts_->near_hole.end();
 }
 
-bool SolidSearch::isExposedAsItIs() const {
+bool SolidSearch::isBoundaryAsItIs() const {
   for (std::uint32_t t = 0; t < roles_.size(); ++t) {
     if (roles_[t] == TriangleRole::inner && hasArea(t)) return false;
   }
   return parts_->intersecting.empty();
 }
 
-void SolidSearch::expose() {
-  if (isExposedAsItIs()) return;
+void SolidSearch::buildBoundary() {
+  if (isBoundaryAsItIs()) return;
   std::vector<Vec3> vertices = mesh_.vertices();
   std::vector<TriangleMesh::Indices> triangles;
   std::vector<std::uint32_t> source;
@@ -545,10 +547,10 @@ void SolidSearch::expose() {
   }
   if (triangles.empty()) return;
   auto boundary = std::make_shared<const TriangleMesh>(std::move(vertices), std::move(triangles));
-  parts_->exposed =
-      std::make_unique<ExposedSurface>(ClusteredOctree::build(std::move(boundary), {.threads = threads_}));
-  parts_->exposed->source = std::move(source);
-  parts_->exposed->share = std::move(share);
+  parts_->boundary =
+      std::make_unique<BoundarySurface>(ClusteredOctree::build(std::move(boundary), {.threads = threads_}));
+  parts_->boundary->source = std::move(source);
+  parts_->boundary->share = std::move(share);
 }
 
 }  // namespace
@@ -565,8 +567,8 @@ std::shared_ptr<const SolidParts> SolidParts::of(Surface& surface, int threads) 
   surface.closed_ = std::ranges::any_of(surface.roles_, bounds) && !search.hasHoles();
   if (std::ranges::all_of(surface.roles_, [](TriangleRole role) { return role == TriangleRole::outward; }))
     surface.roles_.clear();
-  if (parts->exposed) {
-    parts->exposed->surface.reset(new Surface(parts->exposed->tree, Surface::OnlyConnected()));
+  if (parts->boundary) {
+    parts->boundary->surface.reset(new Surface(parts->boundary->tree, Surface::OnlyConnected()));
   }
   return parts;
 }

@@ -26,11 +26,11 @@ struct Gap {
 };
 
 /// The boundary of a solid, if not all triangles of a mesh belong to it as they are.
-struct ExposedSurface {
-  explicit ExposedSurface(ClusteredOctree of_boundary) : tree(std::move(of_boundary)) {}
+struct BoundarySurface {
+  explicit BoundarySurface(ClusteredOctree of_boundary) : tree(std::move(of_boundary)) {}
   ClusteredOctree tree;
-  std::unique_ptr<const Surface> surface;
-  std::vector<std::uint32_t> source;  // per triangle: the triangle that it is a part of
+  std::unique_ptr<const Surface> surface;  // only its corners, stars and components are known
+  std::vector<std::uint32_t> source;       // per triangle: the triangle that it is a part of
   /// Per triangle: its share of the surface. Where k equal facets lie on each other, each has a k-th.
   /// Negative if it faces into the solid, 0 for sheets.
   std::vector<double> share;
@@ -53,9 +53,15 @@ struct SolidParts {
   std::vector<Gap> gaps;
   /// Per triangle: whether a hole that it sees, or that is at its edge, lets bodies in; empty if none does.
   std::vector<char> near_hole;
-  std::vector<std::uint32_t> copies;        // triangles with the same corners as a lower one, without order
-  std::vector<std::uint32_t> intersecting;  // the triangles that others cut, ascending
-  std::unique_ptr<ExposedSurface> exposed;  // null: all triangles as they are
+  std::vector<std::uint32_t> copies;          // triangles with the same corners as a lower one, without order
+  std::vector<std::uint32_t> intersecting;    // the triangles that others cut, ascending
+  std::unique_ptr<BoundarySurface> boundary;  // null: all triangles as they are
 };
+
+/// The surface of Surface::boundary.
+inline const Surface& boundaryOf(const Surface& surface) {
+  const auto& boundary = surface.solidParts().boundary;
+  return boundary ? *boundary->surface : surface;
+}
 
 }  // namespace octoblisk::detail

@@ -22,12 +22,10 @@ Surface::Surface(const ClusteredOctree& tree, OnlyConnected) : tree_(&tree) {
   findComponents();
 }
 
-const Surface& Surface::boundary() const {
-  return solid_ && solid_->exposed ? *solid_->exposed->surface : *this;
-}
+const ClusteredOctree& Surface::boundary() const { return boundaryOf(*this).tree(); }
 
 std::uint32_t Surface::sourceOf(std::uint32_t boundary_triangle) const {
-  return solid_->exposed ? solid_->exposed->source[boundary_triangle] : boundary_triangle;
+  return solid_->boundary ? solid_->boundary->source[boundary_triangle] : boundary_triangle;
 }
 
 void Surface::weld() {

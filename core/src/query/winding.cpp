@@ -25,7 +25,7 @@ void forEachAhead(const ClusteredOctree& tree, const Vec3& point, const Pose& tr
   });
 }
 
-/// A tree over triangles that have no area in common corners; null if there are none.
+/// A tree over triangles that share no vertices; null if there are none.
 std::shared_ptr<const ClusteredOctree> treeOver(const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return nullptr;
   std::vector<Vec3> vertices;

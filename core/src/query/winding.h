@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/winding_number.h"
+#include "geometry/winding_share.h"
 #include "octoblisk/clustered_octree.h"
 
 namespace octoblisk::detail {

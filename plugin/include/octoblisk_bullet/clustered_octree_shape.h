@@ -93,8 +93,9 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// and narrow cracks do not matter. Around holes, and with setSolid(false) everywhere, the mesh is a
   /// surface, which has no inside: a body that passes through it in one step stays there.
   void setSolid(bool solid) { may_be_solid_ = solid; }
-  /// Whether the whole mesh is a solid. False after setSolid(false), and if the mesh has holes or no volume,
-  /// or if it faces inward as a whole.
+  /// Whether the mesh is a solid. False after setSolid(false), and if the mesh has holes or no volume, or if
+  /// it faces inward as a whole. Also true if a separate part faces inward or bounds no solid (`inspect` in
+  /// octoblisk/inspection.h lists such triangles): only that part acts differently.
   bool isSolid() const;
   /// Why isSolid() is false, in one sentence that names the first defect; empty if it is true. Examines the
   /// mesh again, so it takes about as long as building the shape.
@@ -153,8 +154,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
  private:
   ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling, const BuildOptions& options);
-  /// `may_be_solid`: false if no triangle of a more complicated mesh bounds a solid, so that it need not be
-  /// examined.
+  /// `may_be_solid`: false if no triangle bounds a solid unless the mesh is simple (query/simple_solid.h), so
+  /// that it need not be examined.
   void use(std::shared_ptr<const ClusteredOctree> tree, bool may_be_solid = true);
   void updateDefaultMargin();
 
@@ -168,6 +169,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   std::shared_ptr<const detail::FarVertices> far_vertices_;
   std::shared_ptr<const Surface> surface_;  // null if all triangles bound a solid, or none does
   bool is_anywhere_solid_ = false;
+  bool is_open_ = false;  // no triangle bounds a solid, and the mesh has open edges
   bool may_be_solid_ = true;
   bool has_default_margin_ = true;
   btScalar thin_margin_ = 0;  // of the mesh; the default margin is no greater

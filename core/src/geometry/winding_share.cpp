@@ -1,4 +1,4 @@
-#include "geometry/winding_number.h"
+#include "geometry/winding_share.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +68,8 @@ void WindingShare::build(std::uint32_t begin, std::uint32_t end) {
                  }));
   ++begin;
   const std::uint32_t middle = begin + (end - begin + 1) / 2;
-  std::nth_element(at(begin), at(middle), at(end), [&](const Triangle& s, const Triangle& t) {
+  // Not std::nth_element, whose order depends on the standard library.
+  std::stable_sort(at(begin), at(end), [&](const Triangle& s, const Triangle& t) {
     return centroidOf(s)[axis] < centroidOf(t)[axis];
   });
   build(begin, middle);
