@@ -207,10 +207,12 @@ bool meetOnlyAt(const Vec3& corner, const std::array<Vec3, 2>& of_a, const std::
   return separates(a, up_a, b) || separates(b, up_b, a);
 }
 
-Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, double tolerance) {
-  // Usually, n triangles take n log n tests. Where all of them cross each other, they would take n³.
-  const double most_tests =
-      1024.0 + 8.0 * static_cast<double>(others.size()) * std::log2(1.0 + static_cast<double>(others.size()));
+std::optional<std::vector<TrianglePiece>> piecesBetween(const Triangle& triangle,
+                                                        std::vector<Triangle> others, double tolerance) {
+  // Triangles that pass through one after the other take n log n tests, those that all cross each other n³.
+  // The factor leaves room for some that cross.
+  const auto n = static_cast<double>(others.size());
+  const double most_tests = 1024.0 + 64.0 * n * std::log2(1.0 + n);
   Eigen::Index axis;
   Aabb bounds;
   for (const Vec3& corner : triangle) bounds.extend(corner);
@@ -225,8 +227,9 @@ Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, dou
   std::vector<std::uint32_t> all(others.size());
   std::iota(all.begin(), all.end(), 0u);
   std::vector<Part> parts = {{TrianglePiece(triangle.begin(), triangle.end()), std::move(all)}};
-  Pieces result;
-  for (double tests = 0.0; !parts.empty() && tests < most_tests;) {
+  std::vector<TrianglePiece> pieces;
+  for (double tests = 0.0; !parts.empty();) {
+    if (tests > most_tests) return std::nullopt;
     Part part = std::move(parts.back());
     parts.pop_back();
     tests += static_cast<double>(part.cut_by.size());
@@ -235,7 +238,7 @@ Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, dou
       return !divides(dividers(others[other], part.piece, tolerance, room), part.piece, tolerance);
     });
     if (part.cut_by.empty()) {
-      result.pieces.push_back(std::move(part.piece));
+      pieces.push_back(std::move(part.piece));
       continue;
     }
     const auto middle = part.cut_by.begin() + static_cast<std::ptrdiff_t>(part.cut_by.size() / 2);
@@ -244,9 +247,7 @@ Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, dou
     for (TrianglePiece& piece : dividedBy(planes, part.piece, tolerance))
       parts.push_back({std::move(piece), part.cut_by});
   }
-  result.whole = result.pieces.size();
-  for (Part& part : parts) result.pieces.push_back(std::move(part.piece));
-  return result;
+  return pieces;
 }
 
 }  // namespace octoblisk::detail

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
@@ -25,15 +25,10 @@ bool liesAlong(const Triangle& triangle, const Vec3& from, const Vec3& to, doubl
 bool meetOnlyAt(const Vec3& corner, const std::array<Vec3, 2>& of_a, const std::array<Vec3, 2>& of_b,
                 double tolerance);
 
-struct Pieces {
-  std::vector<TrianglePiece> pieces;
-  /// The number of pieces, at the beginning, that no other triangle cuts. All of them, unless too many
-  /// triangles cross each other: then some pieces are left as they are.
-  std::size_t whole = 0;
-};
-
 /// The pieces between all triangles that cut this one. Each of them divides a piece that it cuts along its
-/// plane, or along its edges if both are in one plane.
-Pieces piecesBetween(const Triangle& triangle, std::vector<Triangle> others, double tolerance);
+/// plane, or along its edges if both are in one plane. None if the triangles cross each other so often that
+/// this would take more than n log n time.
+std::optional<std::vector<TrianglePiece>> piecesBetween(const Triangle& triangle,
+                                                        std::vector<Triangle> others, double tolerance);
 
 }  // namespace octoblisk::detail

@@ -127,7 +127,8 @@ class SolidSearch {
   void findRegions();
   void judgeRegions();
   void judgePieces();
-  bool isInner(const Triangle& of_cap) const;
+  bool isHidden(const Vec3& point, const Vec3& normal) const;
+  std::vector<Triangle> visibleCap(const Gap& gap) const;
   void findHoles();
   void buildBoundary();
 
@@ -401,18 +402,24 @@ void SolidSearch::judgePieces() {
   const std::vector<std::uint32_t>& triangles = parts_->intersecting;
   pieces_.resize(triangles.size());
   sides_of_pieces_.resize(triangles.size());
+  std::vector<char> is_tangled(triangles.size(), 0);
   parallelFor(triangles.size(), threads_, [&](std::size_t i, std::size_t) {
     const Triangle triangle = mesh_.triangle(triangles[i]);
     std::vector<Triangle> others;
     for (const TrianglePair& cut : std::ranges::equal_range(cuts_, triangles[i], {}, &TrianglePair::a))
       others.push_back(mesh_.triangle(cut.b));
-    Pieces pieces = piecesBetween(triangle, std::move(others), tolerance_);
-    pieces_[i] = std::move(pieces.pieces);
+    auto pieces = piecesBetween(triangle, std::move(others), tolerance_);
+    if (!pieces) {  // bodies can touch all of it
+      pieces_[i] = {TrianglePiece(triangle.begin(), triangle.end())};
+      sides_of_pieces_[i] = {Sides()};
+      roles_[triangles[i]] = TriangleRole::sheet;
+      is_tangled[i] = 1;
+      return;
+    }
+    pieces_[i] = std::move(*pieces);
     std::array<double, 4> area{};  // per role
-    for (std::size_t p = 0; p < pieces_[i].size(); ++p) {
-      const TrianglePiece& piece = pieces_[i][p];
-      // A piece that is only partly inside stays a part of the boundary: as a sheet.
-      const Sides sides = p < pieces.whole ? sidesOf(middleOf(piece), unitNormal(triangle)) : Sides();
+    for (const TrianglePiece& piece : pieces_[i]) {
+      const Sides sides = sidesOf(middleOf(piece), unitNormal(triangle));
       sides_of_pieces_[i].push_back(sides);
       for (std::size_t corner = 2; corner < piece.size(); ++corner) {
         area[static_cast<std::size_t>(sides.role())] +=
@@ -426,46 +433,65 @@ void SolidSearch::judgePieces() {
            : areaOf(TriangleRole::inner) > 0.0                          ? TriangleRole::inner
                                                                         : TriangleRole::sheet;
   });
+  has_holes_ |= std::ranges::find(is_tangled, 1) != is_tangled.end();
 }
 
-/// Whether a triangle of a cap is wholly inside the solid.
-bool SolidSearch::isInner(const Triangle& of_cap) const {
-  if (!hasArea(of_cap)) return true;
-  const Vec3 normal = unitNormal(of_cap);
-  const auto isInnerAt = [&](const Vec3& point) {
-    const Sides sides = sidesOf(point, normal);
-    // Where the mesh turns inside out, the winding number passes 0 in the gap.
-    return sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
+/// Whether the surface through a point with this normal is inside the solid there.
+bool SolidSearch::isHidden(const Vec3& point, const Vec3& normal) const {
+  const Sides sides = sidesOf(point, normal);
+  // Where the mesh turns inside out, the winding number passes 0 in the gap.
+  return sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
+}
+
+/// The part of a gap's cap that is not inside the solid. All of it if no edge of the gap is inside, even if
+/// something passes through it.
+std::vector<Triangle> SolidSearch::visibleCap(const Gap& gap) const {
+  const auto isInside = [&](const GapEdge& edge) {
+    const Vec3 middle = 0.5 * (edge.from + edge.to), along = edge.to - edge.from;
+    // Turned by some angle, because the triangle at the edge may be axis-aligned.
+    const Vec3 aside = Eigen::AngleAxisd(1.0, along.normalized()) * along.unitOrthogonal();
+    return isHidden(middle, aside) && isHidden(middle, along.cross(aside).normalized());
   };
-  if (!isInnerAt(centroidOf(of_cap))) return false;
-  Aabb bounds;
-  for (const Vec3& corner : of_cap) bounds.extend(corner);
-  const Obb box{.center = bounds.center(), .half_extents = bounds.halfExtents()};
-  std::vector<Triangle> others;
-  forEachTriangleIn(surface_.tree(), box, tolerance_, [&](std::uint32_t t) {
-    const Triangle triangle = mesh_.triangle(t);
-    if (hasArea(triangle) && cuts(triangle, of_cap, tolerance_)) others.push_back(triangle);
-    return false;
-  });
-  if (others.empty()) return true;
-  const Pieces pieces = piecesBetween(of_cap, std::move(others), tolerance_);
-  return pieces.whole == pieces.pieces.size() &&
-         std::ranges::all_of(pieces.pieces, [&](const TrianglePiece& p) { return isInnerAt(middleOf(p)); });
+  if (std::ranges::none_of(gap.edges, isInside)) return gap.cap;
+  std::vector<Triangle> visible;
+  for (const Triangle& triangle : gap.cap) {
+    if (!hasArea(triangle)) continue;
+    Aabb bounds;
+    for (const Vec3& corner : triangle) bounds.extend(corner);
+    const Obb box{.center = bounds.center(), .half_extents = bounds.halfExtents()};
+    std::vector<Triangle> others;
+    forEachTriangleIn(surface_.tree(), box, tolerance_, [&](std::uint32_t t) {
+      const Triangle other = mesh_.triangle(t);
+      if (hasArea(other) && cuts(other, triangle, tolerance_)) others.push_back(other);
+      return false;
+    });
+    const auto pieces = piecesBetween(triangle, std::move(others), tolerance_);
+    if (!pieces) visible.push_back(triangle);
+    for (const TrianglePiece& piece : pieces.value_or(std::vector<TrianglePiece>())) {
+      if (isHidden(middleOf(piece), unitNormal(triangle))) continue;
+      for (std::size_t corner = 2; corner < piece.size(); ++corner)
+        visible.push_back({piece[0], piece[corner - 1], piece[corner]});
+    }
+  }
+  return visible;
 }
 
 /// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
 void SolidSearch::findHoles() {
-  std::map<std::uint32_t, std::vector<Triangle>> caps;                           // by component
+  std::vector<std::vector<Triangle>> visible(parts_->gaps.size());               // parts of caps
+  std::map<std::uint32_t, std::vector<Triangle>> caps;                           // the same by component
   std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
-  for (Gap& gap : parts_->gaps) {
-    if (gap.cap.empty()) continue;
-    gap.is_inner = std::ranges::all_of(gap.cap, [&](const Triangle& t) { return isInner(t); });
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    Gap& gap = parts_->gaps[i];
+    if (std::ranges::none_of(gap.cap, [&](const Triangle& t) { return hasArea(t); })) continue;
+    visible[i] = visibleCap(gap);
+    gap.is_inner = visible[i].empty();
     if (gap.is_inner) continue;
     auto& of_component = caps[componentOf(gap)];
-    of_component.insert(of_component.end(), gap.cap.begin(), gap.cap.end());
+    of_component.insert(of_component.end(), visible[i].begin(), visible[i].end());
     // The cap of a narrow gap may fold back on itself, so its triangles' areas say nothing.
     Vec3 area_vector = Vec3::Zero();
-    for (const Triangle& triangle : gap.cap) area_vector += scaledNormal(triangle);
+    for (const Triangle& triangle : visible[i]) area_vector += scaledNormal(triangle);
     missing[componentOf(gap)] += area_vector.norm();
   }
   sees_hole_.assign(roles_.size(), 0);
@@ -488,9 +514,10 @@ void SolidSearch::findHoles() {
       sees_hole_[t] = parts_->near_hole[t] != 0 && lacks(kHoleShare);
     }
   });
-  for (Gap& gap : parts_->gaps) {
-    if (gap.is_inner || !holes.contains(componentOf(gap))) continue;
-    const WindingShare cap(gap.cap);
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    if (visible[i].empty()) continue;
+    Gap& gap = parts_->gaps[i];
+    const WindingShare cap(std::move(visible[i]));
     const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kEntranceShare, point); };
     for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);

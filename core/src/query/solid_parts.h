@@ -21,7 +21,7 @@ struct GapEdge {
 struct Gap {
   std::vector<GapEdge> edges;
   std::vector<Triangle> cap;
-  bool is_inner = false;  // other parts of the mesh enclose it
+  bool is_inner = false;  // other parts of the mesh enclose its cap
   bool is_hole = false;   // a triangle at one of its edges is a sheet because of it
 };
 
