@@ -801,11 +801,16 @@ TYPED_TEST(Defects, theBoreOfAnOpenHubHoldsBodies) {
       btRigidBody& body = range.add(*shape, {Mat3::Identity(), Vec3(0.0, 0.0, 0.1 * (i - 6))});
       body.setLinearVelocity(toBullet(Vec3(1.0 * std::cos(angle), 1.0 * std::sin(angle), 0.0)));
     }
-    range.step(120);
+    std::array<double, 12> greatest{};
+    for (int step = 0; step < 120; ++step) {
+      range.step();
+      for (std::size_t i = 0; i < 12; ++i)
+        greatest[i] = std::max(greatest[i], placeOf(range.body(i)).template head<2>().norm());
+    }
     for (std::size_t i = 0; i < 12; ++i) {
-      const double radius = placeOf(range.body(i)).template head<2>().norm();
-      EXPECT_LT(radius, BladedHub::kRadius) << shape->getName() << ' ' << i;
-      EXPECT_GT(radius, 0.5) << shape->getName() << ' ' << i;
+      EXPECT_LT(placeOf(range.body(i)).template head<2>().norm(), BladedHub::kRadius)
+          << shape->getName() << ' ' << i;
+      EXPECT_GT(greatest[i], 0.5) << shape->getName() << ' ' << i;
     }
   }
 }
