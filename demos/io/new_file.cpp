@@ -37,7 +37,7 @@ void requireNotRead(const std::string& out, const std::vector<std::filesystem::p
   for (const std::filesystem::path& input : files_read) {
     std::error_code ignored;  // usually the file does not exist yet
     if (std::filesystem::equivalent(out, input, ignored)) {
-      throw std::runtime_error(out + ": is also an input file: choose another --out");
+      throw std::runtime_error(out + ": is also an input file: choose another output file");
     }
   }
 }

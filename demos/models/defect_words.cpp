@@ -57,7 +57,7 @@ std::string inwardText(const MeshInspection& found) {
 MeshInspection defectsOf(const ClusteredOctree& tree, int threads) {
   MeshInspection whole;
   whole.triangles = tree.mesh().triangleCount();
-  whole.is_closed = true;
+  whole.is_closed = whole.pushes_out = true;
   whole.mass = detail::massPropertiesOfSimple(tree.mesh());
   if (!detail::isSimpleSolid(tree.mesh()) || whole.mass.faces_inward)
     return inspect(octoblisk::Surface(tree, threads));

@@ -130,15 +130,14 @@ std::string stateText(const MeshInspection& found) {
   const std::size_t holes = found.count(GapKind::hole);
   if (!found.isAnywhereSolid()) {
     return holes > 0
-               ? "bounds no solid: with " + countText(holes, "a hole", "holes") + ", it is an open surface"
+               ? "is an open surface with " + countText(holes, "a hole", "holes") + ": it bounds no solid"
                : "bounds no solid: it encloses no volume";
   }
   std::string text = found.facesInward()    ? "bounds a solid and faces inward"
                      : found.inward.empty() ? "bounds a solid and faces outward"
                                             : "bounds a solid and faces inward in parts";
   if (holes > 0) {
-    text += ", with " + countText(holes, "a hole", "holes") + ": the triangles around " +
-            (holes == 1 ? "it are sheets" : "them are sheets");
+    text += ", except around " + countText(holes, "a hole", "holes") + ": the triangles there are sheets";
   } else if (!found.sheets.empty()) {
     text += found.opposed_edges.empty() ? ", but some triangles bound none"
                                         : ", except where triangles face opposite ways";
@@ -163,14 +162,17 @@ std::string consequencesText(const InspectionReport& report) {
                                  : "unknown at the sheets, known elsewhere\n";
   text += "Inertia: ";
   text += found.mass.is_solid
-              ? "exact, of the volume " + shortText(found.mass.volume) + unitAfter(report, "³") + '\n'
+              ? "exact; volume " + shortText(found.mass.volume) + unitAfter(report, "³") + '\n'
               : "that of the bounding box\n";
   text += "Margin:  ";
   text += bounds_none           ? "0 in Bullet: bodies are pushed back to the side that they came from\n"
           : found.facesInward() ? "0 in Bullet: a mesh that faces inward does not push bodies out\n"
+          : !found.pushes_out   ? "0 in Bullet: the holes are large, so the whole mesh is a surface\n"
           : is_solid            ? "in Bullet, bodies rest on a thin margin and are pushed out of the solid\n"
-                     : "in Bullet, bodies are pushed out of the solid, but not at sheets and at triangles "
-                       "that face inward\n";
+          : found.inward.empty()
+              ? "in Bullet, bodies are pushed out of the solid, but not near holes and at sheets\n"
+              : "in Bullet, bodies are pushed out of the solid, but not near holes, at sheets, and where "
+                "triangles face inward\n";
   return text;
 }
 

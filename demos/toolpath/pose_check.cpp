@@ -12,6 +12,22 @@ namespace octoblisk::demos {
 
 using namespace detail;
 
+namespace {
+
+std::string inwardPartsOf(const Surface* surface) {
+  if (!surface) return {};
+  bool has_inward = false, has_outward = false;
+  for (std::uint32_t t = 0; t < surface->tree().mesh().triangleCount(); ++t) {
+    has_inward |= surface->role(t) == TriangleRole::inward;
+    has_outward |= surface->role(t) == TriangleRole::outward;
+  }
+  if (!has_inward || !has_outward) return {};
+  const MeshInspection found = inspect(*surface);
+  return found.facesInward() ? std::string() : inwardText(found);
+}
+
+}  // namespace
+
 PoseCheck::PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving,
                      const PoseCheckOptions& options)
     : fixed_(fixed), moving_(moving), options_(options) {
@@ -27,7 +43,7 @@ void PoseCheck::requireClosed() const {
   std::string message =
       options_.depth ? "depths need a closed fixed mesh, but "
                      : "signed distances need a closed mesh; the moving mesh is open and so is this one: ";
-  message += openText(inspect(*fixed_surface_));
+  message += openText(inspect(*fixed_surface_)) + " (octoblisk inspect shows the places, and closes holes)";
   if (moving_surface_->isClosed()) {
     message +=
         "; the moving mesh is closed: unless it may be inside the fixed one, swap the two meshes and "
@@ -37,6 +53,9 @@ void PoseCheck::requireClosed() const {
 }
 
 PoseCheck::~PoseCheck() = default;
+
+std::string PoseCheck::inwardPartsOfFixed() const { return inwardPartsOf(fixed_surface_.get()); }
+std::string PoseCheck::inwardPartsOfMoving() const { return inwardPartsOf(moving_surface_.get()); }
 
 std::vector<PoseAnswer> PoseCheck::answer(std::span<const Pose> poses, std::size_t begin, std::size_t end) {
   std::vector<PoseAnswer> answers(end - begin);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "octoblisk/depth.h"
@@ -41,6 +42,10 @@ class PoseCheck {
   /// Whether a mesh that the answers treat as a solid is closed; true if they treat none as one.
   bool isFixedSolid() const { return !fixed_surface_ || fixed_surface_->isClosed(); }
   bool isMovingSolid() const { return !moving_surface_ || moving_surface_->isClosed(); }
+  /// What faces inward in a mesh that faces outward elsewhere, in words; empty if nothing does, or if no mesh
+  /// is treated as a solid.
+  std::string inwardPartsOfFixed() const;
+  std::string inwardPartsOfMoving() const;
 
   /// For the poses [begin, end); the motion to `begin` starts at the previous pose, if there is one.
   std::vector<PoseAnswer> answer(std::span<const Pose> poses, std::size_t begin, std::size_t end);

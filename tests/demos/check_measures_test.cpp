@@ -245,7 +245,27 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   const Outcome swapped =
       run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv");
   EXPECT_EQ(swapped.exit_code, 1);
-  EXPECT_THAT(swapped.error, HasSubstr("sheet.obj: the mesh is open: a mesh inside it is not noticed"));
+  EXPECT_THAT(swapped.error, HasSubstr("sheet.obj: the mesh has holes: a mesh inside it is not noticed"));
+}
+
+/// Where they overlap, the winding number is 0, and nothing is inside.
+TEST_F(CheckCommand, warnsOfPartsThatFaceOppositeWays) {
+  const TriangleMesh box = *octoblisk::testing::boxMesh({5, 5, 5});
+  const TriangleMesh other =
+      *octoblisk::testing::insideOut(*octoblisk::testing::moved(box, {Mat3::Identity(), Vec3(5, 5, 5)}));
+  writeMesh(folder_.path() / "parts.obj", *octoblisk::testing::joined(box, other));
+  writeMesh(folder_.path() / "hollow.obj",
+            *octoblisk::testing::joined(
+                box, *octoblisk::testing::insideOut(*octoblisk::testing::boxMesh({4, 4, 4}))));
+  writeMesh(folder_.path() / "small.obj", *octoblisk::testing::boxMesh({0.1, 0.1, 0.1}));
+  folder_.write("poses.csv", kPoseHeader + "2.5,2.5,2.5,1,0,0,0\n");
+  const std::string rest = " --poses poses.csv --depth --out out.csv";
+  const std::string kWarning =
+      "parts.obj: 12 of its triangles face inward, the first number 12: where parts that face opposite ways "
+      "overlap, nothing is inside";
+  EXPECT_THAT(run("check --fixed parts.obj --moving small.obj" + rest).error, HasSubstr(kWarning));
+  EXPECT_THAT(run("check --fixed small.obj --moving parts.obj" + rest).error, HasSubstr(kWarning));
+  EXPECT_EQ(run("check --fixed hollow.obj --moving small.obj" + rest).error, "");
 }
 
 }  // namespace

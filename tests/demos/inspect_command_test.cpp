@@ -54,7 +54,7 @@ TEST_F(InspectCommand, saysThatAMeshIsASolid) {
             "block.stl: 48 triangles in 1 component: 1 shell; 20 x 10 x 4\n"
             "The mesh bounds a solid and faces outward\n"
             "Depth:   known everywhere\n"
-            "Inertia: exact, of the volume 800\n"
+            "Inertia: exact; volume 800\n"
             "Margin:  in Bullet, bodies rest on a thin margin and are pushed out of the solid\n");
 }
 
@@ -62,7 +62,7 @@ TEST_F(InspectCommand, resultsAreInMillimetresOnRequest) {
   writeMesh(file("block.stl"), block({0.25, 0.125, 0.5}, 2));
   const Outcome outcome = run("block.stl --units m");
   EXPECT_THAT(outcome.out, HasSubstr("500 x 250 x 1000 mm\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("of the volume 1.25e+08 mm³\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("exact; volume 1.25e+08 mm³\n"));
   writeBlockWithout("open.stl", isOnTop);
   const Outcome closed = run("open.stl --units m --close closed.stl");
   EXPECT_EQ(closed.exit_code, 0);
@@ -149,8 +149,8 @@ TEST_F(InspectCommand, drawsEachKindOfDefect) {
   const Outcome outcome = run("mesh.ply --picture mesh.png");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out,
-              HasSubstr("The mesh bounds a solid and faces inward in parts, with a hole: the triangles "
-                        "around it are sheets\n"));
+              HasSubstr("The mesh bounds a solid and faces inward in parts, except around a hole: the "
+                        "triangles there are sheets\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\nPicture: mesh.png\n"));
   EXPECT_TRUE(contentOf(file("mesh.png")).starts_with("\x89PNG"));
 }
@@ -159,7 +159,7 @@ TEST_F(InspectCommand, saysWhatASheetIs) {
   writeMesh(file("sheet.obj"), *octoblisk::testing::waveSheet(1, 0.1, 4));
   const Outcome outcome = run("sheet.obj");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("\nThe mesh bounds no solid: with a hole, it is an open surface\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nThe mesh is an open surface with a hole: it bounds no solid\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\nDepth:   none: nothing is inside the mesh\n"));
 }
 

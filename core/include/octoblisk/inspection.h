@@ -63,7 +63,10 @@ struct MeshInspection {
   std::vector<DefectPlace> sheets;  ///< those with the role TriangleRole::sheet
 
   bool is_closed = false;  ///< Surface::isClosed
-  MassProperties mass;     ///< of the bounding box if the mesh is not closed
+  /// Whether some triangles face out of a solid and see no hole in more than 1/64 of all directions. Only
+  /// these push bodies out in Bullet, because through larger holes bodies get in.
+  bool pushes_out = false;
+  MassProperties mass;  ///< of the bounding box if the mesh is not closed
 
   /// The gaps of a kind, and the open edges around them.
   std::size_t count(GapKind kind) const;

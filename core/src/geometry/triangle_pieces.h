@@ -12,6 +12,13 @@ namespace octoblisk::detail {
 /// The corners of a convex piece of a triangle, in the triangle's order.
 using TrianglePiece = std::vector<Vec3>;
 
+/// The mean of its corners.
+inline Vec3 middleOf(const TrianglePiece& piece) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
+  return middle;
+}
+
 /// Whether the other triangle passes through the inside of this one, ends on it along a segment, or lies in
 /// its plane and overlaps it. It does not if they only touch at points or at this one's edges, within the
 /// tolerance (a length).

@@ -8,6 +8,7 @@
 #include "geometry/triangle_feature.h"
 #include "octoblisk/collide.h"
 #include "query/solid_parts.h"
+#include "query/touching_distance.h"
 
 namespace octoblisk {
 

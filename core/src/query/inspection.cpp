@@ -11,6 +11,7 @@
 #include "query/gap_shape.h"
 #include "query/solid_parts.h"
 #include "query/surface_edges.h"
+#include "query/touching_distance.h"
 
 namespace octoblisk {
 
@@ -39,6 +40,10 @@ class Inspector {
     findEdges();
     for (const Gap& gap : parts_.gaps) addGap(gap);
     countShells();
+    for (std::uint32_t t = 0; t < mesh_.triangleCount() && !found_.pushes_out; ++t) {
+      const bool is_near_hole = !parts_.near_hole.empty() && parts_.near_hole[t] != 0;
+      found_.pushes_out = surface_.role(t) == TriangleRole::outward && !is_near_hole;
+    }
     std::ranges::stable_sort(found_.gaps, {}, [](const MeshGap& g) { return std::pair(g.kind, -g.length); });
     for (auto* places : {&found_.t_junctions, &found_.shared_edges, &found_.opposed_edges})
       std::ranges::stable_sort(*places, {}, &DefectPlace::triangle);
@@ -73,7 +78,7 @@ void Inspector::findTriangles() {
   for (const std::uint32_t t : parts_.copies) found_.copies.push_back(placeOf(t));
   for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
     const Triangle triangle = mesh_.triangle(t);
-    if (scaledNormal(triangle).squaredNorm() <= rounding_ * rounding_ * squaredLongestEdge(triangle)) {
+    if (!hasArea(triangle, rounding_)) {
       found_.zero_area.push_back(placeOf(t));
       continue;
     }

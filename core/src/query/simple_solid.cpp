@@ -8,7 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/no_index.h"
-#include "query/solid_parts.h"
+#include "query/touching_distance.h"
 
 namespace octoblisk::detail {
 namespace {

@@ -3,45 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <span>
 #include <utility>
 
 #include "base/no_index.h"
 #include "base/parallel.h"
-#include "geometry/thin_triangle.h"
 #include "geometry/triangle_pieces.h"
-#include "octoblisk/containment.h"
-#include "octoblisk/triangles_in_box.h"
 #include "query/candidate_pairs.h"
+#include "query/copies.h"
+#include "query/holes.h"
+#include "query/sides.h"
 #include "query/surface_edges.h"
+#include "query/touching_distance.h"
 
 namespace octoblisk::detail {
 namespace {
 
-/// The greatest share of all directions in which a triangle of a solid may see holes: with up to a quarter,
-/// the winding number is nearer to 0 before the triangle and to 1 behind it than to 1/2. Also the greatest
-/// share of its area that a component with holes may lack, because a triangle sees about that share on
-/// average.
-constexpr double kHoleShare = 1.0 / 4.0;
-
-/// The same for SolidParts::near_hole. From inside an open box that is up to four times as deep as it is
-/// wide, the opening takes up more than this.
-constexpr double kEntranceShare = 1.0 / 64.0;
-
 /// Triangles side by side, with nothing that meets the surface between them: one role fits all.
 using Region = std::vector<std::uint32_t>;
-
-/// The winding numbers before and behind a triangle.
-struct Sides {
-  int front = 0, back = 0;
-
-  TriangleRole role() const {
-    if (front != 0 && back != 0) return TriangleRole::inner;
-    if (front == 0 && back == 0) return TriangleRole::sheet;
-    return front == 0 ? TriangleRole::outward : TriangleRole::inward;
-  }
-};
 
 Gap gapOf(const OpenLoop& loop, std::span<const Vec3> positions) {
   Gap gap;
@@ -57,12 +36,6 @@ std::vector<Triangle> capsOf(std::span<const Gap> gaps) {
   return caps;
 }
 
-Vec3 middleOf(const TrianglePiece& piece) {
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& corner : piece) middle += corner / static_cast<double>(piece.size());
-  return middle;
-}
-
 class SolidSearch {
  public:
   SolidSearch(const Surface& surface, int threads)
@@ -74,7 +47,7 @@ class SolidSearch {
   std::shared_ptr<SolidParts> find() {
     findEdges();
     roles_.assign(mesh_.triangleCount(), TriangleRole::inner);
-    const Copies copies = is_manifold_ ? Copies() : findCopies();
+    const Copies copies = is_manifold_ ? Copies() : findCopies(surface_);
     if (copies.are_left_out) {
       judgeByOriginals(copies);
       parts_->copies = copies.triangles;
@@ -86,8 +59,10 @@ class SolidSearch {
     parts_ = std::make_shared<SolidParts>(Winding(surface_.tree(), capsOf(gaps)));
     parts_->gaps = std::move(gaps);
     parts_->copies = copies.triangles;
-    findHoles();
-    if (std::ranges::find(sees_hole_, 0) == sees_hole_.end()) {
+    Holes holes = findHoles(surface_, parts_->winding, parts_->gaps, threads_);
+    parts_->near_hole = std::move(holes.near_hole);
+    has_holes_ = std::ranges::find(parts_->near_hole, 1) != parts_->near_hole.end();
+    if (!holes.sees_hole.empty() && std::ranges::find(holes.sees_hole, 0) == holes.sees_hole.end()) {
       roles_.assign(roles_.size(), TriangleRole::sheet);
       return parts_;
     }
@@ -95,8 +70,8 @@ class SolidSearch {
     findRegions();
     judgeRegions();
     judgePieces();
-    for (std::size_t t = 0; t < roles_.size(); ++t) {
-      if (sees_hole_[t] != 0 && roles_[t] != TriangleRole::inner) roles_[t] = TriangleRole::sheet;
+    for (std::size_t t = 0; t < holes.sees_hole.size(); ++t) {
+      if (holes.sees_hole[t] != 0 && roles_[t] != TriangleRole::inner) roles_[t] = TriangleRole::sheet;
     }
     buildBoundary();
     return parts_;
@@ -113,42 +88,19 @@ class SolidSearch {
  private:
   std::vector<Vec3> cornerPositions() const;
   void findEdges();
-  /// Triangles with the same corners as others. The first of them stands for all, facing as most of them do.
-  /// If as many face the other way, the first of these stays too: both are the sides of a sheet.
-  struct Copies {
-    std::vector<std::uint32_t> triangles;  // ascending
-    std::vector<std::uint32_t> original;   // per triangle: the one that stands for it
-    std::vector<signed char> count;        // per original: 1, or -1 if it is to be turned
-    bool are_left_out = false;             // whether some triangle has another original
-  };
-  Copies findCopies() const;
   void judgeByOriginals(const Copies& copies);
   void findCuts();
   void findRegions();
   void judgeRegions();
   void judgePieces();
-  bool isHidden(const Vec3& point, const Vec3& normal) const;
-  std::vector<Triangle> visibleCap(const Gap& gap) const;
-  void findHoles();
   void buildBoundary();
 
-  /// Whether the triangle is higher than rounding.
-  bool hasArea(std::uint32_t t) const { return hasArea(mesh_.triangle(t)); }
-  bool hasArea(const Triangle& triangle) const {
-    return scaledNormal(triangle).squaredNorm() > tolerance_ * tolerance_ * squaredLongestEdge(triangle);
-  }
-  std::uint32_t componentOf(std::size_t triangle) const {
-    return surface_.component(surface_.corners(static_cast<std::uint32_t>(triangle))[0]);
-  }
-  std::uint32_t componentOf(const Gap& gap) const { return componentOf(gap.edges.front().triangle); }
-  bool areSameWay(std::uint32_t a, std::uint32_t b) const;
   using Edge = std::pair<std::uint32_t, std::uint32_t>;  // corners, the lower one first
   Edge edgeOf(std::uint32_t triangle, std::size_t edge) const {
     return std::minmax({surface_.corners(triangle)[edge], surface_.corners(triangle)[(edge + 1) % 3]});
   }
   void noteSeams(std::uint32_t of, std::uint32_t beside);
   bool mayCut(std::uint32_t a, std::uint32_t b) const;
-  Sides sidesOf(const Vec3& middle, const Vec3& normal) const;
   bool isBoundaryAsItIs() const;
 
   const Surface& surface_;
@@ -161,7 +113,6 @@ class SolidSearch {
   std::vector<std::array<std::uint32_t, 3>>
       across_;  // per triangle and edge: the only other one, if opposite
   bool has_holes_ = false;
-  std::vector<char> sees_hole_;  // per triangle: whether it is a sheet because of a hole
   std::vector<TriangleRole> roles_;
   std::vector<Region> regions_;
   std::vector<Sides> sides_of_region_;
@@ -203,41 +154,6 @@ void SolidSearch::findEdges() {
   });
 }
 
-SolidSearch::Copies SolidSearch::findCopies() const {
-  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> order;
-  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-    if (!hasArea(t)) continue;
-    std::array<std::uint32_t, 3> corners = surface_.corners(t);
-    std::ranges::sort(corners);
-    order.emplace_back(corners, t);
-  }
-  std::ranges::sort(order);
-  Copies copies;
-  copies.original.resize(mesh_.triangleCount());
-  std::iota(copies.original.begin(), copies.original.end(), 0u);
-  copies.count.assign(mesh_.triangleCount(), 1);
-  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
-    const std::uint32_t first = begin->second;
-    std::uint32_t turned = kNoTriangle;  // the first that faces the other way
-    int balance = 0;
-    for (; end != order.end() && end->first == begin->first; ++end) {
-      const bool is_turned = !areSameWay(end->second, first);
-      if (is_turned && turned == kNoTriangle) turned = end->second;
-      balance += is_turned ? -1 : 1;
-      if (end != begin) copies.triangles.push_back(end->second);
-    }
-    copies.count[first] = balance < 0 ? -1 : 1;
-    for (auto copy = begin; copy != end; ++copy) {
-      const bool is_turned = balance == 0 && !areSameWay(copy->second, first);
-      copies.original[copy->second] = is_turned ? turned : first;
-    }
-  }
-  std::ranges::sort(copies.triangles);
-  copies.are_left_out = false;
-  for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) copies.are_left_out |= copies.original[t] != t;
-  return copies;
-}
-
 /// Gives each triangle the role that it has if its copies are left out.
 void SolidSearch::judgeByOriginals(const Copies& copies) {
   std::vector<TriangleMesh::Indices> triangles;
@@ -268,7 +184,7 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
   for (std::uint32_t t = 0; t < roles_.size(); ++t) {
     const std::uint32_t original = copies.original[t];
     if (original == t) continue;
-    roles_[t] = areSameWay(t, original) ? roles_[original] : reversed(roles_[original]);
+    roles_[t] = areSameWay(surface_, t, original) ? roles_[original] : reversed(roles_[original]);
     if (!found.near_hole.empty()) parts_->near_hole[t] = parts_->near_hole[original];
   }
   has_holes_ = !single.isClosed();
@@ -285,13 +201,6 @@ void SolidSearch::judgeByOriginals(const Copies& copies) {
                                       : single.role(t) == TriangleRole::inward ? -1.0
                                                                                : 1.0);
   }
-}
-
-/// Whether two triangles with the same corners face the same way.
-bool SolidSearch::areSameWay(std::uint32_t a, std::uint32_t b) const {
-  const auto &of_a = surface_.corners(a), &of_b = surface_.corners(b);
-  const auto first = static_cast<std::size_t>(std::ranges::find(of_b, of_a[0]) - of_b.begin());
-  return of_b[(first + 1) % 3] == of_a[1];
 }
 
 /// Whether two triangles near each other may cut one another, or have a seam. Most share corners, where
@@ -323,7 +232,7 @@ bool SolidSearch::mayCut(std::uint32_t a, std::uint32_t b) const {
     };
     if (isOffPlane(second, first, up) || isOffPlane(first, second, other_up)) return false;
   }
-  return hasArea(first) && hasArea(second);
+  return hasArea(first, tolerance_) && hasArea(second, tolerance_);
 }
 
 void SolidSearch::findCuts() {
@@ -375,25 +284,14 @@ void SolidSearch::findRegions() {
   }
 }
 
-Sides SolidSearch::sidesOf(const Vec3& middle, const Vec3& normal) const {
-  // A step farther if another part of the surface is exactly there.
-  const auto beside = [&](double sign) {
-    for (double step = tolerance_; step < 16.0 * tolerance_; step *= 2.0) {
-      if (const auto number = parts_->winding.closedAt(middle + sign * step * normal)) return *number;
-    }
-    return 0;
-  };
-  return {beside(1.0), beside(-1.0)};
-}
-
 void SolidSearch::judgeRegions() {
   sides_of_region_.resize(regions_.size());
   parallelFor(regions_.size(), threads_, [&](std::size_t r, std::size_t) {
     const std::uint32_t largest = *std::ranges::max_element(
         regions_[r], {}, [&](std::uint32_t t) { return scaledNormal(mesh_.triangle(t)).squaredNorm(); });
-    if (!hasArea(largest)) return;
     const Triangle triangle = mesh_.triangle(largest);
-    sides_of_region_[r] = sidesOf(centroidOf(triangle), unitNormal(triangle));
+    if (!hasArea(triangle, tolerance_)) return;
+    sides_of_region_[r] = sidesOf(parts_->winding, centroidOf(triangle), unitNormal(triangle), tolerance_);
     for (const std::uint32_t t : regions_[r]) roles_[t] = sides_of_region_[r].role();
   });
 }
@@ -419,7 +317,7 @@ void SolidSearch::judgePieces() {
     pieces_[i] = std::move(*pieces);
     std::array<double, 4> area{};  // per role
     for (const TrianglePiece& piece : pieces_[i]) {
-      const Sides sides = sidesOf(middleOf(piece), unitNormal(triangle));
+      const Sides sides = sidesOf(parts_->winding, middleOf(piece), unitNormal(triangle), tolerance_);
       sides_of_pieces_[i].push_back(sides);
       for (std::size_t corner = 2; corner < piece.size(); ++corner) {
         area[static_cast<std::size_t>(sides.role())] +=
@@ -436,109 +334,9 @@ void SolidSearch::judgePieces() {
   has_holes_ |= std::ranges::find(is_tangled, 1) != is_tangled.end();
 }
 
-/// Whether the surface through a point with this normal is inside the solid there.
-bool SolidSearch::isHidden(const Vec3& point, const Vec3& normal) const {
-  const Sides sides = sidesOf(point, normal);
-  // Where the mesh turns inside out, the winding number passes 0 in the gap.
-  return sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
-}
-
-/// The part of a gap's cap that is not inside the solid. All of it if no edge of the gap is inside, even if
-/// something passes through it.
-std::vector<Triangle> SolidSearch::visibleCap(const Gap& gap) const {
-  const auto isInside = [&](const GapEdge& edge) {
-    const Vec3 middle = 0.5 * (edge.from + edge.to), along = edge.to - edge.from;
-    // Turned by some angle, because the triangle at the edge may be axis-aligned.
-    const Vec3 aside = Eigen::AngleAxisd(1.0, along.normalized()) * along.unitOrthogonal();
-    return isHidden(middle, aside) && isHidden(middle, along.cross(aside).normalized());
-  };
-  if (std::ranges::none_of(gap.edges, isInside)) return gap.cap;
-  std::vector<Triangle> visible;
-  for (const Triangle& triangle : gap.cap) {
-    if (!hasArea(triangle)) continue;
-    Aabb bounds;
-    for (const Vec3& corner : triangle) bounds.extend(corner);
-    const Obb box{.center = bounds.center(), .half_extents = bounds.halfExtents()};
-    std::vector<Triangle> others;
-    forEachTriangleIn(surface_.tree(), box, tolerance_, [&](std::uint32_t t) {
-      const Triangle other = mesh_.triangle(t);
-      if (hasArea(other) && cuts(other, triangle, tolerance_)) others.push_back(other);
-      return false;
-    });
-    const auto pieces = piecesBetween(triangle, std::move(others), tolerance_);
-    if (!pieces) visible.push_back(triangle);
-    for (const TrianglePiece& piece : pieces.value_or(std::vector<TrianglePiece>())) {
-      if (isHidden(middleOf(piece), unitNormal(triangle))) continue;
-      for (std::size_t corner = 2; corner < piece.size(); ++corner)
-        visible.push_back({piece[0], piece[corner - 1], piece[corner]});
-    }
-  }
-  return visible;
-}
-
-/// Finds the triangles that see holes of their component. A gap inside the solid is no hole.
-void SolidSearch::findHoles() {
-  std::vector<std::vector<Triangle>> visible(parts_->gaps.size());               // parts of caps
-  std::map<std::uint32_t, std::vector<Triangle>> caps;                           // the same by component
-  std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
-  for (std::size_t i = 0; i < visible.size(); ++i) {
-    Gap& gap = parts_->gaps[i];
-    if (std::ranges::none_of(gap.cap, [&](const Triangle& t) { return hasArea(t); })) continue;
-    visible[i] = visibleCap(gap);
-    gap.is_inner = visible[i].empty();
-    if (gap.is_inner) continue;
-    auto& of_component = caps[componentOf(gap)];
-    of_component.insert(of_component.end(), visible[i].begin(), visible[i].end());
-    // The cap of a narrow gap may fold back on itself, so its triangles' areas say nothing.
-    Vec3 area_vector = Vec3::Zero();
-    for (const Triangle& triangle : visible[i]) area_vector += scaledNormal(triangle);
-    missing[componentOf(gap)] += area_vector.norm();
-  }
-  sees_hole_.assign(roles_.size(), 0);
-  if (caps.empty()) return;
-  for (std::uint32_t t = 0; t < roles_.size(); ++t)
-    areas[componentOf(t)] += scaledNormal(mesh_.triangle(t)).norm();
-  parts_->near_hole.assign(roles_.size(), 0);
-  std::map<std::uint32_t, WindingShare> holes;
-  for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
-  parallelForChunks(sees_hole_.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto of_component = holes.find(componentOf(t));
-      if (of_component == holes.end() || isThin(mesh_.triangle(t))) continue;
-      const auto& [component, share] = *of_component;
-      const auto lacks = [&](double limit) {
-        return missing[component] > limit * areas[component] ||
-               share.exceeds(limit, centroidOf(mesh_.triangle(t)));
-      };
-      parts_->near_hole[t] = lacks(kEntranceShare);
-      sees_hole_[t] = parts_->near_hole[t] != 0 && lacks(kHoleShare);
-    }
-  });
-  for (std::size_t i = 0; i < visible.size(); ++i) {
-    if (visible[i].empty()) continue;
-    Gap& gap = parts_->gaps[i];
-    const WindingShare cap(std::move(visible[i]));
-    const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kEntranceShare, point); };
-    for (const GapEdge& edge : gap.edges) {
-      const Triangle triangle = mesh_.triangle(edge.triangle);
-      if (isThin(triangle)) continue;
-      const Vec3 normal = unitNormal(triangle), along = edge.to - edge.from;
-      // Over the middle of the edge, a quarter of the triangle's height away from it.
-      const double off = 0.25 * scaledNormal(triangle).norm() / along.norm();
-      const Vec3 middle = 0.5 * (edge.from + edge.to);
-      const bool sees_it = isSeenFrom(middle + off * normal) || isSeenFrom(middle - off * normal) ||
-                           (parts_->near_hole[edge.triangle] != 0 && isSeenFrom(centroidOf(triangle)));
-      if (!sees_it) continue;
-      gap.is_hole = true;
-      sees_hole_[edge.triangle] = parts_->near_hole[edge.triangle] = 1;
-    }
-  }
-  has_holes_ = std::ranges::find(parts_->near_hole, 1) != parts_->near_hole.end();
-}
-
 bool SolidSearch::isBoundaryAsItIs() const {
   for (std::uint32_t t = 0; t < roles_.size(); ++t) {
-    if (roles_[t] == TriangleRole::inner && hasArea(t)) return false;
+    if (roles_[t] == TriangleRole::inner && hasArea(mesh_.triangle(t), tolerance_)) return false;
   }
   return parts_->intersecting.empty();
 }

@@ -36,12 +36,6 @@ struct BoundarySurface {
   std::vector<double> share;
 };
 
-/// Parts of a mesh that are closer to each other touch. It is the rounding of points and planes near the
-/// mesh: a few hundred units in the last place of its coordinates.
-inline double touchingDistance(const TriangleMesh& mesh) {
-  return 1e-13 * mesh.bounds().farthestFromOrigin();
-}
-
 /// What Surface knows about the solid that its mesh bounds.
 struct SolidParts {
   explicit SolidParts(Winding of_mesh) : winding(std::move(of_mesh)) {}

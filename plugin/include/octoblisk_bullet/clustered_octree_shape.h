@@ -94,7 +94,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// surface, which has no inside: a body that passes through it in one step stays there.
   void setSolid(bool solid) { may_be_solid_ = solid; }
   /// Whether the mesh is a solid. False after setSolid(false), and if the mesh has holes or no volume, or if
-  /// it faces inward as a whole. Also true if a separate part faces inward or bounds no solid (`inspect` in
+  /// it faces inward as a whole. Also true if a separate part faces inward (`inspect` in
   /// octoblisk/inspection.h lists such triangles): only that part acts differently.
   bool isSolid() const;
   /// Why isSolid() is false, in one sentence that names the first defect; empty if it is true. Examines the
