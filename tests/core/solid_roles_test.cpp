@@ -322,6 +322,23 @@ TEST(SolidRoles, aHoleThatIsHalfCovered) {
   EXPECT_TRUE(whole.surface.isClosed());
 }
 
+/// A blade is open where it stands on a hub. One end of its rim is in the hub, the other one is above it.
+TEST(SolidRoles, aPartThatIsOpenWhereItStandsOnAnother) {
+  const SharedMesh hub = boxBetween({-5, -5, -2}, {5, 5, 0});
+  const SharedMesh blade = without(*boxBetween({-1, -0.2, 0}, {1, 0.2, 3}),
+                                   [](const Triangle& triangle) { return centroidOf(triangle).z() == 0.0; });
+  for (const double low : {-0.1, 0.0, 0.001}) {
+    for (const double high : {-0.5, 0.0, 0.002, 0.02, 0.3, 1.0}) {
+      const SharedMesh tilted = testing::deformed(*blade, [&](const Vec3& v) {
+        return v.z() > 0.0 ? v : Vec3(v.x(), v.y(), v.x() > 0.0 ? high : low);
+      });
+      const Solid rotor(testing::joined(*hub, *tilted));
+      EXPECT_EQ(rotor.surface.isClosed(), high < 0.1) << low << ' ' << high;
+      EXPECT_EQ(countOf(rotor.surface, TriangleRole::sheet) == 0, high < 0.1) << low << ' ' << high;
+    }
+  }
+}
+
 /// Both sides of a sheet are triangles with the same corners. They enclose nothing, and bodies touch them.
 TEST(SolidRoles, aSheetWithTwoSidesStaysInTheBoundary) {
   const SharedMesh quad = testing::firstTriangles(*boxBetween({-2, -2, 0.5}, {2, 2, 1}), 2);

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "geometry/thin_triangle.h"
 #include "geometry/triangle_pieces.h"
+#include "octoblisk/distance.h"
 #include "octoblisk/triangles_in_box.h"
 #include "query/sides.h"
 #include "query/touching_distance.h"
@@ -38,6 +39,8 @@ class HoleSearch {
 
  private:
   bool isHidden(const Vec3& point, const Vec3& normal) const;
+  bool isInside(const GapEdge& edge) const;
+  bool isClosedByOthers(const GapEdge& edge) const;
   std::vector<Triangle> visibleCap(const Gap& gap) const;
   std::uint32_t componentOf(std::size_t triangle) const {
     return surface_.component(surface_.corners(static_cast<std::uint32_t>(triangle))[0]);
@@ -59,16 +62,32 @@ bool HoleSearch::isHidden(const Vec3& point, const Vec3& normal) const {
   return sides.role() == TriangleRole::inner && (sides.front > 0) == (sides.back > 0);
 }
 
+/// Whether the middle of an open edge is inside the solid.
+bool HoleSearch::isInside(const GapEdge& edge) const {
+  const Vec3 middle = 0.5 * (edge.from + edge.to), along = edge.to - edge.from;
+  // Turned by some angle, because the triangle at the edge may be axis-aligned.
+  const Vec3 aside = Eigen::AngleAxisd(1.0, along.normalized()) * along.unitOrthogonal();
+  return isHidden(middle, aside) && isHidden(middle, along.cross(aside).normalized());
+}
+
+/// Whether another component is so near to the middle of an open edge that what is between them is a crack:
+/// the triangle at the edge sees it in about kEntranceShare of all directions or less.
+bool HoleSearch::isClosedByOthers(const GapEdge& edge) const {
+  const double height = scaledNormal(mesh_.triangle(edge.triangle)).norm() / (edge.to - edge.from).norm();
+  const double near = kEntranceShare * height;
+  const Vec3 middle = 0.5 * (edge.from + edge.to);
+  return forEachTriangleIn(surface_.tree(), {.center = middle}, near, [&](std::uint32_t t) {
+    return componentOf(t) != componentOf(edge.triangle) && distance(mesh_.triangle(t), middle) <= near;
+  });
+}
+
 /// The part of a gap's cap that is not inside the solid. All of it if no edge of the gap is inside, even if
-/// something passes through it.
+/// something passes through it. Nothing if others close the gap all around: then the rest of the cap is in a
+/// pocket between both.
 std::vector<Triangle> HoleSearch::visibleCap(const Gap& gap) const {
-  const auto isInside = [&](const GapEdge& edge) {
-    const Vec3 middle = 0.5 * (edge.from + edge.to), along = edge.to - edge.from;
-    // Turned by some angle, because the triangle at the edge may be axis-aligned.
-    const Vec3 aside = Eigen::AngleAxisd(1.0, along.normalized()) * along.unitOrthogonal();
-    return isHidden(middle, aside) && isHidden(middle, along.cross(aside).normalized());
-  };
-  if (std::ranges::none_of(gap.edges, isInside)) return gap.cap;
+  if (std::ranges::all_of(gap.edges, [&](const GapEdge& e) { return isClosedByOthers(e) || isInside(e); }))
+    return {};
+  if (std::ranges::none_of(gap.edges, [&](const GapEdge& e) { return isInside(e); })) return gap.cap;
   std::vector<Triangle> visible;
   for (const Triangle& triangle : gap.cap) {
     if (!hasArea(triangle, tolerance_)) continue;
@@ -100,8 +119,10 @@ Holes HoleSearch::find() {
     Gap& gap = gaps_[i];
     if (std::ranges::none_of(gap.cap, [&](const Triangle& t) { return hasArea(t, tolerance_); })) continue;
     visible[i] = visibleCap(gap);
-    gap.is_inner = visible[i].empty();
-    if (gap.is_inner) continue;
+    if (visible[i].empty()) {
+      gap.is_inner = std::ranges::any_of(gap.edges, [&](const GapEdge& edge) { return isInside(edge); });
+      continue;
+    }
     auto& of_component = caps[componentOf(gap)];
     of_component.insert(of_component.end(), visible[i].begin(), visible[i].end());
     // The cap of a narrow gap may fold back on itself, so its triangles' areas say nothing.
