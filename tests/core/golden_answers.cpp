@@ -232,7 +232,7 @@ std::uint64_t hashOfSolids(const GoldenScene& scene, const ClusteredOctree& a, c
   return answers.hash();
 }
 
-/// Two overlapping knobs, of which one is cracked and has facets twice, and a knob with a missing facet.
+/// Two knobs that overlap, and one that lacks a facet. One of the first two has a crack and doubled facets.
 std::uint64_t hashOfDefects(const GoldenScene& scene, const ClusteredOctree& b, int threads) {
   Answers answers;
   const SharedMesh& knob = scene.knob;

@@ -72,7 +72,8 @@ std::vector<std::uint32_t> nextEdges(std::span<const OpenEdge> edges, std::span<
   };
   std::priority_queue<Turn> turns;
   for (std::uint32_t edge = 0; edge < edges.size(); ++edge) turns.push(sharpestFree(edge));
-  constexpr int kRounds = 8;  // so that thousands of edges at one place take no cubic time
+  // An edge searches at most this often: thousands of edges at one place would otherwise take cubic time.
+  constexpr int kRounds = 8;
   std::vector<signed char> rounds(edges.size(), 0);
   while (!turns.empty()) {
     Turn turn = turns.top();

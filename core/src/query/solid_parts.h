@@ -47,7 +47,7 @@ struct SolidParts {
   std::vector<Gap> gaps;
   /// Per triangle: whether a hole that it sees, or that is at its edge, lets bodies in; empty if none does.
   std::vector<char> near_hole;
-  std::vector<std::uint32_t> copies;          // triangles with the same corners as a lower one, without order
+  std::vector<std::uint32_t> copies;          // triangles with the same corners as a lower one, ascending
   std::vector<std::uint32_t> intersecting;    // the triangles that others cut, ascending
   std::unique_ptr<BoundarySurface> boundary;  // null: all triangles as they are
 };

@@ -1,4 +1,4 @@
-// How close parts of a mesh touch, and triangles have no area.
+// The distance below which parts of a mesh touch, and triangles have no area.
 #pragma once
 
 #include "geometry/thin_triangle.h"
@@ -6,8 +6,8 @@
 
 namespace octoblisk::detail {
 
-/// Parts of a mesh that are closer to each other touch. It is the rounding of points and planes near the
-/// mesh: a few hundred units in the last place of its coordinates.
+/// Parts of a mesh that are closer to each other than this touch. It is the rounding of points and planes
+/// near the mesh: a few hundred units in the last place of its coordinates.
 inline double touchingDistance(const TriangleMesh& mesh) {
   return 1e-13 * mesh.bounds().farthestFromOrigin();
 }
