@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kAllDirections = 4.0 * std::numbers::pi;
 
+/// The number of triangles that are summed up as fast as two nodes are estimated.
+constexpr std::size_t kFew = 4;
+
 /// The share of one triangle (A. Van Oosterom, J. Strackee, The solid angle of a plane triangle, IEEE Trans.
 /// Biomed. Eng. 30 (2), 1983).
 double shareOf(const Triangle& triangle, const Vec3& point) {
@@ -29,12 +32,50 @@ double shareOf(const Triangle& triangle, const Vec3& point) {
 
 }  // namespace
 
-WindingShare::WindingShare(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
-  if (!triangles_.empty()) build(0, static_cast<std::uint32_t>(triangles_.size()));
+WindingShare::WindingShare(std::vector<std::vector<Triangle>> caps) {
+  std::erase_if(caps, [](const std::vector<Triangle>& cap) { return cap.empty(); });
+  if (!caps.empty()) divide(caps);
 }
 
-void WindingShare::build(std::uint32_t begin, std::uint32_t end) {
+/// Adds a node over caps, divided in two by place.
+void WindingShare::divide(std::span<std::vector<Triangle>> caps) {
+  const auto begin = static_cast<std::uint32_t>(triangles_.size());
+  if (caps.size() == 1) {
+    triangles_.insert(triangles_.end(), caps[0].begin(), caps[0].end());
+    halve(begin, static_cast<std::uint32_t>(triangles_.size()));
+    return;
+  }
+  const std::size_t index = nodes_.size(), middle = caps.size() / 2;
+  nodes_.emplace_back();
+  const auto placeOf = [](const std::vector<Triangle>& cap) { return centroidOf(cap.front()); };
+  Aabb bounds;
+  for (const std::vector<Triangle>& cap : caps) bounds.extend(placeOf(cap));
+  Eigen::Index axis;
+  bounds.halfExtents().maxCoeff(&axis);
+  // Not std::nth_element, whose order depends on the standard library.
+  std::ranges::stable_sort(caps, {}, [&](const std::vector<Triangle>& cap) { return placeOf(cap)[axis]; });
+  divide(caps.first(middle));
+  const auto second_child = static_cast<std::uint32_t>(nodes_.size());
+  divide(caps.subspan(middle));
+  nodes_[index] = nodeOver(begin, static_cast<std::uint32_t>(triangles_.size()));
+  if (triangles_.size() - begin > kFew)
+    nodes_[index].second_child = second_child;
+  else
+    nodes_.resize(index + 1);
+}
+
+/// Adds a node over triangles of one cap.
+void WindingShare::halve(std::uint32_t begin, std::uint32_t end) {
   const std::size_t index = nodes_.size();
+  nodes_.push_back(nodeOver(begin, end));
+  if (end - begin <= kFew) return;
+  const std::uint32_t middle = begin + (end - begin + 1) / 2;
+  halve(begin + 1, middle);
+  nodes_[index].second_child = static_cast<std::uint32_t>(nodes_.size());
+  halve(middle, end);
+}
+
+WindingShare::Node WindingShare::nodeOver(std::uint32_t begin, std::uint32_t end) const {
   Node node{.begin = begin, .end = end};
   Aabb bounds;
   Vec3 moment = Vec3::Zero();
@@ -51,31 +92,15 @@ void WindingShare::build(std::uint32_t begin, std::uint32_t end) {
     const double area = 0.5 * scaledNormal(triangles_[t]).norm();
     double radius = 0.0, squares = 9.0 * (centroidOf(triangles_[t]) - node.center).squaredNorm();
     for (const Vec3& corner : triangles_[t]) {
-      radius = std::max(radius, (corner - node.center).norm());
-      squares += (corner - node.center).squaredNorm();
+      const Vec3 away = corner - node.center;
+      radius = std::max(radius, away.norm());
+      squares += away.squaredNorm();
+      node.half_extents = node.half_extents.cwiseMax(away.cwiseAbs());
     }
-    node.radius = std::max(node.radius, radius);
     node.second_moment += area * squares / 12.0;
     if (area > 0.0) node.first_moment += area * radius * (unitNormal(triangles_[t]) - mean_normal).norm();
   }
-  nodes_.push_back(node);
-  if (end - begin == 1) return;
-  Eigen::Index axis;
-  bounds.halfExtents().maxCoeff(&axis);
-  const auto at = [&](std::uint32_t t) { return triangles_.begin() + static_cast<std::ptrdiff_t>(t); };
-  std::iter_swap(at(begin), std::max_element(at(begin), at(end), [](const Triangle& s, const Triangle& t) {
-                   return scaledNormal(s).squaredNorm() < scaledNormal(t).squaredNorm();
-                 }));
-  ++begin;
-  const std::uint32_t middle = begin + (end - begin + 1) / 2;
-  // Not std::nth_element, whose order depends on the standard library.
-  std::stable_sort(at(begin), at(end), [&](const Triangle& s, const Triangle& t) {
-    return centroidOf(s)[axis] < centroidOf(t)[axis];
-  });
-  build(begin, middle);
-  if (middle == end) return;
-  nodes_[index].second_child = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end);
+  return node;
 }
 
 double WindingShare::sumOf(std::uint32_t begin, std::uint32_t end, const Vec3& point,
@@ -99,13 +124,15 @@ double WindingShare::refined(const Vec3& point, const Pose& triangles_in_a, cons
   const auto estimateOf = [&](std::uint32_t index) {
     const Node& node = nodes_[index];
     const Vec3 way = node.center - local;
-    const double length = way.norm(), least = length - node.radius;
-    if (!(least > 0.0)) return Estimate{0.0, kUncertain, index};
+    const double square = (way.cwiseAbs() - node.half_extents).cwiseMax(0.0).squaredNorm();
+    const double at_most = node.area / (kAllDirections * square);
     // The density of the share is n·x/|x|³. The first derivative of x/|x|³ is at most 2/|x|³, the second
     // 6/|x|⁴. The mean normal cancels the first, because the center is the mean.
-    const double error = (2.0 * node.first_moment + 3.0 * node.second_moment / least) /
-                         (kAllDirections * least * least * least);
-    if (!(error < kUncertain)) return Estimate{0.0, kUncertain, index};
+    const double error = (2.0 * node.first_moment * std::sqrt(square) + 3.0 * node.second_moment) /
+                         (kAllDirections * square * square);
+    if (!(std::min(error, at_most) < kUncertain)) return Estimate{0.0, kUncertain, index};
+    if (at_most < error) return Estimate{0.0, at_most, index};
+    const double length = way.norm();
     return Estimate{node.area_vector.dot(way) / (kAllDirections * length * length * length), error, index};
   };
   const auto isMoreCertain = [](const Estimate& a, const Estimate& b) { return a.error < b.error; };
@@ -125,13 +152,13 @@ double WindingShare::refined(const Vec3& point, const Pose& triangles_in_a, cons
     share -= worst.share;
     error -= worst.error;
     const Node& node = nodes_[worst.node];
-    if (count + 2 > heap.size()) {
+    if (node.second_child == 0 || count + 2 > heap.size()) {
       share += sumOf(node.begin, node.end, point, triangles_in_a);
       continue;
     }
-    share += shareOf(triangles_in_a * triangles_[node.begin], point);
-    if (node.end - node.begin > 1) push(estimateOf(worst.node + 1));
-    if (node.second_child != 0) push(estimateOf(node.second_child));
+    share += sumOf(node.begin, nodes_[worst.node + 1].begin, point, triangles_in_a);
+    push(estimateOf(worst.node + 1));
+    push(estimateOf(node.second_child));
   }
   return share;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
@@ -13,12 +14,14 @@ namespace octoblisk::detail {
 /// Jacobson, L. Kavan, O. Sorkine-Hornung, Robust inside-outside segmentation using generalized winding
 /// numbers, ACM TOG 32 (4), 2013).
 ///
-/// A tree of spheres holds the triangles, large ones near its root. From afar, the triangles of a sphere
-/// count as one dipole (G. Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for
-/// soups and clouds, ACM TOG 37 (4), 2018).
+/// A tree of boxes holds the triangles. From afar, the triangles of a box count as one dipole (G. Barill, N.
+/// Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for soups and clouds, ACM TOG 37 (4),
+/// 2018).
 class WindingShare {
  public:
-  explicit WindingShare(std::vector<Triangle> triangles);
+  /// Caps as capOf makes them: the first triangle halves the outline, the next ones fill one half, and the
+  /// last ones the other. The tree follows these halves. Any other order gives the same shares.
+  explicit WindingShare(std::vector<std::vector<Triangle>> caps);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
@@ -30,20 +33,22 @@ class WindingShare {
   bool exceeds(double limit, const Vec3& point) const;
 
  private:
-  /// The triangles [begin, end), and how to replace them from afar. The first of them is the largest. Two
-  /// children share the others: the first one follows the node.
+  /// The triangles [begin, end), and how to replace them from afar. Of two children, the first one follows
+  /// the node. The triangles before those of the children belong to the node alone.
   struct Node {
-    Vec3 center = Vec3::Zero();  // the mean over the area
-    double radius = 0.0;         // of the sphere that contains the triangles
-    double area = 0.0;           // the sum of all areas
+    Vec3 center = Vec3::Zero();        // the mean over the area
+    Vec3 half_extents = Vec3::Zero();  // of the box around it that contains the triangles
+    double area = 0.0;                 // the sum of all areas
     Vec3 area_vector = Vec3::Zero();
     double first_moment = 0.0;   // at most ∫ |n - mean n| |x - center| over the area, for unit normals n
     double second_moment = 0.0;  // ∫ |x - center|² over the area
     std::uint32_t begin = 0, end = 0;
-    std::uint32_t second_child = 0;  // 0: none; a node of two triangles has only the first child
+    std::uint32_t second_child = 0;  // 0: no children
   };
 
-  void build(std::uint32_t begin, std::uint32_t end);
+  Node nodeOver(std::uint32_t begin, std::uint32_t end) const;
+  void divide(std::span<std::vector<Triangle>> caps);
+  void halve(std::uint32_t begin, std::uint32_t end);
   double sumOf(std::uint32_t begin, std::uint32_t end, const Vec3& point, const Pose& triangles_in_a) const;
   template <typename IsEnough>
   double refined(const Vec3& point, const Pose& triangles_in_a, const IsEnough& is_enough) const;

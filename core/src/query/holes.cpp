@@ -113,7 +113,7 @@ std::vector<Triangle> HoleSearch::visibleCap(const Gap& gap) const {
 
 Holes HoleSearch::find() {
   std::vector<std::vector<Triangle>> visible(gaps_.size());                      // parts of caps
-  std::map<std::uint32_t, std::vector<Triangle>> caps;                           // the same by component
+  std::map<std::uint32_t, std::vector<std::vector<Triangle>>> caps;              // the same by component
   std::vector<double> missing(surface_.componentCount(), 0.0), areas = missing;  // twice the areas
   for (std::size_t i = 0; i < visible.size(); ++i) {
     Gap& gap = gaps_[i];
@@ -123,8 +123,7 @@ Holes HoleSearch::find() {
       gap.is_inner = std::ranges::any_of(gap.edges, [&](const GapEdge& edge) { return isInside(edge); });
       continue;
     }
-    auto& of_component = caps[componentOf(gap)];
-    of_component.insert(of_component.end(), visible[i].begin(), visible[i].end());
+    caps[componentOf(gap)].push_back(visible[i]);
     // The cap of a narrow gap may fold back on itself, so its triangles' areas say nothing.
     Vec3 area_vector = Vec3::Zero();
     for (const Triangle& triangle : visible[i]) area_vector += scaledNormal(triangle);
@@ -137,7 +136,7 @@ Holes HoleSearch::find() {
     areas[componentOf(t)] += scaledNormal(mesh_.triangle(t)).norm();
   found.near_hole.assign(mesh_.triangleCount(), 0);
   std::map<std::uint32_t, WindingShare> holes;
-  for (auto& [component, triangles] : caps) holes.try_emplace(component, std::move(triangles));
+  for (auto& [component, parts] : caps) holes.try_emplace(component, std::move(parts));
   parallelForChunks(found.sees_hole.size(), 1024, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto of_component = holes.find(componentOf(t));
@@ -154,7 +153,7 @@ Holes HoleSearch::find() {
   for (std::size_t i = 0; i < visible.size(); ++i) {
     if (visible[i].empty()) continue;
     Gap& gap = gaps_[i];
-    const WindingShare cap(std::move(visible[i]));
+    const WindingShare cap({std::move(visible[i])});
     const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kEntranceShare, point); };
     for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);

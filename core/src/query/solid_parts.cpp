@@ -30,9 +30,9 @@ Gap gapOf(const OpenLoop& loop, std::span<const Vec3> positions) {
   return gap;
 }
 
-std::vector<Triangle> capsOf(std::span<const Gap> gaps) {
-  std::vector<Triangle> caps;
-  for (const Gap& gap : gaps) caps.insert(caps.end(), gap.cap.begin(), gap.cap.end());
+std::vector<std::vector<Triangle>> capsOf(std::span<const Gap> gaps) {
+  std::vector<std::vector<Triangle>> caps;
+  for (const Gap& gap : gaps) caps.push_back(gap.cap);
   return caps;
 }
 

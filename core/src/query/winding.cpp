@@ -55,7 +55,8 @@ std::optional<int> crossingNumber(const ClusteredOctree& tree, const Vec3& point
   return on_surface ? std::nullopt : std::optional(number);
 }
 
-Winding::Winding(const ClusteredOctree& tree, std::vector<Triangle> caps, std::vector<signed char> counts)
+Winding::Winding(const ClusteredOctree& tree, std::vector<std::vector<Triangle>> caps,
+                 std::vector<signed char> counts)
     : tree_(&tree),
       counts_(std::move(counts)),
       caps_(std::move(caps)),

@@ -25,7 +25,8 @@ std::optional<int> crossingNumber(const ClusteredOctree& tree, const Vec3& point
 class Winding {
  public:
   /// The tree must outlive it. `counts` are those of crossingNumber.
-  Winding(const ClusteredOctree& tree, std::vector<Triangle> caps, std::vector<signed char> counts = {});
+  Winding(const ClusteredOctree& tree, std::vector<std::vector<Triangle>> caps,
+          std::vector<signed char> counts = {});
 
   /// A tree over the caps; null if there are none.
   const ClusteredOctree* capTree() const { return cap_tree_.get(); }
