@@ -86,10 +86,9 @@ double PoseCheck::depthAt(const Pose& moving_in_fixed, std::size_t worker) {
   DepthQuery& query = depth_queries_[worker];
   const double of_moving =
       query.deepest(*fixed_surface_, *moving_surface_, moving_in_fixed, options_.tolerance).depth;
-  if (!moving_surface_->isClosed()) return of_moving;
   const GougeDepth of_fixed =
       query.deepest(*moving_surface_, *fixed_surface_, moving_in_fixed.inverse(), options_.tolerance);
-  return std::max(of_moving, of_fixed.depth);
+  return isMovingSolid() || of_fixed.is_known ? std::max(of_moving, of_fixed.depth) : of_moving;
 }
 
 }  // namespace octoblisk::demos

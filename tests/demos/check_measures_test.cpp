@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -245,7 +246,33 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
   const Outcome swapped =
       run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv");
   EXPECT_EQ(swapped.exit_code, 1);
-  EXPECT_THAT(swapped.error, HasSubstr("sheet.obj: the mesh has holes: a mesh inside it is not noticed"));
+  EXPECT_THAT(swapped.error,
+              HasSubstr("sheet.obj: the mesh has holes: a mesh inside it is not noticed near them"));
+}
+
+/// A box inside a sphere with a pinhole, either of them moving; and inside half a sphere, a bowl.
+TEST_F(CheckCommand, noticesAMeshInsideAnotherFarFromItsHoles) {
+  std::mt19937_64 random(64);
+  const auto sphere = octoblisk::testing::bumpySphere(random, 3.0, 0.0, 24);
+  const auto writePart = [&](const std::string& name, std::size_t without) {
+    writeMesh(folder_.path() / name,
+              *octoblisk::testing::firstTriangles(*sphere, sphere->triangleCount() - without));
+  };
+  writePart("pinhole.obj", 1);
+  writePart("bowl.obj", sphere->triangleCount() / 2);
+  writeMesh(folder_.path() / "box.obj", *octoblisk::testing::boxMesh({0.5, 0.5, 0.5}));
+  folder_.write("poses.csv", kPoseHeader + "0,0,0,1,0,0,0\n");
+  const std::string rest = " --poses poses.csv --out out.csv";
+  const auto signOf = [&] {
+    const std::string out = contentOf(folder_.path() / "out.csv");
+    return out.substr(out.find("\n0,0,,,") + 7, 1);
+  };
+  EXPECT_EQ(run("check --fixed box.obj --moving pinhole.obj --depth" + rest).exit_code, 1);
+  EXPECT_EQ(run("check --fixed box.obj --moving bowl.obj --depth" + rest).exit_code, 0);
+  EXPECT_EQ(run("check --fixed pinhole.obj --moving box.obj --signed" + rest).exit_code, 1);
+  EXPECT_EQ(signOf(), "-");
+  EXPECT_EQ(run("check --fixed bowl.obj --moving box.obj --signed" + rest).exit_code, 0);
+  EXPECT_NE(signOf(), "-");
 }
 
 /// Where they overlap, the winding number is 0, and nothing is inside.

@@ -202,7 +202,8 @@ SignedDistance detail::signedDistance(const Surface& a, const Surface& b, const 
   const double tolerance = depthTolerance(a, b, options);
   const Pose a_in_b = b_in_a.inverse();
   const auto depthIn = [&](const Surface& solid, const Surface& other, const Pose& other_in_solid) {
-    return solid.isClosed() ? depth.deepest(solid, other, other_in_solid, tolerance) : GougeDepth();
+    const GougeDepth found = depth.deepest(solid, other, other_in_solid, tolerance);
+    return solid.isClosed() || found.is_known ? found : GougeDepth();
   };
   const GougeDepth of_b = depthIn(a, b, b_in_a), of_a = depthIn(b, a, a_in_b);
   const bool b_goes_in = of_b.gouging == Gouging::found, a_goes_in = of_a.gouging == Gouging::found;
