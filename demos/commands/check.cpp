@@ -133,11 +133,11 @@ int check(CheckRequest request) {
   std::unique_ptr<PoseCheck> poses_check;
   ranks.together([&] { poses_check = poseCheck(request, fixed, moving); });
   if (ranks.isFirst()) {
-    constexpr char kContainsNothing[] =
-        "the mesh has holes: a mesh inside it is not noticed near them (octoblisk inspect shows the holes)";
+    constexpr char kHasHoles[] =
+        "the mesh has holes: a mesh inside it near them may be missed (octoblisk inspect shows the holes)";
     constexpr char kCancel[] = ": where parts that face opposite ways overlap, nothing is inside";
-    if (!poses_check->isFixedSolid()) warnOf(request.fixed, kContainsNothing);
-    if (!poses_check->isMovingSolid()) warnOf(request.moving, kContainsNothing);
+    if (!poses_check->isFixedSolid()) warnOf(request.fixed, kHasHoles);
+    if (!poses_check->isMovingSolid()) warnOf(request.moving, kHasHoles);
     if (const std::string parts = poses_check->inwardPartsOfFixed(); !parts.empty())
       warnOf(request.fixed, parts + kCancel);
     if (const std::string parts = poses_check->inwardPartsOfMoving(); !parts.empty())
@@ -195,15 +195,15 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "point of the fixed mesh in the moving one; a point's depth is its distance from the other surface. "
       "The depth is 0 where the surfaces are apart or just touch, and where equal solids coincide. A depth "
       "above 0 without meeting surfaces means that one mesh is wholly inside the other. The fixed mesh must "
-      "have no holes (octoblisk inspect shows them). If the moving mesh has holes, the command does not "
-      "notice a fixed mesh that is inside it near the holes");
+      "have no holes (octoblisk inspect shows them). If the moving mesh has holes, the command may miss "
+      "a fixed mesh that is inside it near a hole");
   command.add_flag(
       "--signed", options.signed_distance,
       "Add the column signed_distance: the clearance where the meshes are apart, minus the "
       "penetration depth where they are not. Also add its derivatives: by_x,by_y,by_z by the "
       "translation of the moving mesh, by_rx,by_ry,by_rz by its rotation about its own origin, "
       "in radians about the fixed mesh's axes. One mesh must have no holes. If a mesh has holes, "
-      "the command does not notice the other mesh if it is inside near the holes");
+      "the command may miss the other mesh if it is inside near a hole");
   command.add_flag(
       "--continuous", options.continuous,
       "Add the column fraction: the fraction of the motion from the previous pose that is proved to keep the "

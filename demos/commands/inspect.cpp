@@ -36,6 +36,7 @@ int inspectFile(const InspectRequest& request) {
   for (const std::string& out : {request.picture, request.closed}) {
     if (!out.empty()) requireNotRead(out, {request.mesh});
   }
+  if (!request.closed.empty()) requireMeshFormat(request.closed);
   const TriangleMesh mesh = readMesh(request.mesh);
   const auto tree = treeOf(request.units.empty() ? mesh : inMillimetres(mesh, request.units, request.mesh));
   const octoblisk::Surface surface(*tree);

@@ -229,6 +229,8 @@ TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes)
   return joined(*scene, file.string());
 }
 
+void requireMeshFormat(const std::filesystem::path& file) { formatOf(file); }
+
 void writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh) {
   const Format& format = formatOf(file);
   const std::unique_ptr<aiScene> scene = sceneOf(mesh);

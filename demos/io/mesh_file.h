@@ -22,6 +22,9 @@ TriangleMesh readMesh(const std::filesystem::path& file);
 /// The same for a file whose bytes are already in memory.
 TriangleMesh readMesh(const std::filesystem::path& file, std::string_view bytes);
 
+/// Throws std::runtime_error naming the file unless its extension is that of a mesh.
+void requireMeshFormat(const std::filesystem::path& file);
+
 /// Writes a binary .stl, an .obj or a binary .ply, depending on the extension. Coordinates are rounded to
 /// 32-bit floats. Throws std::runtime_error naming the file: for an unknown extension, or a file that cannot
 /// be written.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -10,6 +11,8 @@
 
 namespace octoblisk::demos {
 namespace {
+
+constexpr std::size_t kMost = 10;  // of one kind are named
 
 /// How the text and the JSON name a kind of defect that is a list of places.
 struct Kind {
@@ -95,7 +98,6 @@ std::string unitAfter(const InspectionReport& report, const char* power = "") {
 std::string badText(const InspectionReport& report) {
   const MeshInspection& found = report.found;
   Lines lines;
-  constexpr std::size_t kMost = 10;
   std::size_t holes = 0;
   for (const MeshGap& gap : found.gaps) {
     if (gap.kind != GapKind::hole || ++holes > kMost) continue;
@@ -186,13 +188,15 @@ std::string closedText(const ClosedReport& closed) {
             " at " + textOf(cap.center) + ", by " + countedText(cap.triangles, "triangle", "triangles") +
             '\n';
   }
-  for (const MeshGap& gap : closed.refused) {
+  for (const MeshGap& gap : closed.refused | std::views::take(kMost)) {
     text += "Refused: the hole with " + edgesText(gap.edges) + " at " + textOf(gap.center) +
             (gap.is_planar ? std::string(": its outline crosses itself")
                            : ": it is not planar, its corners are up to " + shortText(gap.off_plane) +
                                  " off its plane") +
             '\n';
   }
+  if (closed.refused.size() > kMost)
+    text += "Refused: " + countedText(closed.refused.size() - kMost, "more hole", "more holes") + '\n';
   if (closed.added.empty() && closed.refused.empty()) text += "No holes: nothing was added\n";
   return text + closed.file.string() + ": the new mesh " + stateText(closed.found) + '\n';
 }
@@ -214,7 +218,6 @@ nlohmann::json jsonOf(const MeshGap& gap) {
 }
 
 nlohmann::json jsonOf(const MeshInspection& found) {
-  constexpr std::size_t kMost = 10;
   nlohmann::json json = {{"state", stateText(found)},
                          {"why_not_solid", whyNotSolid(found)},
                          {"is_solid", found.isSolid()},

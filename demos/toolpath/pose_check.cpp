@@ -88,7 +88,8 @@ double PoseCheck::depthAt(const Pose& moving_in_fixed, std::size_t worker) {
       query.deepest(*fixed_surface_, *moving_surface_, moving_in_fixed, options_.tolerance).depth;
   const GougeDepth of_fixed =
       query.deepest(*moving_surface_, *fixed_surface_, moving_in_fixed.inverse(), options_.tolerance);
-  return isMovingSolid() || of_fixed.is_known ? std::max(of_moving, of_fixed.depth) : of_moving;
+  const bool is_inside_known = isMovingSolid() || of_fixed.is_known;
+  return is_inside_known ? std::max(of_moving, of_fixed.depth) : of_moving;
 }
 
 }  // namespace octoblisk::demos

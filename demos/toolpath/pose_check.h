@@ -39,7 +39,7 @@ class PoseCheck {
   PoseCheck(const ClusteredOctree& fixed, const ClusteredOctree& moving, const PoseCheckOptions& options);
   ~PoseCheck();
 
-  /// Whether a mesh that the answers treat as a solid is closed; true if they treat none as one.
+  /// Whether a mesh whose inside matters to the answers is closed; true if no inside matters.
   bool isFixedSolid() const { return !fixed_surface_ || fixed_surface_->isClosed(); }
   bool isMovingSolid() const { return !moving_surface_ || moving_surface_->isClosed(); }
   /// What faces inward in a mesh that faces outward elsewhere, in words; empty if nothing does, or if no mesh

@@ -35,6 +35,20 @@ void expectWitness(const GougeDepth& found, const Solid& a, const Solid& b, cons
   }
 }
 
+/// A small box in an open one. Nothing bounds its depth, so a search that goes on never ends.
+TEST(Depth, isNotSearchedForInAnOpenBox) {
+  const auto cup = testing::firstTriangles(*testing::boxMesh({50, 50, 25}), 10);
+  const ClusteredOctree open = ClusteredOctree::build(cup),
+                        small = ClusteredOctree::build(testing::boxMesh({5, 5, 5}));
+  const Surface in(open), box(small);
+  for (const Vec3& place : {Vec3(2, 1, 10), Vec3(30, -20, -5), Vec3(0, 0, -19), Vec3(40, 40, 0)}) {
+    const Pose pose{Mat3::Identity(), place};
+    DepthQuery query;
+    EXPECT_FALSE(query.deepest(in, box, pose, 1e-6).is_known) << place.transpose();
+    EXPECT_GT(signedDistance(in, box, pose).distance, 0.0) << place.transpose();
+  }
+}
+
 TEST(Depth, boxPressedIntoABox) {
   const Solid a(testing::boxMesh({5, 5, 5})), b(testing::boxMesh({1, 1, 1}));
   DepthQuery query;

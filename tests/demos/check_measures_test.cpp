@@ -247,7 +247,7 @@ TEST_F(CheckCommand, depthsNeedAClosedMesh) {
       run("check --fixed small.obj --moving sheet.obj --poses poses.csv --depth --out out.csv");
   EXPECT_EQ(swapped.exit_code, 1);
   EXPECT_THAT(swapped.error,
-              HasSubstr("sheet.obj: the mesh has holes: a mesh inside it is not noticed near them"));
+              HasSubstr("sheet.obj: the mesh has holes: a mesh inside it near them may be missed"));
 }
 
 /// A box inside a sphere with a pinhole, either of them moving; and inside half a sphere, a bowl.

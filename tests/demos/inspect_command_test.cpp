@@ -169,7 +169,7 @@ TEST_F(InspectCommand, refusesBadInput) {
   expectRefusal(run("text.stl"), "text.stl");
   writeBlockWithout("open.stl", isOnTop);
   expectRefusal(run("open.stl --close open.stl"), "open.stl");
-  expectRefusal(run("open.stl --close closed.txt"), "closed.txt");
+  expectRefusal(run("open.stl --close closed.txt"), ": closed.txt: unknown mesh format '.txt'");
   expectRefusal(run("open.stl --units km"), "--units");
   expectRefusal(run(""), "MESH is required");
   EXPECT_FALSE(std::filesystem::exists(file("closed.txt")));

@@ -36,9 +36,9 @@ struct SignedDistanceOptions {
   double tolerance = 0.0;
 };
 
-/// The signed distance at one pose. It is continuous if both surfaces are closed. An open surface contains
-/// only what is far from its holes (GougeDepth::is_known). Only the normal at distance 0 depends on the
-/// direction in which a surface faces.
+/// The signed distance at one pose. It is continuous if both surfaces are closed. An open surface counts as a
+/// solid only where GougeDepth::is_known is true: away from its holes. Where that changes, the distance jumps.
+/// Only the normal at distance 0 depends on the direction in which a surface faces.
 ///
 /// The derivative is exact where one pair of features decides the distance: a corner and a face, or two
 /// edges that are apart. If the deepest point lies on an edge or within a face, and several faces of the

@@ -58,10 +58,11 @@ void WindingShare::divide(std::span<std::vector<Triangle>> caps) {
   const auto second_child = static_cast<std::uint32_t>(nodes_.size());
   divide(caps.subspan(middle));
   nodes_[index] = nodeOver(begin, static_cast<std::uint32_t>(triangles_.size()));
-  if (triangles_.size() - begin > kFew)
+  if (triangles_.size() - begin > kFew) {
     nodes_[index].second_child = second_child;
-  else
-    nodes_.resize(index + 1);
+  } else {
+    nodes_.resize(index + 1);  // few triangles need no children
+  }
 }
 
 /// Adds a node over triangles of one cap.
@@ -120,18 +121,18 @@ double WindingShare::refined(const Vec3& point, const Pose& triangles_in_a, cons
   };
   if (nodes_.empty()) return 0.0;
   const Vec3 local = triangles_in_a.inverse() * point;
-  constexpr double kUncertain = 16.0;  // whatever is near counts as uncertain, by more than is ever enough
   const auto estimateOf = [&](std::uint32_t index) {
     const Node& node = nodes_[index];
     const Vec3 way = node.center - local;
     const double square = (way.cwiseAbs() - node.half_extents).cwiseMax(0.0).squaredNorm();
-    const double at_most = node.area / (kAllDirections * square);
+    // No triangle takes up more than half of all directions.
+    const double at_most =
+        std::min(0.5 * static_cast<double>(node.end - node.begin), node.area / (kAllDirections * square));
     // The density of the share is n·x/|x|³. The first derivative of x/|x|³ is at most 2/|x|³, the second
     // 6/|x|⁴. The mean normal cancels the first, because the center is the mean.
     const double error = (2.0 * node.first_moment * std::sqrt(square) + 3.0 * node.second_moment) /
                          (kAllDirections * square * square);
-    if (!(std::min(error, at_most) < kUncertain)) return Estimate{0.0, kUncertain, index};
-    if (at_most < error) return Estimate{0.0, at_most, index};
+    if (!(error < at_most)) return Estimate{0.0, at_most, index};  // also if the error is not a number
     const double length = way.norm();
     return Estimate{node.area_vector.dot(way) / (kAllDirections * length * length * length), error, index};
   };

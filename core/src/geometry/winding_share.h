@@ -20,12 +20,14 @@ namespace octoblisk::detail {
 class WindingShare {
  public:
   /// Caps as capOf makes them: the first triangle halves the outline, the next ones fill one half, and the
-  /// last ones the other. The tree follows these halves. Any other order gives the same shares.
+  /// last ones the other. The tree follows these halves. In any other order, shares are the same up to
+  /// rounding, but take longer.
   explicit WindingShare(std::vector<std::vector<Triangle>> caps);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// The share, up to rounding. A point in the plane of a triangle is on the side given by sideInPlane.
+  /// The share, up to rounding, which is large beside a triangle that is much thinner than it is long. A
+  /// point in the plane of a triangle is on the side given by sideInPlane.
   double at(const Vec3& point, const Pose& triangles_in_a = {}) const;
   /// The share, rounded. Asks no more triangles than it needs to. Allocates nothing.
   int roundedAt(const Vec3& point, const Pose& triangles_in_a = {}) const;

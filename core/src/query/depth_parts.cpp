@@ -39,8 +39,11 @@ double DepthSearch::boundOf(const Part& part) {
       way = std::max(way, (corners_[other].point - corner.point).norm());
     }
     const bool is_outside = corner.location == PointLocation::outside;
-    if (!is_whole_) {  // sides may change where A has no surface
-      if (!is_outside && !boundsSolid(corner.nearest)) best_.is_known = false;
+    if (!is_whole_) {                                     // sides may change where A has no surface
+      if (!is_outside && !boundsSolid(corner.nearest)) {  // nothing bounds the depths of parts here
+        best_.is_known = false;
+        return 0.0;
+      }
       bound = std::min(bound, way + corner.distance);
       continue;
     }

@@ -153,7 +153,7 @@ Holes HoleSearch::find() {
   for (std::size_t i = 0; i < visible.size(); ++i) {
     if (visible[i].empty()) continue;
     Gap& gap = gaps_[i];
-    const WindingShare cap({std::move(visible[i])});
+    const WindingShare cap(std::vector<std::vector<Triangle>>{visible[i]});
     const auto isSeenFrom = [&](const Vec3& point) { return cap.exceeds(kEntranceShare, point); };
     for (const GapEdge& edge : gap.edges) {
       const Triangle triangle = mesh_.triangle(edge.triangle);
