@@ -6,6 +6,7 @@
 #include <new>
 
 #include "contact/contact_patches.h"
+#include "contact/feature_contacts.h"
 #include "contact/surface_contacts.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
@@ -108,6 +109,24 @@ TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {
       hits += !found.empty();
       contacts(ring, HalfSpace{pose.rotation.col(0), pose.translation.x()}, 0.05, found);
     }
+  };
+  queryAll();
+  const std::size_t before = allocations;
+  queryAll();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(hits, 10u);
+}
+
+TEST(Allocation, warmQueriesOfFeaturesAllocateNothing) {
+  const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
+  const MeshFeatures features(ring);
+  FeatureContacts query;
+  std::vector<Contact> found;
+  std::size_t hits = 0;
+  const auto queryAll = [&] {
+    std::mt19937_64 random(65);
+    for (int i = 0; i < 50; ++i)
+      hits += query.find(features, features, testing::randomPose(random, 1.2), 0.05, 0.05, found);
   };
   queryAll();
   const std::size_t before = allocations;

@@ -12,6 +12,7 @@
 namespace octoblisk {
 
 namespace detail {
+class MeshFeatures;
 struct SolidParts;
 }  // namespace detail
 
@@ -84,6 +85,7 @@ class Surface {
  private:
   struct OnlyConnected {};
   Surface(const ClusteredOctree& tree, OnlyConnected);
+  friend class detail::MeshFeatures;
   friend struct detail::SolidParts;
 
   void weld();

@@ -1,0 +1,68 @@
+// The pairs of features of two meshes that may be in contact.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/mesh_features.h"
+#include "simd/box8.h"
+
+namespace octoblisk::detail {
+
+/// A corner of one mesh, listed with a triangle, and a face of the other mesh over or under which it is.
+struct CornerAndFace {
+  std::uint32_t triangle, corner;  ///< the corner with this number (0..2) in the triangle
+  std::uint32_t face;
+};
+
+struct EdgeAndEdge {
+  const SharpEdge *of_a, *of_b;
+};
+
+/// What the search knows of one mesh's leaves near the other mesh, in single precision.
+struct LeavesNearby {
+  /// Up to eight corners of a leaf, in the other tree's local frame.
+  struct Corners {
+    float position[3][kLanes];
+    std::uint32_t triangle[kLanes], corner[kLanes];
+  };
+  /// Eight planes: unit normals, and heights over the origin.
+  struct Planes {
+    float normal[3][kLanes];
+    float height[kLanes];
+  };
+  /// All in the tree's local frame.
+  struct Leaf {
+    std::uint32_t slot;
+    std::uint32_t corners_begin, corners_end;
+    /// The box of the points that are over or under the faces, within the reach.
+    float axes[3][3];
+    float center[3];  ///< along the axes
+    float half_extents[3];
+    Planes faces;
+    Planes edges[3];  ///< through the faces' edges, perpendicular to the faces, facing outward
+  };
+
+  std::vector<std::uint32_t> place;  // per slot: the place of its leaf in `leaves`, or none
+  std::vector<Leaf> leaves;
+  std::vector<Corners> corners;
+};
+
+/// Finds the pairs of features of two meshes that may be in contact. Allocates nothing once warm.
+class NearFeatures {
+ public:
+  std::vector<CornerAndFace> corners_of_a, corners_of_b;
+  std::vector<EdgeAndEdge> edges;
+
+  /// Finds all pairs of a corner and a face whose height is within `reach`, on either side, and the pairs of
+  /// edges of at least the sharpness `least_sharpness` whose leaves are within `reach`; also a few others. A
+  /// corner is over a face if it is beside it by no more than kAlike times its height, because the faces
+  /// around it may slope.
+  void find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
+            float least_sharpness);
+
+ private:
+  LeavesNearby of_a_, of_b_;
+};
+
+}  // namespace octoblisk::detail
