@@ -11,6 +11,7 @@
 
 #include "cast_callbacks.h"
 #include "contact/far_vertices.h"
+#include "contact/mesh_features.h"
 #include "contact/solid_mesh.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/convex.h"
@@ -93,6 +94,7 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree, bool
                                                            : surface ? octoblisk::massProperties(*surface)
                                                                      : massPropertiesOfBox(tree->mesh()));
   auto vertices = std::make_shared<const FarVertices>(detail::farVertices(*tree));
+  auto features = std::make_shared<detail::MeshFeaturesOnFirstUse>();
   const bool is_anywhere_solid = surface ? SolidMesh(*surface).boundsAnywhere() : isOutwardSolid(*properties);
   const bool is_open = !is_anywhere_solid && (!may_be_solid || (surface && !surface->isOriented()));
   if (!is_anywhere_solid) surface = nullptr;
@@ -100,6 +102,7 @@ void ClusteredOctreeShape::use(std::shared_ptr<const ClusteredOctree> tree, bool
   // Nothing below throws, so that the shape stays consistent.
   mass_properties_ = std::move(properties);
   far_vertices_ = std::move(vertices);
+  features_ = std::move(features);
   surface_ = std::move(surface);
   is_anywhere_solid_ = is_anywhere_solid;
   is_open_ = is_open;
@@ -161,6 +164,8 @@ std::string ClusteredOctreeShape::whyNotSolid() const {
 }
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }
+
+const MeshFeatures& ClusteredOctreeShape::features() const { return features_->of(solid().boundary()); }
 
 SolidMesh ClusteredOctreeShape::solid() const {
   if (!may_be_solid_ || !is_anywhere_solid_) return {*tree_, SolidMesh::Kind::sheet};

@@ -4,6 +4,7 @@
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
 #include "contact/far_vertices.h"
+#include "contact/feature_contacts.h"
 #include "contact/surface_contacts.h"
 #include "mesh_algorithm.h"
 
@@ -27,6 +28,7 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
 
   FarVerticesInSolid far_vertices_;  // of the smaller mesh in the other
   std::vector<Contact> ways_out_;
+  FeatureContacts feature_contacts_;
   SurfaceContacts surface_contacts_;
 };
 

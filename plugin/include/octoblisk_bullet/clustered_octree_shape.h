@@ -26,12 +26,15 @@ struct MassProperties;
 
 namespace detail {
 struct FarVertices;
+class MeshFeatures;
+class MeshFeaturesOnFirstUse;
 class SolidMesh;
 }  // namespace detail
 
 /// A concave mesh that may be static, kinematic or dynamic. Call registerAlgorithm (register.h) once for each
 /// dispatcher. The tree is immutable, so shapes, bodies, worlds and threads may share it. setLocalScaling and
-/// refit give this shape a new tree. Queries are const and compute nothing lazily.
+/// refit give this shape a new tree. Queries are const. Only what contacts of two moving meshes need
+/// is built on first use, by any thread.
 ATTRIBUTE_ALIGNED16(class)
 ClusteredOctreeShape final : public btConcaveShape {
  public:
@@ -128,6 +131,8 @@ ClusteredOctreeShape final : public btConcaveShape {
 
   /// For the library's own algorithms.
   const detail::FarVertices& farVertices() const { return *far_vertices_; }
+  /// The same, built on first use: those of the triangles that bodies collide with.
+  const detail::MeshFeatures& features() const;
   /// The same: what bodies collide with. A surface after setSolid(false).
   detail::SolidMesh solid() const;
 
@@ -167,6 +172,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   std::shared_ptr<const ClusteredOctree> tree_;
   std::shared_ptr<const MassProperties> mass_properties_;
   std::shared_ptr<const detail::FarVertices> far_vertices_;
+  std::shared_ptr<detail::MeshFeaturesOnFirstUse> features_;
   std::shared_ptr<const Surface> surface_;  // null if all triangles bound a solid, or none does
   bool is_anywhere_solid_ = false;
   bool is_open_ = false;  // no triangle bounds a solid, and the mesh has open edges
