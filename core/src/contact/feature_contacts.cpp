@@ -192,7 +192,10 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   is_deep_ = false;
   contacts_.clear();
   found.clear();
-  touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
+  const Clearance nearest = distance(a.tree(), b.tree(), b_in_a, {.upper_bound = reach});
+  if (!nearest.found()) return true;
+  meeting_.clear();
+  if (nearest.distance == 0.0) touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
   addCorners(a, b, b_in_a.inverse(), near_.corners_of_a);
   for (Contact& contact : contacts_) {  // from B's frame to A's
@@ -212,14 +215,10 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
   if (!meeting_.empty() && (is_deep_ || least < -kShallow * reach || !areMeetingsFelt(a, b))) return false;
-  if (meeting_.empty() && least > not_felt_) {
-    const Clearance nearest =
-        distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach, least - not_felt_)});
-    if (nearest.found()) {
-      contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
-                           (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
-                           nearest.triangle_a, nearest.triangle_b});
-    }
+  if (meeting_.empty() && least > nearest.distance + not_felt_) {
+    contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
+                         (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
+                         nearest.triangle_a, nearest.triangle_b});
   }
   found.assign(contacts_.begin(), contacts_.end());
   return true;

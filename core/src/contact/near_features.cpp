@@ -36,6 +36,18 @@ void addCornersOf(const MeshFeatures& mesh, const Pose& in_other, Child leaf,
   }
 }
 
+/// Adds the edges of at least some sharpness that are listed with a leaf's triangles.
+void addEdgesOf(const MeshFeatures& mesh, const Pose& in_a, Child leaf, float least_sharpness,
+                std::vector<LeavesNearby::Edge>& added) {
+  for (const SharpEdge& edge : mesh.edgesOfLeaf(leaf.first(), leaf.first() + leaf.count())) {
+    if (edge.sharpness < least_sharpness) break;
+    const Triangle triangle = mesh.tree().mesh().triangle(edge.triangle);
+    const Vec3 &from = triangle[edge.corner], &to = triangle[(edge.corner + 1) % 3];
+    const Eigen::Vector3f middle = (in_a * (0.5 * (from + to))).cast<float>();
+    added.push_back({&edge, {middle[0], middle[1], middle[2]}, static_cast<float>(0.5 * (to - from).norm())});
+  }
+}
+
 HWY_INLINE Vec8 unit(const Vec8& v) { return v * (Float8(1.0f) / sqrt(nonzero(dot(v, v)))); }
 
 /// The frame of a leaf's box in the tree's local frame.
@@ -67,8 +79,16 @@ struct LeafFrame {
   }
 };
 
-/// Adds the leaf at a slot. `in_other`: the pose of the mesh in the other tree's local frame.
-void addLeaf(const MeshFeatures& mesh, const Pose& in_other, Slot slot, float reach, LeavesNearby& nearby) {
+/// A mesh, its poses in the other tree's local frame and in A's, and what is sought of it.
+struct Searched {
+  const MeshFeatures& mesh;
+  Pose in_other, in_a;
+  float reach, least_sharpness;
+  LeavesNearby& nearby;
+};
+
+void addLeaf(const Searched& searched, Slot slot) {
+  const auto& [mesh, in_other, in_a, reach, least_sharpness, nearby] = searched;
   const Tree& tree = treeOf(mesh.tree());
   const Child child = tree.child(slot);
   LeavesNearby::Leaf& leaf = nearby.leaves.emplace_back();
@@ -76,6 +96,9 @@ void addLeaf(const MeshFeatures& mesh, const Pose& in_other, Slot slot, float re
   leaf.corners_begin = static_cast<std::uint32_t>(nearby.corners.size());
   addCornersOf(mesh, in_other, child, nearby.corners);
   leaf.corners_end = static_cast<std::uint32_t>(nearby.corners.size());
+  leaf.edges_begin = static_cast<std::uint32_t>(nearby.edges.size());
+  addEdgesOf(mesh, in_a, child, least_sharpness, nearby.edges);
+  leaf.edges_end = static_cast<std::uint32_t>(nearby.edges.size());
 
   LeafVertices room;
   const float* const rows = tree.leafVertices(slot, room);
@@ -102,12 +125,11 @@ void addLeaf(const MeshFeatures& mesh, const Pose& in_other, Slot slot, float re
 }
 
 /// The place of a slot's leaf.
-HWY_INLINE std::uint32_t placeOf(const MeshFeatures& mesh, const Pose& in_other, Slot slot, float reach,
-                                 LeavesNearby& nearby) {
-  std::uint32_t& place = nearby.place[slot.node * kLanes + slot.lane];
+HWY_INLINE std::uint32_t placeOf(const Searched& searched, Slot slot) {
+  std::uint32_t& place = searched.nearby.place[slot.node * kLanes + slot.lane];
   if (place == kNoIndex) {
-    place = static_cast<std::uint32_t>(nearby.leaves.size());
-    addLeaf(mesh, in_other, slot, reach, nearby);
+    place = static_cast<std::uint32_t>(searched.nearby.leaves.size());
+    addLeaf(searched, slot);
   }
   return place;
 }
@@ -152,10 +174,13 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
                      float least_sharpness, LeavesNearby& of_a, LeavesNearby& of_b, NearFeatures& near) {
   const Tree &tree_a = treeOf(a.tree()), &tree_b = treeOf(b.tree());
   const LocalPose pose(tree_a, tree_b, b_in_a);
-  const Pose b_to_a = {b_in_a.rotation, b_in_a.translation - tree_a.origin()};
+  const float limit = pose.limit(reach), rounding = pose.limit(0.0);
+  const Pose a_local{Mat3::Identity(), -tree_a.origin()};
+  const Pose b_to_a{b_in_a.rotation, b_in_a.translation - tree_a.origin()};
   Pose a_to_b = b_in_a.inverse();
   a_to_b.translation -= tree_b.origin();
-  const float limit = pose.limit(reach), rounding = pose.limit(0.0);
+  const Searched searched_a{a, a_to_b, a_local, limit, least_sharpness, of_a},
+      searched_b{b, b_to_a, b_to_a, limit, least_sharpness, of_b};
   const Eigen::Matrix3f turn = b_in_a.rotation.cast<float>();
   const auto addPairs = [&](const LeavesNearby& own, const LeavesNearby::Leaf& leaf,
                             const LeavesNearby::Leaf& faces, std::span<const std::uint32_t> triangles,
@@ -172,8 +197,7 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
     }
   };
   const auto visit = [&](Slot slot_a, Slot slot_b) HWY_ATTR {
-    const std::uint32_t place_a = placeOf(a, a_to_b, slot_a, limit, of_a),
-                        place_b = placeOf(b, b_to_a, slot_b, limit, of_b);
+    const std::uint32_t place_a = placeOf(searched_a, slot_a), place_b = placeOf(searched_b, slot_b);
     const LeavesNearby::Leaf &leaf_a = of_a.leaves[place_a], &leaf_b = of_b.leaves[place_b];
     const Child child_a = tree_a.child(slot_a), child_b = tree_b.child(slot_b);
     const LeafCones &cones_a = a.conesAt(slot_a), &cones_b = b.conesAt(slot_b);
@@ -181,11 +205,12 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
       addPairs(of_a, leaf_a, leaf_b, tree_b.triangles(child_b), near.corners_of_a);
     if (mayOppose(cones_a.faces, cones_b.corners, turn))
       addPairs(of_b, leaf_b, leaf_a, tree_a.triangles(child_a), near.corners_of_b);
-    for (const SharpEdge& edge_a : a.edgesOfLeaf(child_a.first(), child_a.first() + child_a.count())) {
-      if (edge_a.sharpness < least_sharpness) break;
-      for (const SharpEdge& edge_b : b.edgesOfLeaf(child_b.first(), child_b.first() + child_b.count())) {
-        if (edge_b.sharpness < least_sharpness) break;
-        near.edges.push_back({&edge_a, &edge_b});
+    for (std::uint32_t i = leaf_a.edges_begin; i < leaf_a.edges_end; ++i) {
+      for (std::uint32_t j = leaf_b.edges_begin; j < leaf_b.edges_end; ++j) {
+        const LeavesNearby::Edge &edge_a = of_a.edges[i], &edge_b = of_b.edges[j];
+        const float x = edge_a.middle[0] - edge_b.middle[0], y = edge_a.middle[1] - edge_b.middle[1],
+                    z = edge_a.middle[2] - edge_b.middle[2], far = edge_a.radius + edge_b.radius + limit;
+        if (x * x + y * y + z * z <= far * far) near.edges.push_back({edge_a.edge, edge_b.edge});
       }
     }
     return false;
@@ -213,6 +238,7 @@ void NearFeatures::find(const MeshFeatures& a, const MeshFeatures& b, const Pose
     for (const LeavesNearby::Leaf& leaf : nearby.leaves) nearby.place[leaf.slot] = kNoIndex;
     nearby.leaves.clear();
     nearby.corners.clear();
+    nearby.edges.clear();
     const std::size_t slots = treeOf(mesh.tree()).nodeCount() * kLanes;
     if (nearby.place.size() < slots) nearby.place.resize(slots, kNoIndex);
   };

@@ -26,6 +26,11 @@ struct LeavesNearby {
     float position[3][kLanes];
     std::uint32_t triangle[kLanes], corner[kLanes];
   };
+  /// An edge, and a ball around it in A's local frame.
+  struct Edge {
+    const SharpEdge* edge;
+    float middle[3], radius;
+  };
   /// Eight planes: unit normals, and heights over the origin.
   struct Planes {
     float normal[3][kLanes];
@@ -35,6 +40,7 @@ struct LeavesNearby {
   struct Leaf {
     std::uint32_t slot;
     std::uint32_t corners_begin, corners_end;
+    std::uint32_t edges_begin, edges_end;
     /// The box of the points that are over or under the faces, within the reach.
     float axes[3][3];
     float center[3];  ///< along the axes
@@ -46,6 +52,7 @@ struct LeavesNearby {
   std::vector<std::uint32_t> place;  // per slot: the place of its leaf in `leaves`, or none
   std::vector<Leaf> leaves;
   std::vector<Corners> corners;
+  std::vector<Edge> edges;
 };
 
 /// Finds the pairs of features of two meshes that may be in contact. Allocates nothing once warm.
