@@ -37,7 +37,7 @@ const std::vector<Golden> kGolden = {
     {"sweeps", 0xd792c3650844c504u},
     {"sweeps of convex bodies", 0x94e319468c3f69e1u},
     {"solids", 0x50a1275bcae39306u},
-    {"solids with defects", 0x1148e56c6bb12dd7u},
+    {"solids with defects", 0x62c928f54a11cfd6u},
 };
 
 std::string written(const std::vector<Golden>& golden) {
