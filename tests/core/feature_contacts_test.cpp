@@ -148,7 +148,7 @@ TEST(FeatureContacts, ofTetrahedraThatAreApartDoNotOverlap) {
   EXPECT_GT(meet, 20);
 }
 
-/// A bar that lies on two boxes, in one of which it is much too deep for its contacts there.
+/// A bar lies on one box, and reaches into another box deeper than its contacts can say.
 TEST(FeatureContacts, ofOnePlaceDoNotHideThatAnotherIsDeep) {
   const auto place = [](double x, double z) {
     return testing::moved(*boxMesh({0.1, 0.5, 0.5}), at({x, 0.0, z - 0.5}));

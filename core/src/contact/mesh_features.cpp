@@ -9,7 +9,8 @@
 namespace octoblisk::detail {
 namespace {
 
-/// The only triangle on the other side of a triangle's edge; kNoTriangle if there is none, or several.
+/// The triangle across an edge; kNoTriangle unless exactly two triangles share the edge in opposite
+/// directions.
 std::uint32_t triangleAcross(const Surface& surface, std::uint32_t triangle, std::uint32_t corner) {
   const auto& corners = surface.corners(triangle);
   const std::uint32_t from = corners[corner], to = corners[(corner + 1) % 3];
@@ -78,7 +79,7 @@ MeshFeatures::MeshFeatures(const ClusteredOctree& octree) : surface_(octree, Sur
   edges_.shrink_to_fit();
   cones_.resize(tree.nodeCount() * kLanes);
   for (std::uint32_t node = 0; node < tree.nodeCount(); ++node) {
-    for (std::uint32_t lane = 0; lane < 8; ++lane) {
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
       const Child child = tree.child({node, lane});
       if (child.isEmpty() || !child.isLeaf()) continue;
       cones_[node * kLanes + lane] = conesOf(child.first(), child.first() + child.count());

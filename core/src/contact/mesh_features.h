@@ -1,7 +1,6 @@
 // The features of a mesh that contacts may have: its corners and its sharp edges, and what is around them.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -24,13 +23,10 @@ struct SharpEdge {
   float sharpness;       ///< how far the edge deviates from what its ends say, a length
 };
 
-/// Directions within an angle from an axis.
+/// Directions within an angle from an axis; by default, all directions.
 struct NormalCone {
   Eigen::Vector3f axis = Eigen::Vector3f::UnitX();
-  float cosine = kAny, sine = 0.0f;  ///< of the angle
-
-  /// Instead of a cosine: the cone may contain any direction.
-  static constexpr float kAny = -2.0f;
+  float cosine = -1.0f, sine = 0.0f;  ///< of the angle
 };
 
 /// The normals of a leaf's faces, and the directions against which others can push the corners listed with

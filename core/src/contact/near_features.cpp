@@ -166,8 +166,7 @@ HWY_INLINE unsigned facesUnder(const LeavesNearby::Leaf& leaf, unsigned lanes, c
 HWY_INLINE bool mayOppose(const NormalCone& of_a, const NormalCone& of_b, const Eigen::Matrix3f& b_to_a) {
   const float sine = of_a.sine * of_b.cosine + of_a.cosine * of_b.sine,
               cosine = of_a.cosine * of_b.cosine - of_a.sine * of_b.sine;  // of the sum of both angles
-  return std::min(of_a.cosine, of_b.cosine) == NormalCone::kAny || sine <= 0.0f ||
-         -of_a.axis.dot(b_to_a * of_b.axis) >= cosine;
+  return sine <= 0.0f || -of_a.axis.dot(b_to_a * of_b.axis) >= cosine;
 }
 
 void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
